@@ -22,7 +22,7 @@ ordered_json ListOf(const List& list) {
   return all;
 }
 
-/// Null where it never has one of its own.
+/// Null for a component that never has its own thread.
 ordered_json ThreadOf(const tendon::ComponentDescription& component) {
   if (component.thread.empty()) return nullptr;
   return tendon::JsonOrText(tendon::ToJson(component.thread.front()));

@@ -6,11 +6,11 @@
 
 namespace console {
 
-// The catalogue as scripts see it; keys are stable within "schema": 1.
+// The catalogue as JSON for scripts. Keys are stable within "schema": 1.
 
 nlohmann::ordered_json ToJson(const tendon::ProcessEntry& entry);
 nlohmann::ordered_json ToJson(const tendon::PluginDescription& plugin);
-/// `process` is its own.
+/// `process` is the process of the component.
 nlohmann::ordered_json ToJson(const tendon::ComponentDescription& component,
                               const tendon::ProcessEntry& process);
 nlohmann::ordered_json ToJson(const tendon::ProvidedDescription& interface);
@@ -20,8 +20,8 @@ nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
 nlohmann::ordered_json ToJson(const tendon::ConnectionCounts& counts);
 nlohmann::ordered_json ToJson(const tendon::MailboxFill& fill);
 
-/// As the GCM has it of the process, with its age: without what is not known, empty where that is
-/// all.
+/// The health of a process as the GCM reports it, with its age. Leaves out unknown values; empty if
+/// all are unknown.
 nlohmann::ordered_json HealthOf(const tendon::message::SystemHealth& health,
                                 const tendon::ProcessDescription& process);
 

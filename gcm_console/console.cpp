@@ -13,7 +13,7 @@
 namespace console {
 namespace {
 
-/// Whether all was written. Where not, errno says why, whenever that happened.
+/// True if everything was written; else errno keeps the cause, even from an earlier write.
 bool IsWritten(std::ostream& out) {
   if (!out.good()) {
     out.clear();
@@ -24,10 +24,10 @@ bool IsWritten(std::ostream& out) {
   return static_cast<bool>(out.flush());
 }
 
-/// The named verb ran, or why it did not.
+/// Returns the exit code of a verb, and prints why it did not run.
 int Finish(const tendon::Result<program::ExitCode>& result, const Streams& streams) {
   const bool is_written = IsWritten(streams.out);
-  const bool is_left = errno == EPIPE;  // whoever reads has enough, as `head` after ten lines
+  const bool is_left = errno == EPIPE;  // the reader closed the pipe, like `head` after ten lines
   if (!result) {
     streams.err << "gcm: " << tendon::Printable(result.error().message) << '\n';
     return program::ExitCodeOf(result.error().code);
@@ -40,7 +40,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   return *result;
 }
 
-/// For who types at a prompt: what a path is taken for is said. Scripts name all in full.
+/// For users at a prompt: abbreviated paths are completed and shown. Scripts use full paths.
 CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
@@ -74,7 +74,7 @@ int Run(const std::vector<std::string>& words, const Streams& streams, const Set
   try {
     Context context(line.settings(), line.verb(), streams, session);
     return Finish(line.run()(context), streams);
-  } catch (const std::exception& failure) {  // no memory, no files left
+  } catch (const std::exception& failure) {  // out of memory or files
     streams.err << "gcm: " << Plain(failure.what()) << '\n';
     return program::kRefused;
   }

@@ -8,15 +8,15 @@
 
 namespace console {
 
-/// Runs one command line, without the program's name: {"connect", "a/b/C", "d/e/F", "--json"}. Data
-/// goes to `out`, messages to `err`. `columns` is the width of the terminal that `out` is, 0 where
-/// it is none. Returns the exit code.
+/// Runs one command line without the program's name: {"connect", "a/b/C", "d/e/F", "--json"}.
+/// Writes data to `out` and messages to `err`. `columns` is the width of the terminal behind `out`,
+/// 0 if it is not a terminal. Returns the exit code.
 int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
                    int columns);
 
 int RunCommandLine(const std::vector<std::string>& words, const Streams& streams);
 
-/// The same as one of several lines of a session.
+/// The same for one of several lines of a session.
 int RunCommandLine(const std::vector<std::string>& words, const Streams& streams, Session& session);
 
 }  // namespace console

@@ -16,45 +16,45 @@
 
 namespace console {
 
-/// Where the output of a command line goes.
+/// The streams of a command line.
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  int columns = 0;                            ///< of the terminal that `out` is, 0 where it is none
-  MakeLineReader make_line_reader = nullptr;  ///< where a person sits at a terminal
-  bool has_input = true;                      ///< false in a window, where nothing can be piped in
+  int columns = 0;                            ///< the width of the terminal behind `out`, 0 if none
+  MakeLineReader make_line_reader = nullptr;  ///< set if a person sits at a terminal
+  bool has_input = true;                      ///< false in a window: nothing can be piped in
 };
 
-/// Whether the terminal can do no more than print one line below another.
+/// True if the terminal cannot move the cursor and can only append lines.
 [[nodiscard]] bool IsDumbTerminal();
 
-/// Why a verb that reads its input cannot do so in a window.
+/// The error for a verb that reads its input and is used in a window.
 [[nodiscard]] tendon::Error NoInput(const std::string& verb);
 
-/// Where a verb's output goes, and what it asks the GCM through.
+/// The environment of a running verb: its output, and its client of the GCM.
 class Context {
  public:
-  /// With a session, the verb uses its link.
+  /// With a session, the verb uses the session's link.
   Context(Settings settings, std::string verb, const Streams& streams, Session* session = nullptr);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const std::string& verb() const { return verb_; }
   [[nodiscard]] std::ostream& out() const { return streams_.out; }
-  /// For remarks that are no result.
+  /// For messages that are not results.
   [[nodiscard]] std::ostream& err() { return is_quiet() ? nowhere_ : streams_.err; }
-  /// The width of the terminal that out() is, 0 where it is none.
+  /// The width of the terminal behind out(), 0 if it is not a terminal.
   [[nodiscard]] int columns() const { return streams_.columns; }
   [[nodiscard]] const Streams& streams() const { return streams_; }
-  /// Whether a person sits at a terminal on which a picture can be drawn anew.
+  /// True if a person sits at a terminal that can redraw a picture.
   [[nodiscard]] bool has_screen() const;
-  /// Null where the line stands alone.
+  /// Null outside a session.
   [[nodiscard]] Session* session() const { return session_; }
   /// How tables are printed.
   [[nodiscard]] Layout layout() const;
 
-  /// Asks the client and waits for its answer, a little longer than the client: it gives up after
-  /// the time-out by itself, and knows best why. `start(client, handler)` calls one of its
-  /// functions, which may take that time `times` times.
+  /// Sends a request through the client and waits for the answer, 500 ms longer than the client
+  /// does: the client's own time-out error gives the best reason. `start(client, handler)` calls
+  /// one of the client's functions, which may take the time-out `times` times.
   template <typename T, typename Start>
   tendon::Result<T> Ask(Start start, int times = 1) {
     constexpr std::chrono::milliseconds kLonger(500);
@@ -64,14 +64,14 @@ class Context {
                            [&](auto handler) { start(**client, std::move(handler)); });
   }
 
-  /// A client that has seen the catalogue; made once, with the listener of the first call.
+  /// A client that has received the catalogue; the first call creates it, with its listener.
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);
 
   void Print(const Table& table) const { table.Print(out(), layout()); }
-  /// One JSON document, with "schema": 1 as its first key.
+  /// Prints one JSON document, with "schema": 1 as its first key.
   void PrintJson(const nlohmann::ordered_json& content) const;
-  /// The same in one line, as one of many.
+  /// The same in one line, for a stream of documents.
   void PrintJsonLine(const nlohmann::ordered_json& content) const;
 
  private:

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// What became of each of several things that one verb was told to change.
+/// The results of a verb that changes several things.
 namespace console {
 
 struct Outcome {
@@ -19,24 +19,24 @@ struct Outcome {
 struct Doing {
   std::string_view verb;        ///< "stop"
   std::string_view participle;  ///< "stopped"
-  bool is_dry = false;          ///< it only would be
+  bool is_dry = false;          ///< a dry run: nothing is really done
 };
 
-/// A line for each; what failed goes to the messages. One document as JSON.
+/// Prints one line per thing, and failures to the messages; as JSON one document.
 void PrintOutcomes(const Context& context, const Doing& doing,
                    const std::vector<Outcome>& outcomes);
 
-/// Of the first failure; kPartial where some went well.
+/// The exit code of the first failure; kPartial if some things succeeded.
 [[nodiscard]] program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes);
 
-/// Whether who asks for a dry run could give the order as well: kDenied with --read-only, as the
-/// GCM would say.
+/// Checks that a dry run would also be allowed as a real run: kDenied with --read-only, like the
+/// GCM.
 [[nodiscard]] tendon::Result<void> CheckRole(const Context& context);
 
-/// "QUESTION? [y/N]" to a person who sits at a terminal; true where nobody does.
+/// Asks "QUESTION? [y/N]" at a terminal. True without a terminal; false in a window.
 [[nodiscard]] bool Confirm(const Context& context, const std::string& question);
 
-/// What is said where it was not confirmed.
+/// The error after the user has said no.
 [[nodiscard]] tendon::Error Declined();
 
 }  // namespace console

@@ -17,7 +17,7 @@
 
 namespace console {
 
-/// Rows of a table that are lost, apart as in RowCounts.
+/// Lost rows by place of loss, as in RowCounts.
 struct LostRows {
   std::uint64_t table = 0;
   std::uint64_t network = 0;
@@ -27,32 +27,32 @@ struct LostRows {
   LostRows& operator+=(const LostRows& other);
 };
 
-/// One row as it is printed: what was asked for, by path, as JSON text.
+/// One row for printing: the wanted values by path, as JSON text.
 struct PrintedRow {
   std::int64_t time_ns = 0;
   std::int64_t clock_offset_ns = 0;  ///< see RowBatch
   std::uint64_t tick = 0;
-  LostRows lost_before;  ///< between the last one and this
+  LostRows lost_before;  ///< between the previous row and this one
   std::vector<std::pair<std::string, std::string>> values;
 };
 
-/// Keeps the rows of one table as they come, until the printing thread takes them as values of the
-/// paths that were asked for. What waits is bounded in rows and bytes; newer rows take the place of
-/// the oldest, which are counted as lost here.
+/// Keeps the incoming rows of one table until the printing thread takes them as values of the
+/// wanted paths. The queue is bounded in rows and bytes; when it is full, the oldest rows are
+/// dropped and counted as lost here.
 class RowPrinter final : public tendon::RowSink {
  public:
-  /// At one go, or a single row.
+  /// The limit for one Take(), which a single larger row may exceed.
   static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes
   static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
                                                       .bytes = std::size_t{32} << 20U};
 
-  /// `column` of each path says where in the subscription its column is.
+  /// `column` is the index of the path's column in the subscription.
   struct Wanted {
     tendon::Path path;
     std::size_t column = 0;
-    bool is_found = false;  ///< by a glob: where its part is not there it is left out
+    bool is_found = false;  ///< by a glob: left out if the part does not exist
   };
-  /// With RowDelivery::kNewest, no row waits but the newest, and those before it are not lost.
+  /// RowDelivery::kNewest keeps only the newest row; replaced rows do not count as lost.
   explicit RowPrinter(std::vector<Wanted> wanted,
                       tendon::RowDelivery delivery = tendon::RowDelivery::kAll);
 
@@ -60,32 +60,32 @@ class RowPrinter final : public tendon::RowSink {
   std::size_t OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
-  /// The oldest rows that wait, at most kMostTaken of them. Of the printing thread.
+  /// Takes the oldest waiting rows, at most kMostTaken. Call it in the printing thread only.
   std::deque<PrintedRow> Take();
-  /// Whether more can be taken.
+  /// True if more rows can be taken.
   [[nodiscard]] bool has_more() const;
-  /// Of the rows that can be taken.
+  /// The size of the waiting rows.
   [[nodiscard]] std::size_t waiting_bytes() const;
-  /// What is lost behind the last row that was taken, with those that could be taken, which are
-  /// dropped. Of the printing thread.
+  /// Drops the waiting rows. Returns the number of rows lost after the last taken row, including
+  /// those dropped. Call it in the printing thread only.
   LostRows Rest();
-  /// That a path names nothing in its column, which no glob has found; no rows come then.
+  /// Set if a path that was not found by a glob names nothing in its column; then no rows come.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// Whether all that was wanted is left out; no rows come then.
+  /// True if every wanted path is left out; then no rows come.
   [[nodiscard]] bool is_empty() const;
-  /// What is left out from now on, and why there are no rows just now: once for each change.
+  /// New messages about paths left out and interrupted rows; each change is reported once.
   std::vector<std::string> TakeComplaints();
-  /// Why there were no rows the last time that they ceased to come, also if they come again.
+  /// The reason of the last interruption, even if rows come again.
   [[nodiscard]] std::optional<tendon::Error> interruption() const;
 
  private:
-  /// How the columns are read since they were subscribed to.
+  /// How to read the columns of one subscription.
   struct Columns {
     std::vector<tendon::Schema> schemas;
-    std::vector<std::optional<tendon::PlotChannel>> numbers;  // for paths of numbers, as most are
-    std::vector<bool> is_left_out;                            // of those wanted; of the mutex
+    std::vector<std::optional<tendon::PlotChannel>> numbers;  // set for numbers, the usual case
+    std::vector<bool> is_left_out;                            // by path; guarded by mutex_
   };
-  /// A row as it came.
+  /// A row as received.
   struct KeptRow {
     std::int64_t time_ns = 0;
     std::int64_t clock_offset_ns = 0;
@@ -98,7 +98,7 @@ class RowPrinter final : public tendon::RowSink {
   };
   using Rows = tendon::DroppingQueue<KeptRow>;
 
-  /// False where nothing of the row is to be printed.
+  /// Returns false if the row has nothing to print.
   bool Fill(const KeptRow& row, PrintedRow& printed);
   [[nodiscard]] tendon::Result<std::string> Value(std::size_t index, const KeptRow& row) const;
 
@@ -108,9 +108,9 @@ class RowPrinter final : public tendon::RowSink {
   std::shared_ptr<Columns> columns_;
   std::optional<tendon::Error> mistake_;
   Rows rows_;
-  LostRows lost_;                      // since the newest row that waits
-  LostRows gap_;                       // since the last row that was taken; of the printing thread
-  std::vector<std::string> left_out_;  // why, of those since TakeComplaints()
+  LostRows lost_;                      // since the newest waiting row
+  LostRows gap_;                       // since the last taken row; printing thread only
+  std::vector<std::string> left_out_;  // reasons since TakeComplaints()
   std::string complaint_;
   std::optional<tendon::Error> interruption_;
 };

@@ -13,14 +13,14 @@ class App;
 
 namespace console {
 
-// What every verb speaks of.
+// Every verb uses these.
 using program::ExitCode;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// One verb of `gcm`: its name, what help says of it, and how it is run. `prepare` adds its options
-/// to its part of the command line, each with what its words name, and returns what runs it.
+/// One verb of `gcm`: its name, its help and its function. `prepare` adds the options to the verb's
+/// part of the command line, each with its WordKind, and returns the function that runs the verb.
 struct Verb {
   using Run = std::function<Result<ExitCode>(Context&)>;
 
@@ -28,10 +28,10 @@ struct Verb {
   std::string summary;
   std::function<Run(CLI::App&)> prepare;
   std::vector<std::string> examples = {};  ///< whole command lines
-  std::string group = {};                  ///< as verb_table.cpp says
+  std::string group = {};                  ///< as in verb_table.cpp
 };
 
-// In groups of kindred ones.
+// By subject.
 std::vector<Verb> LookVerbs();       // ls tree
 std::vector<Verb> ShowVerbs();       // show
 std::vector<Verb> FindVerbs();       // status find graph
@@ -55,8 +55,7 @@ std::vector<Verb> ServeVerbs();      // serve fan-out
 std::vector<Verb> ShellVerbs();      // shell run
 std::vector<Verb> MetaVerbs();       // help version completion
 
-/// All of them: the one table that the program, its help, its manual, the completion of words and
-/// the shell are made from.
+/// The table of all verbs: the program, its help, its manual, the completion and the shell use it.
 std::vector<Verb> AllVerbs();
 
 }  // namespace console

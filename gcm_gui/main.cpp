@@ -73,18 +73,18 @@ int Fail(const tendon::Error& error) {
   return program::ExitCodeOf(error.code);
 }
 
-/// Without one Qt would abort. QT_QPA_PLATFORM may name a platform that needs none.
+/// Qt aborts without a display. QT_QPA_PLATFORM may name a platform that needs none.
 bool HasDisplay() {
   return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
          qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
 }
 
-/// As it was left the last time, and from now on remembered.
+/// Restores the last layout and saves changes from now on.
 void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
   const auto columns = QStringLiteral("catalogueColumns");
-  // What was kept must not keep the window from opening.
+  // Broken saved values must not keep the window from opening.
   const auto restore = [&](QWidget& view, auto&& part) {
     tendon::gui::Fence::run(&view, tendon::gui::ViewWork::kHandling, part);
   };
@@ -102,13 +102,13 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) 
                    });
 }
 
-/// Lies beside the programs, as they are built and as they are installed.
+/// Relative to the programs, both in the build and when installed.
 QString DemoFile() {
   const auto prefix = tendon::os::ProgramFolder().parent_path();
   return QString::fromStdString((prefix / "share/tendon/systems/demo.json").string());
 }
 
-/// Who sees the window for the first time is shown around; never again unasked.
+/// Starts the tour for a first-time user, only once.
 void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
   const auto seen = QStringLiteral("shownAround");
   if (!kept.value(seen).isEmpty()) return;
@@ -116,8 +116,8 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& ke
   kept.set(seen, "yes");
 }
 
-/// To start a GCM that this window can talk to; empty for one that may not, and under TLS, where a
-/// GCM has a certificate of its own.
+/// The command for a GCM that this window can use. Empty for a read-only window, and under TLS,
+/// where a GCM needs its own certificate.
 QStringList GcmCommand(const Options& options) {
   if (options.read_only || !options.network.certificate.empty()) return {};
   QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string())};
@@ -128,7 +128,7 @@ QStringList GcmCommand(const Options& options) {
 }
 
 int Run(const Options& options) {
-  std::optional<tendon::NoMoreOpening> end;  // outlives all that opens links
+  std::optional<tendon::NoMoreOpening> end;  // outlives everything that opens links
   const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
 
@@ -169,7 +169,7 @@ int Run(const Options& options) {
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   const int code = tendon::gui::FencedApplication::exec();
-  end.emplace();  // a process that hangs must not keep a window that is closed
+  end.emplace();  // a hung process must not keep a closed window alive
   return code;
 }
 
@@ -190,14 +190,14 @@ int main(int argc, char** argv) {
                  "use gcm, and host a GCM with: gcm serve"});
   }
   tendon::gui::WatchedApplication application(argc, argv);
-  tendon::gui::Fence::instance();  // before there are threads that may need it
+  tendon::gui::Fence::instance();  // before threads that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
   tendon::gui::SpeakAs(QLocale::system());
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   try {
     return Run(options);
-  } catch (const std::exception& error) {  // before there is a window that could say so
+  } catch (const std::exception& error) {  // there is no window yet to show it
     return Fail({tendon::ErrorCode::kFailed, error.what()});
   }
 }

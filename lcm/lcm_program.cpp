@@ -31,7 +31,7 @@ using tendon::InterfaceName;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// What the system file says about one process.
+/// The part of a system file about one process.
 struct Share {
   std::vector<tendon::SystemFile::Component> components;
   std::vector<tendon::SystemFile::Connection> connections;  ///< those it owns
@@ -59,7 +59,7 @@ Result<Share> ReadShare(const Options& options) {
   return share;
 }
 
-/// A component that waits for its process.
+/// A created component that is not yet added to the process.
 struct Made {
   std::unique_ptr<tendon::Component> component;
   tendon::ComponentOrigin origin;
@@ -107,7 +107,7 @@ Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLo
   return all;
 }
 
-/// The process, which listens and begins to join.
+/// Creates the process, which listens and begins to join.
 Result<std::unique_ptr<tendon::Process>> MakeProcess(
     const Options& options, const std::shared_ptr<tendon::Middleware>& middleware,
     const std::shared_ptr<tendon::ComponentLoader>& loader) {
@@ -131,7 +131,7 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
   }
 }
 
-/// Takes the components in, each with the one after which it runs.
+/// Adds the components, each with its leader, if any.
 Result<void> AddComponents(const Share& share, std::vector<Made> made, tendon::Process& process) {
   for (Made& one : made) process.Add(std::move(one.component), std::move(one.origin));
   for (const auto& one : share.components) {
@@ -143,7 +143,7 @@ Result<void> AddComponents(const Share& share, std::vector<Made> made, tendon::P
 
 enum class Told { kGoOn, kEnd };
 
-/// Until the process is a member, cannot become one, or somebody tells us to end.
+/// Waits until the process has joined, cannot join, or is told to end.
 Result<Told> Join(const tendon::Process& process, const Options& options) {
   constexpr auto kLook = 10ms;
   const auto deadline = std::chrono::steady_clock::now() + options.timeout;
@@ -160,7 +160,7 @@ Result<Told> Join(const tendon::Process& process, const Options& options) {
   return Told::kEnd;
 }
 
-/// What the required interface is connected to already, if it is.
+/// The present peer of the required interface, if any.
 std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
                                         const InterfaceName& required) {
   for (const auto& connection : process.connections()) {
@@ -169,8 +169,8 @@ std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
   return std::nullopt;
 }
 
-/// A connection that cannot be made now is not the end: its peer may still come. One that never
-/// can be is told and leaves the others alone. What the GCM has handed back meanwhile stays.
+/// Continues after a failed connection, because its peer may still come. Reports one that can never
+/// be made, and goes on with the others. Keeps a connection that the GCM has handed back meanwhile.
 void MakeConnections(const Share& share, tendon::Process& process) {
   for (const auto& one : share.connections) {
     const auto made = process.Connect(one.required, one.provided);
@@ -185,14 +185,14 @@ void MakeConnections(const Share& share, tendon::Process& process) {
   }
 }
 
-/// Whether another one runs after it: none starts after one that is suspended.
+/// True if another component runs after it: none starts while its leader is suspended.
 bool Leads(const Share& share, const tendon::SystemFile::Component& component) {
   return std::ranges::any_of(share.components,
                              [&](const auto& one) { return one.runs_after == component.name; });
 }
 
-/// Whether a component of a strict file may be started: what it needs is connected, or comes to be
-/// as long as `options` let a GCM take to come.
+/// Waits until the needs of a component in a strict file are met, at most as long as `options`
+/// allow for finding the GCM. Fails if a need has no connection.
 Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& component,
                         const Options& options) {
   constexpr auto kLook = 10ms;
@@ -224,7 +224,7 @@ Result<Told> BringToState(const Share& share, tendon::Process& process,
   return begun ? Result<Told>(Told::kGoOn) : begun.error();
 }
 
-/// The component's own errors do not end the others.
+/// Errors of one component do not end the others.
 Told Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
   std::vector<std::string> resting;
@@ -261,9 +261,9 @@ Result<void> Serve(const Options& options) {
   auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
   const auto loader = std::make_shared<tendon::ComponentLoader>();
-  auto components = MakeComponents(*share, *loader);  // before anybody hears of this process
+  auto components = MakeComponents(*share, *loader);  // before anybody knows this process
   if (!components) return components.error();
-  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // why it has not joined yet is said in the end
+  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // the final error says why it has not joined
   auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();
   if (auto added = AddComponents(*share, *std::move(components), **process); !added) return added;
@@ -288,7 +288,7 @@ ExitCode Run(const Options& options) {
     return served ? program::kOk : Refuse(served.error().code, served.error().message);
   } catch (const tendon::ConfigurationError& error) {
     return Refuse(error.code(), error.what());
-  } catch (const std::exception& error) {  // no memory, no files left
+  } catch (const std::exception& error) {  // out of memory or files
     return Refuse(ErrorCode::kFailed, error.what());
   }
 }

@@ -11,20 +11,20 @@
 
 namespace lcm {
 
-/// What the command line says.
+/// The options of the command line.
 struct Options {
   std::string name;
   std::string gcm;
-  std::string system;  ///< a system file, or empty: start without components
+  std::string system;  ///< a system file, or empty to start without components
   std::string listen = "127.0.0.1:0";
   std::string advertise;
-  std::chrono::milliseconds timeout{3000};  ///< for finding the GCM and being admitted
+  std::chrono::milliseconds timeout{3000};  ///< for finding the GCM and joining it
   program::NetworkOptions network;
 };
 
-/// Runs a process until it is told to stop: loads the plug-ins that the system file names for it,
-/// makes its components, joins the GCM, makes its connections and starts everything. Returns the
-/// program's exit code; what went wrong is one sentence on stderr, and nothing is left half done.
+/// Runs a process until it is told to stop: loads its plug-ins from the system file, creates its
+/// components, joins the GCM, makes its connections and starts everything. Returns the exit code.
+/// An error is one sentence on stderr, and nothing is left half done.
 program::ExitCode Run(const Options& options);
 
 }  // namespace lcm

@@ -18,7 +18,7 @@ namespace {
 using Kind = tendon::Schema::Kind;
 using Flaw = tendon::NumberFlaw;
 
-/// Of the program and of the verbs that were given.
+/// Of the program and of the given verbs.
 std::vector<std::string> OptionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -30,7 +30,7 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
   return names;
 }
 
-/// A word that nothing was expected for.
+/// The sentence about an unexpected word.
 std::string Unexpected(const std::string& word, const CLI::App& app) {
   const std::string name = word.substr(0, word.find('='));
   if (!word.starts_with("-")) return "'" + name + "' is one word too many";
@@ -41,7 +41,7 @@ std::string Unexpected(const std::string& word, const CLI::App& app) {
   return "no option '" + name + "'" + tendon::DidYouMean(name, known);
 }
 
-/// The library's words, without the repetition in them.
+/// CLI11's message, without its repetition.
 std::string Words(const CLI::ParseError& mistake) {
   std::string words = mistake.what();
   if (words == "A subcommand is required") return "a verb is missing";
@@ -59,7 +59,7 @@ std::string Words(const CLI::ParseError& mistake) {
   return words;
 }
 
-/// What to write instead, where that is known: "; write 0.5s: the decimal sign is a point".
+/// The remedy, if known: "; write 0.5s: the decimal sign is a point".
 std::string Hint(tendon::NumberWord word, const std::string& unit) {
   if (word.meant.empty()) return {};
   for (std::string& one : word.meant) one += unit;
@@ -74,7 +74,7 @@ std::optional<double> Positive(const tendon::NumberWord& word) {
   return is_finite && number > 0.0 ? std::optional(number) : std::nullopt;
 }
 
-/// Of "500ms", "10s", "2min" or a plain number of seconds; `hint` says what to write instead.
+/// The seconds in "500ms", "10s", "2min" or a plain number; `hint` receives the remedy.
 std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
   constexpr std::array<std::pair<std::string_view, double>, 3> kUnits = {
       {{"ms", 0.001}, {"min", 60.0}, {"s", 1.0}}};
@@ -91,7 +91,7 @@ std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
   return std::nullopt;
 }
 
-/// The shortest text that is the same number, in every locale.
+/// The shortest text of the same number, the same in every locale.
 std::string TextOf(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
@@ -102,7 +102,7 @@ std::string TextOf(double number) {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command) {
   std::string sentence = Words(mistake);
-  // Only the first word matters; the library says them all, in the middle of its own.
+  // Only the first word matters; CLI11 lists all of them in its own sentence.
   if (const auto rest = app.remaining(true); !rest.empty()) sentence = Unexpected(rest[0], app);
   const bool asks = sentence.ends_with("?");
   return tendon::Printable(sentence) + (asks ? " " : "; ") + command + " --help tells more";
@@ -120,7 +120,7 @@ std::string TransformPositive(std::string& text) {
 std::string TransformCount(std::string& text) {
   const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kUint64, text);
   if (word.flaw == Flaw::kNone && word.json != "0") {
-    text = word.json;  // the library would read 010 as 8
+    text = word.json;  // CLI11 would read 010 as 8
     return {};
   }
   return "expected a whole number above 0, got '" + text + "'" + Hint(word, "");
@@ -141,7 +141,7 @@ std::string TransformMilliseconds(std::string& text) {
   std::string hint;
   const double milliseconds = SecondsIn(is_plain ? text + "ms" : text, hint).value_or(0.0) * 1000.0;
   const double whole = std::round(milliseconds);
-  const bool is_whole = std::abs(milliseconds - whole) < 1e-6;  // 0.7s is not quite 700 ms
+  const bool is_whole = std::abs(milliseconds - whole) < 1e-6;  // 0.7s is not exactly 700 ms
   if (!is_whole || whole < 1.0 || whole > kLongest) {
     if (!is_whole) hint = "; write whole milliseconds";
     return "expected a time of 1 ms to 60 min, such as 500ms, 5s or 2min, got '" + text + "'" +

@@ -6,24 +6,24 @@
 
 namespace program {
 
-/// What is wrong with a command line, in one sentence with what to do next: "no option '--jsn'; did
-/// you mean '--json'? gcm --help tells more". `command` is what --help is asked of.
+/// The mistake in a command line and the remedy, in one sentence: "no option '--jsn'; did you mean
+/// '--json'? gcm --help tells more". `command` is the command whose --help is suggested.
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command);
 
-/// For CLI::Option::transform(), which take numbers as tendon::ReadNumberWord() does, in every
-/// locale alike, and say what to write instead of what is none.
+/// For CLI::Option::transform(). They read numbers like tendon::ReadNumberWord(), the same in every
+/// locale, and say what to write instead of an invalid number.
 ///
 /// A number above zero.
 std::string TransformPositive(std::string& text);
 
-/// A whole number from 1 on.
+/// A whole number, at least 1.
 std::string TransformCount(std::string& text);
 
-/// "500ms", "10s", "2min" or a plain number becomes that many seconds.
+/// Converts "500ms", "10s", "2min" or a plain number to seconds.
 std::string TransformDuration(std::string& text);
 
-/// The same in whole milliseconds, 1 to an hour, which a plain number is too.
+/// The same to whole milliseconds, from 1 to an hour; a plain number is in milliseconds.
 std::string TransformMilliseconds(std::string& text);
 
 }  // namespace program

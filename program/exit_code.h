@@ -4,7 +4,7 @@
 
 namespace program {
 
-/// How the programs end; scripts rely on the numbers (`gcm help exit-codes`).
+/// The exit codes of the programs; scripts rely on the numbers (`gcm help exit-codes`).
 enum ExitCode : int {
   kOk = 0,
   kRefused = 1,
@@ -14,7 +14,7 @@ enum ExitCode : int {
   kIncompatible = 5,
   kTimeout = 6,
   kDenied = 7,
-  kPartial = 8,  ///< of several things, some were done
+  kPartial = 8,  ///< only some of several things were done
   kInterrupted = 130,
 };
 

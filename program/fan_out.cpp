@@ -15,7 +15,7 @@ using tendon::Result;
 Result<std::string> BrokerSettings(const std::string& address, const NetworkOptions& options) {
   if (auto installed = tendon::ice::CheckBrokerIsInstalled(); !installed) return installed.error();
   if (options.certificate.empty()) return tendon::ice::BrokerSettings(address);
-  const auto middleware = MakeMiddleware(options);  // it finds what is wrong with a certificate
+  const auto middleware = MakeMiddleware(options);  // also checks the certificate
   if (!middleware) return middleware.error();
   const tendon::Certificate& own = *(*middleware)->certificate();
   if (own.name == tendon::ice::kBrokerName && own.holder == tendon::Holder::kProcess) {

@@ -7,12 +7,12 @@
 
 namespace program {
 
-/// Where the broker is that rows reach many viewers by, where nobody says otherwise.
+/// The default address of the broker that distributes rows to many viewers.
 inline constexpr const char* kFanOutAddress = "127.0.0.1:10706";
 
-/// Settings for icebox(1), which make it the broker for programs that talk as `options` say.
-/// kInvalid without Ice; kNotFound without IceStorm; kDenied for an address off this machine
-/// without a certificate, or one of another name.
+/// The settings with which icebox(1) becomes the broker for programs with these `options`. kInvalid
+/// without Ice; kNotFound without IceStorm; kDenied for an address off this machine without a
+/// certificate, or with a certificate of another name.
 tendon::Result<std::string> BrokerSettings(const std::string& address,
                                            const NetworkOptions& options);
 

@@ -5,9 +5,9 @@
 
 namespace program {
 
-/// How a GCM in this program starts processes: the `lcm` that lies beside it, which talks as the
-/// program does. Under TLS a process shows the certificate of its name, PROCESS.crt in the folder
-/// of the program's own.
+/// Makes a GCM in this program start processes with the `lcm` in the same folder and the same
+/// network options. Under TLS a process uses the certificate of its name, PROCESS.crt, from the
+/// folder of the program's own.
 tendon::Launch LcmLaunch(const NetworkOptions& options);
 
 }  // namespace program

@@ -99,7 +99,7 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
 
 CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more) {
   const auto check_given = [](const std::string& address) -> std::string {
-    if (!address.empty()) return {};  // what it is worth is judged where it is used
+    if (!address.empty()) return {};  // checked by its user
     return "expected an address such as 127.0.0.1:10705, got ''";
   };
   return app

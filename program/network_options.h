@@ -15,48 +15,46 @@ class Option;
 
 namespace program {
 
-/// The middlewares this program was built with, the default first: "ice" where Ice is built in, and
-/// "tcp".
+/// The middlewares in this build, the default first: "ice" if it was built with Ice, and "tcp".
 std::vector<std::string> MiddlewareNames();
 
-/// Of the Ice this program was built with; empty where it was built without.
+/// The version of Ice in this build; empty without Ice.
 std::string IceVersion();
 
-/// How a program talks to others, from its command line.
+/// The network options of a program's command line.
 struct NetworkOptions {
   std::string middleware = MiddlewareNames().front();
-  std::string certificate;  ///< a file; empty: no TLS
-  std::string authority;    ///< the CA's folder; empty: that of this user
+  std::string certificate;  ///< a file; empty means no TLS
+  std::string authority;    ///< the CA's folder; empty means this user's folder
   bool insecure = false;
 
   bool operator==(const NetworkOptions&) const = default;
 };
 
-/// Where the CA is that says whom to trust.
+/// The folder of the CA that decides whom to trust.
 std::filesystem::path AuthorityOf(const NetworkOptions& options);
 
-/// --middleware, --certificate, --ca and --insecure. What `options` says already comes before what
-/// the environment says.
+/// Adds --middleware, --certificate, --ca and --insecure. Values already in `options` take
+/// precedence over the environment.
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options);
 
-/// --gcm, an address; `more` is said of it in help, behind the default. Where it is not given,
-/// `gcm` stays as it is.
+/// Adds --gcm, an address. Help shows `more` after the default. Without the option `gcm` stays
+/// unchanged.
 CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more = "");
 
-/// kInvalid names the middlewares there are. Of a certificate, the errors of CheckCertificate().
+/// kInvalid lists the known middlewares. For a certificate, the errors of CheckCertificate().
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
 
-/// Where the GCM is: `option` if it is not empty, else $TENDON_GCM, else this machine. A host alone
-/// means the port where a GCM usually is.
+/// The address of the GCM: `option` unless empty, else $TENDON_GCM, else this machine. A host
+/// without a port gets the GCM's usual port.
 std::string GcmAddress(const std::string& option);
 
-/// kInvalid where it is one word, and the options let nobody be asked but this machine: most likely
-/// it was meant as something else.
+/// kInvalid if the address is a single word and the options allow only this machine: the user most
+/// likely meant something else.
 tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
 
-/// kInvalid where what `option` gives is the very address at which the GCM is, or is to be:
-/// "--listen and --gcm are both 127.0.0.1:10705, ...". Addresses that are none are judged
-/// elsewhere.
+/// kInvalid if the address given by `option` is the GCM's own address: "--listen and --gcm are both
+/// 127.0.0.1:10705, ...". Does not check for invalid addresses.
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
                                   const std::string& gcm);
 

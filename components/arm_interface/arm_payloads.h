@@ -7,33 +7,32 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The payloads that arms with seven joints, and whatever uses one, agree on.
+/// The payloads that arms with seven joints share with their clients.
 namespace arm {
 
 inline constexpr std::size_t kJoints = 7;
 
-/// One number a joint, from the base to the hand.
+/// One number per joint, from the base to the hand.
 using JointVector = std::array<double, kJoints>;
 
-/// Where the joints are and how fast they move.
+/// The positions and velocities of the joints.
 struct JointState {
   JointVector position{};  ///< rad
   JointVector velocity{};  ///< rad/s
 };
 
-/// A posture to reach at rest, and the time to take. An arm takes longer where its limits ask for
-/// it.
+/// A posture to reach at rest, and the time to take. The arm takes longer if its limits require it.
 struct JointGoal {
   JointVector position{};  ///< rad
   double duration = 1.0;   ///< s
 };
 
-/// How fast to move from now on.
+/// The joint velocities to move at from now on.
 struct JointVelocity {
   JointVector velocity{};  ///< rad/s
 };
 
-/// A joint has come to the end of its range.
+/// A joint has reached the end of its range.
 struct LimitFault {
   std::int32_t joint = 0;  ///< 0 to 6
   double position = 0.0;   ///< rad
@@ -52,7 +51,7 @@ enum class LinkId : std::int32_t {
   kFlange,
 };
 
-/// Where a frame is, as seen from the base.
+/// The pose of a frame in the base frame.
 using tendon::robot::Pose;
 
 }  // namespace arm

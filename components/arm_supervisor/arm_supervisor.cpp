@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod{20};
 
-/// What the drive of each joint has to turn in a middling posture; kg m^2, a rough estimate.
+/// A rough estimate of the inertia at each joint in a middle posture; kg m^2.
 constexpr JointVector kInertia{1.2, 1.4, 0.7, 0.8, 0.1, 0.1, 0.02};
 
 Activity ActivityOf(const JointState& joints) {
@@ -41,7 +41,7 @@ void ArmSupervisor::Run() {
   ProcessQueuedCommands();
   JointState joints;
   activity_ = get_joints_(joints) ? ActivityOf(joints) : Activity{};
-  // Without an answer the flange stays where it was seen last.
+  // Without an answer the last pose of the flange remains.
   (void)get_link_pose_(LinkId::kFlange, flange_);
 }
 

@@ -9,8 +9,8 @@
 
 namespace arm {
 
-/// Watches an arm and never moves it, at 50 Hz: reads the joints and, where the arm offers it, the
-/// pose of the flange; counts events. It records `Activity`, `Flange` and `Events`.
+/// Watches an arm at 50 Hz and never moves it. Reads the joints and, if the arm offers it, the pose
+/// of the flange; counts events. Records `Activity`, `Flange` and `Events`.
 class ArmSupervisor : public tendon::PeriodicTask {
  public:
   explicit ArmSupervisor(std::string name);
@@ -18,7 +18,7 @@ class ArmSupervisor : public tendon::PeriodicTask {
  private:
   void Startup() override { events_ = {}; }
   void Run() override;
-  /// Another arm: where the last one had its flange says nothing.
+  /// The peer may be another arm, so the last flange pose no longer applies.
   void OnConnected(tendon::RequiredInterface& /*robot*/) override { flange_ = {}; }
 
   void OnGoalReached() { ++events_.goals; }

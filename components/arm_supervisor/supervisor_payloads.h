@@ -8,14 +8,14 @@ namespace arm {
 
 /// How much an arm moves.
 struct Activity {
-  double speed = 0.0;   ///< rad/s; of the fastest joint
-  double energy = 0.0;  ///< J; estimated, of the motion
+  double speed = 0.0;   ///< rad/s, of the fastest joint
+  double energy = 0.0;  ///< J, estimated kinetic energy
 };
 
-/// What an arm has told since the supervisor was started.
+/// The events that an arm has raised since the supervisor was started.
 struct EventCounts {
   std::uint64_t goals = 0;   ///< goals reached
-  std::uint64_t limits = 0;  ///< limits met
+  std::uint64_t limits = 0;  ///< limits reached
 };
 
 }  // namespace arm

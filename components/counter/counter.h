@@ -10,7 +10,7 @@ namespace counter {
 
 using namespace std::chrono_literals;
 
-/// Counts every millisecond, in steps that others set.
+/// Counts every millisecond, in steps that a client can set.
 class Counter final : public tendon::PeriodicTask {
  public:
   explicit Counter(std::string name) : PeriodicTask(std::move(name), 1ms) {

@@ -11,7 +11,7 @@ namespace counter {
 
 using namespace std::chrono_literals;
 
-/// Looks at a counter a hundred times a second, and resets it when it has come to a thousand.
+/// Reads a counter a hundred times a second, and resets it when it reaches a thousand.
 class CounterClient final : public tendon::PeriodicTask {
  public:
   explicit CounterClient(std::string name) : PeriodicTask(std::move(name), 10ms) {

@@ -16,25 +16,25 @@ struct CounterSample {
   NetworkCounters network;
 };
 
-/// Makes rates of counters: what was counted in the last second, over the time that really lay
-/// between the samples. A second, because a clock tick is 10 ms long: a twentieth of a second has
-/// five of them, and a load made of five ticks is 0, 20 or 40 %.
+/// Turns counters into rates: the difference over the last second, divided by the actual time
+/// between the samples. The window is a second because a clock tick lasts 10 ms: a window of 50 ms
+/// holds five ticks, so a load could only be 0, 20, 40 % and so on.
 class CounterHistory {
  public:
-  /// `sample` is later than the one before.
+  /// `sample` must be later than the one before.
   void Add(CounterSample sample);
 
-  /// All are 0 until there are two samples, and where a counter went backwards: a device has gone,
-  /// or the counter is full.
+  /// All rates are 0 until there are two samples, and 0 if a counter went backwards: a device was
+  /// removed, or the counter overflowed.
   void Rate(Cpu& cpu) const;
   [[nodiscard]] Disk disk() const;
   [[nodiscard]] Network network() const;
 
  private:
-  /// Of something in bytes, in 1/s.
+  /// The rate of a byte counter, in 1/s.
   [[nodiscard]] double PerSecond(std::uint64_t before, std::uint64_t now) const;
 
-  std::deque<CounterSample> samples_;  // the first is a second older than the last
+  std::deque<CounterSample> samples_;  // the first is one second older than the last
 };
 
 }  // namespace host

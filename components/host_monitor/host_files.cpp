@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostThermometers = 64;
 constexpr std::size_t kLongestName = 32;
 
-/// What is in `folder` and begins with `beginning`, in the order of the names.
+/// The entries of `folder` whose names begin with `beginning`, sorted by name.
 std::vector<fs::path> Entries(const fs::path& folder, const std::string& beginning) {
   std::vector<fs::path> entries;
   std::error_code error;
@@ -26,7 +26,7 @@ std::vector<fs::path> Entries(const fs::path& folder, const std::string& beginni
   return entries;
 }
 
-/// The first line of a file, as a name; `otherwise` when there is none.
+/// The first line of a file, as a name; `otherwise` if there is none.
 std::string ReadName(const fs::path& file, const std::string& otherwise) {
   std::string name = ReadText(file);
   name.resize(std::min({name.find('\n'), name.size(), kLongestName}));

@@ -8,17 +8,17 @@
 
 namespace host {
 
-/// The content of a small file; empty when it cannot be read.
+/// The content of a small file; empty if it cannot be read.
 [[nodiscard]] std::string ReadText(const std::filesystem::path& file);
 
-/// The thermometers of a machine, found once and read again and again.
+/// The thermometers of a machine. Found once, then read again and again.
 class Thermometers {
  public:
   /// Looks below `root`/sys: thermal zones first, then monitoring chips.
   explicit Thermometers(const std::filesystem::path& root);
 
   [[nodiscard]] bool empty() const { return files_.empty(); }
-  /// One entry a thermometer in `temperatures`, always in the same order.
+  /// Writes one entry per thermometer to `temperatures`, always in the same order.
   void Read(Temperatures& temperatures) const;
 
  private:

@@ -10,14 +10,14 @@
 
 namespace host {
 
-/// Looks at the machine it runs on, at 20 Hz, and records `Cpu`, `Memory`, `Disk`, `Network` and,
-/// where the machine has thermometers, `Temperatures`. Linux only: elsewhere everything is 0.
+/// Measures the machine it runs on, at 20 Hz. Records `Cpu`, `Memory`, `Disk`, `Network` and, if
+/// the machine has thermometers, `Temperatures`. Linux only: elsewhere every value is 0.
 ///
-/// Not for real time: a cycle opens files and allocates.
+/// Not real-time: a cycle opens files and allocates.
 class HostMonitor : public tendon::PeriodicTask {
  public:
-  /// The files are looked for below `root`. The cores and thermometers found now are those that
-  /// will be shown.
+  /// Reads the system files below `root`. The constructor decides which cores and thermometers are
+  /// shown.
   explicit HostMonitor(std::string name, std::filesystem::path root = "/");
 
  private:

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What can be told about a machine.
+/// The measurements of a machine.
 namespace host {
 
 /// How busy the processor was in the last second.
@@ -15,28 +15,28 @@ struct Cpu {
 };
 
 struct Memory {
-  double used = 0.0;   ///< MiB that programs cannot have any more
+  double used = 0.0;   ///< MiB that are not available to new programs
   double total = 0.0;  ///< MiB
   double swap = 0.0;   ///< MiB of swap in use
 };
 
-/// Over all disks of the machine, in the last second.
+/// The sum over all disks of the machine, in the last second.
 struct Disk {
   double read = 0.0;     ///< MiB/s
   double written = 0.0;  ///< MiB/s
 };
 
-/// In the last second.
+/// Network traffic in the last second.
 struct Network {
-  double received = 0.0;  ///< KiB/s, over all interfaces that lead out
-  double sent = 0.0;      ///< KiB/s, the same
+  double received = 0.0;  ///< KiB/s, over all external interfaces
+  double sent = 0.0;      ///< KiB/s, over all external interfaces
   double loopback = 0.0;  ///< KiB/s between programs of this machine
 };
 
 /// One thermometer.
 struct Temperature {
   std::string sensor;
-  double value = 0.0;  ///< °C; NaN when it gives none at the moment
+  double value = 0.0;  ///< °C; NaN if there is no reading at the moment
 };
 
 struct Temperatures {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostCores = 4096;
 constexpr double kKibInMib = 1024.0;
 
-/// The next line, taken from the front of `text`.
+/// Removes the next line from the front of `text` and returns it.
 std::string_view TakeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view line = text.substr(0, end);
@@ -19,7 +19,7 @@ std::string_view TakeLine(std::string_view& text) {
   return line;
 }
 
-/// The next word, taken from the front of `line`; empty at its end.
+/// Removes the next word from the front of `line` and returns it; empty at the end.
 std::string_view TakeWord(std::string_view& line) {
   constexpr std::string_view kSpace = " \t\r";
   line.remove_prefix(std::min(line.find_first_not_of(kSpace), line.size()));
@@ -46,7 +46,7 @@ bool StartsWithAny(std::string_view name, std::initializer_list<std::string_view
                      [name](std::string_view one) { return name.starts_with(one); });
 }
 
-/// "sda1" is of "sda", "nvme0n1p2" of "nvme0n1".
+/// True for "sda1" and "sda", or "nvme0n1p2" and "nvme0n1".
 bool IsPartitionOf(std::string_view name, std::string_view disk) {
   if (disk.empty() || !name.starts_with(disk)) return false;
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -67,7 +67,7 @@ CpuCounters ParseCpu(std::string_view text) {
     std::string_view name = TakeWord(line);
     if (!name.starts_with("cpu")) continue;
     name.remove_prefix(3);
-    // user nice system idle iowait irq softirq steal; what guests use is in user already
+    // user nice system idle iowait irq softirq steal; `user` already includes guests
     std::array<std::uint64_t, 8> ticks{};
     CpuTicks sum;
     for (std::uint64_t& one : ticks) {
@@ -102,7 +102,7 @@ Memory ParseMemory(std::string_view text) {
 }
 
 DiskCounters ParseDisks(std::string_view text) {
-  constexpr std::uint64_t kSector = 512;  // bytes, whatever the disk's own sectors are
+  constexpr std::uint64_t kSector = 512;  // bytes, whatever the disk's own sector size
   std::map<std::string_view, DiskCounters> disks;
   while (!text.empty()) {
     std::string_view line = TakeLine(text);
@@ -132,7 +132,7 @@ DiskCounters ParseDisks(std::string_view text) {
 }
 
 NetworkCounters ParseNetwork(std::string_view text) {
-  constexpr int kBetween = 7;  // columns from the bytes received to those sent
+  constexpr int kBetween = 7;  // number of columns between received and sent bytes
   NetworkCounters sum;
   while (!text.empty()) {
     std::string_view line = TakeLine(text);
@@ -155,7 +155,7 @@ NetworkCounters ParseNetwork(std::string_view text) {
 }
 
 std::optional<double> ParseTemperature(std::string_view text) {
-  constexpr double kColdest = -100.0;  // °C; sensors that are not there often say -273 or 65535
+  constexpr double kColdest = -100.0;  // °C; missing sensors often report -273 or 65535
   constexpr double kHottest = 250.0;   // °C
   std::string_view line = TakeLine(text);
   const auto thousandths = ToNumber<std::int64_t>(TakeWord(line));

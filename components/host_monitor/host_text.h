@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-/// Reads the texts that Linux gives about itself, in /proc and /sys. Lines that make no sense are
-/// passed over; a number that is missing is 0.
+/// Parses the system files of Linux in /proc and /sys. Malformed lines are skipped; a missing
+/// number is 0.
 namespace host {
 
-/// Clock ticks since the machine was started.
+/// Clock ticks since the machine started.
 struct CpuTicks {
   std::uint64_t busy = 0;
   std::uint64_t all = 0;
@@ -20,10 +20,10 @@ struct CpuTicks {
 
 struct CpuCounters {
   CpuTicks total;
-  std::vector<CpuTicks> cores;  ///< by their numbers; one that is switched off has zeros
+  std::vector<CpuTicks> cores;  ///< by core number; zeros for a core that is switched off
 };
 
-/// Bytes since the machine was started, or since a device appeared.
+/// Bytes since the machine started, or since a device appeared.
 struct DiskCounters {
   std::uint64_t read = 0;
   std::uint64_t written = 0;
@@ -41,16 +41,16 @@ struct NetworkCounters {
 /// /proc/meminfo
 [[nodiscard]] Memory ParseMemory(std::string_view text);
 
-/// /proc/diskstats: the sum over whole disks, not over their partitions, nor over what is made of
-/// disks or memory (loop, ram, dm, md).
+/// /proc/diskstats: the sum over whole disks, without partitions and without devices made of disks
+/// or memory (loop, ram, dm, md).
 [[nodiscard]] DiskCounters ParseDisks(std::string_view text);
 
-/// /proc/net/dev: the sum over interfaces that lead out, and the loopback. Bridges, tunnels within
-/// the machine and interfaces made of others are left out, so that nothing counts twice.
+/// /proc/net/dev: the sum over external interfaces, and the loopback. Leaves out bridges, tunnels
+/// within the machine and interfaces made of others, so nothing counts twice.
 [[nodiscard]] NetworkCounters ParseNetwork(std::string_view text);
 
-/// A file temp or temp*_input of /sys: thousandths of °C. Nothing when it is no number or no
-/// temperature.
+/// A file temp or temp*_input of /sys, in thousandths of °C. Nothing if the text is not a number or
+/// not a plausible temperature.
 [[nodiscard]] std::optional<double> ParseTemperature(std::string_view text);
 
 }  // namespace host

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod{10};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
-constexpr double kLimit = 120.0;                                          // deg, either way
+constexpr double kLimit = 120.0;                                          // deg, in both directions
 constexpr double kFastest = 60.0;                                         // deg/s
 
 }  // namespace
@@ -43,7 +43,7 @@ void LegacyArm::MoveTo(const JointGoal& goal) {
     goal_[joint] = std::clamp(wanted, -kLimit, kLimit);
     if (goal_[joint] != wanted) limit_exceeded_({static_cast<std::int32_t>(joint), wanted});
     const double distance = std::abs(goal_[joint] - joints_.position[joint]);
-    // Written so that a duration of 0, or none at all, means as fast as it can.
+    // This form turns a duration of 0 or NaN into the highest speed.
     speed_[joint] = goal.duration > distance / kFastest ? distance / goal.duration : kFastest;
   }
 }

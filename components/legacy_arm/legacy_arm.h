@@ -8,16 +8,16 @@
 
 namespace legacy {
 
-/// An arm that looks like the others and is not: it counts in degrees and does not tell when a goal
-/// is reached, so that no client of arm_interface connects to its `Control`. It moves every joint
-/// at constant speed within ±120 deg, at 100 Hz.
+/// An arm with the same names as the others but another contract: it uses degrees and has no event
+/// for a reached goal, so no client of arm_interface can connect to its `Control`. It moves every
+/// joint at constant speed within ±120 deg, at 100 Hz.
 class LegacyArm : public tendon::PeriodicTask {
  public:
   explicit LegacyArm(std::string name);
 
  private:
   void Run() override;
-  /// It holds where it is, and waits to be told.
+  /// Holds its position until the next command.
   void OnResume() override { Stop(); }
 
   void MoveTo(const JointGoal& goal);
@@ -25,7 +25,7 @@ class LegacyArm : public tendon::PeriodicTask {
 
   JointState joints_;
   JointVector goal_{};   // deg
-  JointVector speed_{};  // deg/s, without sign
+  JointVector speed_{};  // deg/s, absolute
   tendon::WriteEvent<LimitFault> limit_exceeded_;
 };
 

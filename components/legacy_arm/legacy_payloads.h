@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// An arm's payloads as an older program has them: the names of arm_interface, but in degrees.
+/// The payloads of an arm as an older program defines them: the names of arm_interface, in degrees.
 namespace legacy {
 
 inline constexpr std::size_t kJoints = 7;

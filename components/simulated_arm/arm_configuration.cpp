@@ -6,7 +6,7 @@
 namespace arm {
 namespace {
 
-/// Written so that nothing holds for NaN.
+/// Write `condition` such that it is false for NaN.
 void Require(bool condition, const std::string& component, const std::string& sentence) {
   if (!condition) {
     throw tendon::ConfigurationError("configuration of '" + component + "': " + sentence);
@@ -17,7 +17,7 @@ std::string Element(const char* field, std::size_t joint, double value) {
   return std::string(field) + "[" + std::to_string(joint) + "] is " + std::to_string(value);
 }
 
-/// Of how fast a joint may move or gather speed.
+/// True for a valid limit of velocity or acceleration.
 bool IsLimit(double value) { return value >= kLeastLimit && value <= kGreatestLimit; }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 namespace arm {
 
-/// The posture an arm of this build rests in: elbow up, hand down, nothing near a limit.
+/// The default rest posture: elbow up, hand down, no joint near a limit.
 inline constexpr JointVector kReadyPosture{0.0,
                                            -std::numbers::pi / 4,
                                            0.0,
@@ -16,26 +16,26 @@ inline constexpr JointVector kReadyPosture{0.0,
                                            std::numbers::pi / 2,
                                            std::numbers::pi / 4};  // rad
 
-inline constexpr double kLargestAngle = 1e3;     // rad: beyond it is a mistake
+inline constexpr double kLargestAngle = 1e3;     // rad: a larger one is a mistake
 inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: a joint that moves at all
 inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
 inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
-inline constexpr double kMostBandwidth = 500.0;  // rad/s: for stiffer ones 1 ms is too coarse
+inline constexpr double kMostBandwidth = 500.0;  // rad/s: stiffer joints need a step below 1 ms
 inline constexpr double kMostNoise = 1.0;        // rad
 
-/// What can be said about a simulated arm. The defaults are the limits of a Franka Emika Panda:
+/// The configuration of a simulated arm. The defaults are the limits of a Franka Emika Panda:
 /// https://frankaemika.github.io/docs/control_parameters.html
 struct ArmConfiguration {
-  JointVector home = kReadyPosture;  ///< rad; where it begins
+  JointVector home = kReadyPosture;  ///< rad; the posture at the start
   JointVector lower{-2.8973, -1.7628, -2.8973, -3.0718, -2.8973, -0.0175, -2.8973};  ///< rad
   JointVector upper{2.8973, 1.7628, 2.8973, -0.0698, 2.8973, 3.7525, 2.8973};        ///< rad
-  JointVector velocity{2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61};  ///< greatest, rad/s
-  JointVector acceleration{15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0};   ///< greatest, rad/s^2
-  double bandwidth = 50.0;  ///< rad/s; how stiffly a joint follows
+  JointVector velocity{2.175, 2.175, 2.175, 2.175, 2.61, 2.61, 2.61};  ///< maximum, rad/s
+  JointVector acceleration{15.0, 7.5, 10.0, 12.5, 15.0, 20.0, 20.0};   ///< maximum, rad/s^2
+  double bandwidth = 50.0;  ///< rad/s; how stiffly a joint follows its reference
   double noise = 0.0;       ///< rad; standard deviation of a measured position
 };
 
-/// Throws ConfigurationError, which names `component`, the field and what is wrong with it.
+/// Throws ConfigurationError that names `component`, the field and what is wrong with it.
 void RequireValid(const ArmConfiguration& configuration, const std::string& component);
 
 }  // namespace arm

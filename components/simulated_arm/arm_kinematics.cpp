@@ -11,8 +11,8 @@ namespace {
 using tendon::robot::Quaternion;
 using tendon::robot::Vector3;
 
-/// From one frame to the next: turn by `twist` about x, go `length` along it, turn by the joint's
-/// angle about z, go `offset` along it.
+/// The step from one frame to the next: rotate by `twist` about x, move by `length` along x, rotate
+/// by the joint angle about z, move by `offset` along z.
 struct DenavitHartenberg {
   double length;  // a, m
   double offset;  // d, m
@@ -28,7 +28,7 @@ constexpr std::array<DenavitHartenberg, kJoints + 1> kChain{{
     {-0.0825, 0.384, -kQuarter},
     {0.0, 0.0, kQuarter},
     {0.088, 0.0, kQuarter},
-    {0.0, 0.107, 0.0},  // the flange, which no joint turns
+    {0.0, 0.107, 0.0},  // the flange, which has no joint
 }};
 
 Quaternion Product(const Quaternion& a, const Quaternion& b) {

@@ -4,7 +4,7 @@
 
 namespace arm {
 
-/// Where a link of the arm is when its joints are at `state`. Constant time, allocates nothing.
+/// Computes the pose of `link` for the joints in `state`. Constant time, allocates nothing.
 ///
 /// The geometry is that of a Franka Emika Panda, by its Denavit-Hartenberg parameters in Craig's
 /// convention: https://frankaemika.github.io/docs/control_parameters.html

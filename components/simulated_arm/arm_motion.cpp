@@ -7,10 +7,10 @@
 namespace arm {
 namespace {
 
-constexpr double kArrived = 1e-3;    // rad, and rad/s: near enough to a goal
+constexpr double kArrived = 1e-3;    // rad, and rad/s: the goal counts as reached
 constexpr double kFurthest = 1e3;    // rad
 constexpr double kLongest = 3600.0;  // s
-constexpr double kGentle = 0.25;     // of the greatest acceleration, when it changes its velocity
+constexpr double kGentle = 0.25;     // fraction of the acceleration limit for changes of velocity
 
 template <std::size_t... kIndex>
 std::array<Joint, kJoints> MakeJoints(const ArmConfiguration& configuration,
@@ -23,7 +23,7 @@ std::array<Joint, kJoints> MakeJoints(const ArmConfiguration& configuration,
   return {make(kIndex)...};
 }
 
-/// False for NaN as well.
+/// Also false for NaN.
 bool IsSensible(const JointGoal& goal) {
   return std::all_of(goal.position.begin(), goal.position.end(),
                      [](double position) { return std::abs(position) <= kFurthest; }) &&

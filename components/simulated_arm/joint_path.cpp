@@ -6,27 +6,27 @@
 namespace arm {
 namespace {
 
-constexpr double kShortest = 0.1;     // s; of a motion
-constexpr double kShortDecay = 0.05;  // s; at least, else the jerk has no bound
-constexpr double kLongDecay = 0.5;    // s; at most, unless the brakes need more
+constexpr double kShortest = 0.1;     // s; minimum duration of a motion
+constexpr double kShortDecay = 0.05;  // s; minimum, since the jerk would have no bound
+constexpr double kLongDecay = 0.5;    // s; maximum, unless braking takes longer
 
-/// s in which the velocity of `start` can go to 0 with at most three quarters of the acceleration:
-/// 3/2 v / t is the greatest that a cubic has.
+/// The time in s in which the velocity of `start` can decay to 0 with three quarters of the
+/// acceleration: the maximum acceleration of the cubic is 3/2 v / t.
 double Braking(const JointPoint& start, const JointLimits& limits) {
   return std::max(kShortDecay, 2.0 * std::abs(start.velocity) / limits.acceleration);
 }
 
-/// s that the motion at the start may take when there are `duration` s.
+/// The decay time in s of the motion at the start, within a total of `duration` s.
 double Decay(const JointPoint& start, double duration, const JointLimits& limits) {
   return std::min(duration, std::max(kLongDecay, Braking(start, limits)));
 }
 
-/// rad that the joint goes on in `decay` s.
+/// The distance in rad that the joint moves during the decay, in s.
 double Coasted(const JointPoint& start, double decay) {
   return decay * (start.velocity / 2.0 + start.acceleration * decay / 12.0);
 }
 
-/// The motion at the start, `time` s later.
+/// The decaying motion after `time` s.
 JointPoint Coast(const JointPoint& start, double decay, double time) {
   const double s = time / decay;
   const double v = start.velocity;
@@ -39,7 +39,7 @@ JointPoint Coast(const JointPoint& start, double decay, double time) {
   return {position, velocity, acceleration};
 }
 
-/// Minimum jerk from 0 to 1 within 0 <= s <= 1, differentiated by s.
+/// Minimum-jerk motion from 0 to 1 for 0 <= s <= 1, with its derivatives by s.
 JointPoint MinimumJerk(double s) {
   const double rest = 1.0 - s;
   return {s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * rest * rest,
@@ -70,8 +70,8 @@ JointPath JointPath::Stop(const JointPoint& start, const JointLimits& limits) {
 
 double JointPath::Lengthened(const JointPoint& start, double goal, double duration,
                              const JointLimits& limits) {
-  // Minimum jerk has at most 15/8 of the mean velocity and 10/sqrt(3) distance/t^2. Half of the
-  // acceleration is for it, half for what the joint has at the start.
+  // A minimum-jerk motion reaches 15/8 of its mean velocity and an acceleration of 10/sqrt(3)
+  // distance/t^2. It gets half of the acceleration limit, the initial motion the other half.
   constexpr double kPeakVelocity = 15.0 / 8.0;
   const double peak_acceleration = 10.0 / std::sqrt(3.0);
   const double least = std::max({duration, kShortest, Braking(start, limits)});

@@ -12,28 +12,27 @@
 
 namespace arm {
 
-/// An arm of seven joints that exists only here, at 1 kHz. It offers `Control` as arm_interface
-/// describes it, keeps the limits of its configuration, and records `Joints` (measured), `Goal`
-/// and `Refused` (goals that made no sense).
+/// A simulated arm of seven joints, at 1 kHz. It offers `Control` as arm_interface describes it,
+/// keeps the limits of its configuration, and records `Joints` (measured), `Goal` and `Refused`
+/// (the number of invalid goals).
 ///
-/// Every cycle is one millisecond of its motion, whatever the clock says: a late cycle does not
-/// make it jump.
+/// Every cycle is one millisecond of motion, whatever the clock says: a late cycle causes no jump.
 class SimulatedArm : public tendon::PeriodicTask {
  public:
   using Configuration = ArmConfiguration;
 
-  /// ConfigurationError when a number of the configuration makes no sense.
+  /// Throws ConfigurationError if a number of the configuration is invalid.
   explicit SimulatedArm(std::string name, const Configuration& configuration = {});
 
  private:
   void Startup() override;
   void Run() override;
-  /// It holds where it is: what it was told before was meant for the world as it was then.
+  /// Holds its position: earlier commands were meant for an earlier situation.
   void OnResume() override;
 
   void MoveTo(const JointGoal& goal);
   void MoveAt(const JointVelocity& velocity);
-  /// Unless something else was told meanwhile.
+  /// Stops, unless another command arrived meanwhile.
   void EndMoveAt();
   void Stop() { motion_.Stop(); }
   void Measure();

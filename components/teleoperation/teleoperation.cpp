@@ -12,16 +12,15 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
 
-// A goal is sent ten times a second, each replacing the one before. An arm that moves with minimum
-// jerk to rest, and is told again and again, follows 0.6 durations behind: so much ahead lies the
-// goal.
+// Ten goals are sent per second; each replaces the one before. An arm with repeated minimum-jerk
+// motions follows with a lag of 0.6 durations, so the goal is that far ahead.
 constexpr int kCyclesPerGoal = 5;
 constexpr double kDuration = 0.4;                                          // s, of a goal
 constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s
-constexpr double kNear = 0.3;       // rad; further behind than this, the tour waits for the arm
-constexpr double kApproach = 2.5;   // s in which the tour is joined
-constexpr double kSpeedUp = 1.0;    // s in which the tour comes to full speed
-constexpr double kTurnAgain = 0.5;  // s in which further limits belong to the same turn
+constexpr double kNear = 0.3;       // rad; the tour waits for an arm with a larger error
+constexpr double kApproach = 2.5;   // s until the arm has joined the tour
+constexpr double kSpeedUp = 1.0;    // s until the tour has its full speed
+constexpr double kTurnAgain = 0.5;  // s during which further limits cause no new turn
 
 Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
   const auto& [period, amplitude] = configuration;
@@ -36,7 +35,7 @@ Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::str
   return {period, amplitude};
 }
 
-/// From 0 to 1 in the course of `duration` s, with minimum jerk; 1 from then on.
+/// Rises from 0 to 1 within `duration` s with minimum jerk; then stays 1.
 double Smooth(double time, double duration) {
   const double s = std::min(1.0, time / duration);
   return s * s * s * (10.0 + s * (6.0 * s - 15.0));
@@ -102,8 +101,8 @@ void Teleoperation::GoOn(const JointState& joints) {
 void Teleoperation::SendGoal() {
   const tendon::Status status = move_to_({.position = PostureAt(kAhead), .duration = kDuration});
   cycles_to_goal_ = kCyclesPerGoal;
-  // An arm that rests is led anew once it goes on. Any other goal that is refused is no loss: the
-  // next one follows.
+  // A suspended arm is led anew when it resumes. Any other refused goal is harmless: the next one
+  // follows soon.
   if (status == tendon::Status::kNotActive) is_leading_ = false;
 }
 

@@ -11,22 +11,21 @@
 
 namespace arm {
 
-/// Leads an arm, any arm, through a tour of postures, at 50 Hz. It needs the interface `Robot` and
-/// does nothing until that is connected; then it sets out from where the arm is. It records
-/// `Target`, `Tracking` and `Limits` (how often the arm met a limit, upon which the tour turns
-/// round).
+/// Leads any arm through a tour of postures, at 50 Hz. It needs the interface `Robot` and does
+/// nothing until that is connected; then it starts from the arm's present posture. It records
+/// `Target`, `Tracking` and `Limits` (how often the arm met a limit; each time the tour reverses).
 class Teleoperation : public tendon::PeriodicTask {
  public:
   using Configuration = TeleoperationConfiguration;
 
-  /// ConfigurationError when a number of the configuration makes no sense.
+  /// Throws ConfigurationError if a number of the configuration is invalid.
   explicit Teleoperation(std::string name, const Configuration& configuration = {});
 
  private:
   void Startup() override { is_leading_ = false; }
   void Run() override;
   void Cleanup() override;
-  // In each case the arm may be elsewhere, or another one: it sets out anew from there.
+  // The arm may have moved meanwhile, or be another one: start again from its present posture.
   void OnConnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnDisconnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnResume() override { is_leading_ = false; }
@@ -47,9 +46,9 @@ class Teleoperation : public tendon::PeriodicTask {
   bool is_leading_ = false;
   double time_ = 0.0;       // s on the tour
   double direction_ = 1.0;  // 1, or -1 backwards
-  double elapsed_ = 0.0;    // s since it set out
-  double turned_ = 0.0;     // s since it turned round
-  JointVector detour_{};    // rad from the tour to where the arm was at the beginning
+  double elapsed_ = 0.0;    // s since it started to lead
+  double turned_ = 0.0;     // s since it last reversed
+  JointVector detour_{};    // rad from the tour to the arm's posture at the start
   int cycles_to_goal_ = 0;
 
   Target target_;

@@ -8,21 +8,21 @@ inline constexpr double kShortestTour = 4.0;    // s
 inline constexpr double kLongestTour = 3600.0;  // s
 inline constexpr double kMostAmplitude = 3.0;
 
-/// How the tour is made.
+/// The configuration of the tour.
 struct TeleoperationConfiguration {
   double period = 12.0;    ///< s for one round
-  double amplitude = 1.0;  ///< how far the joints swing; over 1 it can meet the limits
+  double amplitude = 1.0;  ///< how far the joints swing; above 1 they can meet the limits
 };
 
-/// Where the arm should be.
+/// The wanted posture of the arm.
 struct Target {
   JointVector position{};  ///< rad
 };
 
-/// How well it is there.
+/// How well the arm follows the target.
 struct Tracking {
-  JointVector error{};  ///< rad; target less actual
-  double worst = 0.0;   ///< rad; the greatest, without its sign
+  JointVector error{};  ///< rad; target minus actual
+  double worst = 0.0;   ///< rad; the largest absolute error
 };
 
 }  // namespace arm

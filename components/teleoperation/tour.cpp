@@ -10,7 +10,7 @@ Tour::Tour(double period, double amplitude)
 
 JointVector Tour::At(double time) const {
   constexpr JointVector kMiddle{0.0, -0.35, 0.0, -1.75, 0.0, 1.6, 0.785};
-  constexpr double kSteepness = 2.5;  // of the edges of joint 3
+  constexpr double kSteepness = 2.5;  // steepness of the edges of joint 3
   const double angle = rate_ * time;
   const double edges = std::tanh(kSteepness * std::sin(angle - 0.6)) / std::tanh(kSteepness);
   const JointVector swing{

@@ -4,15 +4,15 @@
 
 namespace arm {
 
-/// A closed curve through the postures of an arm, after Lissajous: every joint swings in its own
-/// rhythm, none comes near the limits of a Panda while `amplitude` is at most 1.
+/// A closed curve through the postures of an arm (a Lissajous curve). Every joint swings with its
+/// own period; no joint comes near the limits of a Panda while `amplitude` is at most 1.
 class Tour {
  public:
-  /// `period` in s: after it joints 0, 1, 3 and 5 are where they were, after three of it all are.
+  /// `period` in s: joints 0, 1, 3 and 5 return after one period, all joints after three.
   /// `amplitude` scales how far the joints swing.
   Tour(double period, double amplitude);
 
-  /// The posture at a time in s, which may be negative; rad.
+  /// The posture in rad at a time in s, which may be negative.
   [[nodiscard]] JointVector At(double time) const;
 
  private:

@@ -33,7 +33,7 @@ std::string FieldsText(const Schema& structure) {
   return text;
 }
 
-/// The name before the '=' of a word, where it could be one.
+/// The name before the '=' of a word, if it can be a field's name.
 std::optional<std::string> NameIn(const std::string& word) {
   const std::size_t end = word.find('=');
   if (end == std::string::npos || end == 0) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<std::string> NameIn(const std::string& word) {
   return word.substr(0, end);
 }
 
-/// Gives the fields of a structure their words, one after the other.
+/// Assigns words to the fields of a structure, one after the other.
 class FieldsByWords {
  public:
   explicit FieldsByWords(const Schema& schema) : schema_(schema) {}
@@ -67,7 +67,7 @@ class FieldsByWords {
     value_[field->name] = *std::move(value);
     return {};
   }
-  /// Null once all are given.
+  /// The next field without a word; null if all have one.
   [[nodiscard]] const Schema::Field* NextFree() const {
     for (const Schema::Field& field : schema_.fields()) {
       if (!IsGiven(field)) return &field;
@@ -140,7 +140,7 @@ std::vector<std::string> WordsBehind(const Schema& schema, const std::vector<std
   if (schema.kind() != Schema::Kind::kStructure) {
     return words.empty() ? ValuesOf(schema) : std::vector<std::string>();
   }
-  if (!words.empty() && words[0].starts_with('{')) return {};  // the whole as JSON
+  if (!words.empty() && words[0].starts_with('{')) return {};  // all fields as JSON
   FieldsByWords fields(schema);
   for (const std::string& word : words) {
     if (!fields.Take(word)) return {};

@@ -22,7 +22,7 @@ struct CallWords {
   bool dry_run = false;
 };
 
-/// As JSON; empty where there is none. What is wrong with the command itself whoever calls it says.
+/// The argument as JSON; empty if none is given. The caller reports errors of the command itself.
 Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   if (words.argument.empty()) return std::string();
   if (words.argument == std::vector<std::string>{"-"}) {
@@ -42,7 +42,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   return ArgumentOf(*schema, words.path, words.argument);
 }
 
-/// Whether the process would be sent the call: all that is known before.
+/// Checks everything that is known before the call is sent to the process.
 Result<void> CheckCall(Context& context, const std::string& text, const std::string& argument) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto path = tendon::ParsePath(text);

@@ -13,17 +13,17 @@ class RE2;
 
 namespace console {
 
-/// A regular expression as RE2 knows them, in upper or lower case. None takes longer than in
-/// proportion to the text, and none more memory than kMostMemory.
+/// A regular expression in RE2 syntax that ignores upper and lower case. Matching takes linear time
+/// in the text and at most kMostMemory.
 class Expression {
  public:
   static constexpr std::size_t kLongest = 200;
   static constexpr std::size_t kMostMemory = std::size_t{1} << 20U;
 
-  /// kInvalid says what is wrong, and with which part.
+  /// The error, kInvalid, says what is wrong and in which part.
   static tendon::Result<Expression> Parse(std::string_view text);
 
-  /// Whether a part of the text fits.
+  /// True if a part of the text matches.
   [[nodiscard]] bool IsIn(std::string_view text) const;
 
  private:

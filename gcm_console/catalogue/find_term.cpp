@@ -76,14 +76,14 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
 
 bool FindTerm::Fits(const Thing& thing) const { return Holds(thing) != is_negated_; }
 
-/// A pattern where it has a star, else any part, in upper or lower case.
+/// Treats a word with a star as a pattern, any other as a part; ignores case.
 bool FindTerm::IsIn(const std::string& text) const {
   if (expression_) return expression_->IsIn(text);
   if (text_.find('*') != std::string::npos) return tendon::MatchesGlob(text_, text);
   return Lower(text).find(Lower(text_)) != std::string::npos;
 }
 
-/// "command", "required interface", or as `ls --type` calls it: "req".
+/// Accepts "command", "required interface", or the short form of `ls --type`: "req".
 bool FindTerm::IsNoun(const Thing& thing) const {
   if (expression_) return expression_->IsIn(thing.noun);
   const auto is_code = [&](const Noun& noun) {
@@ -92,7 +92,7 @@ bool FindTerm::IsNoun(const Thing& thing) const {
   return thing.noun.starts_with(Lower(text_)) || std::ranges::any_of(kNouns, is_code);
 }
 
-/// "arm.LinkId -> geometry_msgs.Pose", whole or one of the two.
+/// Accepts the whole of "arm.LinkId -> geometry_msgs.Pose" or one of the two.
 bool FindTerm::IsType(const std::string& type) const {
   constexpr std::string_view kArrow = " -> ";
   if (type.empty()) return false;

@@ -9,14 +9,13 @@
 
 namespace console {
 
-/// One word by which things are found: a part of a path, in upper or lower case, or all of it with
-/// stars, or a part that fits a regular `/expression/`; `type:` what it is ("command", "req") or
-/// its payload type or class, `state:`, `host:` and `proc:` likewise. `!` before a word, or behind
-/// the colon, turns it around.
+/// One search word: part of a path (ignoring case), a whole path with stars, or a regular
+/// `/expression/` that matches a part of the path. `type:` searches the kind ("command", "req"),
+/// payload type or class; `state:`, `host:` and `proc:` work likewise. `!` before a word or after
+/// the colon negates it.
 class FindTerm {
  public:
-  /// kInvalid names the key that there is not, and those that there are; or what is wrong with an
-  /// expression.
+  /// The error, kInvalid, names an unknown key and the known ones, or the mistake in an expression.
   static tendon::Result<FindTerm> Parse(const std::string& word);
 
   [[nodiscard]] bool Fits(const Thing& thing) const;
@@ -31,7 +30,7 @@ class FindTerm {
 
   Kind kind_ = Kind::kPath;
   std::string text_;
-  std::optional<Expression> expression_;  // that the text is
+  std::optional<Expression> expression_;  // the parsed regular expression, if the word is one
   bool is_negated_ = false;
 };
 

@@ -8,18 +8,18 @@
 
 namespace console {
 
-/// Whether a path may name several things, by a `*`.
+/// True if the path contains a `*` and so may name several things.
 [[nodiscard]] bool IsGlob(const std::string& path);
 
-/// All that a glob names, in the catalogue's order. kNotFound where that is nothing.
+/// All things that the glob matches, in the catalogue's order; kNotFound if there are none.
 tendon::Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalog& catalog,
                                                  const std::string& glob);
 
-/// The same, with all that is in those.
+/// The same, with everything inside those things.
 tendon::Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalog& catalog,
                                                             const std::string& glob);
 
-/// For a verb that takes one thing and was given a glob: how to see what that names.
+/// The error for a verb that takes one path and got a glob: says how to list the matches.
 [[nodiscard]] tendon::Error TakesOneName(const std::string& command, const std::string& glob);
 
 }  // namespace console

@@ -7,12 +7,12 @@
 
 namespace console {
 
-/// Each field of a payload with its type, unit, range and help; a payload that is no structure is
+/// One row per field of a payload: type, unit, range and help. A payload that is not a structure is
 /// one row.
 Table FieldsOf(const tendon::Schema& schema);
 
-/// A value of the type as JSON, to be copied and changed: zeroes, or what is nearest to them in a
-/// field's range.
+/// A JSON value of the type as a template for the user: each field is zero, or the nearest value
+/// within its range.
 std::string JsonSkeleton(const tendon::Schema& schema);
 
 }  // namespace console

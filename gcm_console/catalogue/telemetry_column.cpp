@@ -16,7 +16,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Of a table that is there, or why the path names none.
+/// The columns of an existing table, or the reason why the path names none.
 Result<std::vector<std::string>> ColumnsOf(const tendon::Catalog& catalog,
                                            const tendon::Path& path) {
   const std::string text = ToString(path);
@@ -59,7 +59,7 @@ Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string
                                          tendon::DidYouMean(path.member, columns)};
 }
 
-/// A glob of columns, and which part of them it goes on to: "**.Joints" and ".position[0]".
+/// Splits a glob into its columns and the part within them: "**.Joints" and ".position[0]".
 std::pair<std::string, std::string> SplitField(const std::string& pattern) {
   const std::size_t slash = pattern.rfind('/');
   const std::size_t dot = pattern.find('.', slash == pattern.npos ? 0 : slash);
@@ -69,7 +69,7 @@ std::pair<std::string, std::string> SplitField(const std::string& pattern) {
   return {pattern.substr(0, end), pattern.substr(end)};
 }
 
-/// The paths that a glob stands for, in the catalogue's order.
+/// The paths that match a glob, in the catalogue's order.
 Result<std::vector<std::string>> Expand(const tendon::Catalog& catalog,
                                         const std::string& pattern) {
   const auto [glob, field] = SplitField(pattern);
@@ -103,7 +103,7 @@ tendon::InterfaceName TableOf(const TableChoice& choice) {
   return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
 }
 
-/// Once, to what is wanted of its table. Who names it himself wants it in any case.
+/// Adds the path to its table once. A path named without a glob stays wanted in any case.
 void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   auto& tables = choice.tables;
   const tendon::InterfaceName name = path.interface_name();
@@ -124,7 +124,7 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   if (place == columns.end()) columns.push_back(path.member);
 }
 
-/// Hears when the newest row of a table was written.
+/// Waits for the write time of the newest row of a table.
 class NewestRow final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}

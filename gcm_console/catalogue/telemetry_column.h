@@ -14,40 +14,40 @@
 
 namespace console {
 
-/// Whether a provided interface of this name is a state table.
+/// True if a provided interface of this name is a state table.
 [[nodiscard]] bool IsTable(const std::string& interface);
 
-/// What is wanted of one table.
+/// The wanted columns of one table.
 struct TableChoice {
   tendon::TableSubscription subscription;
   std::vector<RowPrinter::Wanted> wanted;
 };
 
-/// Columns, or parts of them, of any tables.
+/// The wanted columns, or parts of them, of any number of tables.
 struct ColumnChoice {
-  std::vector<std::string> paths;  ///< each once; those of a table in the order of its `wanted`
+  std::vector<std::string> paths;  ///< no duplicates; within a table in the order of its `wanted`
   std::vector<TableChoice> tables;
 };
 
-/// Those that `patterns` name, in that order, with `*` and `**` for columns, of which a part may
-/// follow. Errors name what is missing, and for a table which columns it has.
+/// The columns that `patterns` name, in that order. A pattern may contain `*` and `**` and may go
+/// on into a part of a column. Errors name what is missing and, for a table, the columns it has.
 tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
                                             const std::vector<std::string>& patterns);
 
-/// The rows of a table, by its path or that of a column: of this column, or the first.
+/// Subscribes to a table by its path (first column) or by the path of a column (that column).
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,
                                                      const std::string& path);
 
-/// That the values of a component are old, and how old, where that is known.
+/// Says that the values of a component are old, and how old if known.
 struct OldValues {
   std::string component;  ///< "robot/arm"
   tendon::Standstill why = tendon::Standstill::kNone;
   std::optional<std::chrono::nanoseconds> age;
 };
 
-/// Of the component that `path` belongs to; nothing while it runs. The age is that of the newest
-/// row of its table, or of its first table where the path names none: waits for it for half a
-/// second, unless the component was not started.
+/// The age of the values of the component that `path` belongs to; nothing while it runs. Measures
+/// the newest row of the table, or of the component's first table if the path names none. Waits for
+/// that row up to half a second, unless the component was not started.
 [[nodiscard]] std::optional<OldValues> OldValuesOf(tendon::GcmClient& client,
                                                    const tendon::Path& path);
 

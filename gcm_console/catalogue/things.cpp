@@ -14,7 +14,7 @@ namespace {
 using tendon::Catalog;
 using tendon::InterfaceName;
 
-/// Who uses each provided interface: so that a long list is not looked through for each of them.
+/// The clients of each provided interface, collected once so that long lists stay fast.
 using Users = std::map<InterfaceName, std::vector<InterfaceName>>;
 
 std::string TextOf(const std::vector<InterfaceName>& users) {
@@ -23,7 +23,7 @@ std::string TextOf(const std::vector<InterfaceName>& users) {
   return "<- " + ToString(users[0]) + (more == 0 ? "" : " and " + std::to_string(more) + " more");
 }
 
-/// What is wrong with it, or keeps it from its work.
+/// What is wrong with a component, or keeps it from its work.
 std::string DetailOf(const tendon::ProcessEntry& entry,
                      const tendon::ComponentDescription& component) {
   if (!component.fault.empty()) return component.fault;

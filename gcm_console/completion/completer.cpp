@@ -19,11 +19,11 @@ const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::str
   return nullptr;
 }
 
-/// What the words before the last one have settled.
+/// The meaning of the words before the last one.
 struct Standing {
-  const Page* page = nullptr;               // the verb, or `gcm` while there is none
-  const Page::Option* option = nullptr;     // whose value comes next
-  std::vector<std::string> arguments = {};  // that the verb has already
+  const Page* page = nullptr;               // the verb, or `gcm` before the verb
+  const Page::Option* option = nullptr;     // the option that expects a value next
+  std::vector<std::string> arguments = {};  // the verb's arguments so far
 };
 
 Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
@@ -48,7 +48,7 @@ class Collector {
   Collector(std::string word, const AskSystem& system, std::string at)
       : word_(std::move(word)), system_(system), at_(std::move(at)) {}
 
-  /// A word that is whole.
+  /// Adds a complete word.
   void Offer(const std::string& text, const std::string& help) {
     if (text.starts_with(word_)) found_.candidates.push_back({text + " ", help});
   }
@@ -63,7 +63,7 @@ class Collector {
   void OfferParts(const Page& page) {
     for (const Page& part : page.parts) Offer(part.last_word(), part.summary);
   }
-  /// `before` are the arguments of the verb.
+  /// `before` holds the verb's earlier arguments.
   void OfferValues(WordKind kind, const std::vector<std::string>& choices, const Page& gcm,
                    const std::vector<std::string>& before) {
     for (const std::string& choice : choices) Offer(choice, "");
@@ -75,7 +75,7 @@ class Collector {
   Completion Take() { return std::move(found_); }
 
  private:
-  /// Structures one step at a time, as paths, and the name of a field before its value.
+  /// Completes structures one level at a time, like paths, and a field's name before its value.
   void OfferLive(WordKind kind, std::vector<std::string> before) {
     if (!system_.words) return;
     if (!before.empty()) before[0] = ResolvedPath(at_, before[0]);
@@ -88,7 +88,7 @@ class Collector {
     }
     for (const std::string& step : steps) found_.candidates.push_back({step, ""});
   }
-  /// What is typed stays as it is; it is completed behind its end.
+  /// Keeps the typed part and appends to its end.
   void OfferPaths(WordKind kind) {
     const bool goes_deeper = word_.empty() || word_.ends_with('/');
     std::string prefix = ResolvedPath(at_, word_);
@@ -108,7 +108,7 @@ class Collector {
   Completion found_;
 };
 
-/// Of "--color=", and what is typed of the value.
+/// Completes the value of "--color=", of which `value` is typed.
 Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
                         const Standing& standing, const AskSystem& system, const std::string& at) {
   const auto* option = FindOption(gcm, *standing.page, begin.substr(0, begin.size() - 1));

@@ -9,10 +9,9 @@
 
 namespace console {
 
-/// What can stand at the end of a command line.
+/// The possible endings of a command line.
 struct Completion {
-  /// Instead of the last word: "robot/arm/", which goes on, or "robot/arm/Control ", which is
-  /// whole.
+  /// Replaces the last word: "robot/arm/" is incomplete, "robot/arm/Control " is complete.
   struct Candidate {
     std::string text;
     std::string help;
@@ -20,25 +19,25 @@ struct Completion {
     bool operator==(const Candidate&) const = default;
   };
   std::vector<Candidate> candidates;
-  bool is_file = false;  ///< a file is wanted; whoever asks knows those better
+  bool is_file = false;  ///< a file is wanted; the caller completes file names better
 };
 
-/// What is asked of a live system, each only where it is wanted.
+/// The sources of words from the live system. Each is called only if needed.
 struct AskSystem {
   std::function<tendon::Catalog()> catalog;
-  /// The words of a kind that names no path, behind those arguments of the verb; their paths are
-  /// whole.
+  /// The words of a kind that is not a path. `before` holds the verb's earlier arguments, with
+  /// complete paths.
   std::function<std::vector<std::string>(WordKind kind, const std::vector<std::string>& before)>
       words = nullptr;
 };
 
-/// The last of `words` is what is completed, and may be empty. `gcm` is the page of the whole
-/// program; paths begin at `at`.
+/// Completes the last of `words`, which may be empty. `gcm` is the page of the whole program;
+/// relative paths begin at `at`.
 Completion Complete(const Page& gcm, const std::vector<std::string>& words, const AskSystem& system,
                     const std::string& at = "");
 
-/// All paths of that kind, in order; of the ways to them, those that are longer than `prefix` by
-/// one name only: "robot/arm/" for "robot/a".
+/// All paths of this kind, in order. Of their parents, only those one name longer than `prefix`:
+/// "robot/arm/" for "robot/a".
 std::vector<std::string> PathsOf(const tendon::Catalog& catalog, WordKind kind,
                                  const std::string& prefix);
 

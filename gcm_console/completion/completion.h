@@ -7,15 +7,15 @@
 
 namespace console {
 
-/// The first word of a command line by which a user's shell asks what its last word may become. Not
-/// for people, and in no help.
+/// The first word of the command line with which a user's shell asks for completions. Internal, so
+/// the help does not list it.
 inline constexpr const char* kCompleteVerb = "complete";
 
-/// {"complete", WORDS...}: prints each candidate, a tab, and what it is; or ":files" where a file
-/// is wanted. Takes a fraction of a second at most.
+/// {"complete", WORDS...}: prints each candidate, a tab and its description; prints ":files" if a
+/// file is wanted. Takes a fraction of a second at most.
 int PrintCompletions(const std::vector<std::string>& words, const Streams& streams);
 
-/// The file that makes "bash", "zsh" or "fish" complete the words behind `gcm`; empty for others.
+/// The script that enables completion for `gcm` in "bash", "zsh" or "fish"; empty for other shells.
 std::string CompletionFile(const std::string& shell);
 
 }  // namespace console

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The names in a folder that begin as a word does.
+/// The names in a folder that begin with the last part of `word`.
 std::vector<Completion::Candidate> Files(const std::string& word) {
   const auto slash = word.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);

@@ -7,10 +7,10 @@
 
 namespace console {
 
-/// Where a file is wanted: the names in its folder that begin as `word` does. Reads the disk.
+/// If a file is wanted: adds the names in its folder that begin with `word`. Reads the disk.
 void AddFiles(Completion& completion, const std::string& word);
 
-/// What all candidates begin with; there is at least one.
+/// The common prefix of all candidates; there must be at least one.
 std::string CommonBegin(const std::vector<Completion::Candidate>& candidates);
 
 }  // namespace console

@@ -13,24 +13,24 @@
 
 namespace console {
 
-/// Something that a process was asked for, and what it said last.
+/// A request to a process, and its latest reply.
 template <typename T>
 struct Asked {
   std::uint64_t instance = 0;  ///< of the process
   std::chrono::steady_clock::time_point since;
-  std::future<tendon::Result<T>> answer = {};  ///< valid until it is here
+  std::future<tendon::Result<T>> answer = {};  ///< valid while a reply is awaited
   std::optional<T> known = std::nullopt;
 };
 
 /// Words that only the processes know: parameters and their values, arguments of commands, classes,
-/// plug-ins. What was heard is kept and said at once, while it is asked for anew; what comes too
-/// late for one question is there at the next. Used by one thread.
+/// plug-ins. Returns cached words at once and refreshes them in the background; a reply that comes
+/// too late for one call is there for the next. For one thread.
 class LiveWords {
  public:
-  /// `patience` is for all that one question must wait for.
+  /// `patience` is the total time that one call may wait.
   explicit LiveWords(std::chrono::milliseconds patience) : patience_(patience) {}
 
-  /// Of a kind that names no path, behind the verb's arguments `before`, whose paths are whole.
+  /// The words of a kind that is not a path, after the verb's arguments `before` (complete paths).
   std::vector<std::string> Of(tendon::GcmClient& client, WordKind kind,
                               const std::vector<std::string>& before);
 

@@ -7,7 +7,7 @@
 namespace console {
 namespace {
 
-/// Collects the next name of each path that begins with the prefix.
+/// Collects the next name of each path that begins with a prefix.
 class Steps {
  public:
   explicit Steps(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -17,7 +17,7 @@ class Steps {
     const auto end = path.find_first_of("/.", prefix_.size());
     steps_.insert(end == std::string::npos ? path : path.substr(0, end + 1));
   }
-  /// Whether a path that begins so may be wanted.
+  /// True if a path with this beginning may match.
   [[nodiscard]] bool Leads(const std::string& way) const {
     return way.starts_with(prefix_) || prefix_.starts_with(way);
   }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kSeparators = "/.";
 
-/// The one name behind `way` that is `begin`, or begins so; empty where there is none, or a choice.
+/// The only name below `way` that equals `begin` or begins with it; empty if none or several do.
 std::string NameBehind(const tendon::Catalog& catalog, WordKind kind, const std::string& way,
                        const std::string& begin) {
   std::set<std::string> names;
@@ -36,7 +36,7 @@ std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::
     if (name.empty()) return path;
     whole += name;
     if (is_member || end == path.size())
-      return whole + path.substr(end);  // fields are not looked up
+      return whole + path.substr(end);  // fields are not completed
     whole += path[end];
     begin = end + 1;
   }

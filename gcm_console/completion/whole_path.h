@@ -7,14 +7,14 @@
 
 namespace console {
 
-/// "robot/arm/Control.Stop" for "ro/a/C.S": each name of a path to something of that kind, where
-/// only one begins so. The path as it is where a name is that of nothing, or of several.
+/// Completes each name of a path to a thing of this kind: "robot/arm/Control.Stop" for "ro/a/C.S".
+/// Returns the path unchanged if a name matches no thing or several.
 std::string WholePath(const tendon::Catalog& catalog, WordKind kind, const std::string& path);
 
-/// The path of `typed` for who stands `at` another: below that. Several names, or one with a /
-/// behind it, are a path from the top where nothing below begins like the first while a process is
-/// called so; one name alone never is, for a verb would act on a whole process instead of what is
-/// gone.
+/// The absolute path of `typed` for a user whose relative paths begin `at` another: usually below
+/// it. A path of several names, or one name with a trailing /, is absolute if nothing below `at`
+/// matches its first name and a process does. One name alone is never absolute: a verb would
+/// otherwise act on a whole process instead of a component that is gone.
 std::string PathFrom(const tendon::Catalog& catalog, const std::string& at,
                      const std::string& typed);
 

@@ -17,7 +17,7 @@ bool FitsAny(const std::vector<std::string>& patterns, const std::string& text) 
   });
 }
 
-/// Why one that fits no event does not.
+/// The reason why a pattern matches no event.
 Error Misfit(const tendon::Catalog& catalog, const std::string& pattern) {
   if (pattern.find('*') != std::string::npos) {
     return {ErrorCode::kNotFound,

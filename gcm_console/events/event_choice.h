@@ -9,13 +9,13 @@
 
 namespace console {
 
-/// The events that fit any of `patterns`, which name interfaces or events, with `*` and `**`: by
-/// interface, in the catalogue's order.
+/// The events that match any of `patterns`, in the catalogue's order, grouped by interface. A
+/// pattern names an interface or an event and may contain `*` and `**`.
 std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalog& catalog,
                                                      const std::vector<std::string>& patterns);
 
-/// Whether each of them names something to listen to. kNotFound says what is near, and kInvalid
-/// what it names instead.
+/// Fails if a pattern matches no event: kNotFound suggests similar names; kInvalid says what the
+/// pattern names instead.
 tendon::Result<void> CheckEventPatterns(const tendon::Catalog& catalog,
                                         const std::vector<std::string>& patterns);
 

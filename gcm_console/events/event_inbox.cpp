@@ -64,7 +64,7 @@ EventInbox::Content EventInbox::Take() {
   return content;
 }
 
-/// Under the lock. Whoever does not take them need not have all that were ever made.
+/// Call it with the lock held. Keeps a limited number for a caller that never takes them.
 void EventInbox::Complain(const tendon::Error& complaint) {
   constexpr std::size_t kMost = 100;
   if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);

@@ -16,39 +16,39 @@ namespace console {
 
 /// An event that was raised.
 struct HeardEvent {
-  /// When it was raised, by the steady clock of its process: since 1970, by this machine's clock.
+  /// ns since 1970 by this machine's clock, from the event's age on the steady clock.
   std::int64_t time_ns = 0;
-  std::int64_t uncertainty_ns = -1;  ///< how far that may be off; below 0: nobody knows
+  std::int64_t uncertainty_ns = -1;  ///< the possible error of `time_ns`; below 0: unknown
   std::string path;                  ///< "robot/arm/Control.GoalReached"
   tendon::MemberDescription description;
-  std::vector<std::byte> value;  ///< the CDR body of its type
+  std::vector<std::byte> value;  ///< the CDR body of the event's type
 };
 
-/// Keeps what is heard of all interfaces until the printing thread takes it. What waits is bounded
-/// in events and bytes; newer ones take the place of the oldest, which are counted as lost here.
+/// Keeps the events of all interfaces until the printing thread takes them. The queue is bounded in
+/// events and bytes; when it is full, the oldest events are dropped and counted as lost here.
 class EventInbox final : public tendon::GcmListener,
                          public std::enable_shared_from_this<EventInbox> {
  public:
   static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
                                                       .bytes = std::size_t{32} << 20U};
-  /// At one go, or a single event.
+  /// The limit for one Take(), which a single larger event may exceed.
   static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes
 
   struct Content {
     bool is_catalog_new = false;
-    std::vector<tendon::EventSubscription> begun;         ///< that are listened to from now on
-    std::vector<tendon::MemberDescription> descriptions;  ///< of the events of those
+    std::vector<tendon::EventSubscription> begun;         ///< since the last Take()
+    std::vector<tendon::MemberDescription> descriptions;  ///< the events of `begun`
     std::deque<HeardEvent> events;
-    std::map<std::string, std::uint64_t> lost;  ///< since the last time, by path
-    std::vector<tendon::Error> complaints;      ///< kUnreachable: of the GCM; else of a process
-    bool is_gcm_back = false;                   ///< after a complaint of it
-    bool has_more = false;                      ///< events that wait
+    std::map<std::string, std::uint64_t> lost;  ///< since the last Take(), by path
+    std::vector<tendon::Error> complaints;      ///< kUnreachable: about the GCM; else a process
+    bool is_gcm_back = false;                   ///< after a complaint about it
+    bool has_more = false;                      ///< more events are waiting
   };
 
-  /// Who hears the events of one interface for us.
+  /// The sink that passes the events of one interface to this inbox.
   std::shared_ptr<tendon::EventSink> SinkOf(const tendon::EventSubscription& subscription);
 
-  /// What has come since the last time; of the events the oldest that wait.
+  /// Everything since the last call; the oldest events first.
   Content Take();
 
   void OnSnapshot(const tendon::Catalog& catalog) override;
@@ -61,7 +61,7 @@ class EventInbox final : public tendon::GcmListener,
   void Complain(const tendon::Error& complaint);
 
   std::mutex mutex_;
-  Content content_;  // but for the events
+  Content content_;  // without the events
   tendon::DroppingQueue<HeardEvent> events_{kMostWaiting};
   bool is_gcm_lost_ = false;
 };

@@ -35,7 +35,7 @@ struct EventsOptions {
   bool ends_with_link = false;
 };
 
-/// Prints events as they come, on a terminal under titles.
+/// Prints events as they come; on a terminal with titles.
 class EventWriter {
  public:
   EventWriter(Context& context, tendon::GcmClient& client) : context_(context), client_(client) {
@@ -44,7 +44,7 @@ class EventWriter {
     context.out() << "TIME                   \tEVENT\tVALUE\n";  // as wide as a time
   }
 
-  /// Asks for the types that are not known, while the process is there to answer.
+  /// Requests unknown types while the process can still answer.
   void Learn(const EventInbox::Content& content) {
     std::size_t next = 0;
     for (const tendon::EventSubscription& one : content.begun) {
@@ -84,7 +84,7 @@ class EventWriter {
     if (event.uncertainty_ns < 0) return nullptr;
     return event.uncertainty_ns;
   }
-  /// As JSON; "null" where it carries none, or one of a type that nobody has explained.
+  /// As JSON; "null" if the event has no value or its type is unknown.
   [[nodiscard]] std::string ValueOf(const HeardEvent& event) const {
     const auto schema = schemas_.find(event.description.signature.in);
     if (schema == schemas_.end()) return "null";
@@ -98,7 +98,7 @@ class EventWriter {
   std::uint64_t printed_ = 0;
 };
 
-/// Listens to all that fits, also to what comes later.
+/// Listens to all events that match, including later ones.
 class Listeners {
  public:
   Listeners(tendon::GcmClient& client, const std::shared_ptr<EventInbox>& inbox)
@@ -132,7 +132,7 @@ class Listeners {
   std::map<tendon::InterfaceName, Listener> listeners_;
 };
 
-/// Of `content`; returns how many events are lost.
+/// Prints the remarks of `content`; returns the number of lost events.
 std::uint64_t Remark(const EventInbox::Content& content, Context& context) {
   std::ostream& err = context.err();
   for (const tendon::EventSubscription& one : content.begun) {
@@ -196,7 +196,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     lost += Remark(content, context);
     context.out().flush();
     if (options.ends_with_link && !content.complaints.empty()) {
-      broken = content.complaints.front();  // which is said in the end
+      broken = content.complaints.front();  // reported at the end
     } else {
       Complain(content, context);
     }

@@ -14,12 +14,12 @@ using tendon::graph::Rect;
 
 std::string Quoted(const std::string& text) { return "\"" + Plain(text) + "\""; }
 
-/// A component's node.
+/// The name of a component's node.
 std::string NodeOf(const tendon::InterfaceName& end) {
   return Quoted(end.process + "/" + end.component);
 }
 
-/// What Graphviz wants to know of a place: points, from below.
+/// Converts places for Graphviz: to points, upwards from the bottom.
 class Arrangement {
  public:
   Arrangement() = default;
@@ -28,7 +28,7 @@ class Arrangement {
     for (const SheetNode& node : sheet.nodes) rects_.emplace(node.path, node.rect);
   }
 
-  /// Of the whole: everything has its place already, only the arrows are to be drawn.
+  /// The attributes of the graph: all nodes have positions, so Graphviz only draws the arrows.
   [[nodiscard]] std::string OfGraph() const {
     return rects_.empty() ? "" : "  layout=nop;\n  splines=true;\n";
   }
@@ -50,7 +50,7 @@ class Arrangement {
   }
 
  private:
-  /// With a point in every language.
+  /// With a decimal point in every locale.
   static std::string Text(double number) {
     std::ostringstream text;
     text.imbue(std::locale::classic());

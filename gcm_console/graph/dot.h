@@ -7,11 +7,11 @@
 
 namespace console {
 
-/// For Graphviz: a box for each component, within one for its process, and an arrow from each
-/// required interface to what it is connected to.
+/// Prints the system for Graphviz: a box per component inside the box of its process, and an arrow
+/// from each required interface to the interface it is connected to.
 void PrintDot(const tendon::Catalog& catalog, std::ostream& out);
 
-/// And all of it stands where it does in `arranged`, a sheet of the same catalogue.
+/// The same, with the positions of `arranged`, a sheet of the same catalogue.
 void PrintDot(const tendon::Catalog& catalog, const Sheet& arranged, std::ostream& out);
 
 }  // namespace console

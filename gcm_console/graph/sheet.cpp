@@ -50,7 +50,7 @@ std::string TitleOf(const Catalog& catalog) {
          Counted(catalog.connections().size(), "connection", "connections");
 }
 
-/// From block to block, each once, none from one to itself.
+/// The edges between blocks, without duplicates and loops.
 class Edges {
  public:
   explicit Edges(const std::vector<ColumnLayout::Block>& blocks) {
@@ -73,7 +73,7 @@ class Edges {
   std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
 
-/// That a node needs for its first two lines.
+/// The width of a node's first two lines.
 double HeadWidth(const SheetNode& node) {
   return std::max(TextWidth(node.name, sheet::kNameText),
                   sheet::kMark + TextWidth(node.detail, sheet::kSmallText)) +
@@ -85,7 +85,7 @@ double TitleWidth(const SheetProcess& process) {
          TextWidth(process.detail, sheet::kSmallText);
 }
 
-/// How far places have to be drawn apart for things that need more room than those they are of.
+/// How far existing places must be stretched for things that need more room than there.
 struct Stretch {
   double x = 1;
   double y = 1;
@@ -94,7 +94,7 @@ struct Stretch {
     if (shown.width > 0) x = std::max(x, needed.width / shown.width);
     if (shown.height > 0) y = std::max(y, needed.height / shown.height);
   }
-  /// As far as another, but not many times as far as this.
+  /// Stretches as far as `other`, but only up to a multiple of this.
   void FitMostly(const Stretch& other) {
     constexpr double kMost = 4;
     x = std::max(x, std::min(other.x, kMost * x));
@@ -139,7 +139,7 @@ class Placement {
     std::vector<ColumnLayout::Block> inner;
     for (const auto& [component, description] : entry.components) {
       SheetNode node = NodeOf(name, description);
-      if (!IsPresent(entry.process)) {  // what is known of it was so before
+      if (!IsPresent(entry.process)) {  // the last known state, now outdated
         node.detail.insert(0, "was ");
         node.condition = Condition::kResting;
         node.rect.width = std::max(node.rect.width, HeadWidth(node));
@@ -203,7 +203,7 @@ class Placement {
 
   Size PlaceAs(const Places& shown) {
     Stretch stretch;
-    Stretch insets;  // which may be shown as good as none
+    Stretch insets;  // `shown` may have almost no insets
     Rect first{.x = HUGE_VAL, .y = HUGE_VAL};
     for (const SheetProcess& process : sheet_.processes) {
       const Rect& box = shown.at(process.name);
@@ -290,7 +290,7 @@ class Placement {
 
   const Catalog& catalog_;
   std::set<InterfaceName> connected_;
-  std::map<std::string, ColumnLayout> insides_;  // of each process
+  std::map<std::string, ColumnLayout> insides_;  // by process
   std::map<std::tuple<std::string, std::string, bool>, std::pair<double, double>> ends_;
   Sheet sheet_;
 };
@@ -311,7 +311,7 @@ double TextWidth(const std::string& text, double size) {
   double width = 0;
   for (const char letter : text) {
     const auto byte = static_cast<unsigned char>(letter);
-    if ((byte & 0xc0U) == 0x80U) continue;  // of a letter that was counted
+    if ((byte & 0xc0U) == 0x80U) continue;  // not the first byte of a character
     const bool is_narrow = std::string_view("iljtfrI.,:;|'/-() ").find(letter) != std::string::npos;
     const bool is_wide = std::string_view("mwMW@%").find(letter) != std::string::npos;
     const bool is_capital = std::isupper(byte) != 0;

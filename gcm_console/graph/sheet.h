@@ -9,13 +9,13 @@
 
 namespace console {
 
-/// How something is doing, which a picture tells by colour.
+/// The state of a thing, which a picture shows as a colour.
 enum class Condition { kGood, kResting, kWarning, kBad };
 
-/// Where an interface is shown: on the border of its component.
+/// An interface in the picture, on the border of its component.
 struct SheetPort {
   std::string name;
-  bool is_provided = false;  ///< at the right; what is required is at the left
+  bool is_provided = false;  ///< provided interfaces are on the right, required ones on the left
   bool is_connected = false;
   double x = 0;
   double y = 0;
@@ -38,7 +38,7 @@ struct SheetProcess {
   tendon::graph::Rect rect;
 };
 
-/// From the provided interface to the required one, the way that the window draws it.
+/// A line from the provided interface to the required one, as in the window.
 struct SheetWire {
   std::string title;  ///< "desk/supervisor/Robot -> robot/arm/Control"
   std::string remark;
@@ -49,28 +49,28 @@ struct SheetWire {
   double to_y = 0;
 };
 
-/// A picture of a system before it is drawn: what stands where, in pixels.
+/// The layout of a system's picture, in pixels.
 struct Sheet {
   tendon::graph::Size size;
   std::string title;
   std::vector<SheetProcess> processes;
   std::vector<SheetNode> nodes;
-  std::vector<SheetWire> wires;  ///< of those connections whose ends are both there
+  std::vector<SheetWire> wires;  ///< only connections with both ends in the picture
 };
 
-/// Providers stand left of their clients. State tables are left out, unless something is connected
-/// to them.
+/// Lays out the system with providers to the left of their clients. Leaves out state tables without
+/// connections.
 [[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog);
 
-/// Where things are shown elsewhere: by the path of a component, and by the name of a process,
-/// whose rectangle is around its components. In any measure.
+/// Existing positions, for example of a window: by the path of a component and by the name of a
+/// process, whose rectangle encloses its components. In any unit of length.
 using Places = std::map<std::string, tendon::graph::Rect>;
 
-/// Everything stands to everything else as in `shown`, which is stretched as far as it takes. As
-/// without it where anything is missing there.
+/// Keeps the arrangement of `shown`, stretched as far as necessary. If `shown` lacks a thing, the
+/// layout is that of SheetOf(catalog).
 [[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog, const Places& shown);
 
-/// How wide a text of that size is in a usual font, or a little less.
+/// The width of a text of this size in a common font, approximate and rather too small.
 [[nodiscard]] double TextWidth(const std::string& text, double size);
 
 }  // namespace console

@@ -12,7 +12,7 @@ namespace {
 using tendon::ConnectionState;
 using tendon::graph::Rect;
 
-// Those of the window, on a light ground.
+// The window's colours, in the light theme.
 constexpr const char* kGround = "#f4f6f8";
 constexpr const char* kPanel = "#ffffff";
 constexpr const char* kRaised = "#f8fafc";
@@ -48,7 +48,7 @@ const char* DashesOf(ConnectionState state) {
                                             : " stroke-dasharray=\"2 4\"";
 }
 
-/// Text between tags and in attributes.
+/// Escaped for use between tags and in attributes.
 std::string Escaped(const std::string& text) {
   std::string escaped;
   for (const char letter : Plain(text)) {
@@ -128,7 +128,7 @@ void Print(std::ostream& out, const SheetNode& node) {
   out << " </g>\n";
 }
 
-/// As the window bends it; one that runs back bends further out.
+/// Bends like the window's line; a line that runs backwards bends more.
 void Print(std::ostream& out, const SheetWire& wire) {
   constexpr double kLeastBend = 36;
   constexpr double kMostBend = 160;
@@ -144,7 +144,7 @@ void Print(std::ostream& out, const SheetWire& wire) {
       << "</title></path>\n";
 }
 
-/// What the lines mean.
+/// Explains the kinds of lines.
 void PrintLegend(std::ostream& out, double y) {
   constexpr double kSample = 32;
   constexpr double kToText = 8;

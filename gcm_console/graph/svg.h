@@ -6,7 +6,7 @@
 
 namespace console {
 
-/// Draws it as an SVG that stands alone, on a light ground.
+/// Draws the sheet as a self-contained SVG on a light background.
 void PrintSvg(const Sheet& sheet, std::ostream& out);
 
 }  // namespace console

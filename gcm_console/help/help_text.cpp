@@ -19,7 +19,7 @@ std::size_t WidthOf(int columns) {
   return std::clamp(static_cast<std::size_t>(columns), kNarrowest, kWidest);
 }
 
-/// The words in lines of at most `width`, each behind `indent` blanks but for the first.
+/// Wraps words to lines of at most `width`; indents all lines but the first by `indent`.
 std::string Wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::istringstream words(text);
   std::string lines;
@@ -37,7 +37,7 @@ std::string Wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return lines + "\n";
 }
 
-/// Terms with what they mean, aligned.
+/// A list of terms with aligned explanations.
 std::string Listed(const std::vector<Row>& rows, std::size_t width) {
   std::size_t widest = 0;
   for (const Row& row : rows) {
@@ -87,7 +87,7 @@ std::vector<Row> RowsOf(const std::vector<Page::Option>& options) {
   return rows;
 }
 
-/// Verbs, by their groups, in the order in which these come first.
+/// The verbs by group, in the order in which the groups first appear.
 std::vector<std::pair<std::string, std::vector<Row>>> GroupsOf(const std::vector<Page>& parts) {
   std::vector<std::pair<std::string, std::vector<Row>>> groups;
   for (const Page& part : parts) {
@@ -113,7 +113,7 @@ std::vector<Row> RowsOf(const std::vector<std::string>& examples) {
 
 bool IsWhole(const Page& page) { return page.name.find(' ') == std::string::npos; }
 
-/// Its sections with their titles.
+/// The sections of a page with their titles.
 std::vector<std::pair<std::string, std::vector<Row>>> SectionsOf(const Page& page) {
   auto sections = GroupsOf(page.parts);
   sections.insert(sections.begin(), {"arguments", RowsOf(page.arguments)});
@@ -123,7 +123,7 @@ std::vector<std::pair<std::string, std::vector<Row>>> SectionsOf(const Page& pag
   return sections;
 }
 
-/// For `man`: what begins a line or a letter is taken as it is.
+/// Escapes a text for `man`, also at the beginning of lines.
 std::string Roff(const std::string& text) {
   std::string plain;
   for (const char letter : text) {

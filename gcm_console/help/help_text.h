@@ -7,23 +7,23 @@
 
 namespace console {
 
-/// What explains a matter that is no verb: "exit-codes", "paths", "output".
+/// A help page about a subject other than a verb: "exit-codes", "paths", "output".
 struct Topic {
   std::string name;
   std::string summary;
-  /// Lines with two cells each; a line with one is a paragraph.
+  /// A line has two cells; a paragraph is a line with one cell.
   std::vector<std::vector<std::string>> lines;
 };
 
 const std::vector<Topic>& Topics();
 
-/// For a terminal of so many columns, 0 for the usual 80.
+/// Formats the page for a terminal of this width; 0 stands for 80 columns.
 std::string HelpText(const Page& page, int columns);
 std::string HelpText(const Topic& topic, int columns);
 
-/// What the manual page is called: "gcm-watch".
+/// The name of the manual page: "gcm-watch".
 [[nodiscard]] std::string ManualName(const Page& page);
-/// The page as a manual page for `man`, of section 1. The page of `gcm` itself has the topics, too.
+/// The page as a manual page for `man`, section 1. The page of `gcm` itself includes the topics.
 std::string ManualPage(const Page& page, const std::string& version);
 
 }  // namespace console

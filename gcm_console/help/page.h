@@ -11,15 +11,15 @@ class App;
 
 namespace console {
 
-/// All there is to say of one verb, or of `gcm` itself: what help, manual and completion are made
-/// from. It is read off the command line that the program itself understands.
+/// The description of one verb, or of `gcm` itself: the source of help, manual and completion. It
+/// is read from the command-line parser itself, so the two always agree.
 struct Page {
-  /// A word that is recognised by where it stands.
+  /// A positional argument.
   struct Argument {
     std::string name;
     std::string help;
     WordKind kind = WordKind::kText;
-    std::vector<std::string> choices;  ///< where there are only these
+    std::vector<std::string> choices;  ///< the only allowed values; empty if any value is allowed
     bool is_required = false;
     bool is_many = false;
   };
@@ -31,22 +31,22 @@ struct Page {
     std::vector<std::string> choices;
   };
 
-  std::string name;  ///< as it is typed: "gcm cert issue"
+  std::string name;  ///< as typed: "gcm cert issue"
   std::string summary;
-  std::string group;  ///< of the verbs among which it is listed
+  std::string group;  ///< the group in the list of verbs
   std::vector<Argument> arguments;
   std::vector<Option> options;
   std::vector<std::string> examples;
-  std::vector<Page> parts;  ///< verbs of `gcm`, acts of `gcm cert`
+  std::vector<Page> parts;  ///< verbs of `gcm`, subcommands of `gcm cert`
 
-  /// The part of that name; null where there is none.
+  /// The part with this name; null if there is none.
   [[nodiscard]] const Page* Find(const std::string& part) const;
-  /// Without what it is a part of: "issue".
+  /// The last part of the name: "issue".
   [[nodiscard]] std::string last_word() const;
 };
 
-/// The page of a part of a command line. `command` is what it is a part of, with a blank behind, or
-/// empty.
+/// The page of a part of a command line. `command` is the name of its parent with a trailing blank,
+/// or empty.
 Page PageOf(const CLI::App& app, const std::string& command = "");
 
 /// "gcm connect INTERFACE PROVIDED [OPTIONS]".

@@ -19,7 +19,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// What to ask for help: the verb, if one was given.
+/// The command whose help is suggested: `gcm`, with the verb if one was given.
 std::string HelpCommand(const CLI::App& app) {
   std::string command = app.get_name();
   for (const CLI::App* verb : app.get_subcommands()) command += " " + HelpCommand(*verb);
@@ -32,8 +32,7 @@ std::vector<std::string> VerbsOf(const CLI::App& app) {
   return names;
 }
 
-/// What a word like "--gcm" names, in a part or in what that is a part of; null where it is
-/// nothing.
+/// The option that a word like "--gcm" names, in a part or in its parents; null if there is none.
 const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
   for (; part != nullptr; part = part->get_parent()) {
     if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
@@ -50,9 +49,9 @@ bool IsNegativeName(const std::string& word) {
   return name == "-inf" || name == "-infinity" || name == "-nan";
 }
 
-/// The library would take a word in brackets apart where several words may stand, and "-inf" for
-/// options of one letter. A blank behind the first and before the second prevents that; AsTyped()
-/// takes it away.
+/// CLI11 would split a word in brackets where several words are allowed, and would read "-inf" as
+/// options of one letter. A blank after the first and before the second character prevents that;
+/// AsTyped() removes it.
 std::string KeptWhole(const std::string& word) {
   const bool is_in_brackets = word.starts_with('[') && word.ends_with(']');
   if (is_in_brackets || word.ends_with(' ')) return word + ' ';
@@ -68,7 +67,7 @@ std::string AsTyped(std::string& word) {
   return {};
 }
 
-/// Before all other transformations.
+/// Must come before all other transformations.
 void TakeAsTyped(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -79,9 +78,8 @@ void TakeAsTyped(CLI::App& app) {
   }
 }
 
-/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word where a
-/// verb is expected, which is no option nor an option's value; nothing where it is one, or where an
-/// unknown option comes first.
+/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them": about the first word that is
+/// not an option or an option's value. Empty if it is a verb, or if an unknown option precedes it.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();
@@ -106,12 +104,12 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
   return "";
 }
 
-/// "--gcm needs a value", for the first option that has '=' and nothing behind it, as of a variable
-/// that is not set: the library would take the next word for it. Nothing where there is none.
+/// "--gcm needs a value": for the first option that ends with '=', as with an unset variable; CLI11
+/// would take the next word as its value. Empty if there is none.
 std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   for (const std::string& word : words) {
-    if (word == "--") break;  // what follows are no options
+    if (word == "--") break;  // no options after it
     if (word.starts_with("--") && word.ends_with('=')) {
       const std::string name = word.substr(0, word.size() - 1);
       const CLI::Option* option = OptionOf(part, name);
@@ -124,7 +122,7 @@ std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& ap
   return "";
 }
 
-/// "--long is given 2 times", for a flag that is so; the library counts only options with a value.
+/// "--long is given 2 times": for a repeated flag; CLI11 only counts options with a value.
 std::string RepeatedFlag(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -138,8 +136,8 @@ std::string RepeatedFlag(const CLI::App& app) {
   return "";
 }
 
-/// A glob for a verb that takes one name, of which that is not obvious: it would be told that '*'
-/// is no letter of a name.
+/// Refuses a glob for a verb that takes one name. The usual check would only say that '*' is not
+/// allowed in a name.
 Result<void> CheckGlobs(const CLI::App& app) {
   static const std::set<std::string> kTakeOne = {"call",    "candidates", "classes", "create",
                                                  "explain", "hz",         "load"};
@@ -211,7 +209,7 @@ void CommandLine::AddVerb(const Verb& verb) {
   if (settings_.in_session) Resolve(*part);
 }
 
-/// Lets paths begin where `at` says.
+/// Makes relative paths begin at `at`.
 void CommandLine::Resolve(CLI::App& part) const {
   for (CLI::Option* option : part.get_options()) {
     if (!IsPath(KindOf(*option))) continue;
@@ -275,7 +273,7 @@ std::string ResolvedPath(const std::string& at, const std::string& typed) {
       }
     }
   }
-  constexpr std::size_t kInterface = 3;  // its members are behind a dot
+  constexpr std::size_t kInterface = 3;  // a dot precedes its members
   std::string path;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     path += (i == 0 ? "" : i == kInterface ? "." : "/") + parts[i];

@@ -12,21 +12,21 @@
 
 namespace console {
 
-/// The command line of `gcm`, made from the table of verbs: what a line means is here after
-/// Parse().
+/// The command line of `gcm`, built from the table of verbs. After Parse() it holds the meaning of
+/// a line.
 class CommandLine {
  public:
-  /// The path that a person means who stands somewhere and types the beginnings of names, or a path
-  /// from the top, see PathFrom() and WholePath().
+  /// Turns a typed path into an absolute one. The user may abbreviate names and give a relative
+  /// path; see PathFrom() and WholePath().
   using Complement = std::function<std::string(WordKind kind, const std::string& typed)>;
 
-  /// `usual` is what holds where a line says nothing else. In a session, `complement` may be given
-  /// for lines that a person types.
+  /// `usual` holds the defaults for a line. `complement` completes paths on lines that a person
+  /// types in a session.
   explicit CommandLine(Settings usual, Complement complement = nullptr);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// The error, kInvalid, is one sentence. Throws CLI::Success where help is wanted, or the
+  /// The error, kInvalid, is one sentence. Throws CLI::Success if the line asks for help or the
   /// version.
   tendon::Result<void> Parse(const std::vector<std::string>& words);
 
@@ -34,9 +34,9 @@ class CommandLine {
   [[nodiscard]] const std::string& verb() const { return verb_; }
   [[nodiscard]] const Verb::Run& run() const { return run_; }
 
-  /// Of `gcm`, with a part for each verb.
+  /// The page of `gcm`, with a part for each verb.
   [[nodiscard]] Page page() const { return PageOf(app_); }
-  /// Of the verb that was given, or of the act of it; else of `gcm`.
+  /// The page of the chosen verb or subcommand; else the page of `gcm`.
   [[nodiscard]] Page chosen_page() const;
 
  private:
@@ -56,7 +56,7 @@ class CommandLine {
   Verb::Run run_;
 };
 
-/// A path as it is typed where paths begin at `at`: "/robot" begins at the top, ".." goes up.
+/// The absolute path of `typed` relative to `at`: "/robot" begins at the top, ".." goes up.
 std::string ResolvedPath(const std::string& at, const std::string& typed);
 
 /// "gcm 0.1.0".

@@ -11,7 +11,7 @@ namespace {
 using tendon::Error;
 using tendon::ErrorCode;
 
-/// Whether it ended because it could not be read. The library hides that of the standard input.
+/// True if a read error ended the input. The C++ library hides read errors of standard input.
 bool IsBroken(const std::istream& in) {
   return in.bad() || (&in == &std::cin && std::ferror(stdin) != 0);
 }

@@ -8,13 +8,13 @@
 
 namespace console {
 
-/// The lines of a stream, of at most 1 MiB each. After the last one `error()` says whether that was
-/// the end, or the rest cannot be read.
+/// Reads the lines of a stream, at most 1 MiB each. After the last line `error()` tells the end of
+/// the stream from a read error.
 class InputLines {
  public:
   explicit InputLines(std::istream& in) : in_(in) {}
 
-  /// False where there is no further one.
+  /// Returns false if there are no more lines.
   bool Next(std::string& line);
   [[nodiscard]] const std::optional<tendon::Error>& error() const { return error_; }
 
@@ -23,7 +23,7 @@ class InputLines {
   std::optional<tendon::Error> error_;
 };
 
-/// All of a stream; kInvalid for more than 16 MiB, or where it cannot be read.
+/// Reads the whole stream; kInvalid above 16 MiB or on a read error.
 tendon::Result<std::string> AllOf(std::istream& in);
 
 }  // namespace console

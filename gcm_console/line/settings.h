@@ -8,13 +8,13 @@
 
 namespace console {
 
-/// When text is coloured: `kAuto` is on a terminal, unless the user says otherwise by $NO_COLOR.
+/// When to colour text. `kAuto`: on a terminal, unless $NO_COLOR is set.
 enum class ColorChoice { kAuto, kAlways, kNever };
 
-/// How much is remarked beside the results.
+/// How many messages to print beside the results.
 enum class Remarks { kUsual, kNone, kMore };
 
-/// What holds for every verb, from the command line.
+/// The settings that every verb shares, from the command line.
 struct Settings {
   std::string gcm;
   program::NetworkOptions network;
@@ -24,9 +24,9 @@ struct Settings {
   bool titles = true;  ///< of tables on a terminal
   Remarks remarks = Remarks::kUsual;
   ColorChoice color = ColorChoice::kAuto;
-  bool in_session = false;  ///< one line of several, whose paths may begin with / or ..
+  bool in_session = false;  ///< one of several lines: paths may begin with / or ..
   std::string at = {};      ///< where relative paths begin; empty: at the top
-  int scripts = 0;          ///< that run each other, down to this line
+  int scripts = 0;          ///< the nesting depth of scripts that run this line
 };
 
 }  // namespace console

@@ -8,36 +8,36 @@ class Option;
 
 namespace console {
 
-/// What a word of a command line names: for help, for completion, and for paths that are relative.
+/// What a word of a command line names: used by help, completion and relative paths.
 enum class WordKind {
   kText,
   kFile,
   kVerb,
-  kParameter,  ///< of the component that stands before it
-  kSetting,    ///< of the parameter that stands before it
-  kArgument,   ///< of the command that stands before it, or one of its fields
+  kParameter,  ///< of the component that precedes it
+  kSetting,    ///< of the parameter that precedes it
+  kArgument,   ///< of the command that precedes it, or one of its fields
   kClass,
   kPlugIn,
   kProcess,    ///< from here on: paths of a system
-  kComponent,  ///< and processes on the way to one
+  kComponent,  ///< also processes on the way to one
   kPath,       ///< of anything
   kRequired,   ///< a required interface
   kProvided,
   kCommand,
   kReadable,  ///< a read command or a column
   kColumn,    ///< of a state table
-  kEvent,     ///< and provided interfaces that have any
+  kEvent,     ///< also provided interfaces with events
 };
 
-/// Says what the words of an option or an argument name.
+/// Declares what the words of an option or argument name.
 CLI::Option* Names(CLI::Option* option, WordKind kind);
 
-/// What was said of it; kText where nothing was.
+/// The declared kind; kText if there is none.
 WordKind KindOf(const CLI::Option& option);
 
 [[nodiscard]] bool IsPath(WordKind kind);
 
-/// Whether only the processes know the words.
+/// True if only the processes know the words.
 [[nodiscard]] bool IsLive(WordKind kind);
 
 }  // namespace console

@@ -11,14 +11,14 @@
 
 namespace console {
 
-/// A component with what its class says of its configuration, and what it was told itself.
+/// A component with the description of its class and its own configuration.
 struct ConfiguredComponent {
   tendon::ClassDescription of;
-  std::string told;            ///< JSON, or empty
-  std::uint64_t instance = 0;  ///< of its process
+  std::string told;            ///< its configuration as JSON, or empty
+  std::uint64_t instance = 0;  ///< the instance id of its process
 };
 
-/// Asks the component's process; waits for at most `patience`. kFailed where it is of no class.
+/// Asks the component's process; waits at most `patience`. kFailed if it has no class.
 tendon::Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                                    std::chrono::milliseconds patience,
                                                    const tendon::Path& component);

@@ -11,20 +11,20 @@
 
 namespace console {
 
-/// Whose connection is asked about now: of each required interface once a second at most, and no
-/// more at a time than so many without an answer, in all and of one process. That holds for
-/// connections, too, that go and come back meanwhile. Thread-safe.
+/// Decides which connections to ask about now. Each required interface is asked at most once a
+/// second. The number of unanswered requests is limited, in total and per process; connections that
+/// disappear and return still count. Thread-safe.
 class AskingTurns {
  public:
   static constexpr std::chrono::seconds kBetween{1};
   static constexpr std::size_t kMostAtOnce = 64;
   static constexpr std::size_t kMostOfOne = 8;
 
-  /// Those of `there` that are to be asked about now, who was asked longest ago first. End() is to
-  /// follow for each.
+  /// Returns the connections of `there` that are due, the longest waiting first. Call End() for
+  /// each of them.
   [[nodiscard]] std::vector<tendon::InterfaceName> Begin(
       const std::vector<tendon::InterfaceName>& there, tendon::SteadyTime now);
-  /// The answer has come, or does not come.
+  /// Call it when the answer has arrived or will not arrive.
   void End(const tendon::InterfaceName& required);
 
  private:

@@ -12,7 +12,7 @@ BrailleCanvas::BrailleCanvas(int columns, int rows)
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0U) {}
 
 void BrailleCanvas::Set(int x, int y) {
-  // As Unicode numbers the dots: down the left side, down the right, then the lowest two.
+  // Unicode numbers the dots down the left side, down the right side, then the lowest two.
   constexpr std::array<unsigned, 8> kBits = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
   if (x < 0 || y < 0 || x >= width() || y >= height()) return;
   const auto cell = static_cast<std::size_t>(y / 4 * columns_ + x / 2);

@@ -5,17 +5,17 @@
 
 namespace console {
 
-/// A picture of dots in a terminal: each letter shows two columns and four rows of them.
+/// Draws dots in a terminal: each character cell has two columns and four rows of dots.
 class BrailleCanvas {
  public:
-  /// In letters.
+  /// The size is in character cells.
   BrailleCanvas(int columns, int rows);
 
   [[nodiscard]] int width() const { return 2 * columns_; }  ///< in dots
   [[nodiscard]] int height() const { return 4 * rows_; }
-  /// (0, 0) is at the top left; what lies outside is left out.
+  /// (0, 0) is the top left; dots outside are ignored.
   void Set(int x, int y);
-  /// From one dot to another, both of them, too.
+  /// Draws from one dot to the other, both included.
   void Line(int x1, int y1, int x2, int y2);
   /// One line of the terminal, in UTF-8.
   [[nodiscard]] std::string Row(int row) const;

@@ -14,7 +14,7 @@ using tendon::ConnectionDescription;
 using tendon::ConnectionState;
 using tendon::SteadyClock;
 
-/// Whether its process can be asked with a chance of an answer.
+/// True if its process can be expected to answer.
 bool CanTell(const tendon::Catalog& catalog, const ConnectionDescription& connection) {
   const auto* owner = catalog.FindProcess(connection.required.process);
   return connection.state == ConnectionState::kActive && owner != nullptr &&
@@ -24,14 +24,14 @@ bool CanTell(const tendon::Catalog& catalog, const ConnectionDescription& connec
 }  // namespace
 
 struct ConnectionFeed::Heard {
-  std::uint64_t id = 0;  // of the connection that is meant
+  std::uint64_t id = 0;  // of the connection
   bool can_be_told = false;
 
-  std::mutex mutex;  // of what follows
+  std::mutex mutex;  // guards the following
   std::optional<ConnectionCounts> counts;
   double rate = -1.0;
 
-  /// `figures` as far as they are known.
+  /// Sets the known parts of `figures`.
   void Fill(ConnectionFigures& figures) {
     const std::scoped_lock lock(mutex);
     figures.is_known = figures.state == ToString(ConnectionState::kActive) && counts && rate >= 0.0;
@@ -46,7 +46,7 @@ struct ConnectionFeed::Heard {
     figures.capacity = counts->capacity;
   }
 
-  /// The rate is by the clock of the process that counts.
+  /// Computes the rate with the clock of the process that counts.
   void Hear(const tendon::Result<ConnectionCounts>& answer) {
     const std::scoped_lock lock(mutex);
     if (!answer) {
@@ -93,7 +93,7 @@ void ConnectionFeed::AskSome() const {
     if (heard->can_be_told) there.push_back(required);
   }
   for (const auto& required : turns_->Begin(there, SteadyClock().Now())) {
-    // Ends with the last who lets go of it, also where there is no answer.
+    // Ends with the last copy of the handler, even if no answer arrives.
     const std::shared_ptr<void> turn(
         nullptr, [turns = turns_, required](void* /*nothing*/) { turns->End(required); });
     client_.GetCounts(

@@ -11,28 +11,28 @@
 
 namespace console {
 
-/// How a connection does, by what its process has counted.
+/// The health of a connection, from the counters of its process.
 struct ConnectionFigures {
   std::string required;
   std::string provided;
   std::string state;
-  double rate = 0.0;          ///< calls and events a second, since it was asked before
-  double round_trip = -1.0;   ///< s; below 0 within one process, or where it is not known
-  std::uint64_t lost = 0;     ///< calls that were refused or replaced, and events that did not come
-  std::uint64_t waiting = 0;  ///< calls, at the server
+  double rate = 0.0;          ///< calls and events per second, since the previous request
+  double round_trip = -1.0;   ///< s; below 0 within one process, or if unknown
+  std::uint64_t lost = 0;     ///< calls refused or replaced, and events lost
+  std::uint64_t waiting = 0;  ///< calls waiting at the server
   std::uint64_t capacity = 0;
-  bool is_known = false;    ///< whether it was asked twice
-  bool is_awaited = false;  ///< whether it may become known soon
+  bool is_known = false;    ///< true once there are two replies
+  bool is_awaited = false;  ///< true if it may become known soon
 };
 
-/// Asks the processes how their connections do, as long as somebody looks, in their AskingTurns. A
-/// process that does not answer holds up no other one.
+/// Polls the processes for the health of their connections while somebody looks, within the limits
+/// of AskingTurns. A process that does not answer does not delay the others.
 class ConnectionFeed {
  public:
   explicit ConnectionFeed(tendon::GcmClient& client) : client_(client) {}
 
-  /// The connections that the catalogue has now and that have `filter` in "REQUIRED PROVIDED", with
-  /// what was heard of them; the others are not asked for. Never waits.
+  /// The present connections that contain `filter` in "REQUIRED PROVIDED", with the latest figures;
+  /// others are not polled. Never waits.
   [[nodiscard]] std::vector<ConnectionFigures> Look(const std::string& filter = "");
 
  private:

@@ -8,13 +8,13 @@ namespace {
 using tendon::PlotChannel;
 using tendon::Result;
 
-/// Whether one path is the other, or leads into it.
+/// True if `path` equals `whole` or lies below it.
 bool IsWithin(const std::string& path, const std::string& whole) {
   return path.starts_with(whole) &&
          (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
 }
 
-/// The number of that path, or all that it has.
+/// The number at this path, or all numbers below it.
 Result<std::vector<PlotChannel>> NumbersOf(const tendon::Schema& schema, const std::string& field) {
   auto one = tendon::FindChannel(schema, field);
   if (one) return std::vector{*std::move(one)};
@@ -63,7 +63,7 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
     const double time = static_cast<double>(batch.times[row]) * kNanosecond;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       auto& samples = curves_[i].samples;
-      // A clock that went back belongs to another start of the source.
+      // A clock that went back means that the source was restarted.
       if (!samples.empty() && time < samples.back().time) samples.clear();
       samples.push_back(
           {time, ReadExactly(sources_[i].channel, batch.cell(row, sources_[i].column))});

@@ -16,7 +16,7 @@ namespace console {
 struct Curve {
   struct Sample {
     double time = 0.0;                          ///< s on the source's clock
-    std::optional<tendon::ChannelValue> value;  ///< nothing where the row has none
+    std::optional<tendon::ChannelValue> value;  ///< empty if the row has no value
   };
   std::string title;
   std::string unit;
@@ -24,16 +24,16 @@ struct Curve {
   std::deque<Sample> samples;  ///< in the order of time
 };
 
-/// The numbers that are wanted of one table. Where a path names several, a vector say, each is a
-/// curve. Thread-safe.
+/// The wanted numbers of one table. A path that names several numbers, such as a vector, gives one
+/// curve each. Thread-safe.
 class CurveFeed final : public tendon::RowSink {
  public:
-  /// More are not kept.
+  /// Further curves are dropped.
   static constexpr std::size_t kMostCurves = 16;
-  /// Of a curve; newer samples take the place of the oldest.
+  /// Per curve; when it is full, the oldest samples are dropped.
   static constexpr std::size_t kMostSamples = std::size_t{1} << 17U;
 
-  /// `window`: s that are kept.
+  /// `window` is the kept time span in s.
   CurveFeed(std::vector<RowPrinter::Wanted> wanted, double window)
       : wanted_(std::move(wanted)), window_(window) {}
 
@@ -42,11 +42,11 @@ class CurveFeed final : public tendon::RowSink {
   void OnStale(const tendon::Error& reason) override;
 
   [[nodiscard]] std::vector<Curve> curves() const;
-  /// That a path names no number, which no glob has found.
+  /// Set if a path that was not found by a glob names no number.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// Whether all that was wanted is left out.
+  /// True if every wanted path is left out.
   [[nodiscard]] bool is_empty() const;
-  /// What is left out and why, and then why there are no rows just now.
+  /// The paths left out with the reasons, then the reason of a present interruption.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
@@ -65,7 +65,7 @@ class CurveFeed final : public tendon::RowSink {
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;
-  bool is_cut_ = false;  // the window is too long for as many samples as come
+  bool is_cut_ = false;  // the window holds more samples than kMostSamples
 };
 
 }  // namespace console

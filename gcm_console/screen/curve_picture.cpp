@@ -13,12 +13,12 @@
 namespace console {
 namespace {
 
-constexpr int kFewestColumns = 8;          // of a curve, in letters
-constexpr std::size_t kFewestMargin = 12;  // of the scale beside it, with the gap
-constexpr std::size_t kScaleGap = 2;       // letters
-constexpr int kRowsOfALabel = 3;           // about
+constexpr int kFewestColumns = 8;          // of a curve, in characters
+constexpr std::size_t kFewestMargin = 12;  // of the scale beside it, including the gap
+constexpr std::size_t kScaleGap = 2;       // characters
+constexpr int kRowsOfALabel = 3;           // approximately
 
-/// A curve with what is beside it.
+/// A curve with its scale.
 struct Drawing {
   const Curve& curve;
   tendon::ChannelAxis axis;
@@ -37,7 +37,7 @@ std::string Aligned(const std::string& text, std::size_t width) {
          std::string(kScaleGap, ' ');
 }
 
-/// Wide enough for all labels, so that the curves stand exactly below each other.
+/// The same width for all labels, so that the curves are aligned.
 std::size_t MarginOf(const std::vector<Drawing>& drawings) {
   std::size_t widest = kFewestMargin - kScaleGap;
   for (const Drawing& drawing : drawings) {
@@ -46,7 +46,7 @@ std::size_t MarginOf(const std::vector<Drawing>& drawings) {
   return widest;
 }
 
-/// What stands beside each row; where labels meet, the outer ones stay.
+/// The label beside each row; if labels meet, the outer ones remain.
 std::vector<std::string> TextsOf(const tendon::ChannelAxis& axis, int height) {
   std::vector<std::string> texts(static_cast<std::size_t>(height) / 4);
   const auto& labels = axis.labels();

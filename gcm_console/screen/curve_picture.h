@@ -7,13 +7,13 @@
 
 namespace console {
 
-/// Fewer rows no curve has in a picture.
+/// The minimum height of a curve.
 constexpr int kFewestCurveRows = 3;
 
-/// Curves below each other, each with its title, its newest value, all of it, and a scale; the
-/// newest sample is at the right edge, and `window` seconds fit in. States and counts are drawn in
-/// steps. `columns` and `rows` are those of the whole picture, which becomes higher where not all
-/// curves fit in.
+/// Draws the curves below each other, each with its title, newest value, unit and scale. The newest
+/// sample is at the right edge; the width shows `window` seconds. States and counts are drawn as
+/// steps. `columns` and `rows` are the size of the whole picture; it grows higher if the curves do
+/// not fit.
 [[nodiscard]] std::string PictureOf(const std::vector<Curve>& curves, double window, int columns,
                                     int rows);
 

@@ -7,12 +7,12 @@
 
 namespace console {
 
-/// Asks the GCM each second how its processes do, as long as somebody looks.
+/// Polls the GCM every second for the health of its processes while somebody looks.
 class HealthFeed {
  public:
   explicit HealthFeed(tendon::GcmClient& client);
 
-  /// What was heard last, with its age as of now; nothing where the GCM does not say. Never waits.
+  /// The latest health, with its present age; empty if the GCM does not provide it. Never waits.
   [[nodiscard]] tendon::message::SystemHealth Look();
 
  private:

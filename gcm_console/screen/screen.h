@@ -9,7 +9,7 @@
 
 namespace console {
 
-/// Takes the whole screen of a terminal as long as it lives, and gives it back as it was.
+/// Takes over the whole screen of a terminal and restores it on destruction.
 class Screen {
  public:
   explicit Screen(std::ostream& out) : out_(out) { Take(); }
@@ -17,8 +17,7 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
   ~Screen() { GiveBack(); }
 
-  /// Lines that do not fit into so many rows are left out, but for the last of them, `footer`,
-  /// which is always there.
+  /// Shows at most `rows` lines: as many lines of `text` as fit, and `footer` as the last one.
   void Show(const std::string& text, const std::string& footer, int rows) {
     std::istringstream lines(text);
     out_ << "\x1b[H";
@@ -29,7 +28,7 @@ class Screen {
     out_ << footer << "\x1b[K\x1b[J" << std::flush;
   }
 
-  /// Once Ctrl-Z was pressed: gives the screen back until the process goes on.
+  /// After Ctrl-Z: restores the screen until the process continues.
   void PauseIfAsked(tendon::os::Keyboard& keyboard) {
     if (!keyboard.TakePause()) return;
     GiveBack();
@@ -38,21 +37,21 @@ class Screen {
   }
 
  private:
-  /// A line that is too long ends at the edge.
+  /// Also turns line wrapping off.
   void Take() { out_ << "\x1b[?1049h\x1b[?25l\x1b[?7l" << std::flush; }
   void GiveBack() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
 
   std::ostream& out_;
 };
 
-/// With so many digits behind the point.
+/// With `digits` decimals.
 inline std::string Fixed(double value, int digits) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.*f", digits, value);
   return text;
 }
 
-/// As a scale says it: with four digits that matter.
+/// With four significant digits, for a scale.
 inline std::string Short(double value) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.4g", value);

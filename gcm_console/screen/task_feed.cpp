@@ -76,7 +76,7 @@ class TaskFeed::Listener final : public tendon::RowSink {
     const std::scoped_lock lock(mutex_);
     return figures_;
   }
-  /// Since its newest row was written.
+  /// The time since its newest row was written.
   std::optional<std::chrono::nanoseconds> age() {
     const std::scoped_lock lock(mutex_);
     if (!written_) return std::nullopt;

@@ -13,34 +13,34 @@
 
 namespace console {
 
-/// How a task has kept its time in the last whole second.
+/// The timing of a task in the last whole second.
 struct TaskFigures {
   std::string path;  ///< of the component
   std::string state;
   std::string detail;                           ///< "waiting for Robot"
-  double rate = 0.0;                            ///< cycles a second
-  double period = 0.0;                          ///< s, as wanted; 0 where it has none
-  double late = 0.0;                            ///< s: half of the cycles began no later than that
-  double latest = 0.0;                          ///< s
+  double rate = 0.0;                            ///< cycles per second
+  double period = 0.0;                          ///< s, as configured; 0 if it has none
+  double late = 0.0;                            ///< s; the median lateness
+  double latest = 0.0;                          ///< s; the maximum lateness
   double compute = 0.0;                         ///< s, mean
-  double load = 0.0;                            ///< part of the time that it computes
-  std::uint64_t skipped = 0;                    ///< cycles, since its start
-  std::optional<std::chrono::nanoseconds> age;  ///< since its last cycle, of one that stands still
-  bool is_known = false;    ///< whether a second has been heard of, and the task runs
-  bool is_awaited = false;  ///< whether one may be heard of soon
+  double load = 0.0;                            ///< the fraction of the time that it computes
+  std::uint64_t skipped = 0;                    ///< cycles since its start
+  std::optional<std::chrono::nanoseconds> age;  ///< since the last cycle of a stopped task
+  bool is_known = false;    ///< true while the task runs, once a whole second has been received
+  bool is_awaited = false;  ///< true if a second may be received soon
 };
 
-/// Listens to the tasks of a system, which come and go.
+/// Listens to the tasks of a system as they come and go.
 class TaskFeed {
  public:
-  /// Of all, or of the one at a path.
+  /// All tasks, or only the component at the path `only`.
   explicit TaskFeed(tendon::GcmClient& client, std::string only = "")
       : client_(client), only_(std::move(only)) {}
   TaskFeed(const TaskFeed&) = delete;
   TaskFeed& operator=(const TaskFeed&) = delete;
   ~TaskFeed();
 
-  /// All tasks that the catalogue has now, with what was heard of them.
+  /// All tasks in the present catalogue, with their latest figures.
   std::vector<TaskFigures> Look();
 
  private:

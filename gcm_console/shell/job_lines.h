@@ -8,15 +8,15 @@
 
 namespace console {
 
-/// Lines of several threads, until they are printed. Those for which there is no room are counted.
-/// Thread-safe.
+/// Collects the lines of several threads until they are printed. Counts the lines that find no
+/// room. Thread-safe.
 class JobLines {
  public:
   static constexpr std::size_t kMost = 1000;
 
-  /// Without its end.
+  /// `line` has no line end.
   void Add(std::string line);
-  /// All since the last time, each with its end.
+  /// All lines since the last call, each with its line end.
   std::string Take();
 
  private:
@@ -25,7 +25,7 @@ class JobLines {
   std::size_t left_out_ = 0;
 };
 
-/// What one thread writes becomes lines.
+/// Turns the output of one thread into lines.
 class JobStream final : public std::streambuf {
  public:
   explicit JobStream(JobLines& lines) : lines_(lines) {}

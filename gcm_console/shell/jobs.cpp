@@ -18,7 +18,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Verbs that go on until they are ended.
+/// Verbs that run until they are ended.
 constexpr std::array<std::string_view, 4> kLasting = {"watch", "events", "hz", "log"};
 
 std::string TextOf(const Words& words) {
@@ -70,7 +70,7 @@ class Jobs::Job {
     const std::scoped_lock lock(mutex_);
     has_ended_ = true;
   }
-  /// False where the end was asked for already.
+  /// Returns false if the end was already requested.
   bool Listen(tendon::os::Interruption* interruption) {
     const std::scoped_lock lock(mutex_);
     interruption_ = interruption;

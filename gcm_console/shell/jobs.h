@@ -13,27 +13,27 @@
 
 namespace console {
 
-/// Commands that go on behind the prompt, each in a thread of its own and over its own link, until
-/// they end by themselves, or with this. Used by one thread.
+/// Background commands, each in its own thread and over its own link. They run until they end by
+/// themselves or this object is destroyed. For one thread.
 class Jobs {
  public:
   Jobs();
   Jobs(const Jobs&) = delete;
   Jobs& operator=(const Jobs&) = delete;
-  /// Ends all.
+  /// Ends all jobs.
   ~Jobs();
 
-  /// Begins one, and says by which number it is called. kInvalid where the verb goes on for no
-  /// longer than it is waited for. `columns` is the width of the terminal.
+  /// Starts a job and prints its number. kInvalid if the verb does not run for long. `columns` is
+  /// the width of the terminal.
   tendon::Result<void> Begin(const Words& words, const Settings& settings, int columns);
-  /// Ends the one of that number, and waits for it; kNotFound where there is none.
+  /// Ends the job with this number and waits for it; kNotFound if there is none.
   tendon::Result<void> End(const std::string& number);
   void EndAll();
-  /// A line for each that goes on: number and words.
+  /// Prints the number and the words of each running job.
   void Print(std::ostream& out);
 
-  /// What they have said since the last time, in whole lines; nothing where none goes on, and all
-  /// was said.
+  /// The whole lines that the jobs have written since the last call. Nothing if no job runs and
+  /// everything was taken.
   std::optional<std::string> TakeLines();
 
  private:

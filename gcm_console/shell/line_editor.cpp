@@ -26,7 +26,7 @@ constexpr int kRemembered = 1000;
 /// The first line of a history in the format of libedit.
 constexpr const char* kHistoryMark = "_HiStOrY_V2_\n";
 
-/// A line of it: as strvis() encodes, where \ooo stands for any byte.
+/// A line of it, encoded like strvis(): \ooo stands for any byte.
 std::string HistoryLine(const std::string& typed) {
   constexpr std::string_view kPlain = "/.,:;_-+=()[]{}<>\"'*?!#$%&@^|~";
   std::string line;
@@ -44,15 +44,15 @@ std::string HistoryLine(const std::string& typed) {
   return line + '\n';
 }
 
-/// The one of the user. Where that is unknown, or knows none but English letters, no other letter
-/// could be typed: it is taken as UTF-8 then.
+/// Sets the user's character set. If it is unknown or plain ASCII, uses UTF-8, because no other
+/// letters could be typed.
 void ChooseLetters() {
   const char* chosen = std::setlocale(LC_CTYPE, "");
   const std::string_view name = chosen == nullptr ? "C" : chosen;
   if (name == "C" || name == "POSIX") std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
-/// How many there are in UTF-8.
+/// The number of characters in UTF-8.
 std::size_t Letters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
@@ -80,7 +80,7 @@ class LineEditor final : public LineReader {
     EditLine* editor = editor_.get();
     el_set(editor, EL_CLIENTDATA, this);
     el_set(editor, EL_PROMPT, &Prompt);
-    el_set(editor, EL_SIGNAL, 1);  // the terminal is given back before one ends the program
+    el_set(editor, EL_SIGNAL, 1);  // restores the terminal before a signal ends the program
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_HIST, &::history, history_.get());
     el_set(editor, EL_GETCFN, &OnLetter);
@@ -95,8 +95,8 @@ class LineEditor final : public LineReader {
 
   std::optional<std::string> Read(const std::string& prompt) override {
     prompt_ = prompt;
-    el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: Ctrl-C is a key from here on
-    tendon::os::ForgetInterrupt();           // it was for the command that ran
+    el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: from here on Ctrl-C is a key
+    tendon::os::ForgetInterrupt();           // it was meant for the previous command
     const tendon::os::TerminationLetThrough while_typing;
     int count = 0;
     const char* typed = el_gets(editor_.get(), &count);
@@ -124,7 +124,7 @@ class LineEditor final : public LineReader {
     return CC_NEWLINE;
   }
 
-  /// As the library does it, and prints what comes meanwhile.
+  /// Reads a character like libedit, and prints lines that arrive meanwhile.
   int ReadLetter(wchar_t* letter) {
     constexpr std::chrono::milliseconds kTurn(50);
     while (ShowLines() && !tendon::os::KeyWaits(kTurn)) {
@@ -134,7 +134,7 @@ class LineEditor final : public LineReader {
     el_set(editor_.get(), EL_GETCFN, &OnLetter);
     return count;
   }
-  /// False where there will be no more of them.
+  /// Returns false if there will be no more lines.
   bool ShowLines() {
     const auto lines = lines_();
     if (lines && !lines->empty()) {
@@ -144,7 +144,7 @@ class LineEditor final : public LineReader {
     }
     return lines.has_value();
   }
-  /// What takes the prompt and what is typed off the screen; where that cannot be, a new line.
+  /// The text that erases the prompt and the typed line; a line break on a dumb terminal.
   [[nodiscard]] std::string Erasure() const {
     if (IsDumbTerminal()) return "\n";
     const LineInfo* info = el_line(editor_.get());
@@ -155,7 +155,7 @@ class LineEditor final : public LineReader {
     return (rows > 0 ? "\x1b[" + std::to_string(rows) + "A" : "") + "\r\x1b[J";
   }
 
-  /// What is too old is taken out of the file from time to time.
+  /// Removes old lines from the file from time to time.
   void Load() {
     HistEvent event{};
     const int loaded = history(history_.get(), &event, H_LOAD, file_.c_str());
@@ -166,7 +166,7 @@ class LineEditor final : public LineReader {
     fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write, none);
   }
 
-  /// At the end of the file, where other shells write too.
+  /// Appends to the file, because other shells write to it, too.
   void Remember(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     HistEvent event{};
@@ -191,7 +191,7 @@ class LineEditor final : public LineReader {
     return CC_REDISPLAY;
   }
 
-  /// The last word of the line by one that begins so; as it was typed, where that can stay.
+  /// Completes the last word of the line; keeps its typed beginning if possible.
   void Replace(const Unfinished& line, const std::string& common, bool is_only_one) {
     const std::string& word = line.words.back();
     const bool is_whole = is_only_one && common.ends_with(' ');

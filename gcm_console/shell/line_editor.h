@@ -7,11 +7,10 @@
 
 namespace console {
 
-/// Lines from the terminal, which can be edited, completed with Tab and taken from the history:
-/// with libedit, the user's ~/.editrc and all. Ctrl-D ends them, Ctrl-C makes one empty. What
-/// else is to be printed meanwhile stands above the line, which is drawn anew. The history is read
-/// from a file and written to it after each line; without one if it cannot be. One at a time in a
-/// program.
+/// Reads lines from the terminal with libedit: editing, Tab completion, history, and the user's
+/// ~/.editrc. Ctrl-D ends the input, Ctrl-C empties the line. Output of background jobs appears
+/// above the line, which is then redrawn. The history is read from a file and saved after each
+/// line; without a usable file there is none. At most one at a time in a program.
 std::unique_ptr<LineReader> MakeLineEditor(const std::filesystem::path& history,
                                            AskCompletion completion, AskLines lines);
 

@@ -11,14 +11,14 @@
 
 namespace console {
 
-/// What a line that is being typed may go on with.
+/// Returns the completions of an unfinished line.
 using AskCompletion = std::function<Completion(const Unfinished&)>;
 
-/// Whole lines that are to stand above the prompt, since the last time; nothing where there will be
-/// none.
+/// Returns the whole lines to print above the prompt since the last call; nothing if there will be
+/// no more.
 using AskLines = std::function<std::optional<std::string>()>;
 
-/// Where a person types lines.
+/// The source of the lines that a person types.
 class LineReader {
  public:
   LineReader() = default;
@@ -26,11 +26,11 @@ class LineReader {
   LineReader& operator=(const LineReader&) = delete;
   virtual ~LineReader() = default;
 
-  /// The next line; nothing once there are no more.
+  /// The next line; nothing at the end of the input.
   virtual std::optional<std::string> Read(const std::string& prompt) = 0;
 };
 
-/// Makes one, which keeps what was typed in a file, and prints the lines as they come.
+/// Creates a reader that keeps its history in a file and prints `lines` as they come.
 using MakeLineReader = std::unique_ptr<LineReader> (*)(const std::filesystem::path& history,
                                                        AskCompletion completion, AskLines lines);
 

@@ -13,10 +13,10 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Nobody waits longer for a key.
+/// Users do not wait longer after a key press.
 constexpr std::chrono::milliseconds kLongestPause(100);
 
-/// The verbs of `gcm`, and what only makes sense between two lines.
+/// Adds the commands that only make sense between two lines to the verbs of `gcm`.
 Page WithOwnWords(Page page) {
   using Arguments = std::vector<Page::Argument>;
   const auto add = [&](const std::string& name, const std::string& summary,
@@ -43,7 +43,7 @@ Shell::Shell(Settings settings)
     : session_(std::move(settings)),
       page_(WithOwnWords(CommandLine({}).page())),
       live_words_(kLongestPause) {
-  tendon::os::HoldTerminationSignals();  // also in the threads of the link
+  tendon::os::HoldTerminationSignals();  // also in the link's threads
   static_cast<void>(session_.Client());
 }
 
@@ -55,7 +55,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   }
   int failure = program::kOk;
   for (const Command& command : *commands) {
-    // Also what came while a command ran that could not be cut short.
+    // Also a signal during a command that could not be interrupted.
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
       tendon::os::HoldTerminationSignals();
       return program::kInterrupted;
@@ -79,7 +79,7 @@ int Shell::RunCommand(const Command& command, const Streams& streams) {
     return program::ExitCodeOf(own->error().code);
   }
   const int exit_code = RunCommandLine(words, streams, session_);
-  tendon::os::HoldTerminationSignals();  // who was told of one lets the next through
+  tendon::os::HoldTerminationSignals();  // a command ends the hold when it gets a signal
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
   if (is_help) {
     streams.out << "Here also: cd PATH, .., jobs, end and exit; help prompt tells of them.\n"

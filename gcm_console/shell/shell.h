@@ -13,33 +13,33 @@
 
 namespace console {
 
-/// Lines of text as commands of `gcm`, without that word: what `gcm shell`, `gcm run` and the
-/// window's console have in common. Paths begin where the last `cd` went. Used by one thread.
+/// Runs lines of text as commands of `gcm`, for `gcm shell`, `gcm run` and the window's console.
+/// Lines omit the word `gcm`; relative paths begin where the last `cd` went. For one thread.
 class Shell {
  public:
   explicit Shell(Settings settings);
 
-  /// What is to be done once a command of a line has failed.
+  /// What to do after a command of a line has failed.
   enum class AfterFailure { kGoOn, kStop };
 
-  /// Runs the commands of one line; the exit code of the first that failed, 0 where none did.
+  /// Runs the commands of one line. Returns the exit code of the first that failed, 0 if none did.
   int Run(const std::string& line, const Streams& streams, AfterFailure after);
-  /// Somebody has typed `exit`.
+  /// True after `exit`.
   [[nodiscard]] bool has_ended() const { return has_ended_; }
 
-  /// "robot/arm> ", by where paths begin.
+  /// "robot/arm> ", with the start of relative paths.
   [[nodiscard]] std::string prompt() const;
-  /// What a line may go on with, from the catalogue as it is known at this moment. Waits for
-  /// nothing but what only a process knows, as the names of parameters: 100 ms at most, and only
-  /// until it has said it once.
+  /// The completions of a line, from the catalogue as known now. Waits only for words that a
+  /// process alone knows, such as names of parameters: at most 100 ms, and only until the first
+  /// reply.
   [[nodiscard]] Completion Complete(const Unfinished& line);
-  /// What the commands behind the prompt have said since the last time, in whole lines; nothing
-  /// where there are none.
+  /// The whole lines that background jobs have written since the last call; nothing if there are no
+  /// jobs.
   std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
 
  private:
   int RunCommand(const Command& command, const Streams& streams);
-  /// Of those that only make sense between two lines; nothing where it is none of them.
+  /// Runs a command that only makes sense between two lines; nothing if it is not one.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginBehind(const Words& words, const Streams& streams);
   std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);

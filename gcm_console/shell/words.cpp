@@ -12,7 +12,7 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// The program's name before a verb, as in a line that was copied from a terminal.
+/// Skips the program's name before a verb, as in a line copied from a terminal.
 void PassOverName(Words& words) {
   while (words.size() > 1 && words.front() == "gcm") words.erase(words.begin());
 }
@@ -44,9 +44,9 @@ class Reader {
 
   [[nodiscard]] std::vector<Command>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
-  /// Where the last word begins; the line's end where none was begun.
+  /// The start of the last word; the line's end if there is none.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
-  /// What there is of a word without its end.
+  /// The part of an unfinished word so far.
   [[nodiscard]] const std::string& rest() const { return word_; }
 
  private:
@@ -112,7 +112,7 @@ class Reader {
   std::string_view line_;
   std::size_t place_ = 0;
   std::size_t begin_ = 0;
-  bool is_open_ = false;  // the last word may go on
+  bool is_open_ = false;  // the last word may continue
   std::string word_;
   Words words_;
   std::vector<Command> commands_;

@@ -10,7 +10,7 @@ namespace console {
 
 using Words = std::vector<std::string>;
 
-/// What is to be run: its words, and whether the prompt comes back before it has ended.
+/// A command to run: its words, and whether it runs in the background.
 struct Command {
   Words words;
   bool is_behind = false;
@@ -18,18 +18,18 @@ struct Command {
   bool operator==(const Command&) const = default;
 };
 
-/// The commands of a line: their words, those between blanks; a `gcm` before a verb is passed over.
-/// `;` ends a command, `&` too, which leaves it behind the prompt; `#` where a word would begin
-/// ends the line. Between '...' a letter is only a letter, between "..." and elsewhere \ makes it
-/// one. A word that begins with { or [ is JSON and ends with its bracket, quotes and all; so is
-/// what follows a = in a word. kInvalid where a quote or a bracket has no end.
+/// Splits a line into commands and their words. Blanks separate words; a `gcm` before a verb is
+/// skipped. `;` ends a command; `&` ends it and runs it in the background; `#` at the start of a
+/// word begins a comment. Inside '...' every character is literal; elsewhere \ makes the next one
+/// literal. A word, or the part of a word after =, that begins with { or [ is JSON and ends with
+/// its bracket, quotes included. kInvalid if a quote or a bracket is not closed.
 tendon::Result<std::vector<Command>> CommandsOf(std::string_view line);
 
-/// A word as it is to be typed, so that CommandsOf() reads it as one.
+/// Quotes a word so that CommandsOf() reads it as one.
 [[nodiscard]] std::string Quoted(std::string_view word);
 
-/// The words of the last command of a line that is being typed; the last one, of which `typed` are
-/// the letters as they stand in the line, is empty behind a blank.
+/// The words of the last command of an unfinished line. The last word is empty after a blank;
+/// `typed` is its text as it stands in the line.
 struct Unfinished {
   Words words;
   std::string typed;

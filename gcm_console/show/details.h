@@ -10,27 +10,27 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-/// What is in a place, for `ls` and `show` alike.
+/// The content of a place, for `ls` and `show`.
 namespace console {
 
-/// A line for each thing that is in it.
+/// One line for each thing inside the place.
 [[nodiscard]] Table ListingOf(const tendon::Catalog& catalog, const Place& place);
 
-/// All about it, with what its process or the GCM tells beside the catalogue.
+/// Everything about the place, with details from its process or the GCM that the catalogue lacks.
 [[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalog& catalog,
                                             const Place& place);
 
-// Each waits for an answer, as long as --timeout says.
+// Each of these waits for an answer, at most --timeout.
 
-/// Of all processes, as far as the GCM says: what is asked for is the catalogue.
+/// The health of all processes; empty if the GCM does not provide it: it is only an extra.
 [[nodiscard]] tendon::message::SystemHealth AskHealth(Context& context);
 
-/// Of the place's required interface, as its process knows; nothing where it is not connected, or
-/// the process does not tell.
+/// The counters of the place's required interface, from its process. Nothing if it is not connected
+/// or the process does not answer.
 [[nodiscard]] std::optional<tendon::ConnectionCounts> AskCounts(Context& context,
                                                                 const Place& place);
 
-/// Of the place's component; nothing where it has no mailbox, or its process does not tell.
+/// The mailbox level of the component; nothing without a mailbox or an answer of its process.
 [[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place);
 
 }  // namespace console

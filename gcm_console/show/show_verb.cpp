@@ -36,16 +36,16 @@ using tendon::InterfaceName;
 using tendon::Result;
 using tendon::message::SystemHealth;
 
-/// How its own thread runs; empty where that is as by default, or it has none.
+/// The options of its own thread; empty if it has none or they are the default.
 std::string ThreadText(const tendon::ComponentDescription& component) {
   const bool is_usual =
       component.thread.empty() || component.thread.front() == tendon::ThreadOptions();
   return is_usual ? "" : tendon::ToJson(component.thread.front());
 }
 
-constexpr double kMilliseconds = 1e3;  // in a second
+constexpr double kMilliseconds = 1e3;  // per second
 
-/// From which file it was loaded, and what has become of that.
+/// Its file, and how that differs from the running code.
 void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
   table.Add({"library", plugin.name + ": " + tendon::PluginText(plugin)});
   const std::string change = tendon::PluginChangeText(plugin);
@@ -98,7 +98,7 @@ void AddComponent(const tendon::ProcessEntry& process,
   }
 }
 
-/// What there is to say of one thing, a line each.
+/// The facts about a thing, one per line.
 Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   Table table({"WHAT", "VALUE"});
   const auto& process = place.process->process;
@@ -134,7 +134,7 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   return table;
 }
 
-/// How a task that runs has kept its time in the last second, which it tells at once.
+/// The timing of a running task in the last second, which its table provides at once.
 void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
   using namespace std::chrono_literals;
   constexpr double kMicro = 1e6;
@@ -161,7 +161,7 @@ std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
   return std::to_string(waiting) + " of " + std::to_string(capacity) + " wait";
 }
 
-/// How a connection that stands is doing.
+/// The health of a working connection.
 void AddCounts(Context& context, const Place& place, Table& table) {
   const auto counts = AskCounts(context, place);
   if (!counts) return;
@@ -185,8 +185,7 @@ void AddCounts(Context& context, const Place& place, Table& table) {
   table.Add({"lost events", std::to_string(counts->lost_events)});
 }
 
-/// What goes into a member or comes out of it, field by field; best effort, for the process may be
-/// gone.
+/// The fields of a member's argument or result. Best effort: the process may be gone.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
                   const tendon::Fingerprint& fingerprint) {
   const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
@@ -208,8 +207,8 @@ Result<tendon::Schema> SchemaOf(Context& context, const Place& place,
   });
 }
 
-/// Which read commands of the interface say what the command would set, to be copied too: nothing
-/// is called by who only looks.
+/// The read commands that return what the command sets, as lines to copy. Does not call them:
+/// `show` only looks.
 void PrintReads(Context& context, const Place& place, const std::string& path,
                 const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);
@@ -228,7 +227,7 @@ void PrintReads(Context& context, const Place& place, const std::string& path,
   }
 }
 
-/// How it is called, to be copied.
+/// The line that calls the command, to copy.
 void PrintCall(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   if (!TakesArgument(member.signature)) {
@@ -269,7 +268,7 @@ void PrintPlace(Context& context, const Catalog& catalog, const Place& place,
   if (place.member != nullptr) PrintPayloads(context, place, path);
 }
 
-/// Each under its path.
+/// Shows each one below its path.
 Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();

@@ -19,7 +19,7 @@ using program::ExitCode;
 using tendon::CertificateAuthority;
 using tendon::Result;
 
-/// Of the acts of `gcm cert`; each uses some.
+/// The arguments of all `gcm cert` subcommands; each uses some of them.
 struct CertArguments {
   std::string name;
   std::string file;
@@ -45,7 +45,7 @@ nlohmann::ordered_json JsonOf(const tendon::Certificate& certificate) {
           {"not_after", tendon::DateText(certificate.not_after)}};
 }
 
-/// `more` is what follows: titles and texts.
+/// `more` is appended: titles and texts.
 void PrintText(Context& context, const tendon::Certificate& certificate,
                const std::vector<std::vector<std::string>>& more) {
   Table table({"WHAT", "VALUE"});
@@ -58,7 +58,7 @@ void PrintText(Context& context, const tendon::Certificate& certificate,
   context.Print(table);
 }
 
-/// Of an `init` that would go well.
+/// The dry run of an `init` that would succeed.
 Result<ExitCode> RehearseInit(Context& context) {
   const fs::path folder = Authority(context);
   if (auto good = CertificateAuthority::CheckInit(folder); !good) return good.error();
@@ -84,8 +84,8 @@ Result<ExitCode> Init(Context& context, const CertArguments& arguments) {
   return program::kOk;
 }
 
-/// Of an `issue` that would go well. A serial number and a time are a certificate's only once it is
-/// made.
+/// The dry run of an `issue` that would succeed. Omits serial number and times, which exist only
+/// after the certificate is made.
 Result<ExitCode> RehearseIssue(Context& context, const CertificateAuthority& authority,
                                const CertificateAuthority::Request& request, const fs::path& out) {
   if (auto good = authority.CheckIssue(request, out); !good) return good.error();
@@ -200,7 +200,7 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   AddCertDryRun(app, arguments);
 }
 
-/// One of `gcm cert ...`.
+/// One subcommand of `gcm cert`.
 struct Act {
   const char* name;
   const char* summary;

@@ -42,7 +42,7 @@ struct ClassArguments {
   bool dry_run = false;
 };
 
-/// The one that is named; else the only one that is there.
+/// The named process; else the only one that is present.
 Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) {
   if (!named.empty()) return named;
   std::vector<std::string> present;
@@ -60,7 +60,7 @@ Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) 
   return Error{ErrorCode::kInvalid, "there are several processes: name one of " + list};
 }
 
-/// From the command line or a file; empty where neither is given.
+/// From the command line or a file; empty if neither is given.
 Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   if (arguments.file.empty()) return arguments.json;
   auto text = tendon::ReadSystemText(arguments.file);
@@ -80,8 +80,8 @@ Result<Classes> AskForClasses(Context& context, const std::string& process) {
   });
 }
 
-/// From which file the process has loaded the library that has the class; nothing where it does not
-/// tell. An empty library is the one that has the class.
+/// The file from which the process has loaded the library; nothing if the process does not say. An
+/// empty library means the one with the class.
 std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const LifeOrder& order) {
   const auto known = AskForClasses(context, order.process);
   if (!known) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const Li
   return loaded == nullptr ? std::nullopt : std::optional(*loaded);
 }
 
-/// Where the file has not what runs, that is no mere remark.
+/// Also printed with --quiet: the file differs from the running code.
 void WarnOfOld(const Context& context, const std::string& process,
                const tendon::PluginDescription& plugin) {
   const std::string old = tendon::OldPluginText(process, plugin);
@@ -103,7 +103,7 @@ void WarnOfOld(const Context& context, const std::string& process,
   context.streams().err << "gcm: " << Plain(old) << '\n';
 }
 
-/// Whether the order would be carried out, as far as can be known before.
+/// Checks in advance, as far as possible, that the order would succeed.
 Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   if (auto checked = CheckLife(client.catalog(), order); !checked) return checked;
@@ -119,7 +119,7 @@ Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder&
                                        : tendon::CheckCreation(*known, order);
 }
 
-/// Carries the order out, or says what would be; `object` and `done` are for people.
+/// Executes the order, or says what it would do; `object` and `done` are for the user.
 Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::string& object,
                        const std::string& done, bool is_dry) {
   const auto client = context.Client();
@@ -209,7 +209,7 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   return Carry(context, order, ToString(found->front()), "configured", arguments.dry_run);
 }
 
-/// "arm.Configuration", or "-" where the class takes none.
+/// "arm.Configuration", or "-" if the class has none.
 std::string ConfigurationType(const ClassDescription& one) {
   const auto schema = tendon::Schema::Parse(one.configuration);
   if (!schema) return "?";
@@ -220,7 +220,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
   using Json = nlohmann::ordered_json;
   auto classes = Json::array();
   for (const ClassDescription& one : all.classes) {
-    const Json defaults = tendon::JsonOrText(one.defaults);  // no object where it takes none
+    const Json defaults = tendon::JsonOrText(one.defaults);  // not an object if it has none
     classes.push_back({{"class", one.name},
                        {"library", one.library},
                        {"configuration", one.configuration},
@@ -236,7 +236,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
 
 void Print(const Context& context, const ClassDescription& one) {
   context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
-  std::string line;  // the text of a schema has lines, each of them from outside
+  std::string line;  // a schema text has several lines, each from outside
   for (const char letter : one.configuration + "\n") {
     if (letter != '\n') {
       line += letter;
@@ -247,7 +247,7 @@ void Print(const Context& context, const ClassDescription& one) {
   context.out() << "defaults: " << Plain(one.defaults) << '\n';
 }
 
-/// Leaves the one class of that name, the first of several.
+/// Keeps only the class of that name, the first of several.
 Result<void> Choose(Classes& all, const std::string& class_name) {
   std::vector<std::string> names;
   for (const ClassDescription& one : all.classes) names.push_back(one.name);

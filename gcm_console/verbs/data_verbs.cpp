@@ -37,13 +37,13 @@ ordered_json JsonOf(const OldValues& old) {
   return json;
 }
 
-/// Of components that stand still, each once.
+/// Remarks once on each component that stands still.
 class OldComponents {
  public:
   explicit OldComponents(Context& context, tendon::GcmClient& client)
       : context_(context), client_(client) {}
 
-  /// Of that of the path; says so the first time.
+  /// Whether the values of the path's component are old; prints a remark the first time.
   const std::optional<OldValues>& Of(const std::string& text) {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
@@ -61,7 +61,7 @@ class OldComponents {
   std::map<std::string, std::optional<OldValues>> known_;
 };
 
-/// One value, and nothing but it; that it is old is a remark.
+/// Prints one value and nothing else; its age is a remark.
 Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
@@ -93,7 +93,7 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
   return program::kOk;
 }
 
-/// The read commands that a glob names, and the columns, also with a part of each.
+/// The read commands and columns, or parts of columns, that a glob matches.
 Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalog& catalog,
                                                  const std::string& glob) {
   std::vector<std::string> paths;
@@ -112,7 +112,7 @@ Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalog& catalog,
                "nothing that '" + glob + "' names can be read; gcm find '" + glob + "' lists it"};
 }
 
-/// A line for each. What cannot be read is said, and the others are read all the same.
+/// One line per value. Reports what cannot be read, and reads the others.
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -143,14 +143,14 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
 
 struct WatchOptions {
   std::vector<std::string> paths;
-  double rate = 0.0;        // rows a second, 0: all
-  bool is_latest = false;   // those that wait are not wanted
+  double rate = 0.0;        // rows per second, 0: all
+  bool is_latest = false;   // skip rows that wait
   std::uint64_t count = 0;  // rows, 0: no end
   double seconds = 0.0;     // 0: no end
   bool ends_with_link = false;
 };
 
-/// Knows that the GCM was lost after it had been there.
+/// Remembers that a GCM was lost after it had been found.
 class LostGcm final : public tendon::GcmListener {
  public:
   void OnSnapshot(const tendon::Catalog& /*catalog*/) override {
@@ -184,7 +184,7 @@ tendon::RowChoice ChoiceOf(const WatchOptions& options) {
   return rows;
 }
 
-/// What is watched: the rows of each table are its own.
+/// The watched tables, each with its own rows.
 class Watching {
  public:
   Watching(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
@@ -202,7 +202,7 @@ class Watching {
   Watching& operator=(const Watching&) = delete;
   ~Watching() { End(); }
 
-  /// No more rows come.
+  /// No more rows come after this.
   void End() {
     if (std::exchange(has_ended_, true)) return;
     for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
@@ -212,8 +212,7 @@ class Watching {
     const std::string* table = nullptr;
     PrintedRow content;
   };
-  /// The next rows of each table: in order within a table, and as far as they have come among
-  /// tables.
+  /// The next rows of each table: in order within a table, and as they arrive between tables.
   std::vector<Row> Take() {
     std::vector<Row> all;
     for (const Table& table : tables_) {
@@ -228,13 +227,13 @@ class Watching {
   [[nodiscard]] bool has_more() const {
     return std::ranges::any_of(tables_, [](const Table& one) { return one.printer->has_more(); });
   }
-  /// Of the rows that wait, in all tables.
+  /// The size of the waiting rows of all tables.
   [[nodiscard]] std::size_t waiting_bytes() const {
     std::size_t all = 0;
     for (const Table& table : tables_) all += table.printer->waiting_bytes();
     return all;
   }
-  /// What is lost behind the last row of each table.
+  /// The rows lost after the last printed row of each table.
   std::vector<std::pair<const std::string*, LostRows>> Rest() {
     std::vector<std::pair<const std::string*, LostRows>> all;
     for (const Table& table : tables_) all.emplace_back(&table.name, table.printer->Rest());
@@ -249,7 +248,7 @@ class Watching {
     if (is_any_left) return std::nullopt;
     return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
   }
-  /// Of the first table whose rows have ceased to come.
+  /// The reason of the first table whose rows were interrupted.
   [[nodiscard]] std::optional<Error> interruption() const {
     for (const Table& table : tables_) {
       if (auto reason = table.printer->interruption()) return reason;
@@ -281,9 +280,8 @@ std::string LostText(const LostRows& lost) {
          " on the network, " + std::to_string(lost.viewer) + " here";
 }
 
-/// Prints rows, on a terminal under their titles. A row of one table has "-" for those of others.
-/// What is lost between rows is a record of its own in JSON; otherwise it is said beside them, not
-/// more than once a second.
+/// Prints rows; on a terminal with titles. A row has "-" in the columns of other tables. Reports
+/// lost rows as JSON records of their own; otherwise as messages, at most one a second.
 class RowWriter {
  public:
   RowWriter(Context& context, const WatchOptions& options, std::vector<std::string> paths)
@@ -295,21 +293,21 @@ class RowWriter {
     context.out() << '\n';
   }
 
-  /// False once as many rows as wanted are printed, or when the output is gone.
+  /// Returns false once the wanted number of rows is printed, or the output is closed.
   bool Write(const std::string& table, const PrintedRow& row) {
     Miss(table, row.lost_before);
     ++printed_;
     Print(row);
     return !is_full() && context_.out().good();
   }
-  /// Rows that are not printed.
+  /// Counts rows that are not printed.
   void Miss(const std::string& table, const LostRows& rows) {
     if (rows.all() > 0) TellOfGap(table, rows);
     lost_ += rows;
   }
-  /// As many rows as wanted are printed.
+  /// True once the wanted number of rows is printed.
   [[nodiscard]] bool is_full() const { return options_.count > 0 && printed_ >= options_.count; }
-  /// Whether none but the newest row is wanted.
+  /// True if only the newest row is wanted.
   [[nodiscard]] bool is_latest() const { return options_.is_latest; }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
   [[nodiscard]] const LostRows& lost() const { return lost_; }
@@ -334,7 +332,7 @@ class RowWriter {
     }
   }
 
-  /// The values are JSON already, perhaps of many megabytes: they are written as they are.
+  /// The values are already JSON, perhaps many megabytes: write them unchanged.
   void PrintAsJson(const PrintedRow& row) {
     std::ostream& out = context_.out();
     out << R"({"schema":1,"time_ns":)" << row.time_ns << R"(,"clock_offset_ns":)"
@@ -362,13 +360,13 @@ class RowWriter {
   const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
   LostRows lost_;
-  std::map<std::string, LostRows> untold_;  // by table
+  std::map<std::string, LostRows> untold_;  // not reported yet, by table
   std::chrono::steady_clock::time_point last_told_;
 };
 
-/// Says once of each component that is watched that it stands still, and once that it runs again.
-/// Where it has to wait for the age of its values, the next component's turn is that of the next
-/// Look(): whoever watches many is not kept from hearing a signal.
+/// Reports once when a watched component stands still, and once when it runs again. Stops after a
+/// component whose age it must wait for, and goes on with the next one in the next Look(), so that
+/// signals are noticed in time.
 class StandstillRemarks {
  public:
   StandstillRemarks(Context& context, tendon::GcmClient& client,
@@ -404,10 +402,10 @@ class StandstillRemarks {
     Standstill told = Standstill::kNone;
   };
 
-  /// Whether it may have waited.
+  /// Returns true if it may have waited.
   bool LookAt(const tendon::Catalog& catalog, Watched& watched) {
     const Standstill why = StandstillOf(catalog, watched.path.process, watched.path.component);
-    // That a process is lost is complained of as the end of its rows.
+    // A lost process is reported as the end of its rows.
     if (why == watched.told || why == Standstill::kLost) return false;
     if (why == Standstill::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
@@ -436,8 +434,8 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
   err << '\n';
 }
 
-/// False once no more rows are wanted. After a signal a write that would have to wait fails, and
-/// the rows behind it are missed.
+/// Returns false once no more rows are wanted. After a signal, a write that would block fails, and
+/// the rows after it are lost.
 bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
   std::map<std::string, LostRows> missed;
   bool wants_more = true;
@@ -450,12 +448,12 @@ bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
     missed[*table].viewer += writer.is_latest() ? 0 : 1;
   }
   const bool is_left = !wants_more && !tendon::os::WasTerminationAsked();
-  if (writer.is_full() || is_left) return wants_more;  // whoever has left misses nothing
+  if (writer.is_full() || is_left) return wants_more;  // a reader that has left loses nothing
   for (const auto& [table, lost] : missed) writer.Miss(table, lost);
   return wants_more;
 }
 
-/// The rows that came since the last turn are printed where they are few, and otherwise missed.
+/// Prints the rows since the last turn if they are few; otherwise counts them as lost.
 void WriteRest(Watching& watching, RowWriter& writer, Context& context) {
   constexpr std::size_t kFew = std::size_t{64} << 10U;  // bytes
   if (writer.is_full()) return;
@@ -491,13 +489,13 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
     context.out().flush();
     interrupted = interrupted || tendon::os::TerminationAsked(0ms);
     if (wants_more && !interrupted) remarks.Look();
-    const auto mistake = watching.mistake();  // what has led to it is complained of first
+    const auto mistake = watching.mistake();  // the cause was already reported
     if (!broken) watching.Complain(context.err());
     if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  // Whoever reads no more has closed the output, or is stuck, and then it was interrupted.
+  // The reader has closed the output, or is stuck and the user interrupted.
   if (context.out().good() || interrupted) {
     WriteRest(watching, writer, context);
     Summarize(writer, context.err());

@@ -32,14 +32,14 @@ using tendon::ErrorCode;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// What was looked at, and what was found.
+/// The subject of a check, and its result.
 struct Finding {
   enum class Verdict { kGood, kBad, kUnknown };
 
   std::string what;
   Verdict verdict = Verdict::kGood;
   std::string text;
-  std::string fix = {};  ///< kBad: what to do
+  std::string fix = {};  ///< kBad: the remedy
 };
 using Findings = std::vector<Finding>;
 
@@ -147,7 +147,7 @@ class Doctor {
                               tendon::DateText(checked->certificate.not_after));
     }
   }
-  /// Of a GCM that does not answer, where it is to be on this machine.
+  /// Checks the port of a local GCM that does not answer.
   void ExaminePort() {
     const std::string& gcm = context_.settings().gcm;
     const auto place = tendon::ParseAddress(gcm, 1);
@@ -226,13 +226,13 @@ class Doctor {
                    UsageText(process) + ClockText(client, entry),
                "build it anew with this release, or use a gcm of its own");
   }
-  /// Of a process, or, where it is empty, of the GCM.
+  /// The version of a process, or of the GCM if `process` is empty.
   Result<tendon::message::ProgramVersion> AskForVersion(const std::string& process) {
     return context_.Ask<tendon::message::ProgramVersion>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
   }
-  /// Who answers, well or not. Two releases that understand each other are no fault, but what the
-  /// older one cannot do may be what is looked for.
+  /// Reports the version of a program. Two compatible releases are fine, but the limits of the
+  /// older one may be the problem.
   void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
                   const std::string& text, const std::string& fix) {
     const auto [version, is_own] = tendon::JudgeVersion(told, own_);
@@ -242,13 +242,13 @@ class Doctor {
       Bad(what, text + ", " + version, fix);
     }
   }
-  /// ", cpu 12.5 %, memory 34.1 MiB", or nothing where it has not told.
+  /// ", cpu 12.5 %, memory 34.1 MiB"; empty if unknown.
   [[nodiscard]] std::string UsageText(const tendon::ProcessDescription& process) const {
     const auto* health = FindHealth(health_, process);
     if (health == nullptr) return "";
     return ", cpu " + tendon::CpuText(health) + ", memory " + tendon::MemoryText(health);
   }
-  /// ", clock 0.0 ms off (+-0.1 ms)", or nothing where no table tells.
+  /// ", clock 0.0 ms off (+-0.1 ms)"; empty if no table tells.
   static std::string ClockText(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     for (const auto& [name, component] : entry.components) {
       if (component.tables.empty() || component.tables[0].columns.empty()) continue;
@@ -268,7 +268,7 @@ class Doctor {
     }
     return "";
   }
-  /// Whether the process runs what is in their files.
+  /// Checks that the process runs the code in its plug-ins' files.
   void ExaminePlugins(const tendon::ProcessDescription& process) {
     const auto known = context_.Ask<tendon::message::Classes>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process.name, handler); });

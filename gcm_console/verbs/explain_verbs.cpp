@@ -67,8 +67,8 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   return program::kOk;
 }
 
-/// The provided interface to look at where the user names none: the one it is connected to, else
-/// the best candidate.
+/// The provided interface to explain if the user names none: the connected one, else the best
+/// candidate.
 Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName& required) {
   if (const auto* connection = catalog.FindConnection(required)) return connection->provided;
   const auto candidates = RankCandidates(catalog, required);
@@ -78,18 +78,18 @@ Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName
                ToString(required) + " is not connected, and nothing that is there fits it"};
 }
 
-/// Asks the process for something that needs no thread of a component's.
+/// Sends the process a request that does not involve a component's thread.
 Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
   const auto answer = context.Ask<tendon::message::ProgramVersion>(
       [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
-  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;  // it answers
+  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;  // but it answers
   if (!answer && !is_older) return answer.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
                                                                begin);
 }
 
-/// What is wrong with a connection that stands, as far as its process tells: it is looked at twice.
+/// The flaws of a working connection, as its process counts them in two requests.
 std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const InterfaceName& required) {
   constexpr std::chrono::milliseconds kBetween(500);
   const auto counts = [&] {
@@ -153,7 +153,7 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remainders)}};
 }
 
-/// A process that is gone is no lack of a GCM, which scripts are told by kUnreachable.
+/// A lost process must not exit like a missing GCM, which scripts know as kUnreachable.
 ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;

@@ -29,13 +29,13 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// How many there are of each.
+/// The number of things in each state.
 struct Health {
   std::size_t processes = 0;
   std::size_t connections = 0;
   std::size_t wrong = 0;
-  std::set<std::string> at_rest{};  ///< components that do not run, but have connections
-  std::set<std::string> verbs{};    ///< that tell more of what is wrong, or mend it
+  std::set<std::string> at_rest{};  ///< components with connections that do not run
+  std::set<std::string> verbs{};    ///< verbs that tell more, or help
 };
 
 /// "3 active, 1 faulted".
@@ -51,10 +51,10 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
   return text.empty() ? "no components" : "components: " + text;
 }
 
-/// Why connections do not stand, and for how long, in the words of their process.
+/// Why connections do not work, and for how long, in the words of their processes.
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
-/// Of those that the processes tell soon; no more are asked about than at one time.
+/// The reasons that processes give soon. Asks at most the number that may be asked at once.
 Waits AskForWaits(tendon::GcmClient& client, const Catalog& catalog) {
   constexpr std::chrono::milliseconds kSoon(500);
   struct Answers {
@@ -86,7 +86,7 @@ Waits AskForWaits(tendon::GcmClient& client, const Catalog& catalog) {
   return answers->waits;
 }
 
-/// A row of the one table in which everything is, and what is wrong at all.
+/// A row of the table of all things with problems.
 struct StatusRow {
   std::string kind;
   std::string name;
@@ -94,7 +94,7 @@ struct StatusRow {
   std::string detail;
 };
 
-/// Those whose files have not what runs.
+/// Plug-ins whose files differ from the running code.
 void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow>& rows,
                 Health& health) {
   for (const tendon::PluginDescription& plugin : process.plugins) {
@@ -106,7 +106,7 @@ void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow
   }
 }
 
-/// One that is faulted, late or waiting. A connection that does not stand counts by itself.
+/// Components that are faulted, late or waiting. A failed connection counts on its own.
 void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDescription& component,
                   std::vector<StatusRow>& rows, Health& health) {
   const auto add = [&](const std::string& what) {
@@ -179,7 +179,7 @@ std::string Count(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : end);
 }
 
-/// "all is well", or what is not.
+/// "all is well", or the problems.
 std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
     return Count(health.wrong, "thing") + " not as it should be: see " + AllOf(health.verbs);
@@ -236,7 +236,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   return program::kOk;
 }
 
-/// Each component with what it uses, and what nobody is connected to.
+/// Each component with its connections, and the unconnected interfaces.
 void PrintText(const Catalog& catalog, std::ostream& out) {
   for (const auto& [name, entry] : catalog.processes()) {
     for (const auto& [component, description] : entry.components) {

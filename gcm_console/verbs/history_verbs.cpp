@@ -60,11 +60,11 @@ struct UndoWords {
   bool dry_run = false;
 };
 
-/// What came of an undo of several steps.
+/// The result of an undo of several steps.
 struct Undone {
   std::vector<HistoryEntry> steps;
   std::vector<HistoryEntry> passed_over;
-  std::optional<Error> error;  ///< after which there was no further one
+  std::optional<Error> error;  ///< the error that ended the undo
 };
 
 Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
@@ -73,8 +73,8 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
       tendon::GcmClient::kOrdersOfAnUndo);
 }
 
-/// One step, before which one that cannot be undone may be passed over. An error that passing over
-/// does not mend is that of the undo.
+/// Undoes one step; if it cannot be undone, may skip it. Returns the undo's error if skipping does
+/// not help.
 Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& undone) {
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
@@ -110,7 +110,7 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
   }
 }
 
-/// With what it has, so that the step is waited for and not passed over.
+/// True if the process may return with its state, so that the step waits and is not skipped.
 bool MayComeBack(const tendon::Catalog& catalog, const HistoryEntry& step) {
   const auto* owner = catalog.FindProcess(tendon::ProcessOf(step));
   return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&
@@ -122,8 +122,8 @@ Result<tendon::message::History> AskForHistory(Context& context) {
       [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
 }
 
-/// Whether an undo would take back the newest of the steps, or pass it over where it may. How
-/// things are when the others are undone, which build on it, nobody knows yet.
+/// Checks that the newest step can be undone, or may be skipped. Cannot check older steps, which
+/// depend on the result.
 Result<void> CheckNewest(const tendon::Catalog& catalog, const tendon::message::History& history,
                          const UndoWords& words, Undone& undone) {
   const Error nothing{ErrorCode::kFailed, "there is nothing to undo"};

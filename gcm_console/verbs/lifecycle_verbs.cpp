@@ -38,21 +38,21 @@ struct LifeArguments {
   bool is_strict = false;
 };
 
-/// Of one verb, "stop", "stopped".
+/// The words of a verb, "stop", "stopped".
 struct Wording {
   LifeVerb verb;
   std::string_view infinitive;
   std::string_view done;
 };
 
-/// Which components or processes are meant, and how many of those that a glob names have no use for
-/// the verb.
+/// The selected components or processes, and the number of glob matches that the verb does not
+/// apply to.
 struct Targets {
   std::vector<Path> paths;
   std::size_t left_out = 0;
   bool has_glob = false;
 
-  /// One that is named by itself is meant, whatever its state.
+  /// A name without a glob is always a target, whatever its state.
   void Add(const Path& path, bool is_of_glob, bool is_of_use) {
     if (std::ranges::find(paths, path) != paths.end()) return;
     if (is_of_glob && !is_of_use) {
@@ -63,7 +63,7 @@ struct Targets {
   }
 };
 
-/// As they stand in `order`; those that do not come last.
+/// Sorts as in `order`; the others come last.
 template <typename Name, typename NameOf>
 void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path>& paths) {
   std::map<Name, std::size_t> places;
@@ -74,7 +74,7 @@ void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path
   });
 }
 
-/// Clients before their servers, which first execute what those send last.
+/// Clients before their servers, so that the servers still execute the clients' last commands.
 void PutClientsFirst(const Catalog& catalog, std::vector<Path>& paths) {
   PutInOrder(
       tendon::EndOrder(tendon::SystemOf(catalog, "").file),
@@ -120,7 +120,7 @@ void SayWhatIsLeftOut(Context& context, const Targets& targets, std::string_view
                 << (targets.left_out == 1 ? "is" : "are") << " in no state to be " << done << '\n';
 }
 
-/// A person at a terminal is asked before a glob changes several; `what` is said of them.
+/// Asks a user at a terminal before a glob changes several things; `what` describes them.
 bool IsConfirmed(const Context& context, std::string_view infinitive, std::string_view what,
                  const Targets& targets, const LifeArguments& arguments) {
   if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes || arguments.dry_run) {
@@ -174,12 +174,12 @@ Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
 
 using Ours = std::optional<tendon::message::Children>;
 
-/// Of a verb for whole processes.
+/// A verb for whole processes.
 struct ProcessWording {
   std::string_view infinitive;
   std::string_view done;
   bool needs_ours;
-  /// Whether it can be done; `ours` are those that the GCM has started, where it tells.
+  /// Checks if it is possible; `ours` are the processes started by the GCM, if it tells them.
   Result<void> (*check)(const Catalog& catalog, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
@@ -189,7 +189,7 @@ Result<void> CheckKill(const Catalog& catalog, const Ours& ours, const std::stri
   if (!entry) return entry.error();
   const bool is_ours =
       ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
-  // Whatever its state: it may hang, or wait to be started again.
+  // In any state: it may hang, or wait for a restart.
   if (is_ours) return {};
   if (auto present = RequirePresent((*entry)->process); !present || !ours) return present;
   return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
@@ -219,7 +219,7 @@ Result<void> Forget(Context& context, const std::string& process) {
       [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
 }
 
-/// Names that nobody has are the GCM's to refuse, and processes that it has not started.
+/// Leaves unknown names to the GCM, and processes that it has not started.
 Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
                               const ProcessWording& wording, const LifeArguments& arguments) {
   Targets targets;
@@ -233,7 +233,7 @@ Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
     for (const auto& [name, entry] : catalog.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
-      // One that is there is not left out: the GCM says where to end it.
+      // Keeps a present process that this GCM has not started: the GCM says where to end it.
       const bool is_of_use =
           wording.check(catalog, ours, name).ok() || wording.check(catalog, {}, name).ok();
       targets.Add({.process = name}, true, is_of_use);
@@ -246,7 +246,7 @@ Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
   return targets;
 }
 
-/// Nothing where the GCM is too old to tell.
+/// Nothing if the GCM is too old to tell.
 Result<Ours> AskForOurs(Context& context) {
   auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });

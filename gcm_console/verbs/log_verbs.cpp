@@ -42,7 +42,7 @@ std::vector<std::string> LevelNames() {
   return names;
 }
 
-/// Of one of these names.
+/// The level with one of these names.
 LogLevel LevelOf(const std::string& name) {
   for (const auto& one : tendon::kPayload<LogLevel>.enumerators) {
     if (one.name == name) return one.value;
@@ -50,19 +50,19 @@ LogLevel LevelOf(const std::string& name) {
   return LogLevel::kDebug;
 }
 
-/// Keeps what arrives until the printing thread takes it. Bounded in records and bytes: newer ones
-/// take the place of the oldest, which are counted as lost.
+/// Keeps records until the printing thread takes them. Bounded in records and bytes: when it is
+/// full, the oldest are dropped and counted as lost.
 class LogInbox final : public tendon::GcmListener {
  public:
   static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
                                                       .bytes = std::size_t{32} << 20U};
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes at one go
+  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes per call
 
   struct Content {
     std::deque<LogRecord> records;
     std::uint64_t lost = 0;
     bool is_current = false;
-    bool has_more = false;  // records that wait
+    bool has_more = false;  // more records are waiting
     bool is_gcm_back = false;
     std::string complaint;
   };
@@ -88,7 +88,7 @@ class LogInbox final : public tendon::GcmListener {
     }
   }
 
-  /// What has come since the last time; of the records the oldest that wait.
+  /// Everything since the last call; the oldest records first.
   Content Take() {
     const std::scoped_lock lock(mutex_);
     const bool is_current = content_.is_current;
@@ -101,7 +101,7 @@ class LogInbox final : public tendon::GcmListener {
 
  private:
   std::mutex mutex_;
-  Content content_;  // but for the records
+  Content content_;  // without the records
   tendon::DroppingQueue<LogRecord> records_{kMostWaiting};
   bool is_gcm_lost_ = false;
 };
@@ -143,7 +143,7 @@ void Remark(const LogInbox::Content& content, Context& context) {
   }
 }
 
-/// Says that nothing that is kept is wanted; kNotFound where nobody is called so.
+/// Says that no kept record matches; kNotFound if there is no such process.
 Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
                        Context& context) {
   const std::string name = options.from.substr(0, options.from.find('/'));
@@ -159,7 +159,7 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
   return {};
 }
 
-/// In the order of time: it comes in that in which the GCM has heard of it.
+/// Sorts by time: records arrive in the order in which the GCM received them.
 Result<void> PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& context) {
   std::set<std::string> processes;
   for (const LogRecord& record : kept) processes.insert(record.process);
@@ -215,7 +215,7 @@ struct LevelOrder {
   bool dry_run = false;
 };
 
-/// Whether the process is there to be told.
+/// Checks that the process can be told.
 Result<void> CheckOrder(Context& context, const LevelOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto client = context.Client();
@@ -232,7 +232,7 @@ Result<void> Carry(Context& context, const LevelOrder& order) {
   });
 }
 
-/// Of those processes that a glob names and that are there.
+/// Sets the level of all present processes that match a glob.
 Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   const auto client = context.Client();
   if (!client) return client.error();

@@ -30,7 +30,7 @@ struct ListOptions {
   std::vector<std::string> types;  ///< codes of nouns
 };
 
-/// What the processes among them take of their machines, where nothing else is said of them.
+/// Adds the processor and memory use of processes without another detail.
 void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& things) {
   const auto lacks_detail = [&](const Thing& thing) {
     return thing.noun == "process" && thing.detail.empty();
@@ -45,7 +45,7 @@ void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& thi
   }
 }
 
-/// Everything below a path, or what is right in it; what a glob names, or that and all in it.
+/// Everything below a path, or only directly in it; for a glob its matches, or all in them, too.
 Result<std::vector<Thing>> ThingsOf(const Catalog& catalog, const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
   if (IsGlob(options.path)) {
@@ -58,7 +58,7 @@ Result<std::vector<Thing>> ThingsOf(const Catalog& catalog, const ListOptions& o
   return things;
 }
 
-/// What is to be listed by path instead of by name, perhaps of some kinds only.
+/// Lists things by path and not by name, perhaps only of some kinds.
 Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const ListOptions& options) {
   auto found = ThingsOf(catalog, options);
   if (!found) return found.error();

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct HelpOptions {
-  std::vector<std::string> words;  // a topic, or a verb and an act of it
+  std::vector<std::string> words;  // a topic, or a verb and its subcommand
   std::string manual;              // a folder for all manual pages
 };
 

@@ -26,11 +26,11 @@ using namespace std::chrono_literals;
 
 struct PlotOptions {
   std::vector<std::string> paths;
-  double window = 10.0;  // s that are shown
-  double seconds = 0.0;  // 0: no end on a terminal, the window elsewhere
+  double window = 10.0;  // visible seconds
+  double seconds = 0.0;  // 0: no end on a terminal, else the window
 };
 
-/// What is drawn: the numbers of each table come by themselves.
+/// The plotted numbers; those of each table arrive on their own.
 class Plotting {
  public:
   Plotting(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
@@ -78,7 +78,7 @@ class Plotting {
   std::vector<Table> tables_;
 };
 
-/// As many curves as the screen has room for; where that is not all, the line below says so.
+/// Shows as many curves as fit on the screen; a line below mentions the others.
 void Show(const Plotting& plotting, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
@@ -94,7 +94,7 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
   screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
 }
 
-/// Until the time is over, or somebody wants the end.
+/// Collects until the time is over or the user interrupts.
 Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotOptions& options) {
   const bool has_screen = context.has_screen();
   const double seconds = options.seconds > 0.0 || has_screen ? options.seconds : options.window;
@@ -136,7 +136,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   const auto ended = Collect(context, plotting, options);
   for (const std::string& note : plotting.notes()) context.err() << "gcm: " << Plain(note) << '\n';
   if (!ended) return ended;
-  // The last picture stays when the screen is given back.
+  // The last picture remains when the screen is restored.
   context.out() << PictureOf(plotting.curves(), options.window, columns, kUsualRows);
   return ended;
 }

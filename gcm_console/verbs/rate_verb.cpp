@@ -27,24 +27,24 @@ struct RateOptions {
   double seconds = 0.0;     // 0: no end
 };
 
-/// About the rows of some time.
+/// Figures about the rows of one interval.
 struct Rate {
   std::uint64_t rows = 0;
   std::uint64_t lost = 0;
   std::uint64_t periods = 0;
   double sum = 0.0;      // of the periods, s
-  double squares = 0.0;  // of them
+  double squares = 0.0;  // of the squared periods
   double shortest = std::numeric_limits<double>::infinity();
   double longest = 0.0;
 
   [[nodiscard]] double mean() const { return sum / static_cast<double>(periods); }
-  /// Standard deviation of the periods.
+  /// The standard deviation of the periods.
   [[nodiscard]] double jitter() const {
     return std::sqrt(std::max(0.0, squares / static_cast<double>(periods) - mean() * mean()));
   }
 };
 
-/// Measures by the source's clock, so that the network has no part in it.
+/// Measures with the source's clock, so that the network has no influence.
 class RateMeter final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
@@ -68,7 +68,7 @@ class RateMeter final : public tendon::RowSink {
     complaint_ = reason.message;
   }
 
-  /// Since the last time.
+  /// The figures since the last call.
   Rate Take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(rate_, {});
@@ -95,7 +95,7 @@ class RateMeter final : public tendon::RowSink {
   std::string complaint_;
 };
 
-/// Lines of one table that grows, so each column has a width from the start.
+/// Prints the lines of a growing table, so its column widths are fixed at the start.
 class RateReport {
  public:
   explicit RateReport(Context& context) : context_(context) {}
@@ -173,7 +173,7 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
     report.Print(meter->Take());
     context.out().flush();
   }
-  if (reports == 0) report.Print(meter->Take());  // it ended within the first second
+  if (reports == 0) report.Print(meter->Take());  // ended within the first second
   (*client)->telemetry().Unsubscribe(id);
   return is_interrupted ? program::kInterrupted : program::kOk;
 }

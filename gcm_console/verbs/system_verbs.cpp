@@ -49,10 +49,10 @@ std::size_t ComponentsOf(const SystemFile& system) {
   return count;
 }
 
-/// What was made of what runs, or of another file.
+/// A system file made from the running system or from another file.
 struct Saved {
   SystemFile file;
-  std::vector<std::string> kept = {};  ///< of the file that was there
+  std::vector<std::string> kept = {};  ///< from the existing file
   std::vector<std::string> left_out = {};
 };
 
@@ -95,7 +95,7 @@ struct ImportWords {
   bool dry_run = false;
 };
 
-/// What is there is never overwritten, for nothing of it would be left.
+/// Never overwrites a file: nothing of it would be left.
 Result<ExitCode> Import(Context& context, const ImportWords& words) {
   const auto text = tendon::ReadSystemText(words.from);
   if (!text) return text.error();
@@ -111,8 +111,8 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
                {.file = std::move(imported->file), .left_out = std::move(imported->left_out)});
 }
 
-/// What the file holds that is to be brought up to date, if there is one; what is no system file is
-/// not overwritten.
+/// The present content of the file to update, if it exists. Never overwrites a file of another
+/// kind.
 Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
   auto former = tendon::ReadSystemFile(file);
   if (former) return std::optional(*std::move(former));
@@ -178,7 +178,7 @@ struct DiffWords {
   std::string second;
 };
 
-/// The second file, or what runs.
+/// The second file, or the running system.
 Result<SystemFile> SecondOf(Context& context, const DiffWords& words) {
   if (!words.second.empty()) return tendon::ReadSystemFile(words.second);
   const auto client = context.Client();
@@ -237,7 +237,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   for (const std::string& process : ProcessesToAsk(catalog, *wanted)) {
     const auto classes = context.Ask<tendon::message::Classes>(
         [&process](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process, handler); });
-    if (classes) known[process] = *classes;  // else the process refuses what it cannot make
+    if (classes) known[process] = *classes;  // else the process refuses what it cannot create
   }
   return MakeCheckedPlan(catalog, *wanted, known);
 }
@@ -256,7 +256,7 @@ struct ApplyWords {
   bool keep_going = false;
 };
 
-/// Whether the plan may be made as it is.
+/// Checks that the plan may be executed.
 Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   if (!plan.obstacles.empty() && !words.keep_going) {
     return Error{plan.refusal,
@@ -286,14 +286,14 @@ std::vector<tendon::message::HistoryEntry> Steps(Context& context) {
   return history ? std::move(history->entries) : std::vector<tendon::message::HistoryEntry>();
 }
 
-/// The number of the newest step of the history; 0 where there is none.
+/// The id of the newest step of the history; 0 without any.
 std::uint64_t NewestStep(Context& context) {
   const auto steps = Steps(context);
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// "; take it back with: gcm undo 8", where there are steps after `former`, and nobody else's
-/// among them.
+/// "; take it back with: gcm undo 8", if there are steps after `former`, and all by the same
+/// author.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
@@ -312,13 +312,13 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
       context.streams().err << "gcm: " << Plain(one) << '\n';
     }
   }
-  const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been made
+  const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been executed
   context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
                 << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
                 << " untouched" << (is_changed ? WayBack(context, former) : "") << '\n';
 }
 
-/// In a table, and in JSON.
+/// The words in a table and in JSON.
 Marks MarksOf(StepOutcome::Fate fate) {
   switch (fate) {
     case StepOutcome::Fate::kDone:
@@ -368,7 +368,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
 
 Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
   if (words.dry_run) return PrintPlan(context, words.file);
-  tendon::os::HoldTerminationSignals();  // a step is not left half done
+  tendon::os::HoldTerminationSignals();  // never leaves a step half done
   const auto plan = PlanOf(context, words.file);
   if (!plan) return plan.error();
   if (const auto allowed = CheckApply(*plan, words); !allowed) {

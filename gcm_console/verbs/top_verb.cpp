@@ -36,7 +36,7 @@ struct TopOptions {
   bool shows_connections = false;
 };
 
-/// The key that sorts by it, and what the option calls it.
+/// A key that sorts, and its name for the option.
 template <typename Figures>
 struct Order {
   char key;
@@ -119,7 +119,7 @@ Table TableOf(const std::vector<ConnectionFigures>& connections) {
   return table;
 }
 
-/// Those that use most, for there is not room for all.
+/// The processes with the highest use, because not all fit.
 Table BusiestOf(const tendon::Catalog& catalog, const SystemHealth& health) {
   constexpr std::size_t kMost = 5;
   std::vector<const tendon::ProcessDescription*> processes;
@@ -193,7 +193,7 @@ std::vector<ConnectionFigures> LookAt(ConnectionFeed& feed, const TopOptions& op
   return feed.Look(options.filter);
 }
 
-/// Once all figures are known that can be, or have had the time for it.
+/// Prints once all figures are known, or have had enough time.
 template <typename Feed>
 Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options,
                            const char* what) {
@@ -217,7 +217,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   return program::kOk;
 }
 
-/// What the keys have changed; `is_typing` is of the filter.
+/// The state that keys change; `is_typing` is about the filter.
 struct TopKeys {
   bool is_typing = false;
   bool wants_end = false;
@@ -256,7 +256,7 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
   }
 }
 
-/// What one feed says, below the processes.
+/// The table of one feed below the processes.
 template <typename Figures>
 std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
                       const std::string& what, const TopOptions& options, const TopKeys& keys,
@@ -272,7 +272,7 @@ std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
   return picture.str();
 }
 
-// Of a narrow terminal the begin is seen.
+// A narrow terminal only shows the beginning.
 constexpr const char* kKeyLine =
     "q end; sort: n name, r rate, t latest, l load, s skipped; / filter, c connections";
 constexpr const char* kConnectionKeyLine =

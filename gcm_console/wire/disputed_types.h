@@ -4,8 +4,8 @@
 
 namespace console {
 
-/// So that the catalogue knows in what two types of one name differ, and says so of ends that do
-/// not fit. Best effort: a process that does not answer is waited for as long as for any answer.
+/// Asks the processes for types that differ under the same name, so that the catalogue can name the
+/// difference between two ends. Best effort: waits for each reply as long as for any answer.
 void LearnDisputedTypes(Context& context);
 
 }  // namespace console

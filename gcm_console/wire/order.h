@@ -7,8 +7,8 @@
 
 namespace console {
 
-/// Refuses two ends that stand in each other's place, and says how `verb` is to be called: nobody
-/// who looks from the other side means something else.
+/// Refuses swapped ends (provided first, required second) and says how to call `verb`. A swapped
+/// order has no other meaning.
 tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalog& catalog,
                                 const tendon::InterfaceName& required,
                                 const tendon::InterfaceName& provided);

@@ -36,7 +36,7 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
   return ToString(required) + " -> " + ToString(provided);
 }
 
-/// The connection waits for a process that nobody has ever seen, perhaps because it is misspelt.
+/// Warns that the connection waits for an unknown process, whose name may be misspelt.
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
   const bool asks = unknown.message.ends_with("?");
   context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
@@ -60,7 +60,7 @@ Result<tendon::ConnectionDescription> Carry(Context& context, const InterfaceNam
       tendon::GcmClient::kOrdersOfAReplacement);
 }
 
-/// As PlanConnect(), of whom nothing but that it is all right is wanted.
+/// Like PlanConnect(), but only checks.
 Result<void> CheckConnect(const Catalog& catalog, const InterfaceName& required,
                           const InterfaceName& provided, bool replace) {
   using tendon::Occupied;
@@ -74,7 +74,7 @@ ExitCode Print(Context& context, const Doing& doing, const std::vector<Outcome>&
   return ExitCodeOf(outcomes);
 }
 
-/// What cannot be matched, and why.
+/// The error for an interface without a match.
 Error Unmatched(const Match& match, const std::string& pattern) {
   if (match.provided.empty()) {
     return {ErrorCode::kIncompatible, "nothing that '" + pattern +
@@ -96,7 +96,7 @@ std::string PathOf(const Match& match) {
                         : ToString(match.required);
 }
 
-/// Before several are connected at once; empty where there are not several.
+/// The question before several are connected at once; empty for fewer.
 std::string QuestionOf(const std::vector<Match>& matches) {
   std::string question;
   std::size_t count = 0;
@@ -190,7 +190,7 @@ Result<void> CarryEnd(Context& context, const InterfaceName& required) {
       [&](tendon::GcmClient& asked, auto handler) { asked.Disconnect(required, handler); });
 }
 
-/// All connections of what a glob names.
+/// Disconnects all connections that match a glob.
 Result<ExitCode> DisconnectAll(Context& context, const Ends& ends) {
   const auto client = context.Client();
   if (!client) return client.error();

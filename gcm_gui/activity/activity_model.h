@@ -12,7 +12,7 @@
 
 namespace tendon::gui {
 
-/// One thing the user did to the system, and what came of it.
+/// One action of the user on the system, and its outcome.
 struct Action {
   enum class Verb {
     kConnect,
@@ -28,24 +28,24 @@ struct Action {
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
-  InterfaceName required;  ///< of connect, disconnect and replace; of undo once it is known
+  InterfaceName required;  ///< of connect, disconnect, replace; of undo once known
   InterfaceName provided;
   std::string process;               ///< of forget and of a log level
   LifeVerb life = LifeVerb::kStart;  ///< of steer
-  std::string component;             ///< of steer: its path; of undo once it is known
+  std::string component;             ///< of steer: its path; of undo once known
   QString command;                   ///< of call: its path
-  QString argument;  ///< of call: JSON; of a log level: its name; of apply: what it leads to
-  QString file;      ///< of apply: the system file, or empty where it is none that was saved
+  QString argument;  ///< of call: JSON; of a log level: its name; of apply: the system it leads to
+  QString file;      ///< of apply: the system file; empty if it was never saved
 
   Outcome outcome = Outcome::kRunning;
-  QString refusal;        ///< why it was refused
-  std::int64_t when = 0;  ///< it was asked for, ns since 1970
-  double seconds = 0;     ///< until the answer
+  QString refusal;        ///< the reason of a refusal
+  std::int64_t when = 0;  ///< the time of the request, ns since 1970
+  double seconds = 0;     ///< from the request to the answer
   bool undone = false;
-  int times = 1;  ///< of calls with the same argument, one after another
+  int times = 1;  ///< number of successive calls with the same argument
 };
 
-/// What was done through this window, newest first.
+/// The actions taken through this window, newest first.
 class ActivityModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -60,21 +60,21 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] const Action& action(int row) const;
-  /// The line that does the same in a terminal, or empty.
+  /// The shell command that does the same, or empty.
   [[nodiscard]] QString command(int row) const;
-  /// Whether Undo would take back this one: the newest that stands, behind which no plan came.
+  /// True for the action that Undo takes back: the newest not undone, with no plan after it.
   [[nodiscard]] bool canUndo(int row) const;
 
-  /// The same call once more stays in its row, and is counted.
+  /// A repeated call updates the count of its row instead of adding a row.
   Id begin(Action action);
-  /// The ends are those an undo turned out to have changed.
+  /// An undo also learns here which interfaces it changed.
   void finish(Id id, double seconds, const QString& refusal);
-  /// Marks the newest action that stands and did the same as `step`.
+  /// Marks the newest action that matches `step` and is not undone yet.
   void markUndone(Id undo, const Action& step);
 
  Q_SIGNALS:
   void finished(const tendon::gui::Action& action);
-  /// One of them was taken back.
+  /// An action was taken back.
   void undone(const tendon::gui::Action& action);
 
  private:

@@ -15,8 +15,8 @@ class ConsolePage;
 class EventsPage;
 class LogPage;
 
-/// The bottom of the window: what was done, with a way back and the line that does the same in a
-/// terminal; what is wrong now; log, events, and a console.
+/// The bottom panel of the window: the actions so far, with Undo and the equivalent shell command;
+/// present problems; log, events and console.
 class ActivityStrip : public TabPanel {
   Q_OBJECT
 
@@ -28,13 +28,13 @@ class ActivityStrip : public TabPanel {
 
  public Q_SLOTS:
   void showProblems() { setCurrent(problems_page_); }
-  /// With the cursor in its line.
+  /// Also puts the cursor into its line.
   void showConsole();
 
  Q_SIGNALS:
-  /// Somebody wants to see it in the other views.
+  /// The user wants to see `path` in the other views.
   void jumpRequested(const QString& path);
-  /// A row of the problems was clicked, or chosen with Enter: of what is wrong there.
+  /// The user clicked a problem or pressed Enter on it; `path` names the thing with the problem.
   void problemChosen(const QString& path);
   /// One sentence for the user.
   void notice(const QString& text);

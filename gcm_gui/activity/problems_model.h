@@ -14,19 +14,19 @@
 
 namespace tendon::gui {
 
-/// Something that is not as it should be, until it is.
+/// A problem, shown until it is solved.
 struct Problem {
-  QString path;  ///< of what has it; empty for a view of the window
+  QString path;  ///< of the thing with the problem; empty for a view of the window
   QString text;
   StateMark mark = StateMark::kWarning;
-  std::int64_t since = 0;  ///< ns since 1970; 0 where it is not known
+  std::int64_t since = 0;  ///< ns since 1970; 0 if unknown
 
   bool operator==(const Problem&) const = default;
 };
 
-/// What is wrong now: lost processes, plug-ins whose files have not what runs, components that are
-/// faulted or wait for a connection, failed connections, refused requests until the interface is
-/// connected after all, and views of this window that have thrown. Warnings come last.
+/// The present problems: lost processes, plug-ins whose files differ from the running code,
+/// components that are faulted or wait for a connection, failed connections, refused connections
+/// until they are made, and views of this window that have thrown. Warnings come last.
 class ProblemsModel : public RowListModel<Problem> {
   Q_OBJECT
 

@@ -9,15 +9,15 @@
 
 namespace tendon::gui {
 
-/// Does again what this window had undone, the last first, until something else is done. What
-/// starts or stops a component is not done again by one key. GUI thread.
+/// Redoes the actions that this window has undone, the last one first, until the user does
+/// something else. It never redoes a start or stop of a component. GUI thread.
 class Redo : public QObject {
   Q_OBJECT
 
  public:
   Redo(ActivityModel& activity, SystemActions& actions, QObject* parent = nullptr);
 
-  /// Does it, or tells why not.
+  /// Redoes the last undone action, or emits a notice() with the reason why not.
   void again();
 
  Q_SIGNALS:
@@ -29,7 +29,7 @@ class Redo : public QObject {
 
   SystemActions& actions_;
   std::vector<Action> undone_;  // the last at the back
-  bool is_under_way_ = false;   // what is done next was asked for here
+  bool is_under_way_ = false;   // the next finished action was requested here
 };
 
 }  // namespace tendon::gui

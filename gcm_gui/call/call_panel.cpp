@@ -42,11 +42,11 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
-constexpr std::size_t kMostRead = 65536;  // more takes longer than the window may stand still
+constexpr std::size_t kMostRead = 65536;  // more would freeze the window too long
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
-/// With numbers of six digits, and places where a line can end.
+/// Numbers with six digits, and text that can wrap.
 QString ValueText(const Json& value) {
   if (value.is_number_float()) return QString::number(value.get<double>(), 'g', 6);
   if (!value.is_array()) return ToQString(value.dump());
@@ -57,7 +57,7 @@ QString ValueText(const Json& value) {
 
 QString Rest() { return Words::tr("…\nThe whole answer: Copy as command"); }
 
-/// One field a line, as a person reads it; the rest of what is very long is left to a terminal.
+/// One field per line for people. A very long answer is cut off; a terminal shows all.
 QString Readable(const std::string& json) {
   if (json.size() > kMostRead) {
     return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
@@ -76,7 +76,7 @@ QString Readable(const std::string& json) {
   return text.left(kLongestAnswer) + Rest();
 }
 
-/// As it came, where numbers are shown rounded; as no markup, whatever is in it.
+/// The unrounded answer, escaped so that it is never markup.
 QString WholeAnswer(const std::string& json) {
   if (json.size() > static_cast<std::size_t>(kLongestAnswer)) return {};
   return QStringLiteral("<qt>%1</qt>").arg(ToQString(json).toHtmlEscaped());
@@ -138,7 +138,7 @@ void CallPanel::build() {
 
 QWidget* CallPanel::buildArgument() {
   form_area_ = new QScrollArea;
-  form_area_->setFocusPolicy(Qt::NoFocus);  // it follows the focus of what is in it
+  form_area_->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its contents
   form_area_->setFrameShape(QFrame::NoFrame);
   form_area_->setWidgetResizable(true);
   form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -271,7 +271,7 @@ void CallPanel::hearSchema(const Result<Schema>& schema) {
 void CallPanel::showForm(const Schema& schema) {
   schema_ = schema;
   form_ = new ValueForm(schema);
-  form_area_->setWidget(form_);  // deletes the one before
+  form_area_->setWidget(form_);  // deletes the previous one
   form_->setAutoFillBackground(false);
   fitForm();
   argument_->setCurrentIndex(kFormPage);
@@ -290,7 +290,7 @@ void CallPanel::showForm(const Schema& schema) {
   });
 }
 
-/// Its height changes with what is said of its fields.
+/// The height changes with the remarks on the fields.
 void CallPanel::fitForm() {
   const int width = form_area_->viewport()->width();
   const int height =
@@ -323,7 +323,7 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   });
 }
 
-/// Of no fields: all of it.
+/// Without fields, takes the whole value.
 void CallPanel::hearValue(const std::string& read, const std::vector<std::string>& fields,
                           const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
@@ -352,7 +352,7 @@ void CallPanel::showAsJson(bool as_json) {
              FromJson(*schema_, text)) {
     form_->setJson(text);
   } else {
-    // The form would show other numbers than those that stand here.
+    // The form would show other numbers than this text.
     const QSignalBlocker blocker(as_json_);
     as_json_->setChecked(true);
     return;
@@ -379,7 +379,7 @@ void CallPanel::check() {
   if (!under_way_ && !repeat_->repeater().isRunning()) tell(problem, QStringLiteral("warning"));
 }
 
-/// Of fields that are wrong each says it itself.
+/// Only names wrong fields: each field shows its own error.
 QString CallPanel::problemOf(const Error& error) const {
   const QStringList wrong = as_json_->isChecked() ? QStringList() : form_->wrongFields();
   if (wrong.isEmpty()) return ToQString(error.message);

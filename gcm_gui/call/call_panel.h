@@ -28,30 +28,29 @@ class PictureView;
 class RepeatRow;
 class ValueForm;
 
-/// Calls one command: a form for its argument, or JSON, and below it what came of the call. What
-/// was last said to a command stands there again when it is shown the next time; before that, what
-/// a matching read command says, or as many fields of it as are the same. Hidden while it has no
-/// command.
+/// Calls one command: shows a form or JSON for its argument, and the result of the call below. It
+/// starts with the last argument of this command or, before the first call, with the fields that a
+/// matching read command returns. Hidden while it has no command.
 class CallPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit CallPanel(CommandCalls& calls, QWidget* parent = nullptr);
 
-  /// "robot/arm/Control.SetGains". The same command again changes nothing. `reads` may say
-  /// what this would set, the likeliest first.
+  /// Shows "robot/arm/Control.SetGains"; the same command again changes nothing. `reads` are read
+  /// commands that may return the present setting, best match first.
   void showCommand(const QString& path, const MemberDescription& command,
                    const std::vector<MatchingRead>& reads = {});
   void showNothing();
-  /// Where its first value is entered, or what calls it.
+  /// Sets the focus to the first field, or to the call button if there is none.
   void focusFirst();
-  /// Why it cannot be called now; empty where it can.
+  /// The reason why the command cannot be called now; empty if it can.
   void setUnavailable(const QString& reason);
-  /// A call can set something in motion: the button is held for a while, the key pressed twice.
+  /// For a call that can start a motion: the button must be held, or the key pressed twice.
   void setCareful(bool careful);
 
  Q_SIGNALS:
-  /// Somebody wants it at hand: a command and its argument, JSON.
+  /// The user wants to keep a command with its argument (JSON) as a favourite.
   void favouriteRequested(const QString& path, const QString& argument);
 
  protected:
@@ -68,18 +67,18 @@ class CallPanel : public QWidget {
   void hearSchema(const Result<Schema>& schema);
   void hearAnswer(const Result<std::string>& answer, double seconds);
   void showForm(const Schema& schema);
-  // From that read command on: which fields it has, what it says of them, or of all.
+  // Tries the read commands from `read` on: first asks for their fields, then for the values.
   void askForOffer(std::size_t read);
   void hearOffer(std::size_t read, const Result<Schema>& offered);
   void askForValue(const std::string& read, const std::vector<std::string>& fields);
   void hearValue(const std::string& read, const std::vector<std::string>& fields,
                  const Result<std::string>& value);
   void fitForm();
-  /// Not where what stands there is no JSON of the type: nothing of it would be lost.
+  /// Does nothing if the present text is not valid JSON of the type, so that no input is lost.
   void showAsJson(bool as_json);
-  /// What would be said now; empty for a command without an argument.
+  /// The present argument; empty for a command without one.
   [[nodiscard]] std::string argument() const;
-  /// Says what is wrong with the argument, and keeps it from being called.
+  /// Shows what is wrong with the argument, and then disables the call.
   void check();
   [[nodiscard]] QString problemOf(const Error& error) const;
   void tell(const QString& text, const QString& role);
@@ -89,10 +88,10 @@ class CallPanel : public QWidget {
   QString path_;
   MemberDescription command_;
   std::vector<MatchingRead> reads_;
-  bool is_touched_ = false;       // its form, by a person
+  bool is_touched_ = false;       // a person has edited the form
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;
-  /// Of another command, or of an earlier time, what is answered late tells nothing.
+  /// Counts up with each shown command; replies to an older one are ignored.
   std::uint64_t shown_ = 0;
   bool under_way_ = false;
   QTimer second_key_;
@@ -112,7 +111,7 @@ class CallPanel : public QWidget {
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
   QLabel* answer_ = nullptr;
-  PictureView* picture_ = nullptr;  // of an answer that is one
+  PictureView* picture_ = nullptr;  // of an answer that is a picture
 };
 
 }  // namespace tendon::gui

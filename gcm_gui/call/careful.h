@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Whether a call of `command` is made only on purpose, by holding a button or pressing a key
-/// twice: it can set something in motion, and its component, in that state, would do it at once.
+/// True if the user must hold a button or press a key twice to call `command`: it can set something
+/// in motion, and its component executes it at once in this state.
 [[nodiscard]] inline bool NeedsCare(const MemberDescription& command, ComponentState state) {
   return !command.hazard.empty() && state == ComponentState::kActive;
 }

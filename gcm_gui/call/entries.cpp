@@ -48,7 +48,7 @@ class NumberEntry final : public Entry {
  public:
   explicit NumberEntry(NumberField& field) : field_(field) {}
 
-  /// What is no number stays a text.
+  /// Keeps an invalid number as text.
   [[nodiscard]] Json value() const override {
     const NumberWord word = field_.word();
     if (word.flaw != NumberFlaw::kNone) return field_.text().toStdString();
@@ -69,13 +69,13 @@ class NumberEntry final : public Entry {
   NumberField& field_;
 };
 
-/// Whatever is written as JSON.
+/// For values that are typed as JSON.
 class JsonEntry final : public Entry {
  public:
   JsonEntry(const Schema& schema, const QString& name, QLineEdit& line)
       : schema_(schema), name_(name.toStdString()), line_(line) {}
 
-  /// What is no JSON of the type stays a text.
+  /// Keeps invalid JSON as text.
   [[nodiscard]] Json value() const override {
     const auto value = typed();
     return value ? *value : Json(line_.text().toStdString());
@@ -165,7 +165,7 @@ class ListEntry final : public Entry {
   std::vector<std::unique_ptr<Entry>> elements_;
 };
 
-/// The number closest to 0 that is allowed, as it is: rounded it might not be.
+/// The allowed number closest to 0, with all digits: a rounded one might not be allowed.
 QString FirstNumber(const Schema::Field& field) {
   if (!field.range) return QStringLiteral("0");
   double number = std::clamp(0.0, field.range->lowest, field.range->highest);

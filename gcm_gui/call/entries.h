@@ -12,8 +12,8 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// Where one value of a type is entered. Whatever is entered has a JSON value, right or wrong:
-/// FromJson() is the judge, and refuses all that refusals() finds.
+/// The editor of one value of a type. Every input has a JSON value, valid or not. FromJson()
+/// decides, and rejects everything that refusals() reports.
 class Entry {
  public:
   Entry() = default;
@@ -22,26 +22,26 @@ class Entry {
   virtual ~Entry() = default;
 
   [[nodiscard]] virtual nlohmann::ordered_json value() const = 0;
-  /// A value of another kind is shown as it is, where there is room for it.
+  /// Shows a value of another kind unchanged if the widget has room for it.
   virtual void setValue(const nlohmann::ordered_json& value) = 0;
-  /// What is wrong with it, and what to write instead, each a sentence for the user.
+  /// What is wrong with the input, and what to write instead: one sentence for the user each.
   [[nodiscard]] virtual QStringList refusals() const { return {}; }
-  /// What was not taken into it, so that nothing is wrong with its value.
+  /// Input that was not accepted, so the value itself is still valid.
   [[nodiscard]] virtual QStringList notices() const { return {}; }
 };
 
-/// An entry and the widget that the user sees, which the caller places and owns.
+/// An entry and its widget; the caller places and owns the widget.
 struct EntryWidget {
   std::unique_ptr<Entry> entry;
   QWidget* widget = nullptr;
 };
 
-/// What is said of a field beside its name: its help, its range, its type; a line each.
+/// The tool tip of a field: its help, range and type, one line each.
 [[nodiscard]] QString HelpOf(const Schema::Field& field);
 
-/// For whatever has no fields of its own: a number, a switch, a choice, a text, a grid of numbers;
-/// JSON for lists of varying length and of anything but numbers. `name` is what it is called by who
-/// cannot see it; `edited` is called at each change, and where one was refused.
+/// The editor of a field without subfields: a number, switch, choice, text or grid of numbers; JSON
+/// for lists of varying length and lists of other things. `name` is its accessible name. `edited`
+/// is called at each change, and when an input was refused.
 [[nodiscard]] EntryWidget MakeEntry(const Schema::Field& field, const QString& name,
                                     const std::function<void()>& edited);
 

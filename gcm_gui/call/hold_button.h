@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// A button that calls a command: at a click, or, where that can set something in motion, only once
-/// it has been held for a while.
+/// A button that calls a command at a click or, if the call can set something in motion, after it
+/// has been held for a while.
 class HoldButton : public QPushButton {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class HoldButton : public QPushButton {
 
  Q_SIGNALS:
   void called();
-  /// It would have had to be held for longer.
+  /// The user released the button too early.
   void letGoEarly();
 
  protected:
@@ -32,7 +32,7 @@ class HoldButton : public QPushButton {
   void release();
 
   bool careful_ = false;
-  bool has_held_ = false;  // while it is down, it has called
+  bool has_held_ = false;  // it has called since it was pressed
   QTimer hold_;
 };
 

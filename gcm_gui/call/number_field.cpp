@@ -23,12 +23,12 @@
 namespace tendon::gui {
 namespace {
 
-constexpr qsizetype kSurelySeen = 6;  // letters
-constexpr int kMostDigits = 15;       // of a double, that are the same in any
-constexpr int kInnerMargin = 2;       // that of QLineEdit beside its text
+constexpr qsizetype kSurelySeen = 6;  // characters
+constexpr int kMostDigits = 15;       // digits that every double keeps
+constexpr int kInnerMargin = 2;       // QLineEdit's own margin beside its text
 const QString kRole = QStringLiteral("mono number");
 
-/// Of the number itself where that is a list.
+/// The element type of a list, else the type itself.
 const Schema& ElementOf(const Schema& schema) {
   const bool is_list =
       schema.kind() == Schema::Kind::kArray || schema.kind() == Schema::Kind::kSequence;
@@ -42,7 +42,7 @@ std::optional<double> DoubleOf(const std::string& json) {
   return number;
 }
 
-/// As it is: a rounded one might not be allowed itself.
+/// Unrounded: a rounded limit might be out of range.
 QString LimitText(double limit) {
   return QString::number(limit, 'g', QLocale::FloatingPointShortest);
 }
@@ -75,7 +75,7 @@ QString NumberField::refusal() const {
   if (!range_) return {};
   const std::optional<double> number = DoubleOf(found.json);
   const bool is_inside = number && *number >= range_->lowest && *number <= range_->highest;
-  // Infinity may be one of the limits; not-a-number is in no range.
+  // Infinity may be a limit; NaN is in no range.
   const bool is_infinite = !number && ((found.json == "\"inf\"" && std::isinf(range_->highest)) ||
                                        (found.json == "\"-inf\"" && std::isinf(range_->lowest)));
   if (is_inside || is_infinite) return {};
@@ -151,8 +151,8 @@ void NumberField::dropEvent(QDropEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
-  // All is selected where a key came here: with the cursor at the front, which is then what is
-  // seen.
+  // A key that moves the focus here selects all. Put the cursor at the front, so that the front is
+  // visible.
   if (hasSelectedText() && selectedText() == text()) {
     setSelection(static_cast<int>(text().size()), -static_cast<int>(text().size()));
   }
@@ -181,7 +181,7 @@ QString NumberField::shownText() const {
   if (fits(whole)) return whole;
   const std::optional<double> number = DoubleOf(word().json);
   if (number && whole.contains('e', Qt::CaseInsensitive)) {
-    // The front alone would be of another size.
+    // The first digits without the exponent would mean a different number.
     for (int digits = kMostDigits; digits > 0; --digits) {
       const QString rounded = QString::number(*number, 'g', digits);
       if (fits(rounded)) return rounded;

@@ -11,34 +11,33 @@
 
 namespace tendon::gui {
 
-/// Where one number is entered. Any text stands there as it was typed; refusal() says what is wrong
-/// with it. While nobody types it shows the front of its number: what is too long for it ends with
-/// an ellipsis, or is rounded where it has an exponent; the tool tip has the whole.
+/// The editor of one number. It keeps any text as typed; refusal() says what is wrong with it.
+/// Without the focus it shows the beginning of a long number, with an ellipsis, or rounds a number
+/// with an exponent; the tool tip has the whole number.
 ///
-/// A list that is pasted or dropped fills the field and those behind it, or nothing at all.
+/// A pasted or dropped list fills this field and the following ones, or nothing at all.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
  public:
-  /// Of a number, or of a list of numbers: then of one of its elements. Unit and range are those of
-  /// `field`.
+  /// For a number, or for one element of a list of numbers. `field` gives unit and range.
   explicit NumberField(const Schema::Field& field, QWidget* parent = nullptr);
 
-  /// Which fields a list fills; this one is first.
+  /// The fields that a list fills, beginning with this one.
   void setRow(const QList<NumberField*>& fields) { row_ = fields; }
   void setHelp(const QString& help);
 
   [[nodiscard]] NumberWord word() const;
   [[nodiscard]] bool isDuration() const { return schema_.kind() == Schema::Kind::kDuration; }
-  /// Why there is no number of the type in it, and what to write; empty where there is one.
+  /// Why the text is not a number of the type, and what to write; empty if it is one.
   [[nodiscard]] QString refusal() const;
-  /// Why nothing was pasted; empty once anything is entered.
+  /// Why nothing was pasted; empty after any input.
   [[nodiscard]] const QString& pasteRefusal() const { return paste_refusal_; }
-  /// What is shown of the number while nobody types.
+  /// The text shown without the focus.
   [[nodiscard]] QString shownText() const;
 
  public Q_SLOTS:
-  /// Also what the context menu calls.
+  /// The context menu calls this, too.
   void paste();
 
  Q_SIGNALS:
@@ -53,7 +52,7 @@ class NumberField : public QLineEdit {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Whether `text` is a list, which is taken or refused by that.
+  /// Returns true if `text` is a list; then the list has been accepted or refused.
   bool takeList(const QString& text);
   [[nodiscard]] QString refusalOfList(const QStringList& words) const;
   [[nodiscard]] QRect contents() const;

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 enum Column { kName, kEntry, kUnit, kColumns };
 
-/// A field that says nothing of unit or range has those of what it is in.
+/// A field without its own unit or range inherits those of its parent.
 Schema::Field Within(const Schema::Field& outer, Schema::Field field) {
   if (field.unit.empty()) field.unit = outer.unit;
   if (!field.range) field.range = outer.range;

@@ -15,9 +15,9 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// Fields in which a value of a type is entered, made from its schema: numbers with their units,
-/// switches, choices, grids for vectors; what is nested stands below its name. What is wrong with a
-/// field stands below it, with what to write instead. GUI thread.
+/// A form for a value of a type, made from its schema: numbers with units, switches, choices, grids
+/// for vectors; nested fields are below their name. Below an invalid field it says what is wrong
+/// and what to write instead. GUI thread.
 class ValueForm : public QWidget {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class ValueForm : public QWidget {
   explicit ValueForm(const Schema& schema, QWidget* parent = nullptr);
   ~ValueForm() override;
 
-  /// What is entered, right or wrong: FromJson() tells.
+  /// The present input, valid or not; FromJson() checks it.
   [[nodiscard]] std::string json() const;
-  /// Shows as much of a value as there are fields for.
+  /// Shows the parts of a value that have fields here.
   void setJson(const std::string& json);
-  /// The names of the fields that hold no value of their types: "position", "frame.parent".
+  /// The names of the fields with invalid input: "position", "frame.parent".
   [[nodiscard]] QStringList wrongFields() const;
 
  Q_SIGNALS:
@@ -53,7 +53,7 @@ class ValueForm : public QWidget {
   const Schema schema_;
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
-  std::vector<Place> places_;  // of all that has no fields of its own
+  std::vector<Place> places_;  // of all fields without subfields
 };
 
 }  // namespace tendon::gui

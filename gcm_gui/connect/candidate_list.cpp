@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kReasonInset = 34;  // below the names
+constexpr int kReasonInset = 34;  // indents reasons below names
 constexpr int kWrapped = static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap;
 
 class CandidateDelegate final : public RowDelegate {
@@ -63,7 +63,7 @@ CandidateList::CandidateList(CandidatesModel& model, QWidget* parent) : RowView(
 
 void CandidateList::resizeEvent(QResizeEvent* event) {
   RowView::resizeEvent(event);
-  scheduleDelayedItemsLayout();  // reasons wrap elsewhere
+  scheduleDelayedItemsLayout();  // reasons wrap differently now
 }
 
 }  // namespace tendon::gui

@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// The candidates on the screen; reasons are wrapped, so that they can be read.
+/// The list of candidates; wraps reasons so that they can be read in full.
 class CandidateList : public RowView {
   Q_OBJECT
 

@@ -14,8 +14,8 @@ namespace tendon::gui {
 class CandidateList;
 class HeadRow;
 
-/// The right column while a connection is made: the candidates, best first, and a field that
-/// narrows them. Enter or a click picks, a digit too, Escape leaves.
+/// The right column while the user makes a connection: the candidates, best first, and a filter.
+/// Enter, a click or a digit picks a candidate; Escape leaves.
 class CandidatePanel : public QWidget {
   Q_OBJECT
 
@@ -27,13 +27,13 @@ class CandidatePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
-  /// Below the candidates: why one that is pointed at elsewhere does not fit; nothing without a
-  /// title.
+  /// Shows below the candidates why a candidate under the pointer in another view does not fit. An
+  /// empty title hides it.
   void showRefusal(const QString& title, const QStringList& reasons);
 
  Q_SIGNALS:
-  /// The candidate that the list stands on or that the pointer is over; nothing when it does not
-  /// fit, as the list says why.
+  /// The current candidate of the list, or the one under the pointer; nothing if it does not fit,
+  /// because the list already gives the reasons.
   void pointed(const std::optional<tendon::gui::PortName>& port);
 
  protected:

@@ -11,20 +11,20 @@
 
 namespace tendon::gui {
 
-/// The candidates of the connect mode, best first: those that fit, then those that are nearly what
-/// is needed, each with its reasons below it, and how many others there are.
+/// The candidates of the connect mode, best first: those that fit, then those that nearly fit, each
+/// with its reasons below it, then the number of others.
 class CandidatesModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
   explicit CandidatesModel(const ConnectMode& mode, QObject* parent = nullptr);
 
-  /// Of more the rest is only counted, until a filter narrows them.
+  /// Candidates beyond this are only counted until a filter narrows them.
   static constexpr std::size_t kMostShown = 100;
 
-  /// Only those whose paths have all of these words. A filter also shows the others one by one.
+  /// Shows only candidates whose paths contain all these words, and then also lists the others.
   void setFilter(const QString& words);
-  /// The candidate of a row or of one of its reasons; nothing for the row of the others.
+  /// The candidate of a row or of its reasons; nothing for the row of the others.
   [[nodiscard]] std::optional<PortName> portOf(const QModelIndex& index) const;
   [[nodiscard]] bool fits(const QModelIndex& index) const;
 
@@ -42,7 +42,7 @@ class CandidatesModel : public QAbstractItemModel {
     QString trail;
     QString tip;
     QString digit;
-    StateMark mark = StateMark::kRefused;  // instead of the digit
+    StateMark mark = StateMark::kRefused;  // shown in place of the digit
     bool fits = false;
     bool stale = false;
     QStringList reasons;

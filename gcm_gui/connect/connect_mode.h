@@ -16,54 +16,54 @@
 
 namespace tendon::gui {
 
-/// A port that the chosen one might be connected to.
+/// A port that may be connected to the chosen one.
 struct Candidate {
   PortName port;
   Compatibility compatibility;
   int number = 0;        ///< the digit that picks it, 1 to 9; 0 for none
-  bool gone = false;     ///< its process is lost; connecting waits for its return
-  bool present = false;  ///< it is what the chosen one is connected to now
-  /// Of a required interface that is connected elsewhere: what it would be taken from.
+  bool gone = false;     ///< its process is lost; a connection waits for its return
+  bool present = false;  ///< the present peer of the chosen port
+  /// The present peer of a required interface, from which it would be taken.
   std::optional<InterfaceName> former;
 
   [[nodiscard]] bool fits() const { return compatibility.fits() && !present; }
-  /// Not by chance: some of its members are what is needed, or are meant to be.
+  /// True if the likeness is no accident: some members match, or seem meant to match.
   [[nodiscard]] bool looksAlike() const;
-  /// Why it cannot be picked, one clause a line.
+  /// Why it cannot be picked, one clause per line.
   [[nodiscard]] QStringList reasons() const;
 };
 
-/// The moment between choosing one end of a connection and the other. Knows which ports fit and why
-/// the others do not; asks for the connection when one is picked. What is connected already can be
-/// connected to another.
+/// The state between choosing the first and the second end of a connection. Knows which ports fit
+/// and why the others do not; requests the connection when one is picked. A connected port can be
+/// connected to another peer.
 class ConnectMode : public QObject {
   Q_OBJECT
 
  public:
-  /// The candidates follow the catalogue; when the chosen port goes, or is connected or
-  /// disconnected by somebody else, the mode ends.
+  /// The candidates follow the catalogue. The mode ends when the chosen port disappears, or another
+  /// user connects or disconnects it.
   ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent = nullptr);
 
-  /// From now on nothing is begun, and this is why.
+  /// start() fails from now on, with this reason.
   void forbid(const QString& reason) { forbidden_ = reason; }
   [[nodiscard]] bool active() const { return chosen_.has_value(); }
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
-  /// The chosen one is required, and this is what it is connected to.
+  /// The present peer of the chosen port, if that is a required interface.
   [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
-  /// Best first, those that do not fit last.
+  /// Best first; those that do not fit come last.
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
-  /// Null while nothing fits, and for a port that is no candidate.
+  /// Null if nothing fits.
   [[nodiscard]] const Candidate* best() const;
   [[nodiscard]] const Candidate* find(const PortName& port) const;
-  /// The one that most resembles what is needed and does not fit, or null.
+  /// The most similar candidate that does not fit, or null.
   [[nodiscard]] const Candidate* bestLookAlike() const;
 
  public Q_SLOTS:
-  /// False when there is no such port, or when it is forbidden, which a notice() tells.
+  /// Returns false if the port does not exist, or if the mode is forbidden; then emits a notice().
   bool start(const tendon::gui::PortName& port);
   void leave();
-  /// Connects; when it does not fit, nothing happens but a notice(), and misfitPicked() where it
-  /// was not by chance.
+  /// Requests the connection. If the port does not fit, only emits a notice(), and misfitPicked()
+  /// if it looks alike.
   void pick(const tendon::gui::PortName& port);
   void pickNumber(int number);
   void pickBest();
@@ -71,7 +71,7 @@ class ConnectMode : public QObject {
  Q_SIGNALS:
   void changed();
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
-  /// One that looks alike was wanted; nobody was asked for it, and this is why.
+  /// The user picked a similar port that does not fit. No request was sent; `reason` says why.
   void misfitPicked(const tendon::message::Wire& wire, const QString& reason);
   /// One sentence for the user.
   void notice(const QString& text);
@@ -79,13 +79,13 @@ class ConnectMode : public QObject {
  private:
   void follow();
   void refuse(const Candidate& candidate);
-  /// Between the chosen port and this one.
+  /// The connection between the chosen port and `port`.
   [[nodiscard]] message::Wire wireTo(const PortName& port) const;
   void rank();
   void addProvided(const RequiredDescription& required);
   void addRequired(const ProvidedDescription& provided);
   [[nodiscard]] bool isThere(const PortName& port) const;
-  /// What a required port is connected to.
+  /// The present peer of a required port.
   [[nodiscard]] std::optional<InterfaceName> peerOf(const PortName& port) const;
 
   const CatalogueStore& store_;
@@ -94,7 +94,7 @@ class ConnectMode : public QObject {
   std::optional<PortName> chosen_;
   std::optional<InterfaceName> former_;
   std::vector<Candidate> candidates_;
-  std::map<PortName, std::size_t> places_;  // of the candidates
+  std::map<PortName, std::size_t> places_;  // index into candidates_
 };
 
 }  // namespace tendon::gui

@@ -13,16 +13,16 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// Many required interfaces, each with the provided one that is meant for it by name and type: what
-/// is checked is connected at one go. Where several are equally good nothing is checked; the first
-/// is offered.
+/// Several required interfaces, each with the provided one that matches by name and type. Connects
+/// all checked rows at once. If several matches are equally good, the row is not checked and shows
+/// the first.
 class MatchCard : public OverlayCard {
   Q_OBJECT
 
  public:
   MatchCard(QWidget& place, const CatalogueStore& store, SystemActions& actions);
 
-  /// Those that are free are matched with all that is there.
+  /// Matches the unconnected ones of `required` with all provided interfaces.
   void open(const std::vector<InterfaceName>& required);
 
  protected:

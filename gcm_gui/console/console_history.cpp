@@ -46,7 +46,7 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
   return -1;
 }
 
-/// A history that cannot be kept is no reason to stop anybody, nor to say so at each line.
+/// A failed save must not disturb the user, nor be reported for every line.
 void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
   const auto told = [this](const QString& refusal) {

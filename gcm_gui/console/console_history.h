@@ -6,29 +6,29 @@
 
 namespace tendon::gui {
 
-/// The lines that were typed, and a place among them: behind the newest, until one is gone back to.
-/// Kept in a file, where there is one. GUI thread; the FileWriter writes the file.
+/// The typed lines and a position among them, initially after the newest. Kept in a file, if there
+/// is one. GUI thread; the FileWriter writes the file.
 class ConsoleHistory : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kKept = 1000;
 
-  /// An empty file name keeps nothing.
+  /// With an empty file name nothing is kept.
   explicit ConsoleHistory(const QString& file = {});
 
-  /// Empty lines, and the newest once more, are not added.
+  /// Ignores empty lines and a repetition of the newest line.
   void add(const QString& line);
-  /// The one before, `typed` is what stands there now; the oldest again where there is none before.
+  /// The previous line; stays at the oldest. `typed` is the present text of the input line.
   [[nodiscard]] QString older(const QString& typed);
-  /// The one after; at last what was typed.
+  /// The next line; after the newest, the text that was typed.
   [[nodiscard]] QString newer();
-  /// The newest line with `part` in it, from place `before` down; -1 for none.
+  /// The newest line that contains `part`, below position `before`; -1 if there is none.
   [[nodiscard]] qsizetype find(const QString& part, qsizetype before) const;
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
  Q_SIGNALS:
-  /// For the user, once: the lines could not be kept.
+  /// Tells the user, once, that the lines could not be saved.
   void notice(const QString& text);
 
  private:
@@ -38,7 +38,7 @@ class ConsoleHistory : public QObject {
   QStringList lines_;
   qsizetype place_ = 0;
   QString typed_;
-  bool is_refusal_told_ = false;  // until it is written again
+  bool is_refusal_told_ = false;  // until a write succeeds again
 };
 
 }  // namespace tendon::gui

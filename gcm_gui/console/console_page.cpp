@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kFewestColumns = 40;
 
-/// The line with its last word completed, as far as that is certain; nothing where it is not.
+/// Completes the last word of the line as far as it is unique; nothing if it cannot.
 std::optional<QString> Completed(const QString& line, const console::Completion& completion) {
   const auto unfinished = console::UnfinishedOf(line.toStdString());
   const std::string& word = unfinished.words.back();
@@ -128,7 +128,7 @@ void ConsolePage::write(const QString& text, bool is_message) {
   QTextCharFormat format;
   if (is_message) format.setForeground(Theme::instance().color(Token::kWarning));
   end.insertText(text, format);
-  // What is selected stays selected while more is written.
+  // Keeps the selection while output is added.
   if (selected.hasSelection()) output_->setTextCursor(selected);
   bar->setValue(was_at_end ? bar->maximum() : place);
 }
@@ -155,7 +155,7 @@ bool ConsolePage::isTyping(const QKeyEvent& key) {
 
 bool ConsolePage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
-    // Keys of the console before those of the window.
+    // The console's keys take precedence over the window's.
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const bool is_control = key.modifiers() == Qt::ControlModifier;
     const bool is_ours = (is_control && (key.key() == Qt::Key_C || key.key() == Qt::Key_R ||
@@ -191,7 +191,7 @@ bool ConsolePage::pressKey(const QKeyEvent& event) {
       line_->setText(history_.newer());
       return true;
     case Qt::Key_Tab:
-      if (line_->text().isEmpty()) return false;  // on to the next control
+      if (line_->text().isEmpty()) return false;  // move the focus on
       complete();
       return true;
     case Qt::Key_PageUp:
@@ -244,7 +244,7 @@ bool ConsolePage::pressInSearch(const QKeyEvent& event) {
   const bool is_modifier = event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control ||
                            event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
   if (is_modifier) return false;
-  leaveSearch();  // the line is as it was found, and the key works on it
+  leaveSearch();  // the found line stays, and the key edits it
   return pressKey(event);
 }
 
@@ -299,7 +299,7 @@ void ConsolePage::complete() {
 }
 
 void ConsolePage::showCompletion(const QString& line, const console::Completion& completion) {
-  if (line != line_->text()) return;  // somebody has typed on
+  if (line != line_->text()) return;  // the user has typed more meanwhile
   if (completion.candidates.empty()) return QApplication::beep();
   if (const auto completed = Completed(line, completion)) return line_->setText(*completed);
   if (!text().isEmpty() && !text().endsWith('\n')) write(QStringLiteral("\n"), false);

@@ -14,15 +14,15 @@ class QPlainTextEdit;
 
 namespace tendon::gui {
 
-/// The console in the window: above what was written, below the line that is typed. Keys as in a
-/// shell: Up and Down, Ctrl-R searches, Tab completes, Ctrl-C interrupts or copies, Ctrl-L clears.
+/// The console in the window: output above, input line below. Keys as in a shell: Up and Down,
+/// Ctrl-R searches, Tab completes, Ctrl-C interrupts or copies, Ctrl-L clears.
 class ConsolePage : public QWidget {
   Q_OBJECT
 
  public:
   static constexpr int kKeptLines = 5000;
 
-  /// `history` is the file in which lines are kept; empty for none.
+  /// `history` is the file for the typed lines; empty for none.
   explicit ConsolePage(console::Settings settings, const QString& history = {},
                        QWidget* parent = nullptr);
 
@@ -31,7 +31,7 @@ class ConsolePage : public QWidget {
   [[nodiscard]] bool isRunning() const { return runner_.isRunning(); }
 
  Q_SIGNALS:
-  /// For the user: what was typed could not be kept.
+  /// Tells the user that the typed lines could not be saved.
   void notice(const QString& text);
 
  protected:
@@ -40,13 +40,13 @@ class ConsolePage : public QWidget {
  private:
   struct Search {
     QString part;
-    QString typed;  // before it began
+    QString typed;  // before the search began
     qsizetype place = -1;
   };
 
   void build();
   void dress();
-  /// Whoever types means the line, and no key of the window.
+  /// True if the key belongs to the input line rather than to a shortcut of the window.
   [[nodiscard]] static bool isTyping(const QKeyEvent& key);
   bool pressKey(const QKeyEvent& event);
   bool pressControl(int key);
@@ -58,7 +58,7 @@ class ConsolePage : public QWidget {
   void searchFrom(qsizetype before);
   void leaveSearch();
   void showPrompt();
-  /// How many letters fit into a line.
+  /// The number of characters in a line.
   [[nodiscard]] int columns() const;
   void write(const QString& text, bool is_message);
 

@@ -23,7 +23,7 @@ constexpr auto kThread = QT_TRANSLATE_NOOP("Words", "the console");
 
 }  // namespace
 
-/// What runner and thread share.
+/// The data shared by runner and thread.
 struct ConsoleRunner::Desk {
   Desk(console::Settings the_settings, std::function<void()> wake)
       : settings(std::move(the_settings)), pipe(std::move(wake)) {}
@@ -32,15 +32,14 @@ struct ConsoleRunner::Desk {
   OutputPipe pipe;
   std::mutex mutex;
   std::condition_variable change;
-  std::deque<Job> jobs;                      // guarded by mutex, as all below
+  std::deque<Job> jobs;                      // guarded by mutex, like everything below
   os::Interruption* interruption = nullptr;  // of the thread, while it lives
   bool is_interrupted = false;               // since the last job was posted
   bool is_ending = false;
   bool is_done = false;  // the thread has ended
 };
 
-/// Says that a line has ended however it does: also where the thread has thrown, and where the line
-/// was never begun.
+/// Reports the end of a line in every case: also if the thread throws, or the line never begins.
 class ConsoleRunner::End {
  public:
   End(ConsoleRunner& runner, std::shared_ptr<Courier> courier)
@@ -90,7 +89,7 @@ ConsoleRunner::~ConsoleRunner() {
 
 void ConsoleRunner::post(Job job) {
   const std::scoped_lock lock(desk_->mutex);
-  if (desk_->interruption != nullptr) desk_->interruption->Forget();  // it was for what ran before
+  if (desk_->interruption != nullptr) desk_->interruption->Forget();  // meant for the previous line
   desk_->is_interrupted = false;
   desk_->jobs.push_back(std::move(job));
   desk_->change.notify_all();
@@ -108,7 +107,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
     if (desk->is_ending) break;
     Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
-    if (desk->is_interrupted) interruption.Ask();  // also where nobody was there to hear it
+    if (desk->is_interrupted) interruption.Ask();  // it may have come before there was a receiver
     lock.unlock();
     Fence::run(kThread, [&] {
       if (!shell || shell->has_ended()) shell.emplace(desk->settings);
@@ -119,7 +118,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
   }
   desk->interruption = nullptr;
   lock.unlock();
-  shell.reset();  // its link takes a moment to end
+  shell.reset();  // closing its link takes a moment
   lock.lock();
   desk->is_done = true;
   desk->change.notify_all();
@@ -127,7 +126,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
 
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
-  // Not the desk itself: it has the job.
+  // Must not hold the desk: the desk holds the job.
   auto end = std::make_shared<End>(*this, courier_);
   post([end = std::move(end), &pipe = desk_->pipe, line = line.toStdString(),
         columns](console::Shell& shell) {
@@ -167,7 +166,7 @@ void ConsoleRunner::deliver() {
   }
 }
 
-/// Behind all that it wrote: pieces of it may be on their way still.
+/// Waits until all output of the line has been passed on.
 void ConsoleRunner::finish(int exit_code, const QString& prompt) {
   if (!desk_->pipe.isEmpty()) {
     return courier_->post([this, exit_code, prompt] { finish(exit_code, prompt); });

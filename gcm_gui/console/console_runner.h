@@ -16,22 +16,22 @@ class Shell;
 }
 namespace tendon::gui {
 
-/// Runs lines in the language of `gcm shell`, in a thread of its own with a link of its own: one
-/// after another, while the window goes on. The link is made at the first need.
+/// Runs lines of the language of `gcm shell`, one after another, in its own thread and over its own
+/// link, so the window never waits. The link is opened when first needed.
 class ConsoleRunner : public QObject {
   Q_OBJECT
 
  public:
   explicit ConsoleRunner(console::Settings settings, QObject* parent = nullptr);
-  /// Interrupts what runs, and waits for it, though not for ever.
+  /// Interrupts the running line and waits for it, for a limited time.
   ~ConsoleRunner() override;
 
-  /// What it writes arrives by output(), its end by finished(). `columns` letters fit into a line.
+  /// Output arrives by output(), the end by finished(). A line has `columns` characters.
   void run(const QString& line, int columns);
   [[nodiscard]] bool isRunning() const { return is_running_; }
-  /// As Ctrl-C at a terminal; nothing where nothing runs.
+  /// Like Ctrl-C at a terminal; does nothing if nothing runs.
   void interrupt();
-  /// Asks what a line may go on with; answered by completed() once nothing runs.
+  /// Requests the completions of a line; completed() follows once nothing runs.
   void complete(const QString& line);
 
  Q_SIGNALS:
@@ -39,7 +39,7 @@ class ConsoleRunner : public QObject {
   void finished(int exit_code);
   /// "robot/arm> ".
   void promptChanged(const QString& prompt);
-  /// `line` is what was asked about.
+  /// `line` is the line of the request.
   void completed(const QString& line, const console::Completion& completion);
 
  private:
@@ -48,7 +48,7 @@ class ConsoleRunner : public QObject {
   class End;
 
   void post(Job job);
-  /// Outlives the runner where a request does not end.
+  /// Outlives the runner if a request does not end.
   static void work(const std::shared_ptr<Desk>& desk);
   void deliver();
   void finish(int exit_code, const QString& prompt);

@@ -12,12 +12,12 @@
 
 namespace tendon::gui {
 
-/// What a thread writes, until another one takes it. A writer who is far ahead waits, so that
-/// nothing is lost and little is kept.
+/// Passes the output of one thread to another. A writer that is too far ahead waits, so nothing is
+/// lost and memory is bounded.
 class OutputPipe {
  public:
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 15;    // at one go
+  static constexpr std::size_t kMostTaken = std::size_t{1} << 15;    // per call
 
   enum class Kind { kOut, kError };
   struct Piece {
@@ -25,14 +25,14 @@ class OutputPipe {
     std::string text;
   };
 
-  /// `wake` is called by the writer when there is something to take again.
+  /// The writer calls `wake` when there is something to take again.
   explicit OutputPipe(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  /// False once it is closed.
+  /// Returns false once the pipe is closed.
   bool write(Kind kind, std::string_view text);
-  /// At most kMostTaken bytes, which may end within a letter; wakes again where there are more.
+  /// At most kMostTaken bytes, which may end within a character; wakes again if more wait.
   [[nodiscard]] std::deque<Piece> take();
-  /// What waits is thrown away, and no writer waits any more.
+  /// Discards what waits, and releases waiting writers.
   void close();
   [[nodiscard]] bool isEmpty();
 
@@ -46,7 +46,7 @@ class OutputPipe {
   bool is_closed_ = false;
 };
 
-/// A stream into a pipe.
+/// A stream that writes to a pipe.
 class PipeStream : public std::ostream {
  public:
   PipeStream(OutputPipe& pipe, OutputPipe::Kind kind) : std::ostream(nullptr), buffer_(pipe, kind) {

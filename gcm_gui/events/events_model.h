@@ -11,8 +11,8 @@
 
 namespace tendon::gui {
 
-/// The newest events of some part of the system, newest first. While it is paused the rows stay,
-/// and what comes is counted and kept for later.
+/// The newest events of a part of the system, newest first. While paused, the rows stay; new events
+/// are counted and kept for later.
 class EventsModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,19 +26,19 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] const HeardEvent& heard(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
-  /// Only events below this path, "robot/arm", without what is known of others; all of an empty
-  /// one.
+  /// Shows only events below this path, "robot/arm", and forgets the others; an empty path means
+  /// all.
   void setPart(const QString& path);
-  /// Only events of which path or value have all these words; those with a `-` are in neither.
+  /// Shows only events with all these words in path or value, and none of the words with `-`.
   void setWords(const QStringList& words);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return is_paused_; }
   void clear();
 
-  /// Events a second, in the last two seconds before `now`, ns since 1970.
+  /// Events per second in the last two seconds before `now`, in ns since 1970.
   [[nodiscard]] double rate(std::int64_t now) const;
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
-  /// That came since it was paused.
+  /// The events since the pause began.
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
 
  public Q_SLOTS:
@@ -54,8 +54,8 @@ class EventsModel : public QAbstractListModel {
   QString part_;
   QStringList words_;
   bool is_paused_ = false;
-  std::deque<HeardEvent> all_;     // of the part, oldest first, whether they are shown or not
-  std::deque<HeardEvent> events_;  // that are shown, newest first
+  std::deque<HeardEvent> all_;     // of the part, oldest first, shown or not
+  std::deque<HeardEvent> events_;  // the shown ones, newest first
   std::vector<HeardEvent> waiting_;
   std::deque<std::int64_t> times_;
   std::uint64_t lost_ = 0;

@@ -16,8 +16,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// The events of all components, or of those that are selected, from the first time the page is
-/// seen: with their rate, a filter and a pause.
+/// The events of all or of the selected components, with rate, filter and pause. Listens from the
+/// first time that the page is shown.
 class EventsPage : public QWidget {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class EventsPage : public QWidget {
   [[nodiscard]] const EventsModel& events() const { return events_; }
 
  Q_SIGNALS:
-  /// Where an event comes from.
+  /// The origin of an event.
   void pathChosen(const QString& path);
 
  protected:

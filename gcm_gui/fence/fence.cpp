@@ -17,14 +17,14 @@ namespace {
 
 constexpr auto kName = "tendonView";
 constexpr std::chrono::seconds kPause{1};
-constexpr std::chrono::minutes kKept{10};  // of a view that is not covered
+constexpr std::chrono::minutes kKept{10};  // for a view without a cover
 constexpr qsizetype kMostFaults = 50;
 
 std::int64_t Now() {
   return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// What has a name, or is a dialog, at or above `where`; null where nothing is.
+/// The nearest named object or dialog, from `where` upwards; null if there is none.
 QObject* ViewAt(QObject* where) {
   for (; where != nullptr; where = where->parent()) {
     if (where->property(kName).isValid()) return where;
@@ -35,7 +35,7 @@ QObject* ViewAt(QObject* where) {
   return nullptr;
 }
 
-/// The name it was given, else what a screen reader calls it, else its class.
+/// The given name, else the accessible name, else the class.
 QString NameOf(const QObject& part) {
   const QString given = part.property(kName).toString();
   if (!given.isEmpty()) return given;
@@ -142,7 +142,7 @@ void Fence::note(const QString& name, QWidget* view, const QString& what, std::u
   fault.is_covered = view != nullptr && covers_.contains(view);
   entry->view = view;
   has_news_ = true;
-  // Later: a receiver may be the view that has just thrown, in the middle of its work.
+  // Not now: a receiver may be the view that has just thrown.
   if (!pause_.isActive()) pause_.start(0);
 }
 
@@ -150,7 +150,7 @@ void Fence::cover(QWidget& view) {
   if (covers_.contains(&view)) return;
   covers_.insert(&view, nullptr);
   connect(&view, &QObject::destroyed, this, [this](const QObject* gone) { covers_.remove(gone); });
-  // Later: the view's painter is still open.
+  // Not now: the view's painter is still open.
   QMetaObject::invokeMethod(
       &view,
       [this, &view] {

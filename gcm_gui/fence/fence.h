@@ -17,44 +17,44 @@ class ViewCover;
 
 /// What a view was doing when it threw.
 enum class ViewWork {
-  kDrawing,   ///< it cannot be shown: a cover stands over it until the user asks for it again
+  kDrawing,   ///< a cover replaces the view until the user retries
   kHandling,  ///< an event, a timer, or news of the system: the view stays as it is
 };
 
-/// An exception that came out of a view, and how often it did.
+/// An exception that left a view, and its count.
 struct ViewFault {
   QString view;
-  QString what;  ///< the exception's own words
+  QString what;  ///< the message of the exception
   std::uint64_t count = 0;
   std::int64_t first = 0;   ///< ns since 1970
-  std::int64_t latest = 0;  ///< likewise
-  bool is_covered = false;  ///< the view is not drawn until the user asks for it
+  std::int64_t latest = 0;  ///< ns since 1970
+  bool is_covered = false;  ///< the view is not drawn until the user retries
 
   bool operator==(const ViewFault&) const = default;
 };
 
-/// Keeps exceptions inside the view they come out of, so that none ends the window.
+/// Keeps exceptions inside the view that threw them, so that none ends the window.
 ///
-/// FencedApplication catches what leaves an event handler. Three kinds of code need a fence of
-/// their own, by run(): slots that hear the system together with others, which must all hear it;
-/// what is drawn inside a painter that Qt owns, for Qt's own frames leave it open when an exception
-/// passes them; and threads. Faults are counted by view and words; changed() comes at once for a
-/// new one and once a second at most for repeated ones.
+/// FencedApplication catches exceptions from event handlers. Three kinds of code need run() as a
+/// fence of their own: slots that share a signal of the system with others, so that all of them are
+/// called; drawing inside a painter that Qt owns, because Qt leaves the painter open when an
+/// exception passes; and threads. Faults are counted by view and message; changed() follows at once
+/// for a new one and at most once a second for repeated ones.
 ///
-/// GUI thread, except hear() and run(), which any thread may call once instance() has been called:
-/// run() must not be what builds it, perhaps without memory.
+/// GUI thread, except hear() and run(), which any thread may call after the first instance(): run()
+/// must not create the Fence, perhaps without memory.
 class Fence : public QObject {
   Q_OBJECT
 
  public:
   static Fence& instance();
 
-  /// What throws at this object, or at a child of it that has no name, is told under this name; an
-  /// empty one stands for what a screen reader calls it. A widget is covered as a whole, so no
-  /// splitter may be a view. Dialogs are views by themselves.
+  /// Reports exceptions of this object, or of a child without its own name, under this name; if it
+  /// is empty, under the accessible name. A cover hides a whole widget, so a splitter must not be a
+  /// view. Dialogs are views without a call.
   static void setName(QObject& view, const QString& name);
 
-  /// Calls `part`; false where it has thrown. `where` may be null.
+  /// Calls `part`; returns false if it threw. `where` may be null.
   template <typename Part>
   static bool run(QObject* where, ViewWork work, Part&& part) noexcept {
     try {
@@ -77,23 +77,23 @@ class Fence : public QObject {
     }
   }
 
-  /// The exception that is being handled. Does not throw: without memory only its number is kept.
+  /// Records the exception being handled. Never throws: without memory it only counts.
   void hear(QObject* where, ViewWork work) noexcept;
   void hearThread(const char* thread_name) noexcept;
 
-  /// Whether the widget lies below a cover, so that it must not be drawn.
+  /// True if the widget is below a cover and must not be drawn.
   [[nodiscard]] bool isCovered(const QObject* widget) const;
-  /// Takes the cover away and draws the view anew.
+  /// Removes the cover and redraws the view.
   void showAgain(QWidget& view);
-  /// Tells of those that could only be counted, for want of memory: no timer could be started for
-  /// them, so the window's tick calls it.
+  /// Reports the faults that were only counted for lack of memory. The window's regular tick calls
+  /// it, because starting a timer would have needed memory, too.
   void noteUnnoted();
-  /// Those of covered views, and others until ten minutes have passed without another one.
+  /// The faults of covered views, and others for ten minutes after their last occurrence.
   [[nodiscard]] QList<ViewFault> faults() const;
 
  Q_SIGNALS:
   void changed();
-  /// A new one, or one that has been counted ten times as often as when it was told the last time.
+  /// A new fault, or one with ten times the count of its last report.
   void told(const tendon::gui::ViewFault& fault);
 
  private:
@@ -112,14 +112,14 @@ class Fence : public QObject {
   void count() noexcept;
 
   QList<Entry> entries_;
-  QHash<const QObject*, QPointer<ViewCover>> covers_;  // of views; null until it is built
+  QHash<const QObject*, QPointer<ViewCover>> covers_;  // by view; null until it is built
   QTimer pause_;                                       // between two announcements
   bool has_news_ = false;
   std::mutex mutex_;
-  std::uint64_t unnoted_ = 0;  // for want of memory; guarded by mutex_
+  std::uint64_t unnoted_ = 0;  // faults not noted for lack of memory; guarded by mutex_
 };
 
-/// A slot with a fence: what it throws keeps no other receiver of the signal from hearing it.
+/// A slot with a fence: if it throws, the other receivers of the signal are still called.
 template <typename Receiver, typename... Args>
 [[nodiscard]] auto Fenced(Receiver* receiver, void (Receiver::*slot)(Args...)) {
   return [receiver, slot](Args... args) {
@@ -127,7 +127,7 @@ template <typename Receiver, typename... Args>
   };
 }
 
-/// What is thrown, in its own words; in a handler of it.
+/// The message of the current exception; call it in a handler only.
 [[nodiscard]] QString WordsOfException();
 
 }  // namespace tendon::gui

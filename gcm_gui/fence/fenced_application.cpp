@@ -10,8 +10,8 @@
 namespace tendon::gui {
 namespace {
 
-/// Qt's widgets are built without exceptions: a painter in a frame that one has passed is never
-/// ended, and nothing in the window could be drawn any more. The next painter begins anew.
+/// Qt's widgets are compiled without exceptions: when one passes a Qt frame, its painter is never
+/// ended, and the window could not draw any more. This ends it.
 void CloseLeftPainter(const QWidget& widget) {
   QBackingStore* store = widget.backingStore();
   QPaintDevice* device = store == nullptr ? nullptr : store->paintDevice();

@@ -4,15 +4,15 @@
 
 namespace tendon::gui {
 
-/// The application, which goes on when an event handler throws: the exception ends at the widget or
-/// object that the event was for, and is told by the Fence.
+/// An application that survives exceptions in event handlers: an exception ends at the widget or
+/// object that received the event, and the Fence reports it.
 class FencedApplication : public QApplication {
   Q_OBJECT
 
  public:
   using QApplication::QApplication;
 
-  /// QApplication::exec(), begun anew should an exception come out of it past notify().
+  /// QApplication::exec(), restarted if an exception passes notify().
   static int exec();
 
   bool notify(QObject* receiver, QEvent* event) override;

@@ -5,15 +5,15 @@
 
 namespace tendon::gui {
 
-/// Stands in a view's place while the view cannot be drawn, says so, and offers to try again.
+/// Covers a view that cannot be drawn, says so, and offers a retry.
 class ViewCover : public QWidget {
   Q_OBJECT
 
  public:
-  /// A child of `view`, over all of it.
+  /// A child of `view` that covers all of it.
   explicit ViewCover(QWidget& view);
 
-  /// Hides it, and gives the focus back to the view where it has it.
+  /// Hides the cover, and returns the focus to the view if the cover has it.
   void leave();
 
  Q_SIGNALS:

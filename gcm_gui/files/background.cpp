@@ -12,8 +12,8 @@ namespace tendon::gui {
 struct Background::Queue {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Task> tasks;  // guarded by mutex, as all below
-  bool is_closed = false;  // nothing more comes
+  std::deque<Task> tasks;  // guarded by mutex, like everything below
+  bool is_closed = false;  // no more tasks come
   bool is_done = false;    // the thread has ended
 };
 

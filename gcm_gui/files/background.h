@@ -9,19 +9,18 @@
 
 namespace tendon::gui {
 
-/// Does one task after another in a thread of its own; the Fence tells of one that throws. A task
-/// must need nothing of who has asked for it: one that takes too long at the end is left behind,
-/// and goes on.
+/// Runs tasks one after another in its own thread; the Fence reports a task that throws. A task
+/// must not use its requester: at the end, a task that takes too long is abandoned and runs on.
 class Background {
  public:
   using Task = std::function<void()>;
 
-  /// `what` is being done, for stderr and the Fence: QT_TRANSLATE_NOOP("Words", "a system file").
-  /// `patience`: of the destructor.
+  /// `what` names the work for stderr and the Fence: QT_TRANSLATE_NOOP("Words", "a system file").
+  /// `patience` is how long the destructor waits.
   explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
-  /// Waits for all tasks as long as its patience lasts; then it says so on stderr.
+  /// Waits for all tasks at most `patience`; then reports on stderr what is left.
   ~Background();
 
   void start(Task task);

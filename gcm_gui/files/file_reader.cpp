@@ -7,7 +7,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Why it cannot be read, else empty.
+/// Returns the reason of a failure, else an empty text.
 QString Read(const QString& name, QByteArray& content) try {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) return file.errorString();

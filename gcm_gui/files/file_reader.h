@@ -11,13 +11,12 @@
 
 namespace tendon::gui {
 
-/// Reads files in a thread of its own, one after the other: a slow disk holds up nobody. GUI
-/// thread.
+/// Reads files one after another in its own thread, so a slow disk blocks nobody. GUI thread.
 class FileReader : public QObject {
   Q_OBJECT
 
  public:
-  /// What is in the file; or, where that cannot be read, nothing and why.
+  /// Receives the content of the file or, if it cannot be read, the reason.
   using Done = std::function<void(const QByteArray& content, const QString& refusal)>;
 
   explicit FileReader(QObject* parent = nullptr);
@@ -25,7 +24,7 @@ class FileReader : public QObject {
   FileReader& operator=(const FileReader&) = delete;
   ~FileReader() override;
 
-  /// `done` is not called once the reader is gone.
+  /// `done` is not called after the reader is destroyed.
   void read(const QString& file, Done done);
 
  private:

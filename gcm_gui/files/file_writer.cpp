@@ -17,7 +17,7 @@ namespace tendon::gui {
 namespace {
 
 struct Listener {
-  QPointer<const QObject> context;  // used in the GUI thread alone
+  QPointer<const QObject> context;  // used in the GUI thread only
   FileWriter::Done done;
 };
 
@@ -60,12 +60,12 @@ struct FileWriter::Answer {
 struct FileWriter::Queue {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Job> jobs;          // guarded by mutex, as all below
-  std::deque<Answer> answers;    // not told yet
-  QString current;               // is being written
-  bool is_closed = false;        // nothing more comes
+  std::deque<Job> jobs;          // guarded by mutex, like everything below
+  std::deque<Answer> answers;    // not passed on yet
+  QString current;               // the file being written
+  bool is_closed = false;        // no more jobs come
   bool is_done = false;          // the thread has ended
-  FileWriter* writer = nullptr;  // hears what is written; null once it is gone
+  FileWriter* writer = nullptr;  // receives the answers; null once it is destroyed
 };
 
 QString NotSaved(const QString& file, const QString& refusal) {

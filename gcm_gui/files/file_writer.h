@@ -11,43 +11,43 @@
 
 namespace tendon::gui {
 
-/// Writes files in a thread of its own, one after the other: a slow disk, which every safely
-/// written file waits for, holds up nobody. A file is there whole, or as it was before.
+/// Writes files one after another in its own thread, so a slow disk blocks nobody. A file is
+/// replaced as a whole or not at all.
 ///
-/// All functions are of the GUI thread; so is what they call.
+/// Call all functions in the GUI thread; handlers run there, too.
 class FileWriter : public QObject {
   Q_OBJECT
 
  public:
-  /// What is written into the file, in the thread of the writer: false where it cannot be.
+  /// Writes the content, in the writer's thread; returns false on failure.
   using Fill = std::function<bool(QIODevice& file)>;
-  /// Empty where the file is written; else why not, in words that begin after the file's name.
+  /// Receives an empty text on success, else the reason, to be appended to the file's name.
   using Done = std::function<void(const QString& refusal)>;
   /// Who may read the file.
   enum class Readers { kAll, kOwner };
 
   static constexpr std::chrono::seconds kPatience{5};
 
-  /// The one of this QCoreApplication, which it belongs to.
+  /// The writer of the present QCoreApplication, which owns it.
   static FileWriter& instance();
-  /// Another one, for what takes long to be made: a table, a picture. It holds up none of the small
-  /// files, nor what is remembered at the end.
+  /// A second writer for content that takes long to make: a table, a picture. It does not delay
+  /// small files, nor the state saved at the end.
   static FileWriter& exports();
 
-  /// `patience`: of the destructor.
+  /// `patience` is how long the destructor waits.
   explicit FileWriter(QObject* parent = nullptr, std::chrono::milliseconds patience = kPatience);
-  /// Waits for what is still to be written, as long as its patience lasts; then it says on stderr
-  /// what was not, and what was refused and could be told to nobody any more.
+  /// Waits at most `patience` for the remaining files. Then reports on stderr the files that were
+  /// not written, and the failures whose handlers could not be called any more.
   ~FileWriter() override;
 
-  /// One that is asked for again before it was begun is written once, as it was asked for last.
-  /// `done` is not called once `context` is gone; without either nobody hears of it.
+  /// A second request for a file that is not begun replaces the first. `done` is not called after
+  /// `context` is destroyed; nobody hears of a failure if either is null.
   void write(const QString& file, Fill fill, const QObject* context, Done done,
              Readers readers = Readers::kAll);
   void write(const QString& file, const QByteArray& content, const QObject* context, Done done,
              Readers readers = Readers::kAll);
 
-  /// False where it took longer. The handlers of what was written may still be to come.
+  /// Returns false on a time-out. Handlers of written files may still follow.
   bool waitForWritten(std::chrono::milliseconds patience = kPatience);
 
  private:
@@ -55,9 +55,9 @@ class FileWriter : public QObject {
   struct Answer;
   struct Queue;
 
-  /// Until the queue is closed and empty. Outlives the writer where a disk does not answer.
+  /// Runs until the queue is closed and empty. Outlives the writer if a disk does not answer.
   static void work(const std::shared_ptr<Queue>& queue);
-  /// The oldest answer, to who waits for it.
+  /// Passes the oldest answer to its handler.
   void tell();
 
   const std::chrono::milliseconds patience_;

@@ -6,22 +6,22 @@
 
 namespace tendon::gui {
 
-/// What a program remembers from one time to the next, by name. Read once, at the beginning; the
-/// FileWriter writes what was set since, and leaves the rest of the file as another program has
-/// written it meanwhile. What it refuses is said on stderr. GUI thread.
+/// Values that a program keeps from one run to the next, by name. The file is read once, at the
+/// start. The FileWriter saves the values set since and keeps the other values as another program
+/// has written them meanwhile; a failure is reported on stderr. GUI thread.
 class KeptValues {
  public:
-  /// A file that cannot be read keeps nothing from before.
+  /// If the file cannot be read, no earlier value is known.
   explicit KeptValues(const QString& file);
 
-  /// Empty where there is none.
+  /// Empty if there is none.
   [[nodiscard]] QByteArray value(const QString& name) const { return values_.value(name); }
   void set(const QString& name, const QByteArray& value);
 
  private:
   QString file_;
   QHash<QString, QByteArray> values_;
-  QHash<QString, QByteArray> set_;  // of those, since the beginning
+  QHash<QString, QByteArray> set_;  // the values set since the start
 };
 
 }  // namespace tendon::gui

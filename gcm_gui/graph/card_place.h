@@ -7,22 +7,22 @@
 
 namespace tendon::gui {
 
-/// Finds where a card beside a port hides least.
+/// Finds the place for a card beside a port where it hides least.
 class CardPlace {
  public:
-  /// No card of this width or less, at any place, reaches further from its port.
+  /// The farthest that a card of this width or less can reach from its port, at any place.
   static QRectF Reach(const QPointF& port, double widest);
 
-  /// `visible`: where cards can be seen; empty for everywhere.
+  /// `visible` is the visible part of the scene; empty for all of it.
   CardPlace(const QPointF& port, const QRectF& visible) : port_(port), visible_(visible) {}
 
-  /// Something that is better left in sight; `weight` for each unit of its area.
+  /// Marks an area that should stay visible; `weight` is per unit of its area.
   void Avoid(const QRectF& rect, double weight);
 
   struct Found {
     QPointF corner;
-    double hidden = 0;  ///< area times weight
-    double cost = 0;    ///< that, and how far from the port it is
+    double hidden = 0;  ///< hidden area times weight
+    double cost = 0;    ///< `hidden`, plus a cost for the distance from the port
   };
   [[nodiscard]] Found Find(const QSizeF& size) const;
 

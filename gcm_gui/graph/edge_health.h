@@ -14,37 +14,37 @@
 
 namespace tendon::gui {
 
-/// What is wrong with a connection that stands, in words; empty where nothing is. `before` are its
-/// counts when it was looked at last.
+/// The flaws of a working connection, in words; empty if there are none. `before` holds the counts
+/// of the previous look.
 [[nodiscard]] QString HealthWarning(const ConnectionCounts& now,
                                     const std::optional<ConnectionCounts>& before);
 
-/// How the connections do that can be seen, while somebody looks. However many they are, it asks
-/// about kMostAtOnce of them a second, in turn, and about no further one while so many have not
-/// answered. The one that is pointed at comes first, each second.
+/// Polls the health of the visible connections while somebody looks. It polls about kMostAtOnce
+/// connections per second, in turn, and never has more requests without an answer. The connection
+/// under the pointer is polled first, every second.
 class EdgeHealth : public QObject {
   Q_OBJECT
 
  public:
   static constexpr std::size_t kMostAtOnce = 8;
-  /// The required interfaces of the connections that work and can be seen now.
+  /// Returns the required interfaces of the working connections that are visible now.
   using Seen = std::function<std::vector<InterfaceName>()>;
 
   EdgeHealth(SystemReports& reports, Seen seen, QObject* parent = nullptr);
 
  public Q_SLOTS:
-  /// Nothing is asked while nobody does.
+  /// Nothing is polled while nobody looks.
   void setLooking(bool looking);
-  /// Asks about the next ones.
+  /// Polls the next connections.
   void look();
-  /// Asks about this one now, and again with each look; empty: about none in particular. What is
-  /// known of it is told at once.
+  /// Polls this connection now and at each look; empty: no particular one. Emits the known counts
+  /// at once.
   void point(const QString& required);
 
  Q_SIGNALS:
-  /// Without a warning nothing is wrong.
+  /// An empty warning means that nothing is wrong.
   void found(const tendon::InterfaceName& required, const QString& warning);
-  /// Of the one that is pointed at: what it has counted, or why that is not known.
+  /// The counters of the connection under the pointer, or why they are unknown.
   void counted(const tendon::InterfaceName& required, const QStringList& lines);
 
  private:
@@ -54,8 +54,8 @@ class EdgeHealth : public QObject {
   SystemReports& reports_;
   Seen seen_;
   QTimer second_;
-  InterfaceName last_;             // the one that was asked about last, in turn
-  std::set<InterfaceName> asked_;  // and not answered yet
+  InterfaceName last_;             // the last one polled in turn
+  std::set<InterfaceName> asked_;  // those without an answer yet
   std::optional<InterfaceName> pointed_;
   std::map<InterfaceName, ConnectionCounts> known_;
 };

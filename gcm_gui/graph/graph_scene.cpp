@@ -27,7 +27,7 @@ namespace {
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr std::size_t kMostGliding = 60;  // components
 constexpr qsizetype kReasonsAsked = 2;
-constexpr qsizetype kReasonsUnasked = 1;  // one that comes without being asked stays small
+constexpr qsizetype kReasonsUnasked = 1;  // a card that the user did not request stays small
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -35,7 +35,7 @@ QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   return first;
 }
 
-/// Deletes and forgets the items whose keys are not kept.
+/// Deletes the items whose keys are not in `kept`.
 template <typename Items, typename Keys>
 void ForgetBut(Items& items, const Keys& kept) {
   for (auto it = items.begin(); it != items.end();) {
@@ -48,7 +48,7 @@ void ForgetBut(Items& items, const Keys& kept) {
   }
 }
 
-// After the required interface: of an edge that was refused, beside the one that stands.
+// The suffix in the key of a refused edge, which may be beside a working one.
 const QString kRefusedKey = QStringLiteral(" refused");
 
 QString CardTitle(const PortName& port) {
@@ -116,11 +116,11 @@ bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
 void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched) {
   layout_->arrange(updater_.update(catalogue, touched), placesByHand());
-  if (layout_->isAtWork()) showItems(false);  // what has a place already
+  if (layout_->isAtWork()) showItems(false);  // items that already have a place
 }
 
-/// What is under way by hand is where the hand is, and a large system goes there in one step: to
-/// draw it on its way would take longer than the way.
+/// During a drag, items follow the hand at once. A large system moves in one step, because drawing
+/// the animation would take longer than the animation.
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
@@ -228,7 +228,7 @@ void GraphScene::showEdges() {
     show(required, provided, EdgeItem::Look::kPending, Words::tr("connecting …"));
   }
   for (const auto& edge : updater_.picture().edges) {
-    if (requested_.contains(edge.required)) continue;  // to be replaced
+    if (requested_.contains(edge.required)) continue;  // about to be replaced
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
   for (const auto& [required, refused] : refused_) {
@@ -363,7 +363,7 @@ CardPlace GraphScene::placeBeside(const QPointF& point) const {
   for (const auto& [path, item] : components_) avoid(item->sceneRect(), 20);
   for (const auto& [name, item] : processes_) avoid(item->sceneBoundingRect(), 2);
   for (const auto& [name, item] : ports_) {
-    // What can be picked stays in sight.
+    // Keeps selectable ports visible.
     if (item->role() == PortItem::Role::kPlain || item->role() == PortItem::Role::kUnfit) continue;
     avoid(QRectF(-20, -30, 50, 50).translated(item->scenePos()), 50);
   }
@@ -381,7 +381,7 @@ void GraphScene::point(const std::optional<PortName>& port) {
 }
 
 void GraphScene::helpEvent(QGraphicsSceneHelpEvent* event) {
-  // A tip would cover the cards, which say more.
+  // A tool tip would cover the cards, which say more.
   if (!mode_.active() && hover_->card() == nullptr) QGraphicsScene::helpEvent(event);
 }
 

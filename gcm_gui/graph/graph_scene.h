@@ -29,8 +29,8 @@ class LayoutWorker;
 class PortItem;
 class ProcessItem;
 
-/// The system as boxes, nodes and edges: shows the catalogue, the selection and the connect mode,
-/// and decides nothing. GUI thread.
+/// Shows the system as boxes, nodes and edges, with the selection and the connect mode. Takes no
+/// decisions. GUI thread.
 class GraphScene : public QGraphicsScene {
   Q_OBJECT
 
@@ -44,46 +44,46 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] std::vector<PortItem*> ports() const;
   [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
   [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
-  /// By the path of the required interface; those that were refused beside one that stands, too.
+  /// By the path of the required interface; includes refused connections beside a working one.
   [[nodiscard]] const std::map<QString, EdgeItem*>& edges() const { return edges_; }
-  /// Of the connection of a required interface, or of one that was refused; null without either.
+  /// The edge of a required interface, working or refused; null if there is none.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
-  /// Places are looked for; what has come has none yet.
+  /// True while places are computed; new items have no place yet.
   [[nodiscard]] bool isArranging() const;
-  /// Around all nodes and boxes.
+  /// The rectangle around all nodes and boxes.
   [[nodiscard]] QRectF contents() const { return contents_; }
   [[nodiscard]] Emphasis& emphasis() const { return *emphasis_; }
   [[nodiscard]] GraphHover& hover() const { return *hover_; }
-  /// Where the user has put components.
+  /// The places that the user has chosen for components.
   [[nodiscard]] GraphPlaces& places() const { return *places_; }
-  /// For a card about this point.
+  /// Finds the place for a card about this point.
   [[nodiscard]] CardPlace placeBeside(const QPointF& point) const;
 
  public Q_SLOTS:
-  /// A dashed edge until forgotten, while a request for it is under way.
+  /// Shows a dashed edge while a request is under way, until forgetRequested().
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
-  /// Shown while it is told: of a connection that stands.
+  /// Shows a warning on the edge of a working connection.
   void showWarning(const tendon::InterfaceName& required, const QString& warning);
-  /// Components that are under way to these places, by path, before those of places().
+  /// Shows components at these places during a drag, by path; they take precedence over places().
   void carry(const std::map<QString, QPointF>& places);
-  /// Stay as failed edges until they are over.
+  /// Shows refused connections as failed edges until the list no longer contains them.
   void showRefused(const tendon::gui::Refusals::ByRequired& refused);
-  /// The pointer is on this port: if it does not fit, a card says why, or refusalPointed().
+  /// The pointer is on this port. If it does not fit, a card or refusalPointed() says why.
   void point(const std::optional<tendon::gui::PortName>& port);
-  /// Where cards can be seen.
+  /// The part of the scene where cards are visible.
   void setVisible(const QRectF& visible) { visible_ = visible; }
   void setNow(qint64 now);
-  /// Nothing is known any more of what there is: all of it is shown as it was, grey.
+  /// The link is lost: shows everything grey in its last known state.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:
   void contentsMoved();
-  /// Something of what there is, or of how it is, is shown anew.
+  /// The shown items or their states have been updated.
   void shown();
-  /// The pointer is on a port that does not fit, and a card would hide something; without a title:
-  /// no longer.
+  /// The pointer is on a port that does not fit, and a card would hide something. An empty title
+  /// ends it.
   void refusalPointed(const QString& title, const QStringList& reasons);
 
  protected:
@@ -104,7 +104,7 @@ class GraphScene : public QGraphicsScene {
   void showRoles();
   void showPreview();
   void showCards();
-  /// False where each place would hide something: there is no card then.
+  /// Returns false, and adds no card, if it would hide something at every place.
   bool addCard(const Candidate& candidate, qsizetype reasons);
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 

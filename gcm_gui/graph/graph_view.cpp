@@ -62,7 +62,7 @@ QRectF GraphView::seen() const { return mapToScene(viewport()->rect()).boundingR
 
 void GraphView::follow() {
   const QRectF contents = scene_.contents();
-  // Room around, so that every part can be moved to the middle.
+  // Leaves room around, so that every part can be centred.
   setSceneRect(contents.adjusted(
       -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
@@ -132,7 +132,7 @@ void GraphView::reveal(const QString& path) {
 }
 
 std::optional<PortName> GraphView::portAt(const QPoint& position) const {
-  // An edge that ends in the port, or its preview, may lie above it.
+  // An edge or a preview may lie above its port.
   for (const QGraphicsItem* item : items(position)) {
     if (const auto* port = qgraphicsitem_cast<const PortItem*>(item)) return port->port();
   }
@@ -171,7 +171,7 @@ void GraphView::mousePressEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  // A window that appears under a pointer at rest hears of it once.
+  // A window that appears under a resting pointer gets one move event.
   if (pointer_ && *pointer_ != event->pos()) pointer_moved_.start();
   pointer_ = event->pos();
   if (!pressed_) {
@@ -237,7 +237,7 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   dragging_ = false;
   if (clicked) click(event->pos());
   if (!connected) return;
-  // Dropped beside every port, the choice stays open for a click.
+  // A drop beside all ports leaves the mode open for a click.
   if (const auto port = portAt(event->pos()); port && port != mode_.chosen()) mode_.pick(*port);
 }
 
@@ -314,7 +314,7 @@ void GraphView::hideEvent(QHideEvent* event) {
 
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
-  if (HasKeyboardFocus(*this)) viewport()->update();  // else its frame would move along
+  if (HasKeyboardFocus(*this)) viewport()->update();  // else the focus frame would scroll, too
 }
 
 }  // namespace tendon::gui

@@ -14,12 +14,12 @@
 
 namespace tendon::gui {
 
-/// The graph on the screen: wheel zooms, dragging moves the view, or what is dragged: a component,
-/// or a process by its head. A click on a port begins or makes a connection (so does dragging from
-/// port to port), a click on anything else selects it.
+/// The graph on the screen. The wheel zooms. Dragging moves a component, a process by its head, or
+/// else the view. A click on a port begins or completes a connection, as does dragging from port to
+/// port; a click on anything else selects it.
 ///
-/// Until the user has zoomed or moved it, and again after fit(), all of the graph is shown in the
-/// middle. What comes or goes moves nothing under a hand: a pointer that has just been moved there.
+/// Fits the whole graph until the user zooms or moves the view, and again after fit(). Does not
+/// refit under the user's hand, which is a pointer that has just moved.
 class GraphView : public QGraphicsView {
   Q_OBJECT
 
@@ -27,36 +27,36 @@ class GraphView : public QGraphicsView {
   GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent = nullptr);
 
   [[nodiscard]] GraphScene& graph() const { return scene_; }
-  /// The middle of a port's disc on this widget's viewport; nothing when there is no such port.
+  /// The centre of a port's disc in viewport coordinates; nothing if there is no such port.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
-  /// For how long a pointer that was moved counts as a hand; 3 s at the start.
+  /// How long after its last move the pointer counts as the user's hand; 3 s by default.
   void setHandRests(std::chrono::milliseconds rests) { hand_rests_ = rests; }
-  /// What is seen of the graph, in its own coordinates.
+  /// The visible part, in scene coordinates.
   [[nodiscard]] QRectF seen() const;
-  /// The required interfaces of the connections that work and can be seen.
+  /// The required interfaces of the working connections that are visible.
   [[nodiscard]] std::vector<InterfaceName> seenConnections() const;
-  /// Of the interface, component or connection that is there; empty where none is.
+  /// The path of the interface, component or connection at this position; empty if there is none.
   [[nodiscard]] QString pathAt(const QPoint& position) const;
-  /// What is being dragged to another place goes back; false where nothing is.
+  /// Cancels a drag of a component or process; returns false if there is none.
   bool putBack();
 
  public Q_SLOTS:
   void fit();
-  /// Brings this point to the middle, as it is.
+  /// Centres the view on this point and keeps the scale.
   void lookAt(const QPointF& point);
   void zoomIn() { zoom(1.25); }
   void zoomOut() { zoom(0.8); }
-  /// Selects the component of this path and shows it in the middle, large enough to be read.
+  /// Selects the component of this path and centres it, large enough to be read.
   void goTo(const QString& path);
-  /// Moves the view, if it must, so that the component of `path` can be seen.
+  /// Moves the view, if necessary, so that the component of `path` is visible.
   void reveal(const QString& path);
 
  Q_SIGNALS:
-  /// An edge that does not work was clicked.
+  /// The user clicked an edge of a connection that does not work.
   void whyRequested(const QString& required);
-  /// Whether the graph is on the screen.
+  /// The graph has become visible or hidden.
   void seenChanged(bool seen);
-  /// Another part of it is seen, or at another scale.
+  /// The visible part or the scale has changed.
   void moved();
 
  protected:
@@ -90,7 +90,7 @@ class GraphView : public QGraphicsView {
   void beginDrag();
   void selectNext(int key);
   [[nodiscard]] std::optional<PortName> portAt(const QPoint& position) const;
-  /// Of the component, or of the process whose head is there: what a drag takes along.
+  /// The component, or process by its head, at this position: the item that a drag moves.
   [[nodiscard]] QString nodeAt(const QPoint& position) const;
 
   GraphScene& scene_;
@@ -99,12 +99,12 @@ class GraphView : public QGraphicsView {
   bool following_ = true;
   std::optional<QPoint> pressed_;
   std::optional<PortName> pressed_port_;
-  QString pressed_node_;  // that is dragged, once it is moved
+  QString pressed_node_;  // dragged once the pointer moves
   std::optional<NodeDrag> node_drag_;
   bool dragging_ = false;
   std::optional<QPoint> pointer_;
   std::chrono::milliseconds hand_rests_{3000};
-  QElapsedTimer pointer_moved_;  // since it was moved here
+  QElapsedTimer pointer_moved_;  // since the pointer last moved here
 };
 
 }  // namespace tendon::gui

@@ -13,7 +13,7 @@ namespace {
 constexpr int kPanStep = 60;          // pixels
 constexpr int kMoveStep = 2 * kGrid;  // scene units
 
-/// Where an arrow key leads to; nowhere for others.
+/// The direction of an arrow key; zero for other keys.
 QPoint WayOf(int key) {
   switch (key) {
     case Qt::Key_Left:

@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// One parameter of a component, by its place in the configuration: "gains.joint[0]".
+/// One parameter of a component, by its path in the configuration: "gains.joint[0]".
 struct ConfigurationRow {
   QString name;
   QString value;
@@ -15,7 +15,7 @@ struct ConfigurationRow {
   bool operator==(const ConfigurationRow&) const = default;
 };
 
-/// What a component was told when it was made: class, library, and its parameters one by one.
+/// The creation data of a component: class, library, and its parameters one by one.
 class ConfigurationModel : public RowListModel<ConfigurationRow> {
   Q_OBJECT
 

@@ -9,32 +9,32 @@
 
 namespace tendon::gui {
 
-/// How well a task keeps its time, from the two columns that every task keeps in its own state
-/// table: `CycleSummary`, about the last whole second, and `Cycle`, about the last cycle.
+/// The timing of a task, from two columns that every task records in its own state table:
+/// `CycleSummary`, about the last whole second, and `Cycle`, about the last cycle.
 class CycleFigures : public QObject {
   Q_OBJECT
 
  public:
-  /// All in s. One cycle alone says nothing: after a late one the next comes early.
+  /// All in s. A whole second, because a late cycle makes the next period short.
   struct LastSecond {
     double period = 0;   ///< mean
-    double late = 0;     ///< half of the cycles began no later than that
-    double later = 0;    ///< 99 %
-    double latest = 0;   ///< all of them
+    double late = 0;     ///< the median lateness
+    double later = 0;    ///< the 99th percentile of the lateness
+    double latest = 0;   ///< the maximum lateness
     double compute = 0;  ///< mean
-    double longest = 0;  ///< of all periods
+    double longest = 0;  ///< the longest period
     double most_computed = 0;
   };
 
   explicit CycleFigures(SignalSource& source, QObject* parent = nullptr);
 
-  /// `component` by path; empty for none, and for one without the columns.
+  /// `component` is a path; empty, or a component without these columns, shows nothing.
   void show(const QString& component);
 
-  /// Nothing before a second is over.
+  /// Nothing until a whole second has been received.
   [[nodiscard]] const std::optional<LastSecond>& lastSecond() const { return last_second_; }
-  /// Cycles left out since the start because one before took too long; nothing before a row has
-  /// come.
+  /// Cycles skipped since the start because an earlier one took too long; nothing until a row has
+  /// been received.
   [[nodiscard]] std::optional<std::uint64_t> skipped() const { return skipped_; }
 
  private:

@@ -10,7 +10,7 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// The last events of one component, and their rate; listens while it is seen.
+/// The latest events of one component, and their rate; listens while it is visible.
 class EventList : public QWidget {
   Q_OBJECT
 

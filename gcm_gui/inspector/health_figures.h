@@ -12,7 +12,7 @@
 
 namespace tendon::gui {
 
-/// How the connection of an interface does: in a word or two, and in whole.
+/// The health of an interface's connection, as a short text and in full.
 struct InterfaceHealth {
   QString brief;
   QString whole;
@@ -20,20 +20,20 @@ struct InterfaceHealth {
   bool operator==(const InterfaceHealth&) const = default;
 };
 
-/// How a process and the connections of one of its components do, asked each second while they are
-/// shown. What does not answer keeps its last figures out of sight.
+/// The health of a process and of the connections of one of its components, polled every second
+/// while shown. The figures disappear when the answer does not come.
 class HealthFigures : public QObject {
   Q_OBJECT
 
  public:
   HealthFigures(SystemReports& reports, const CatalogueStore& store, QObject* parent = nullptr);
 
-  /// An empty process for none, an empty component for the process alone.
+  /// An empty process shows nothing, an empty component only the process.
   void show(const std::string& process, const std::string& component);
 
   /// Processor, memory, clock.
   [[nodiscard]] QList<Fact> processFacts() const;
-  /// By path of an interface of the component.
+  /// By the path of an interface of the component.
   [[nodiscard]] const QHash<QString, InterfaceHealth>& interfaces() const { return interfaces_; }
 
  Q_SIGNALS:
@@ -50,7 +50,7 @@ class HealthFigures : public QObject {
   QTimer timer_;
   std::string process_;
   std::string component_;
-  std::uint64_t shown_ = 0;  // what was asked for another one tells nothing
+  std::uint64_t shown_ = 0;  // answers for an earlier component are ignored
   message::SystemHealth health_;
   QHash<QString, InterfaceHealth> interfaces_;
 };

@@ -43,7 +43,7 @@ namespace {
 constexpr std::chrono::milliseconds kFiguresPeriod{250};
 enum Page { kNothingPage, kProcessPage, kComponentPage };
 
-/// From which file what runs was loaded, and what has become of that.
+/// The file of the running plug-in, and how it differs now.
 QList<Fact> PluginFacts(const ProcessDescription& process, const std::string& library) {
   const auto* plugin = FindNamed(process.plugins, library);
   if (plugin == nullptr) return {};
@@ -271,9 +271,9 @@ void Inspector::showSelected() {
   showTabOfSelected();
 }
 
-/// What is selected must not lie behind another tab: a command with its form among the interfaces,
-/// a number among the values. An event is also in the tab of events, a column in both of the
-/// others.
+/// Shows the tab that has the selection: interfaces for a command with its form, values for a
+/// number. Keeps the present tab if it also shows the selection: that of events for an event, both
+/// others for a column.
 void Inspector::showTabOfSelected() {
   if (pages_->currentIndex() != kComponentPage) return;
   const auto path = ParsePath(selection_.current().toStdString());

@@ -28,8 +28,8 @@ class SteerRow;
 class TabPanel;
 class ValuesPage;
 
-/// The right column: all about the component that is selected, or that what is selected belongs to;
-/// or about a process. Follows the selection and the catalogue.
+/// The right column: all about the component that is selected or contains the selection, or about a
+/// process. Follows the selection and the catalogue.
 class Inspector : public QWidget {
   Q_OBJECT
 
@@ -38,18 +38,18 @@ class Inspector : public QWidget {
             SystemActions& actions, CommandCalls& calls, SystemReports& reports,
             QWidget* parent = nullptr);
 
-  /// Where the argument of the selected command is entered; false where none is selected.
+  /// Sets the focus to the argument of the selected command; returns false if none is selected.
   bool focusCall();
 
  public Q_SLOTS:
-  /// Nothing is known any more of states and connections; values go on.
+  /// The link is lost: states and connections are unknown; values go on.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:
   void plotRequested(const QString& path, const QString& unit);
-  /// To another provider, of a required interface that is connected.
+  /// The user wants to choose another provider for a connected required interface.
   void connectRequested(const QString& path);
-  /// Of a required interface, connected or not.
+  /// The user asks about a required interface, connected or not.
   void whyRequested(const QString& path);
   void favouriteRequested(const QString& path, const QString& argument);
   /// One sentence for the user.
@@ -69,7 +69,7 @@ class Inspector : public QWidget {
   void showTabOfSelected();
   void showComponent(const ProcessEntry& process, const ComponentDescription& component);
   void showProcess(const ProcessEntry& process);
-  /// The form of the command that is selected, if one is.
+  /// Shows the form of the selected command, if any.
   void showCall(const ProcessEntry& process, const ComponentDescription& component);
   void showNothing(const QString& text);
   void showFigures();

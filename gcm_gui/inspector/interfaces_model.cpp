@@ -99,7 +99,7 @@ class RowBuilder {
     }
   }
 
-  /// "teleoperation/Robot", which fits; the process stands behind it, the whole path in the tip.
+  /// A row "teleoperation/Robot", with the process after it and the path as tool tip.
   void AddPeer(const QString& arrow, const InterfaceName& peer, const InterfaceName& required,
                StateMark mark) {
     const QString name = ToQString(peer.component + '/' + peer.interface);

@@ -21,13 +21,13 @@ struct InterfaceRow {
   QString value;
   StateMark mark = StateMark::kNotConnected;  ///< of interfaces and peers
   InterfaceName required;                     ///< of a peer: the required end of the connection
-  QString expiry = {};                        ///< of a command that ends by itself: when it does
+  QString expiry = {};                        ///< of a command that expires: its time
 
   bool operator==(const InterfaceRow&) const = default;
 };
 
-/// The interfaces of one component, one below the other: each with what it is connected to, then
-/// its commands with their types, and its events.
+/// The interfaces of one component, below each other: each with its peers, then its commands with
+/// their types, and its events.
 class InterfacesModel : public RowListModel<InterfaceRow> {
   Q_OBJECT
 
@@ -36,11 +36,11 @@ class InterfacesModel : public RowListModel<InterfaceRow> {
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  /// Shows a component; nothing when there is none of these names.
+  /// Shows a component, or nothing if it does not exist.
   void show(const Catalog& catalogue, const std::string& process, const std::string& component);
-  /// That stands for this path itself; -1 where none does.
+  /// The row of exactly this path; -1 if there is none.
   [[nodiscard]] int rowOf(const QString& path) const;
-  /// How the connections of its interfaces do, by path of the interface.
+  /// The health of the interfaces' connections, by interface path.
   void showHealth(const QHash<QString, InterfaceHealth>& health);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 const QString kNone = QStringLiteral("–");
 
-/// Of a round one: "1 ms", not "1.000 ms".
+/// For a round value: "1 ms", not "1.000 ms".
 QString ShortDuration(double seconds) {
   static const QRegularExpression zeros(QStringLiteral("\\.?0+(?= )"));
   const QString text = DurationText(seconds);

@@ -8,10 +8,10 @@
 
 namespace tendon::gui {
 
-/// How well a task keeps a wanted period, in s; in a few lines.
+/// A few lines about how well a task keeps its period, in s.
 [[nodiscard]] QList<Fact> TimingFacts(double period, const CycleFigures& figures);
 
-/// All about the thread in which a component runs, and how its cycles went in the last second.
+/// All about the thread that runs a component, and its cycles in the last second.
 [[nodiscard]] QList<Fact> ThreadFacts(const ComponentDescription& component,
                                       const CycleFigures& figures);
 

@@ -88,7 +88,7 @@ QString ValuesModel::silenceOf(const Block& block) const {
       .arg(kPatience.count());
 }
 
-/// Also how often it comes, or how old it is.
+/// Includes the rate or the age.
 QString ValuesModel::spokenOf(const Place& place, const QString& field) const {
   const QString detail = detailOf(*place.block, place.channel);
   const QString value =
@@ -214,7 +214,7 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     endResetModel();
   } else if (why != why_) {
     why_ = why;
-    for (Block& block : blocks_) {  // whoever is back has all the time again
+    for (Block& block : blocks_) {  // the waiting time starts again
       if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
       block.refusal.clear();
     }
@@ -228,7 +228,7 @@ QSet<QString> ValuesModel::columns() const {
   return columns;
 }
 
-/// Of values that come for the first time none has changed.
+/// Values that arrive for the first time do not count as changed.
 void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
   const auto& before = block.values.values;
   block.changed.resize(values.values.size());

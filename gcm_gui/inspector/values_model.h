@@ -16,20 +16,20 @@
 
 namespace tendon::gui {
 
-/// Every number in the state tables of one component, with its newest value, its unit and how it
-/// went in the last seconds; the first of a column also with the rate of its rows, or why and how
-/// old they are. A column that does not answer says so in its own row.
+/// Every number in the state tables of one component, with its newest value, unit and recent trend.
+/// The first row of a column also has the rate of its rows, or why and how long they are old. A
+/// column without an answer says so in its own row.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kName, kValue, kColumnCount };
 
-  /// Values a trend has; they come 10 times a second.
+  /// The number of values in a trend; 10 arrive per second.
   static constexpr qsizetype kTrend = 100;
-  /// So long a value counts as having just changed.
+  /// How long a value counts as just changed.
   static constexpr std::chrono::milliseconds kFresh{500};
-  /// After so long without an answer that is said.
+  /// After this time without an answer the row says so.
   static constexpr std::chrono::seconds kPatience{1};
 
   explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = SteadyClock())
@@ -39,24 +39,24 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  /// `path` of the component; null for none. The values come by showValues(); they are old where
-  /// the component stands still.
+  /// `path` names the component; a null `component` shows nothing. Values arrive by showValues();
+  /// they are old if the component stands still.
   void show(const QString& path, const ComponentDescription* component, Standstill why);
-  /// The paths of its columns: what to watch.
+  /// The paths of the columns to watch.
   [[nodiscard]] QSet<QString> columns() const;
-  /// Of a row; empty for none.
+  /// The unit of a row; empty for none.
   [[nodiscard]] QString unit(int row) const;
 
-  /// Whether a row has a number, which can be plotted.
+  /// True if the row has a number that can be plotted.
   [[nodiscard]] bool isNumber(int row) const;
 
-  /// From now on answers are awaited; of what has none yet.
+  /// Starts to wait for the answers that are missing.
   void await();
-  /// Until await(), which begins anew, none are.
+  /// Stops waiting for answers until the next await().
   void awaitNothing();
-  /// The column of a row that has not answered in time, which is awaited anew; else empty.
+  /// If the row's column has not answered in time: restarts its wait and returns it. Else empty.
   [[nodiscard]] QString askAgain(int row);
-  /// What has grown old since the last time, a few times a second.
+  /// Updates rows that have become old since the last call; call it a few times per second.
   void tick();
 
  public Q_SLOTS:
@@ -68,11 +68,11 @@ class ValuesModel : public QAbstractTableModel {
     QString column;
     QString name;
     ColumnValues values = {};
-    std::vector<QList<std::optional<ChannelValue>>> trends = {};  // of each channel
-    std::vector<SteadyTime> changed = {};                         // likewise
-    SteadyTime awaited = SteadyTime::max();  // since then, while nothing has come
-    QString refusal = {};                    // why nothing has come, where that is known
-    SteadyTime arrived = {};                 // its newest row
+    std::vector<QList<std::optional<ChannelValue>>> trends = {};  // by channel
+    std::vector<SteadyTime> changed = {};                         // by channel
+    SteadyTime awaited = SteadyTime::max();                       // since when an answer is missing
+    QString refusal = {};                                         // why no answer came, if known
+    SteadyTime arrived = {};                                      // when its newest row arrived
     RowRate rate = {};
     bool is_out = false;  // while its rows are replaced
     [[nodiscard]] bool isKnown() const { return values.channels != nullptr; }
@@ -88,10 +88,10 @@ class ValuesModel : public QAbstractTableModel {
   void noteChanges(Block& block, const ColumnValues& values) const;
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
-  /// Since its newest row was written, or else since it came.
+  /// The time since its newest row was written or, if unknown, since it arrived.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> ageOf(const Block& block) const;
   [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;
-  /// Why a silent one says so.
+  /// The text for a column without an answer.
   [[nodiscard]] QString silenceOf(const Block& block) const;
   [[nodiscard]] QString spokenOf(const Place& place, const QString& field) const;
   [[nodiscard]] QVariant valueOf(const Place& place, int role) const;

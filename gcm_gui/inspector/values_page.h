@@ -14,17 +14,16 @@ namespace tendon::gui {
 class PictureShelf;
 class RowView;
 
-/// The values of one component, live while they are wanted, and below them the pictures that it
-/// keeps.
+/// The live values of one component while wanted, and its pictures below.
 class ValuesPage : public QWidget {
   Q_OBJECT
 
  public:
   ValuesPage(Selection& selection, SignalSource& source, QWidget* parent = nullptr);
 
-  /// `path` of the component, and why its values are old.
+  /// `path` names the component; `why` says why its values are old.
   void showComponent(const QString& path, const ComponentDescription& component, Standstill why);
-  /// Whether anybody can see them.
+  /// True while the page is visible.
   void setWanted(bool wanted);
 
  Q_SIGNALS:

@@ -12,8 +12,8 @@ namespace {
 
 constexpr auto kFolder = ":/tendon/language";
 
-/// The first of the user's languages that there is; whoever also reads English is not given what
-/// he likes less.
+/// Installs the first available language of the user; none if English comes earlier in the list of
+/// preferences.
 void Install(const QLocale& locale, const QString& name, const QString& folder) {
   for (const QString& language : locale.uiLanguages()) {
     if (QLocale(language).language() == QLocale::English) return;

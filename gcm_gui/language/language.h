@@ -5,12 +5,12 @@
 
 namespace tendon::gui {
 
-/// The languages there are beside English, which needs no file: "de", "fr".
+/// The available languages besides English, which needs no file: "de", "fr".
 [[nodiscard]] QStringList Languages();
 
-/// From now on the window speaks the language of `locale`, and Qt's own dialogs too; English where
-/// there is no other. Numbers are the same in all of them: with a point, and nothing between
-/// thousands, as commands, JSON and CSV have them. To be called once, before the first widget, on
+/// Sets the language of the window and of Qt's own dialogs to that of `locale`, or to English if
+/// there is no translation. Numbers stay the same in every language: a decimal point and no
+/// thousands separators, as in commands, JSON and CSV. Call it once, before the first widget, on
 /// the GUI thread.
 void SpeakAs(const QLocale& locale);
 

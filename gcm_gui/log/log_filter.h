@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// The records of a level and above in which every word of a filter is: in source or text, whatever
-/// the case; `from:robot/arm` is in the source, and with a `-` before it a word is nowhere.
+/// Shows the records of a level and above that contain every word of a filter in source or text,
+/// ignoring case. `from:robot/arm` searches the source only; a word with `-` must not occur.
 class LogFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class LogFilter : public QSortFilterProxyModel {
   QStringList words_;
 };
 
-/// Whether a line of `source` and `text` has all these words.
+/// True if a line of `source` and `text` matches all these words.
 [[nodiscard]] bool HasWords(const QString& source, const QString& text, const QStringList& words);
 
 }  // namespace tendon::gui

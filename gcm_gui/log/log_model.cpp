@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Only what asks for attention has a mark.
+/// Only records that need attention have a mark.
 QVariant MarkOf(LogLevel level) {
   if (level == LogLevel::kError) return QVariant::fromValue(StateMark::kFaulted);
   if (level == LogLevel::kWarning) return QVariant::fromValue(StateMark::kWarning);
@@ -42,7 +42,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
       return MarkOf(record.level);
     case kGlyphRole:
       return QStringLiteral(" ");
-    case kStaleRole:  // what is only for those who look for a mistake
+    case kStaleRole:  // only of interest when looking for a mistake
       return record.level == LogLevel::kDebug;
     case kTrailRole:
     case kPathRole:

@@ -9,7 +9,7 @@
 
 namespace tendon::gui {
 
-/// The newest records of the log of all processes, in the order of their coming.
+/// The newest log records of all processes, in the order of arrival.
 class LogModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class LogModel : public QAbstractListModel {
   [[nodiscard]] const message::LogRecord& record(int row) const {
     return records_.at(static_cast<std::size_t>(row));
   }
-  /// Records that could not be kept until they were read.
+  /// The number of records that were dropped before anybody read them.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  public Q_SLOTS:
@@ -38,7 +38,7 @@ class LogModel : public QAbstractListModel {
   std::uint64_t lost_ = 0;
 };
 
-/// "robot/arm", or "robot" of what the process itself says.
+/// "robot/arm", or "robot" for a record of the process itself.
 [[nodiscard]] QString SourceOf(const message::LogRecord& record);
 
 }  // namespace tendon::gui

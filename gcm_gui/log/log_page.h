@@ -17,8 +17,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// The log of all processes, filtered by level and by words; and from which level on each process
-/// logs, which is set there.
+/// The log of all processes, filtered by level and words, with a setting for the log level of each
+/// process.
 class LogPage : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class LogPage : public QWidget {
   void focusFilter();
 
  Q_SIGNALS:
-  /// Where a record comes from.
+  /// The origin of a record.
   void pathChosen(const QString& path);
 
  protected:

@@ -50,13 +50,13 @@ void AddColumns(CatalogueItem& interface, const TableDescription& table) {
   }
 }
 
-/// "arm": with its process, "robot/arm", where that is another one.
+/// "arm", or with its process "robot/arm" if that differs.
 QString ComponentSeenFrom(const std::string& process, const InterfaceName& other) {
   const QString name = ToQString(other.component);
   return other.process == process ? name : ToQString(other.process) + '/' + name;
 }
 
-/// "arm/Drives", likewise.
+/// "arm/Drives", likewise with the process if that differs.
 QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
   return ComponentSeenFrom(process, other) + '/' + ToQString(other.interface);
 }
@@ -109,7 +109,7 @@ Item BuildRequired(const ConnectionIndex& connections, const CatalogueItem& pare
   return item;
 }
 
-/// Whose interfaces those of the component are connected to.
+/// The peers of all interfaces of the component.
 QString PeersOf(const ConnectionIndex& connections, const std::string& process,
                 const ComponentDescription& component) {
   QStringList peers;
@@ -129,7 +129,7 @@ QString PeersOf(const ConnectionIndex& connections, const std::string& process,
   return peers.join(QStringLiteral(", "));
 }
 
-/// ".position[0]" in its parts: ".position", "[0]".
+/// Splits ".position[0]" into ".position" and "[0]".
 std::vector<QString> Segments(const std::string& path) {
   std::vector<QString> segments;
   for (std::size_t begin = 0; begin < path.size();) {
@@ -140,7 +140,7 @@ std::vector<QString> Segments(const std::string& path) {
   return segments;
 }
 
-/// The last child when it is of that segment, else a new one: channels come in wire order.
+/// The last child if it has this segment, else a new one: channels come in wire order.
 CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   const QString path = parent.path + segment;
   if (!parent.children.empty() && parent.children.back()->path == path) {
@@ -152,7 +152,7 @@ CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   return parent.Add(std::move(item));
 }
 
-/// A group whose numbers all have one unit shows it, so that they need not.
+/// A group shows the unit if all its numbers have the same one, so that they need not.
 void LiftUnits(CatalogueItem& item) {
   for (const auto& child : item.children) LiftUnits(*child);
   if (item.children.empty()) return;

@@ -18,7 +18,7 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
   return a.kind == b.kind && a.path == b.path;
 }
 
-/// Takes over what `fresh` says of the row itself; false when nothing differs.
+/// Takes the data of the row itself from `fresh`; returns false if nothing differs.
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
     return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone,
@@ -143,7 +143,7 @@ const CatalogueItem& CatalogueModel::itemFor(const QModelIndex& index) const {
 void CatalogueModel::update(const Catalog& catalogue, const Touched& touched) {
   const ConnectionIndex connections(catalogue);
   const std::string* whole = nullptr;
-  for (const TouchedPart& part : touched) {  // a process comes before its components
+  for (const TouchedPart& part : touched) {  // a process precedes its components
     if (whole != nullptr && part.process == *whole) continue;
     if (part.component.empty()) {
       updateProcess(catalogue, connections, part.process);
@@ -227,7 +227,7 @@ void CatalogueModel::mergeChildren(CatalogueItem& parent,
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     const auto& children = parent.children;
     const CatalogueItem* known = by_path_.value(fresh[row]->path);
-    // One that has come to stand elsewhere is taken out; it comes again in its new place.
+    // Removes a row that has moved; it is inserted again at its new place.
     while (known != nullptr && known->parent == &parent && children[row].get() != known) {
       removeChild(parent, static_cast<int>(row));
     }
@@ -306,8 +306,8 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
-/// Only what comes when all the others have been there for a while: a GCM that is back tells all
-/// of it anew.
+/// Marks only rows that arrive some time after the first ones: a GCM that returns sends everything
+/// again.
 void CatalogueModel::markFresh(const CatalogueItem& item) {
   if (begun_ == 0) begun_ = now_;
   if (outdated_ || now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
@@ -339,7 +339,7 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
   if (!outdated) begun_ = now_;
-  // Views draw all they show anew, whichever rows are named.
+  // Any range redraws all visible rows.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }

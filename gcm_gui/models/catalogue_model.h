@@ -20,10 +20,10 @@
 
 namespace tendon::gui {
 
-/// The catalogue as a tree: process, component, interface, member, and below the columns of state
-/// tables their values; in further columns how often values come, how old they are, and what is
-/// connected to what. What comes later than the first of it is marked for ten seconds. What stays
-/// the same in an update stays where it is, also over a restart of its process. GUI thread.
+/// The catalogue as a tree of processes, components, interfaces and members, with the values below
+/// the columns of state tables. Further columns show rate, age and connections. New rows are marked
+/// for ten seconds, except those of the first snapshot. An update keeps unchanged rows, even across
+/// a restart of the process. GUI thread.
 class CatalogueModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -44,28 +44,28 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QStringList mimeTypes() const override;
   [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
-  /// Invalid where there is none.
+  /// Invalid if there is none.
   [[nodiscard]] QModelIndex indexOf(const QString& path) const;
   /// Null for an invalid index. Valid until the next update.
   [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
-  /// Rows in all, without those below columns.
+  /// The number of all rows, without those below columns.
   [[nodiscard]] int itemCount() const;
 
-  /// The numbers at and below a path, in order; empty where nothing is known of it yet.
+  /// The numbers at and below a path, in order; empty while they are unknown.
   [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
-  /// Why values at and below the path of a component, or of one of its signals, are old.
+  /// Why the values at and below this path (of a component or a signal) are old.
   [[nodiscard]] Standstill standstill(const QString& path) const;
-  /// The column that a row at or below it belongs to, or empty.
+  /// The column that contains a row, or empty.
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
  public Q_SLOTS:
   void update(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
-  /// These are listened to from now on, so that their silence means something.
+  /// Names the columns with a subscription; silence means something only for those.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
-  /// The time, ns since 1970, for "lost 12 s".
+  /// The present time, ns since 1970, for "lost 12 s".
   void setNow(qint64 now);
-  /// Nothing is known any more of what there is: all but values is shown as it was.
+  /// The link is lost: shows everything except values in its last known state.
   void setOutdated(bool outdated);
 
  private:
@@ -88,34 +88,34 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
   [[nodiscard]] const CatalogueItem* columnFor(const CatalogueItem& item) const;
   [[nodiscard]] QString valueText(const CatalogueItem& item) const;
-  /// What there is of a column or a number; nothing before a row has come.
+  /// The present value of a column or number; nothing until a row has arrived.
   [[nodiscard]] std::optional<Quantity> quantityOf(const CatalogueItem& item) const;
   [[nodiscard]] QString unitText(const CatalogueItem& item) const;
-  /// All of a value that is shown rounded, or may be too long for its column; else empty.
+  /// The full value if the shown one is rounded or may be too long; else empty.
   [[nodiscard]] QString wholeText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
-  /// Of the columns behind the value; a dash stands for what is not known.
+  /// The data of the columns after the value; a dash stands for an unknown fact.
   [[nodiscard]] QVariant factData(const CatalogueItem& item, int column, int role) const;
   [[nodiscard]] QString factText(const CatalogueItem& item, int column) const;
   [[nodiscard]] QString spokenText(const CatalogueItem& item, int column) const;
   [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
   [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
-  /// Why the values of its component are old.
+  /// Why the values of the item's component are old.
   [[nodiscard]] static Standstill standstillOf(const CatalogueItem& item);
-  /// Of a value: since its row was written.
+  /// The time since the row of a value was written.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> rowAgeOf(const CatalogueItem& item) const;
-  /// "suspended · 12 s old" of a value that is old, else empty.
+  /// "suspended · 12 s old" for an old value, else empty.
   [[nodiscard]] QString oldTextOf(const CatalogueItem& item) const;
 
   std::unique_ptr<CatalogueItem> root_;
   QHash<QString, CatalogueItem*> by_path_;
-  QHash<QString, ColumnValues> values_;  // of columns
+  QHash<QString, ColumnValues> values_;  // by column path
   const Clock& clock_;
   ColumnArrivals arrivals_;
-  QHash<QString, std::int64_t> fresh_;  // of rows that are new, by path: until when
+  QHash<QString, std::int64_t> fresh_;  // new rows by path: until when they are marked
   std::int64_t now_ = 0;
-  std::int64_t begun_ = 0;  // when the first rows came
+  std::int64_t begun_ = 0;  // when the first rows arrived
   bool outdated_ = false;
 };
 

@@ -7,7 +7,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-// What the cells of the catalogue say.
+// The contents of the catalogue's cells.
 namespace tendon::gui {
 namespace {
 
@@ -224,7 +224,7 @@ QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
   return item.connected->isEmpty() ? Words::tr("nothing") : *item.connected;
 }
 
-/// Of what holds several columns that of the fastest.
+/// For an item with several columns, the highest rate.
 std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
   if (item.gone || standstillOf(item) != Standstill::kNone) return std::nullopt;
   if (item.kind >= ItemKind::kColumn) return arrivals_.rate(columnFor(item)->path);
@@ -262,7 +262,7 @@ QString CatalogueModel::oldTextOf(const CatalogueItem& item) const {
   const CatalogueItem& column = *columnFor(item);
   if (!values_.contains(column.path)) return {};
   const Standstill why = standstillOf(item);
-  // Of what runs and is not listened to nothing is known.
+  // Nothing is known about a running component without a subscription.
   const auto age =
       why == Standstill::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
   return IsOld(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();

@@ -7,17 +7,17 @@
 
 namespace tendon::gui {
 
-/// The connections of a catalogue by their ends. Made in one pass for one look at the catalogue;
-/// points into it, so it must not outlive the next change.
+/// The connections of a catalogue, indexed by their ends. Built in one pass. It points into the
+/// catalogue, so it must not outlive the next change.
 class ConnectionIndex {
  public:
   explicit ConnectionIndex(const Catalog& catalogue);
 
-  /// Null where it has none.
+  /// Null if there is none.
   [[nodiscard]] const ConnectionDescription* Of(const InterfaceName& required) const;
-  /// How many required interfaces use it now.
+  /// The number of required interfaces connected to `provided`.
   [[nodiscard]] int Clients(const InterfaceName& provided) const;
-  /// Those required interfaces, sorted.
+  /// These required interfaces, sorted.
   [[nodiscard]] const std::vector<InterfaceName>& ClientsOf(const InterfaceName& provided) const;
 
  private:

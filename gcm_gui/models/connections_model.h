@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// All connections, one a row, sorted by the required interface, which names it.
+/// All connections, one per row, sorted by the required interface, which names the row.
 class ConnectionsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -24,11 +24,11 @@ class ConnectionsModel : public QAbstractTableModel {
                                     int role) const override;
 
   [[nodiscard]] const ConnectionDescription& connection(int row) const;
-  /// -1 where there is none.
+  /// -1 if there is none.
   [[nodiscard]] int rowOf(const QString& required) const;
 
  public Q_SLOTS:
-  /// All is shown as it was when it was last heard of.
+  /// The link is lost: shows everything in its last known state.
   void setOutdated(bool outdated);
   void update(const tendon::Catalog& catalogue);
 

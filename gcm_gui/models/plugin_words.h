@@ -6,13 +6,13 @@
 
 namespace tendon::gui {
 
-/// What runs of a plug-in: "arm.so of 2025-11-21 15:40:03", without its folder.
+/// The version of a plug-in that is running, without folder: "arm.so of 2025-11-21 15:40:03".
 [[nodiscard]] QString PluginWords(const PluginDescription& plugin);
 
-/// What has become of its file since, and what to do; empty where the file has what runs.
+/// How its file differs from the running code, and what to do; empty if it does not.
 [[nodiscard]] QString PluginChangeWords(const PluginDescription& plugin);
 
-/// The same as one sentence about the process.
+/// The same as a sentence about the process.
 [[nodiscard]] QString OldPluginWords(const QString& process, const PluginDescription& plugin);
 
 }  // namespace tendon::gui

@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A list of equal things that is made anew as a whole. Rows above the first that differs stay what
-/// they are for the views.
+/// A flat list that is always replaced as a whole. Views keep the rows above the first one that
+/// differs.
 template <typename Row>
 class RowListModel : public QAbstractListModel {
  public:

@@ -4,31 +4,31 @@
 
 namespace tendon::gui {
 
-/// How the first text of a row is set.
+/// The font of a row's first text.
 enum class Face { kPlain, kStrong, kMono };
 
-/// What a row's delegate asks of every model of the window, besides Qt's own roles. All are
+/// The roles that a row's delegate reads from every model of the window, besides Qt's own. All are
 /// optional.
 enum RowRole : int {
-  kPathRole = Qt::UserRole + 1,  ///< QString: what the row stands for
+  kPathRole = Qt::UserRole + 1,  ///< QString: the path of the row's object
   kKindRole,                     ///< int: ItemKind
   kTimeRole,                     ///< QString: the time of day, before all else
   kGlyphRole,                    ///< QString: a letter before the name
   kGlyphMarkRole,                ///< StateMark: a shape before the name instead
   kFaceRole,                     ///< int: Face
-  kDetailRole,                   ///< QString: set dim after the name
+  kDetailRole,                   ///< QString: dim text after the name
   kMarkRole,                     ///< StateMark before the text of a value
   kUnitRole,                     ///< QString after a number
-  kStaleRole,                    ///< bool: set grey
+  kStaleRole,                    ///< bool: grey text
   kStruckRole,                   ///< bool: struck through
-  kAccentRole,                   ///< bool: asks to be clicked
+  kAccentRole,                   ///< bool: highlighted, to be clicked
   kTrailRole,                    ///< QString: dim words at the right edge of a list of one column
-  kObjectRole,                   ///< QString: what the name is about, a path; after the name
-  kQuietRole,                    ///< bool: a value that is set dim
-  kProseRole,                    ///< bool: a value that is words, not a number
-  kTrendRole,                    ///< Trend: how a value went
-  kLeftRole,                     ///< bool: a value that is words which begin at the left
-  kFreshRole,  ///< bool: a value that has just changed, or the name of a row that is new
+  kObjectRole,                   ///< QString: the path that the name is about, after it
+  kQuietRole,                    ///< bool: a value in dim text
+  kProseRole,                    ///< bool: a value in words, not a number
+  kTrendRole,                    ///< Trend: the recent course of a value
+  kLeftRole,                     ///< bool: a value in words, aligned to the left
+  kFreshRole,                    ///< bool: a value that has just changed, or the name of a new row
 };
 
 }  // namespace tendon::gui

@@ -6,15 +6,15 @@
 
 namespace tendon::gui {
 
-/// What is selected, by path, in every view at once: tree, graph, tables and inspector show the
-/// same. A path stays selected while the thing it names is gone. GUI thread.
+/// The selected paths, shared by all views: tree, graph, tables and inspector. A path stays
+/// selected while its object is gone. GUI thread.
 class Selection : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// In the order of selecting; the last is the current one.
+  /// In the order of selection; the last is the current one.
   [[nodiscard]] const QStringList& paths() const { return paths_; }
   [[nodiscard]] QString current() const { return paths_.isEmpty() ? QString() : paths_.last(); }
   [[nodiscard]] bool contains(const QString& path) const { return paths_.contains(path); }
@@ -26,7 +26,7 @@ class Selection : public QObject {
 
  Q_SIGNALS:
   void changed(const QStringList& paths);
-  /// The user asked to see it in the other views (F4).
+  /// The user wants to see `path` in the other views (F4).
   void revealRequested(const QString& path);
 
  private:

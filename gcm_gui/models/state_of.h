@@ -18,28 +18,28 @@ class ConnectionIndex;
 [[nodiscard]] StateMark MarkOf(ProcessState state);
 [[nodiscard]] StateMark MarkOf(ComponentState state);
 [[nodiscard]] StateMark MarkOf(ConnectionState state);
-/// Null: nothing is connected.
+/// Null means not connected.
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
 
 /// "suspended", "no answer", in the user's language; empty for none.
 [[nodiscard]] QString WordOf(Standstill why);
-/// "suspended · 12 s old"; without the age where it is not known.
+/// "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age);
-/// What a component waits for, as core judges it; the index is of the process' catalogue.
+/// The unmet needs of a component, by core's rules; `connections` is of the same catalogue.
 [[nodiscard]] std::vector<UnmetNeed> WaitsOf(const ConnectionIndex& connections,
                                              const ProcessEntry& process,
                                              const ComponentDescription& component);
-/// Of one that runs but waits: a warning.
+/// The mark of a component; a warning if it runs but waits.
 [[nodiscard]] StateMark MarkOf(ComponentState state, const std::vector<UnmetNeed>& waits);
-/// "waiting for Robot", in the user's language; the word of its state where it waits for nothing.
+/// "waiting for Robot", in the user's language; the state if it waits for nothing.
 [[nodiscard]] QString WordOf(ComponentState state, const std::vector<UnmetNeed>& waits);
-/// "Robot: not connected", likewise; empty where it waits for nothing.
+/// "Robot: not connected", in the user's language; empty if it waits for nothing.
 [[nodiscard]] QString ReasonsText(const std::vector<UnmetNeed>& waits);
 
 /// "alive", "no answer", "lost", in the user's language.
 [[nodiscard]] QString WordOf(ProcessState state);
 
-/// Whether the process is gone, or only starting, so that what it had is shown grey.
+/// True if the process is gone or only starting, so that its contents are shown grey.
 [[nodiscard]] bool IsGone(ProcessState state);
 
 }  // namespace tendon::gui

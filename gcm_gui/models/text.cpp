@@ -10,17 +10,17 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kLastExact = 1e15;  // up to here a double holds every integer
-constexpr double kMostPlain = 1e12;  // so that seconds since 1970 are still read as such
+constexpr double kLastExact = 1e15;  // a double holds every integer up to here
+constexpr double kMostPlain = 1e12;  // so that seconds since 1970 stay readable
 
-/// `value` with so many decimals that four digits are seen.
+/// Chooses the number of decimals such that four digits are visible.
 QString FourDigits(double value) {
   const double size = std::abs(value);
   const int decimals = size < 10 ? 3 : size < 100 ? 2 : size < 1000 ? 1 : 0;
   return QString::number(value, 'f', decimals);
 }
 
-/// The limits are those from which rounding would show a thousand of the smaller unit.
+/// The limits avoid a rounded text of 1000 in the smaller unit.
 Quantity DurationOf(double seconds) {
   const double size = std::abs(seconds);
   if (size < 999.5e-9) return {QString::number(seconds * 1e9, 'f', 0), QStringLiteral("ns")};
@@ -30,7 +30,7 @@ Quantity DurationOf(double seconds) {
   return {QString::number(seconds, 'f', 2), QStringLiteral("s")};
 }
 
-/// Whether it is no state or count, of which every digit matters.
+/// True unless it is a state or a count, of which every digit matters.
 bool IsRounded(const ChannelValue& value) {
   return value.is_real() || value.kind() == ChannelValue::Kind::kDuration;
 }

@@ -8,13 +8,13 @@
 
 namespace tendon::gui {
 
-/// How a number went, as a small curve beside it.
+/// The recent course of a number, as a small curve beside it.
 struct Trend {
-  QList<double> parts;  ///< oldest first, from 0 to 1; not-a-number where there is no place for it
-  bool is_stepped = false;  ///< each holds until the next one
+  QList<double> parts;      ///< oldest first, from 0 to 1; NaN if it cannot be drawn
+  bool is_stepped = false;  ///< each value holds until the next one
 };
 
-/// Of the last values of a channel, nothing where a row had none.
+/// The trend of a channel's latest values; nullopt stands for a row without a value.
 [[nodiscard]] Trend TrendOf(const Schema& channel,
                             const QList<std::optional<ChannelValue>>& values);
 

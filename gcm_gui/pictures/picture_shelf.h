@@ -12,17 +12,16 @@ namespace tendon::gui {
 
 class PictureView;
 
-/// The newest pictures of the columns of one component, one below the other; hidden where there is
-/// none.
+/// The newest pictures in the columns of one component, below each other; hidden if there are none.
 class PictureShelf : public QWidget {
   Q_OBJECT
 
  public:
   explicit PictureShelf(QWidget* parent = nullptr);
 
-  /// Of these alone, from now on.
+  /// Shows only these columns from now on.
   void setColumns(const QSet<QString>& columns);
-  /// Why they are old: it stands below each.
+  /// The reason why the pictures are old, shown below each.
   void setStandstill(Standstill why);
 
  public Q_SLOTS:

@@ -13,30 +13,30 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// A picture as large as there is room, and below it what it is; or in words why there is none. It
-/// is made ready in another thread, the newest first; those that come meanwhile are left out.
+/// Shows a picture as large as possible with a caption, or the reason why there is none. Prepares
+/// pictures in another thread, the newest first, and skips older ones.
 class PictureView : public QWidget {
   Q_OBJECT
 
  public:
   using Source = std::function<std::optional<RawPicture>()>;
 
-  /// `name` goes before the size below the picture; may be empty.
+  /// `name` precedes the size in the caption; may be empty.
   explicit PictureView(const QString& name, QWidget* parent = nullptr);
   ~PictureView() override;
 
   void show(RawPicture picture);
-  /// What `source`, which is called in another thread, finds; hidden where that is nothing.
+  /// Shows the result of `source`, called in another thread; hidden if it returns nothing.
   void showFrom(Source source);
   void clear();
-  /// Drawn faint, with these words below it; empty for one that is live.
+  /// Draws the picture faint, with `words` below it; empty for a live picture.
   void setOld(const QString& words);
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const QImage& image() const { return image_; }
   [[nodiscard]] QString words() const;
 
  Q_SIGNALS:
-  /// What was given is there now, or is known to be none.
+  /// The last picture is now shown, or is known not to exist.
   void shown();
 
  protected:
@@ -50,7 +50,7 @@ class PictureView : public QWidget {
   };
 
   void begin();
-  /// In any thread.
+  /// Any thread may call it.
   static std::optional<Shown> Prepare(const std::optional<RawPicture>& picture,
                                       const QString& name);
   void take(const std::optional<Shown>& shown);
@@ -65,7 +65,7 @@ class PictureView : public QWidget {
   QImage image_;
   Source next_;
   bool is_busy_ = false;
-  std::uint64_t version_ = 0;  // what was begun before clear() is not shown after it
+  std::uint64_t version_ = 0;  // pictures begun before clear() are dropped
   std::shared_ptr<Courier> courier_;
 };
 

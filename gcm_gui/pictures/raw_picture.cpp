@@ -33,7 +33,7 @@ constexpr std::array kEncodings{Encoding{"rgb8", QImage::Format_RGB888, 3},
                                 Encoding{"mono16", QImage::Format_Grayscale16, 2},
                                 Encoding{"16UC1", QImage::Format_Grayscale16, 2}};
 
-/// Of structures that name no encoding.
+/// For structures without `encoding`.
 QString EncodingOfChannels(std::uint64_t channels) {
   if (channels == 1) return QStringLiteral("mono8");
   if (channels == 3) return QStringLiteral("rgb8");
@@ -86,7 +86,7 @@ bool ReadBytes(const Schema& list, CdrReader& reader, QByteArray& bytes) {
   return reader.ReadPlain(bytes.data(), count, 1);
 }
 
-/// Over one value; false where the bytes do not suffice.
+/// Skips one value; returns false if there are too few bytes.
 bool SkipOver(const Schema& schema, CdrReader& reader) {
   switch (schema.kind()) {
     case Kind::kString: {
@@ -152,7 +152,7 @@ std::optional<QByteArray> BytesIn(const Json& list) {
 
 Error Wrong(const QString& what) { return {ErrorCode::kInvalid, what.toStdString()}; }
 
-/// The pixels of several bytes as this machine has them.
+/// Converts pixels of several bytes to this machine's byte order.
 void TurnBytes(QImage& image, bool is_bigendian) {
   if (image.format() != QImage::Format_Grayscale16) return;
   for (int row = 0; row < image.height(); ++row) {

@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// How long to wait from one frame to the next: frames get rarer when they are dear, so that
-/// drawing leaves half of the thread to everything else. Data is not touched by it.
+/// Chooses the time between two frames: slow frames are drawn less often, so that drawing takes at
+/// most half of the thread's time. Does not affect the data.
 class FrameGovernor {
  public:
   using Time = std::chrono::microseconds;
@@ -14,7 +14,7 @@ class FrameGovernor {
   static constexpr Time kShortest{16'000};
   static constexpr Time kLongest{250'000};
 
-  /// A frame took so long. A dear one counts at once, cheap ones bit by bit.
+  /// Records the cost of a frame. A higher cost counts at once, a lower one gradually.
   void drew(Time cost) { cost_ = std::max(cost, cost_ + (cost - cost_) / kForgetting); }
   [[nodiscard]] Time interval() const { return std::clamp(2 * cost_, kShortest, kLongest); }
 

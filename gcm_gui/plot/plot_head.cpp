@@ -22,9 +22,9 @@ using std::chrono::minutes;
 using std::chrono::nanoseconds;
 using std::chrono::seconds;
 
-constexpr int kLeastTabs = 120;  // of many: one and the buttons that scroll them
+constexpr int kLeastTabs = 120;  // room for one tab and the scroll buttons
 
-// As narrow as its tabs; the original keeps room for scroll buttons even when it has none.
+// No wider than its tabs; QTabBar always keeps room for scroll buttons.
 class TabBar final : public QTabBar {
  public:
   using QTabBar::QTabBar;
@@ -129,7 +129,7 @@ void PlotHead::buildWindowMenu() {
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [this, length] { Q_EMIT windowChosen(length); });
   }
-  // Not the button's own way, which waits in its handler until the menu is closed.
+  // Not QToolButton's own menu: it blocks in its handler until the menu is closed.
   connect(window_, &QToolButton::clicked, menu,
           [this, menu] { menu->popup(window_->mapToGlobal(QPoint(0, window_->height()))); });
 }

@@ -15,8 +15,8 @@ namespace tendon::gui {
 class MemoryMeter;
 class RateBadge;
 
-/// The head of the plots: a tab for each page of them, [+], and of the chosen one the rate, the
-/// window's length, how it moves, and the way back.
+/// The head of the plots: a tab per page, [+], and for the current plot its rate, time span,
+/// motion, and history buttons.
 class PlotHead : public HeadRow {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class PlotHead : public HeadRow {
   void csvRequested();
 
  protected:
-  /// A narrow one has no buttons for what keys and the menu do as well.
+  /// A narrow head hides the buttons whose functions keys and menu have, too.
   void resizeEvent(QResizeEvent* event) override;
 
  private:

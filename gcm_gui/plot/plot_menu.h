@@ -7,8 +7,8 @@ namespace tendon::gui {
 class PlotPanel;
 class PlotView;
 
-/// What can be done with one plot: how its values are fitted, its statistics, its picture, and the
-/// layout of all. `menu` is filled; both must outlive it.
+/// Fills `menu` with the actions of one plot: value range, statistics, picture, and the layout of
+/// all plots. `panel` and `view` must outlive the menu.
 void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view);
 
 }  // namespace tendon::gui

@@ -14,17 +14,17 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// The hands on a plot's canvas, while data streams:
+/// Handles mouse and keys on a plot's canvas, while data streams:
 ///
-/// - wheel: zoom in time around the mouse; Ctrl+wheel: in values; sideways: move in time
-/// - drag: zoom to the rectangle, Escape gives up; Shift+drag: move
+/// - wheel: zoom in time around the mouse; Ctrl+wheel: zoom in values; sideways: move in time
+/// - drag: zoom to the rectangle, Escape cancels; Shift+drag: move
 /// - double click, End: live again
-/// - Alt+Left, Alt+Right, the mouse's buttons for it: back to what was shown before, and forward
-/// - keys: Left, Right, + and -, Ctrl with + and - for values
-/// - A and B: cursors under the mouse, to be dragged; Delete removes them
-/// - S: sweep, and scroll again
-/// - M: marks, or none
-/// - L: logarithmic values, and linear ones again
+/// - Alt+Left, Alt+Right, or the mouse's buttons for back and forward: history of views
+/// - Left, Right, + and - keys: time; Ctrl with + and -: values
+/// - A and B: cursors at the mouse, which can be dragged; Delete removes them
+/// - S: toggle sweep and scroll
+/// - M: toggle marks
+/// - L: toggle logarithmic and linear values
 class PlotNavigator : public QObject {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class PlotNavigator : public QObject {
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
-  /// What is marked where the mouse rests.
+  /// Shows the marks at the mouse position.
   bool help(const QHelpEvent& event);
   bool key(const QKeyEvent& event);
   bool plainKey(int key);
@@ -52,7 +52,7 @@ class PlotNavigator : public QObject {
   Drag drag_ = Drag::kNone;
   QPoint pressed_;
   QPoint last_;
-  Cursor cursor_ = Cursor::kA;  // that is dragged
+  Cursor cursor_ = Cursor::kA;  // the one being dragged
   bool moves_values_ = false;
 };
 

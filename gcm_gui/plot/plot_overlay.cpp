@@ -49,7 +49,7 @@ void PlotOverlay::setNote(const QString& note) {
   changed();
 }
 
-// Hidden while there is nothing to show, as it is as large as the canvas.
+// Hidden while empty, because it is as large as the canvas.
 void PlotOverlay::changed() {
   setVisible(band_.has_value() || line_.has_value() || !hint_.isEmpty() || !note_.isEmpty());
   update();

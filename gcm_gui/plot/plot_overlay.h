@@ -7,21 +7,21 @@
 
 namespace tendon::gui {
 
-/// What lies above the curves and changes without them: the rectangle being dragged, the line under
-/// the mouse with its time, a hint while the plot is empty, and a note on what it shows. The mouse
-/// passes through it.
+/// A layer above the curves that changes independently: the rectangle being dragged, the line at
+/// the mouse with its time, a hint while the plot is empty, and a note about the view. Mouse events
+/// pass through it.
 class PlotOverlay : public QWidget {
   Q_OBJECT
 
  public:
-  /// Always as large as `canvas`, its parent.
+  /// Always has the size of `canvas`, its parent.
   explicit PlotOverlay(QWidget* canvas);
 
   void setRubberBand(const std::optional<QRect>& rect);
-  /// A vertical line at `x` with `text` at its foot.
+  /// Shows a vertical line at `x` with `text` at its foot.
   void setHairline(std::optional<int> x, const QString& text = {});
   void setHint(const QString& hint);
-  /// In the upper left corner.
+  /// Shows a note in the upper left corner.
   void setNote(const QString& note);
   [[nodiscard]] const QString& note() const { return note_; }
 

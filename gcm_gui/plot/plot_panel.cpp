@@ -127,7 +127,7 @@ void PlotPanel::removeSignal(const QString& path) {
 
 void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (view.curve(given) == nullptr) return;
-  const QString path = given;  // may be the curve's own
+  const QString path = given;  // may refer to the curve's own path
   view.removeCurve(path);
   shareMemory();
   nameTab(view);
@@ -135,7 +135,7 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
-// Of a signal that another plot shows: they are told but once.
+// If another plot already shows the signal: names are only announced once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   for (const PlotView* view : plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();
@@ -320,7 +320,7 @@ void PlotPanel::askForRemap(const QString& path) {
 }
 
 void PlotPanel::remap(const QString& given, const CurveKey& to) {
-  const QString from = given;  // may be a curve's own
+  const QString from = given;  // may refer to a curve's own path
   if (from == to.path || to.path.isEmpty()) return;
   for (PlotView* view : plots()) {
     if (view->curve(from) == nullptr) continue;

@@ -25,11 +25,11 @@ class PlotHead;
 class PlotPage;
 class PlotView;
 
-/// The plots of the window: pages of them, each a tab, in which plots lie below each other and show
-/// the same time. They are counted from the first page's topmost.
+/// The plots of the window: pages, each with a tab, of plots below each other that show the same
+/// time. Plot indices start at the top of the first page.
 ///
-/// The owner hears subscriptionWanted() and subscriptionReleased(), and brings what it gets by
-/// append(). A path may be in several plots; it is wanted once. GUI thread.
+/// The owner subscribes on subscriptionWanted(), unsubscribes on subscriptionReleased(), and passes
+/// samples to append(). A path in several plots is wanted only once. GUI thread.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -38,66 +38,65 @@ class PlotPanel : public QWidget {
 
   explicit PlotPanel(QWidget* parent = nullptr);
 
-  /// To the plot in front; nothing happens when it is there already.
+  /// Adds the signal to the current plot, unless it is already there.
   void addSignal(const QString& path, const QString& unit);
-  /// From all plots.
+  /// Removes the signal from all plots.
   void removeSignal(const QString& path);
-  /// Of paths in no plot nothing is kept.
+  /// Ignores paths that no plot has.
   void append(const QString& path, std::span<const Sample> samples);
-  /// The values of a signal have these names; null for numbers. In all plots, and in those that
-  /// come to show it.
+  /// Sets the names of a signal's values in all present and future plots; null for numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// The source was restarted: its ticks begin anew.
+  /// The source was restarted: its ticks start again.
   void beginEpoch(const QString& path);
-  /// Nothing comes until append() is called again; an empty `reason` says whose rows are waited
-  /// for.
+  /// No samples come until the next append(). An empty `reason` means waiting for rows, and names
+  /// their source.
   void setStale(const QString& path, const QString& reason = {});
   [[nodiscard]] QStringList paths() const;
-  /// In all plots.
+  /// Adds a mark to all plots.
   void addMark(Mark mark);
   [[nodiscard]] const MarkTrack& marks() const { return marks_; }
-  /// In all plots. Marks that come while they are hidden are there afterwards.
+  /// Shows or hides the marks in all plots. Marks that arrive while hidden are kept.
   void setMarksShown(bool shown);
   [[nodiscard]] bool areMarksShown() const { return marks_shown_; }
 
-  /// Stops the views; samples go on being kept.
+  /// Stops the views; samples are still stored.
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return paused_; }
-  /// Of the plot in front.
+  /// Sets the time span of the current plot.
   void setWindow(std::chrono::nanoseconds length);
-  /// Asks for a file, and saves there what the plot in front shows at the moment of asking: every
-  /// sample in sight. Writing goes on beside the window.
+  /// Asks for a file name and saves the samples that the current plot shows at that moment: every
+  /// visible sample. The file is written in the background.
   void askForCsv();
-  /// The same for a picture of it, PNG or SVG.
+  /// The same for a picture, PNG or SVG.
   void askForPicture();
-  /// For a file that holds which signals are in which plot; see LayoutOf().
+  /// Asks for a file name and saves which signals are in which plot; see LayoutOf().
   void askToSaveLayout();
   void askForLayout();
-  /// Replaces the plots by those of `file` once it is read; what is wrong with it comes as a
-  /// notice.
+  /// Reads `file` in the background and replaces the plots by it; a mistake in it is reported by
+  /// notice().
   void openLayout(const QString& file);
   void saveLayout(const QString& file);
-  /// Shows `to` wherever `from` is shown.
+  /// Shows `to` in place of `from` everywhere.
   void remap(const QString& from, const CurveKey& to);
-  /// What could be shown in place of a signal, the likeliest first.
+  /// Sets the function that suggests replacements for a signal, the likeliest first.
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
-  /// Where rows of a signal were lost.
+  /// Sets the function that says where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
-  /// Why what a signal shows is old, and how old; empty where it is not. `newest_ns` is the time of
-  /// its newest sample. See Curve::setStandstill(); asked a few times a second.
+  /// Returns why and how long a signal is old; empty if it is not. `newest_ns` is the time of its
+  /// newest sample. See Curve::setStandstill(); called a few times per second.
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);
   void toggleCursors();
 
-  /// For the samples of all plots, in bytes.
+  /// In bytes, for the samples of all plots.
   void setMemoryBudget(std::size_t bytes);
 
-  /// An empty plot on a page of its own, in front.
+  /// Adds an empty plot on a new page and makes it current.
   PlotView& addPlot();
-  /// An empty plot below the current one, with the same time.
+  /// Adds an empty plot below the current one, with the same time.
   PlotView& splitPlot();
-  /// The last one is emptied instead.
+  /// The last plot is only emptied.
   void closePlot(int index);
   void closePlot(PlotView& view);
   [[nodiscard]] PlotView& currentPlot() const;
@@ -105,11 +104,11 @@ class PlotPanel : public QWidget {
   [[nodiscard]] int plotCount() const;
   [[nodiscard]] int currentIndex() const;
   void showPlot(int index);
-  /// Whether it shares its page with the plot before it.
+  /// True if the plot is on the same page as the plot before it.
   [[nodiscard]] bool isBelow(int index) const;
-  /// Asks for a name of the page in front.
+  /// Asks for a name of the current page.
   void askForName();
-  /// Of the page that the plot is on; empty: it goes by what it shows.
+  /// Names the page of the plot; with an empty name, it follows the content.
   void setName(PlotView& view, const QString& name);
   [[nodiscard]] QString name(int index) const;
 

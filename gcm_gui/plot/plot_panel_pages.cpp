@@ -106,7 +106,7 @@ void PlotPanel::setName(PlotView& view, const QString& name) {
 
 QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
 
-// By the name it was given; else by the column of its first curve; by its number while it is empty.
+// Its given name, else the column of its first curve, or a number while it is empty.
 void PlotPanel::nameTab(PlotView& view) {
   const PlotPage& page = pageOf(view);
   const int index = pages_->indexOf(&page);
@@ -115,7 +115,7 @@ void PlotPanel::nameTab(PlotView& view) {
     return curves.empty() ? Words::tr("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
   };
   const auto& views = page.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {  // those below the first by their number too
+  for (std::size_t i = 0; i < views.size(); ++i) {  // the plots below the first also have a number
     const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
     views[i]->setAccessibleName(Words::tr("Plot ") + name_of(*views[i]) + number);
     views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
@@ -162,7 +162,7 @@ int PlotPanel::currentIndex() const {
   return static_cast<int>(std::find(all.begin(), all.end(), &currentPlot()) - all.begin());
 }
 
-// With the samples it has. What is there already is only taken away.
+// Moves a curve with its samples; if the path is already there, only removes it.
 void PlotPanel::move(const QString& path, quint64 from, PlotView& to) {
   for (PlotView* view : plots()) {
     if (view->id() != from || view == &to) continue;

@@ -33,7 +33,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kFrame = 16;       // ms
-constexpr int kLegendTicks = 6;  // frames between two changes of its numbers
+constexpr int kLegendTicks = 6;  // frames between updates of its numbers
 constexpr int kCurrentMark = 2;  // pixels at the left edge
 constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, or drag it here");
 
@@ -62,7 +62,7 @@ PlotView::PlotView(std::shared_ptr<TimeLink> link, QWidget* parent)
   setAccessibleName(Words::tr("Plot"));
   setAcceptDrops(true);
   setSizePolicy(QSizePolicy::Expanding,
-                QSizePolicy::Expanding);  // QwtPlot would insist on its hint
+                QSizePolicy::Expanding);  // overrides QwtPlot's size hint
   setAutoReplot(false);
   build();
   takeTheme();
@@ -117,7 +117,7 @@ void PlotView::takeTheme() {
   changed();
   axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
-  if (curves_.empty()) replot();  // the timer stands still
+  if (curves_.empty()) replot();  // the timer is stopped
 }
 
 Curve& PlotView::addCurve(const CurveKey& key) {
@@ -163,7 +163,7 @@ void PlotView::setFit(Fit fit) {
 
 void PlotView::setScale(ValueScale scale) {
   curves_.setScale(scale);
-  link_->leave(curves_);  // the ranges that are remembered are of the other scale
+  link_->leave(curves_);  // remembered ranges belong to the other scale
   link_->join(curves_);
   changed();
   updateLegend();
@@ -204,7 +204,7 @@ void PlotView::setStatistics(bool shown) {
 }
 
 void PlotView::setMarks(const MarkTrack& marks) {
-  delete flags_;  // leaves the plot by itself
+  delete flags_;  // removes itself from the plot
   flags_ = new MarkFlags(marks, window_);
   flags_->attach(this);
   changed();
@@ -224,7 +224,7 @@ QString PlotView::marksAt(double x) const {
   return flags_->textAt(x, map, canvas()->contentsRect());
 }
 
-// For who has no pointer to ask the flags with.
+// A text for users who cannot point at the flags.
 void PlotView::describeMarks() {
   const bool are_told = flags_ != nullptr && flags_->isVisible() && canvas()->hasFocus();
   const QString text =
@@ -254,7 +254,7 @@ void PlotView::changed() {
   noticeChange();
 }
 
-// Of this plot, or of another that shows the same time.
+// A change of this plot, or of another with the same time.
 void PlotView::noticeChange() {
   if (link_->revision() == seen_revision_) return;
   seen_revision_ = link_->revision();
@@ -263,9 +263,9 @@ void PlotView::noticeChange() {
 }
 
 void PlotView::updateLive() {
-  // The time is that of all, the values are its own.
+  // The time is shared, the value axes are the plot's own.
   live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
-  // Live already, only its values are not: then there is less to go back to.
+  // Live already, but the value axes are not fitted.
   live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
   live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
   live_pill_->setAccessibleName(isLive() ? Words::tr("Fit the values again")
@@ -280,7 +280,7 @@ void PlotView::updateLive() {
 
 std::int64_t PlotView::now() const { return link_->clock().now(LocalNow()); }
 
-// As the time axis counts them; not quite the canvas' width.
+// The width of the time axis in columns; slightly different from the canvas.
 double PlotView::columns() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   return std::max(1.0, map.p2() - map.p1());
@@ -294,7 +294,7 @@ void PlotView::noticeSamples() {
   dirty_ = true;
 }
 
-// What is seen of the curves: a sweeping window shows the end of the length before, too.
+// The visible part of the curves. A sweeping window also shows the end of the previous pass.
 std::vector<SeenSlices> PlotView::seenSlices() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   const QRect rect = canvas()->contentsRect();
@@ -311,7 +311,7 @@ std::vector<SeenSlices> PlotView::seenSlices() const {
   return seen;
 }
 
-/// What cannot be computed cannot be drawn either: the plot rests below its cover.
+/// If the computation throws, drawing would fail, too: the plot rests below its cover.
 void PlotView::refreshFenced() {
   if (!Fence::instance().isCovered(this)) {
     Fence::run(this, ViewWork::kDrawing, [this] { refresh(); });

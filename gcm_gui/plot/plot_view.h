@@ -30,57 +30,57 @@ class MarkFlags;
 class MarkTrack;
 class PlotOverlay;
 
-/// One live plot. Its curves share the time axis, which it may have in common with other plots;
-/// each unit has a Y axis.
+/// One live plot. Its curves share a time axis, which several plots may have in common; each unit
+/// has its own Y axis.
 ///
-/// Draws itself at 60 Hz at most, at less where that is dear (FrameGovernor): only while it is
-/// visible, and only when something has moved. The
-/// samples are the curves' own, whatever is shown of them. GUI thread.
+/// Draws itself at 60 Hz at most, and less often if drawing is slow (FrameGovernor); only while
+/// visible, and only if something has moved. The curves keep all samples, whatever part is shown.
+/// GUI thread.
 class PlotView : public QwtPlot {
   Q_OBJECT
 
  public:
-  /// Its time is its own.
+  /// With a time axis of its own.
   explicit PlotView(QWidget* parent = nullptr);
-  /// Shows the time of `link`, and what is done to its time is done to all that share it.
+  /// Shares the time axis of `link`: a change applies to all plots that share it.
   explicit PlotView(std::shared_ptr<TimeLink> link, QWidget* parent = nullptr);
   ~PlotView() override;
 
-  /// The one there is, when the path is plotted already. Feed it by Curve::append().
+  /// Returns the existing curve if the path is already plotted. Feed it by Curve::append().
   Curve& addCurve(const CurveKey& key);
   void removeCurve(const QString& path);
-  /// Draws anew what was said to a curve.
+  /// Redraws after a change of a curve's state.
   void curveStateChanged() { changed(); }
-  /// Of all plots of this program only this one has it.
+  /// Unique among all plots of this program.
   [[nodiscard]] std::uint64_t id() const { return id_; }
-  /// With its samples, for adoptCurve() of another plot; nullptr when there is none.
+  /// Removes a curve with its samples, for adoptCurve() of another plot; nullptr if none.
   [[nodiscard]] std::unique_ptr<Curve> takeCurve(const QString& path);
   void adoptCurve(std::unique_ptr<Curve> curve);
   [[nodiscard]] Curve* curve(const QString& path) const { return curves_.find(path); }
   [[nodiscard]] const CurveSet& curves() const { return curves_; }
 
-  /// How long a live plot looks back.
+  /// The time span of a live plot.
   void setWindow(std::chrono::nanoseconds length);
   [[nodiscard]] const TimeWindow& window() const { return window_; }
-  /// How a live plot goes on.
+  /// How a live plot moves.
   void setMotion(TimeWindow::Motion motion);
-  /// Shows what there was at that moment; false is live in time.
+  /// True holds the view at the present moment; false makes the time live.
   void setPaused(bool paused);
-  /// Live in time, and all axes follow the data.
+  /// Makes the time live, and lets all axes follow the data.
   void goLive();
-  /// And so do those of all plots that share the time.
+  /// The same, and also for the axes of all plots that share the time.
   void goLiveTogether();
   [[nodiscard]] bool isLive() const;
-  /// The sources' present time, in ns of their steady clock: see LiveClock.
+  /// The sources' present time in ns of their steady clock: see LiveClock.
   [[nodiscard]] std::int64_t now() const;
 
-  // In pixels of the canvas. All leave the live view, and goBack() undoes them.
+  // In pixels of the canvas. Each of these leaves the live view; goBack() undoes it.
   void zoomTime(double factor, double x);
   void zoomValues(double factor, double y);
   void panTime(double pixels);
   void panValues(double pixels);
   void zoomTo(const QRect& rect);
-  /// What follows is another step than what was done before; see TimeLink::Gesture.
+  /// Ends the present step of the history; see TimeLink::Gesture.
   void endRun();
   // See TimeLink.
   void goBack();
@@ -88,71 +88,71 @@ class PlotView : public QwtPlot {
   [[nodiscard]] bool hasFormerView() const;
   [[nodiscard]] bool hasLaterView() const;
 
-  /// Marks the moment at canvas column `x`, live or not.
+  /// Places the cursor at the time of canvas column `x`, live or not.
   void placeCursor(Cursor cursor, double x);
-  /// The one that is drawn at `x`, give or take some pixels.
+  /// The cursor drawn within some pixels of `x`.
   [[nodiscard]] std::optional<Cursor> cursorAt(double x) const;
-  /// A and B in the middle of what is seen, or neither.
+  /// Shows A and B in the middle of the view, or removes both.
   void showCursors(bool shown);
   [[nodiscard]] const Cursors& cursors() const { return cursors_; }
 
-  /// What labels beside the canvas take, and how much is to be kept free for them: plots below each
-  /// other have the same; see PlotAxes.
+  /// The room that the labels need, and the minimum room to keep; the same for all plots of a page.
+  /// See PlotAxes.
   [[nodiscard]] SideRoom sideRoom() const { return axes_.wantedRoom(); }
-  /// With the same time: where one of them shows curves, all are told there to go live.
+  /// Plots of the same time. If one of them shows curves, its button makes all plots live.
   void setPlotsAbove(const std::vector<PlotView*>& plots);
-  /// A stroke at its left edge says that it is the one among several that commands go to.
+  /// A line at the left edge marks the current one of several plots.
   void setMarkedCurrent(bool marked);
   void setSideRoom(const SideRoom& least) { axes_.setRoom(least); }
 
-  /// Draws these, which must outlive the plot; marksChanged() when there are more.
+  /// Draws these marks, which must outlive the plot. Call marksChanged() when they change.
   void setMarks(const MarkTrack& marks);
   void marksChanged() { changed(); }
   void setMarksShown(bool shown);
-  /// What is marked at canvas column `x`, a line each.
+  /// The marks at canvas column `x`, one per line.
   [[nodiscard]] QString marksAt(double x) const;
 
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return curves_.fit(); }
-  /// Of the values of all curves; see CurveSet::setScale(). What has no place on a logarithmic axis
-  /// is drawn at its foot, and said.
+  /// Sets the scale of all value axes; see CurveSet::setScale(). Values without a place on a
+  /// logarithmic axis are drawn at its foot, and a note says so.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return curves_.scale(); }
-  /// What is shown of a curve that is there; its axis is fitted anew.
+  /// Changes the look of an existing curve and refits its axis.
   void setLook(const QString& path, const CurveLook& look);
-  /// The names of its values, of a curve that is there; null for numbers.
+  /// Sets the names of an existing curve's values; null for numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Asks the user for it.
+  /// Asks the user for the look of a curve.
   void askForLook(const QString& path);
-  /// The legend tells lowest, highest, mean and more of what is seen of each curve.
+  /// Shows minimum, maximum, mean and more of each curve's visible part in the legend.
   void setStatistics(bool shown);
   [[nodiscard]] bool hasStatistics() const { return statistics_; }
 
-  /// The legend shows the values at canvas column `x` instead of the present ones.
+  /// The legend shows the values at canvas column `x` in place of the present ones.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
   [[nodiscard]] Legend& legendBox();
   [[nodiscard]] PlotOverlay& overlay() { return *overlay_; }
-  /// QwtPlot would leave the background to the palette, which the style sheet meddles with.
+  /// Paints the background: QwtPlot would use the palette, which the style sheet changes.
   void drawCanvas(QPainter* painter) override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }
   [[nodiscard]] QSize sizeHint() const override { return {640, 280}; }
-  /// What the timer does: draws anew what has changed.
+  /// The timer calls this to redraw what has changed.
   void refresh();
 
  Q_SIGNALS:
   void liveChanged(bool live);
   void motionChanged();
-  /// Marks are to be hidden, or shown again.
+  /// The user wants to hide or show the marks.
   void marksToggled();
   void sideRoomChanged();
   void cursorsChanged(bool shown);
   void curvesDropped(const QList<CurveKey>& keys);
-  /// They were dragged here from the plot with this id.
+  /// The user dragged these curves here from the plot with this id.
   void curvesMoved(const QList<CurveKey>& keys, quint64 from);
   void curveRemovalRequested(const QString& path);
   void remapRequested(const QString& path);
-  /// At a place of the canvas.
+  /// The user wants the menu at this place of the canvas.
   void menuRequested(const QPoint& position);
 
  protected:
@@ -187,7 +187,7 @@ class PlotView : public QwtPlot {
   PlotAxes axes_;
   CurveSet curves_;
   std::shared_ptr<TimeLink> link_;
-  TimeWindow& window_;  // of the link, as are the cursors
+  TimeWindow& window_;  // belongs to the link, like the cursors
   Cursors& cursors_;
   const std::uint64_t id_;
   std::uint64_t seen_revision_ = 0;
@@ -203,7 +203,7 @@ class PlotView : public QwtPlot {
   FrameGovernor governor_;
   int ticks_ = 0;
   QTimer timer_;
-  CurveLayer* layer_ = nullptr;  // owned by QwtPlot, as are the items below
+  CurveLayer* layer_ = nullptr;  // QwtPlot owns this and the items below
   QwtPlotGrid* grid_ = nullptr;
   MarkFlags* flags_ = nullptr;
   PlotOverlay* overlay_ = nullptr;

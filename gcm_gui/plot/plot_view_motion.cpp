@@ -67,10 +67,10 @@ void PlotView::zoomTime(double factor, double x) {
   changed();
 }
 
-// Beyond what can be shown it goes no further, and neither does it between two whole numbers, where
-// there is nothing to write at the axis.
+// Does not change a range to one that cannot be shown, nor to one between two whole numbers, where
+// the axis would have no labels.
 void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
-  constexpr double kNarrower = 1 - 1e-9;  // more than what rounding leaves of a range that is moved
+  constexpr double kNarrower = 1 - 1e-9;  // rounding changes a moved range by less
   const bool has_whole =
       curves_.scale() == ValueScale::kLinear && axis.numbers == NumberKind::kWhole;
   const bool is_between = has_whole && range.span() < std::min(1.0, axis.range.span() * kNarrower);

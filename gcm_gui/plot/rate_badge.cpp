@@ -12,7 +12,7 @@ namespace {
 
 QString Number(double hz) {
   if (hz >= 99.95) return QString::number(hz, 'f', 0);
-  // A rate is not written more exactly than a second of rows can tell.
+  // No more digits than a second of rows can determine.
   return QString::number(hz, 'g', hz >= 9.995 ? 3 : 2);
 }
 
@@ -47,7 +47,7 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
   return text;
 }
 
-/// Where they were lost, as far as that is known; empty without a loss.
+/// The losses by place, as far as known; empty without losses.
 QString PlacesText(const RowLosses& losses) {
   QStringList places;
   if (losses.table > 0) places << Words::tr("%1 in its process").arg(losses.table);

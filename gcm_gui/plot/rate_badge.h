@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// "1000 Hz · 0 lost": how fast rows arrive, and the proof that none is missing; red when one is.
-/// A click tells each source's share.
+/// "1000 Hz · 0 lost": the rate of rows and the number of lost ones; red if any is lost. A click
+/// shows the figures of each source.
 class RateBadge : public QToolButton {
   Q_OBJECT
 
@@ -18,11 +18,11 @@ class RateBadge : public QToolButton {
   void setFigures(const std::vector<SourceFigures>& figures);
 };
 
-/// "1000 Hz", "19.8 Hz", "0.5 Hz": three digits, or more in front of the point.
+/// "1000 Hz", "19.8 Hz", "0.5 Hz": three digits, two below 10 Hz, all before the point.
 [[nodiscard]] QString RateText(double hz);
-/// "; lost 600 in its process, 3 on the network"; empty where nothing was lost.
+/// "; lost 600 in its process, 3 on the network"; empty without losses.
 [[nodiscard]] QString PlacesText(const RowLosses& losses);
-/// Of all sources: "20–1000 Hz · 600 lost · 3 repeated · 1 silent". Empty without any.
+/// All sources together: "20–1000 Hz · 600 lost · 3 repeated · 1 silent". Empty without sources.
 [[nodiscard]] QString BadgeText(const std::vector<SourceFigures>& figures);
 
 }  // namespace tendon::gui

@@ -5,13 +5,13 @@
 
 namespace tendon::gui {
 
-/// Where rows of one source were lost since its subscription.
+/// The losses of rows of one source since its subscription, by place.
 struct RowLosses {
-  std::uint64_t table = 0;    ///< in its process: overwritten before they were gathered
-  std::uint64_t network = 0;  ///< refused by the link, or written while there was none
+  std::uint64_t table = 0;    ///< in its process: overwritten before they were collected
+  std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
   std::uint64_t viewer = 0;   ///< in this window
 
-  /// What has come since `before`.
+  /// The losses after `before`.
   [[nodiscard]] RowLosses since(const RowLosses& before) const {
     const auto rest = [](std::uint64_t now, std::uint64_t then) {
       return now - std::min(now, then);

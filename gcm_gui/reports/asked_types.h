@@ -12,20 +12,20 @@
 
 namespace tendon::gui {
 
-/// Types of values that processes are asked for, by fingerprint. One that was not told is asked for
-/// again, after a pause that doubles from kFirstPause to kLongestPause. Not thread-safe.
+/// Schedules requests for types, by fingerprint. A failed request is repeated after a pause that
+/// doubles from kFirstPause to kLongestPause. Not thread-safe.
 class AskedTypes {
  public:
   static constexpr std::chrono::seconds kFirstPause{1};
   static constexpr std::chrono::seconds kLongestPause{30};
 
-  /// From now on it is wanted; `process` is who has it, the last one that was named.
+  /// Adds a wanted type. `process` has it; a later call may name another process.
   void want(Fingerprint type, const std::string& process);
-  /// The types that are to be asked for now, each with its process; none twice before hear().
+  /// The types to request now, each with its process. Call hear() for each of them.
   [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);
-  /// What came of the question.
+  /// Takes the result of a request.
   void hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
-  /// The last answer; null while there was none.
+  /// The last answer; null if there is none.
   [[nodiscard]] const Result<Schema>* find(Fingerprint type) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace tendon::gui {
 
-/// All that a connection has counted, a sentence a line.
+/// All counters of a connection, one sentence per line.
 [[nodiscard]] QStringList CountsLines(const ConnectionCounts& counts);
 
 }  // namespace tendon::gui

@@ -15,16 +15,16 @@
 
 namespace tendon::gui {
 
-/// The reports over the network, through the session's client. Events are handed out 10 times a
-/// second, and no more at once than the window can show without a pause.
+/// The system's reports, received through the session's client. Passes on events 10 times a second,
+/// and at most as many as the window can show without a pause.
 class NetworkReports final : public SystemReports {
   Q_OBJECT
 
  public:
-  /// Events that are read at one go; more are counted as lost.
+  /// The number of events passed on at once; more are counted as lost.
   static constexpr std::size_t kMostAtOnce = 1000;
 
-  /// Client and store must outlive it; `courier` leads to the GUI thread.
+  /// `client` and `store` must outlive it; `courier` delivers to the GUI thread.
   NetworkReports(GcmClient& client, const CatalogueStore& store, std::shared_ptr<Courier> courier,
                  QObject* parent = nullptr);
   ~NetworkReports() override;
@@ -38,9 +38,9 @@ class NetworkReports final : public SystemReports {
   void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
-  /// Listens to what is wanted and there, and to nothing else; a timer calls it.
+  /// Subscribes to exactly the wanted events that exist; a timer calls it.
   void follow();
-  /// Hands out what has come; a timer calls it.
+  /// Passes on the events that have arrived; a timer calls it.
   void drain();
 
  private:
@@ -50,7 +50,7 @@ class NetworkReports final : public SystemReports {
   };
 
   void learn(const console::EventInbox::Content& content);
-  /// Nothing while its type is being asked for.
+  /// The event's value as text; nothing while its type is being requested.
   [[nodiscard]] std::optional<QString> valueOf(const console::HeardEvent& event) const;
 
   GcmClient& client_;

@@ -13,17 +13,17 @@ namespace tendon::gui {
 
 /// An event that was raised.
 struct HeardEvent {
-  /// When it was raised, by the steady clock of its process: ns since 1970, by this machine's
-  /// clock.
+  /// The time of the event in ns since 1970 by this machine's clock, computed from the event's age
+  /// on the steady clock.
   std::int64_t when = 0;
   QString path;   ///< "robot/arm/Control.GoalReached"
-  QString value;  ///< JSON; empty where it carries none
+  QString value;  ///< JSON; empty if it has none
 
   bool operator==(const HeardEvent&) const = default;
 };
 
-/// What the system tells besides its catalogue: log, events, and how its processes and connections
-/// do. Lives in the GUI thread; nothing here waits, and handlers are called in the GUI thread.
+/// The system's reports beside its catalogue: log, events, and the health of processes and
+/// connections. GUI thread; nothing here waits, and handlers are called in the GUI thread.
 class SystemReports : public QObject {
   Q_OBJECT
 
@@ -33,29 +33,29 @@ class SystemReports : public QObject {
   template <typename T>
   using Handler = std::function<void(const Result<T>&)>;
 
-  /// From now on the log of all processes arrives, what the GCM has kept of it first.
+  /// Starts the log of all processes, beginning with the records that the GCM has kept.
   virtual void watchLog() = 0;
 
-  /// From now on `owner` wants the events that fit these patterns, "robot/arm/*" or "**", and no
-  /// others. Forgotten when the owner dies. All events that anyone wants arrive at everybody.
+  /// Sets the events that `owner` wants by patterns, "robot/arm/*" or "**"; replaces earlier ones.
+  /// Ends when `owner` is destroyed. Every receiver gets the events that anyone wants.
   virtual void listen(const QObject* owner, const QStringList& patterns) = 0;
 
   virtual void askHealth(Handler<message::SystemHealth> handler) = 0;
-  /// Of the connection of a required interface; asks its process: errors of GcmClient::GetCounts().
+  /// The counters of a connection, from its process: errors of GcmClient::GetCounts().
   virtual void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) = 0;
-  /// Of the mailboxes of a component.
+  /// The levels of a component's mailboxes.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
-  /// The processes that the GCM has started: errors of GcmClient::GetChildren().
+  /// The processes started by the GCM: errors of GcmClient::GetChildren().
   virtual void askChildren(Handler<message::Children> handler) = 0;
-  /// Of which classes a process makes components.
+  /// The classes of the components that a process can create.
   virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
-  /// In the order of their coming, except that those of a new type wait until it is known.
+  /// In order of arrival, except that events of a new type wait until the type is known.
   void eventsArrived(const std::vector<tendon::gui::HeardEvent>& events);
-  /// So many more were raised for which there was no room, or no time.
+  /// `count` more events were lost, for lack of room or time.
   void eventsLost(const QString& path, std::uint64_t count);
 };
 

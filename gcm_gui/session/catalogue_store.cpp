@@ -11,12 +11,12 @@ void Touch(Touched& touched, const ConnectionDescription& connection) {
   touched.insert({connection.provided.process, connection.provided.component});
 }
 
-/// Both ends of what a process is connected to: their rows say so.
+/// Marks both ends of a process's connections, because their rows show them.
 void TouchConnections(Touched& touched, const ProcessEntry& entry) {
   for (const auto& [id, connection] : entry.connections) Touch(touched, connection);
 }
 
-/// What `change` touches in the catalogue before it is applied.
+/// The parts that `change` touches, in the catalogue before it is applied.
 void Touch(Touched& touched, const Catalog& before, const CatalogChange& change) {
   const ProcessEntry* entry = before.FindProcess(change.process);
   switch (change.kind) {
@@ -57,8 +57,8 @@ std::int64_t Now() {
   return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// Moves about so many components from the front of `parts` to the result, each once: a whole
-/// process stands for all of its components.
+/// Moves about `most` components from the front of `parts` to the result; a whole process counts as
+/// all its components.
 Touched TakeSome(Touched& parts, const Catalog& catalogue, std::size_t most) {
   Touched some;
   for (std::size_t count = 0; !parts.empty() && count < most;) {
@@ -111,7 +111,7 @@ void CatalogueStore::replace(Catalog catalogue) {
   });
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [unused, component] : entry.components) {
-      noteState(name, component, std::nullopt);  // it changed while nobody listened
+      noteState(name, component, std::nullopt);  // changed while nobody watched
     }
   }
   TouchAll(untold_, catalogue_);

@@ -14,8 +14,8 @@
 
 namespace tendon::gui {
 
-/// A component of which something has changed, its interfaces' connections included. Without a
-/// component it is the whole process.
+/// A component that has changed, or one of its interfaces' connections has. An empty component
+/// means the whole process.
 struct TouchedPart {
   std::string process;
   std::string component;
@@ -24,35 +24,35 @@ struct TouchedPart {
 };
 using Touched = std::set<TouchedPart>;
 
-/// The window's copy of the catalogue: every view shows this one. Lives in the GUI thread.
+/// The window's copy of the catalogue, shared by all views. GUI thread.
 class CatalogueStore : public QObject {
   Q_OBJECT
 
  public:
-  /// More components than this, at most by the rest of a process, are told of in several steps.
+  /// More changed components than this (plus the rest of a process) are announced in several steps.
   static constexpr std::size_t kMostAtOnce = 100;
 
   explicit CatalogueStore(QObject* parent = nullptr);
 
   [[nodiscard]] const Catalog& catalogue() const { return catalogue_; }
 
-  /// Since when a component is in its state, ns since 1970; nothing where this window was not there
-  /// when it changed.
+  /// The time, ns since 1970, at which a component entered its state; nothing if that was before
+  /// this window watched.
   [[nodiscard]] std::optional<std::int64_t> stateSince(const std::string& process,
                                                        const std::string& component) const;
 
-  /// A snapshot: all of the old and the new one counts as touched.
+  /// Takes a snapshot; everything old and new counts as touched.
   void replace(Catalog catalogue);
-  /// The next changes; those that do not follow are left out, and a snapshot will come.
+  /// Takes the next changes. Ignores changes after a missing one: a snapshot will follow.
   void apply(const std::vector<CatalogChange>& changes);
-  /// The views have not been told of everything yet.
+  /// True while the views do not know all changes yet.
   [[nodiscard]] bool isTelling() const { return !untold_.empty(); }
 
  Q_SIGNALS:
-  /// Once for the changes that arrived together; where they touch many components, step by step
-  /// from the event loop, so that no step holds up the window.
+  /// Announces changes that arrived together; if they touch many components, in steps from the
+  /// event loop, so that no step blocks the window.
   void changed(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
-  /// FindSchema() knows more of the catalogue's types than before.
+  /// FindSchema() now knows more types of the catalogue.
   void typesLearned();
 
  private:

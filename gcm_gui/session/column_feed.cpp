@@ -29,7 +29,7 @@ bool SameShape(const std::vector<PlotChannel>& a, const std::vector<PlotChannel>
                     [](const PlotChannel& x, const PlotChannel& y) { return x.path == y.path; });
 }
 
-/// Of those that are too many; returns how many that were.
+/// Drops the samples above the limit; returns their number.
 std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting) {
   if (waiting <= ColumnFeed::kMostWaiting) return 0;
   std::size_t dropped = 0;
@@ -48,7 +48,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 ExactNumber NumberOf(const PlotChannel& channel, std::span<const std::byte> body) {
   const auto value = ReadExactly(channel, body);
   if (!value) return kNone;
-  // Those of a state are signed, whose names are by signed numbers.
+  // States are signed, like the numbers in ValueNames.
   const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
   if (value->kind() == ChannelValue::Kind::kSigned || is_state) {
     return ExactNumber::Signed(value->integer());
@@ -87,7 +87,7 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   is_picture_ = DescribesPicture(*schema_);
   varies_ = !is_picture_ && HasSequence(*schema_);
   shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(*schema_));
-  if (is_healed) {  // else it is the one that was there before
+  if (is_healed) {  // a renewed subscription, not the first
     newest_row_.clear();
     is_healed_ = true;
   }

@@ -14,82 +14,82 @@
 
 namespace tendon::gui {
 
-/// The rows of one column on their way to the GUI thread: network threads put them in, the GUI
-/// thread takes them out. Of tapped numbers every row is kept, of the rest only the newest row.
+/// Passes the rows of one column from network threads to the GUI thread. Keeps every row of tapped
+/// numbers, and only the newest row of the others.
 ///
-/// Network threads hold the lock for as long as one batch takes to be read. The GUI thread, of
-/// which all other functions are, never waits for them: it gets, and taps, the next time.
+/// Network threads hold the lock while they read one batch. All other functions belong to the GUI
+/// thread and never wait for the lock: if it is taken, they do their work in the next call.
 class ColumnFeed final : public RowSink {
  public:
-  /// At most so many samples of a number wait to be taken; newer ones take the place of the oldest,
-  /// which are seen as lost.
+  /// The maximum number of waiting samples per number; when it is reached, the oldest are dropped
+  /// and count as lost.
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
-  /// Samples of one start of the source.
+  /// Samples from one run of the source.
   struct Run {
     bool begins_epoch = false;
     std::vector<Sample> samples;
   };
   struct Taken {
     std::vector<Run> runs;
-    std::optional<QString> stale;  ///< since then nothing has come, and why
-    /// The names of its values, since they have become known; null for numbers.
+    std::optional<QString> stale;  ///< no samples since then, and why
+    /// The names of the number's values, once known; null for plain numbers.
     std::optional<ValueNamesPointer> names;
   };
 
   void OnSubscribed(const std::vector<Schema>& columns) override;
   std::size_t OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
-  /// The row that was there before the subscription, of a source that may write no more of them;
-  /// nothing where rows have come already.
+  /// Takes the row that existed before the subscription, because the source may write no more.
+  /// Ignored if rows have already arrived.
   void takeStanding(const RowBatch& batch);
-  /// These are also false while a batch is read.
+  /// These also return false while a batch is being read.
   [[nodiscard]] bool hasRow();
   [[nodiscard]] bool lacksRow();
-  /// Whether the subscription has been made anew since the last call, which forgets the newest row:
-  /// that may be one of long ago.
+  /// Returns true if the subscription was renewed since the last call. Then also forgets the newest
+  /// row, which may be very old.
   [[nodiscard]] bool takeHealed();
 
-  /// `field` is what follows the column in a path: ".position[0]", or empty. While a batch is read,
-  /// it is tapped when something is taken the next time.
+  /// `field` is the part of a path after the column: ".position[0]", or empty. If a batch is being
+  /// read, the tap starts at the next take.
   void tap(const std::string& field);
   void untap(const std::string& field);
   [[nodiscard]] Taken take(const std::string& field);
-  /// The newest row, when one has come (or the column has become known) since the last call.
+  /// The newest row, if one has arrived or the column has become known since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
-  /// Why no rows come, where that is known, else empty; empty too while a batch is read.
+  /// Why no rows come, if known; empty also while a batch is being read.
   [[nodiscard]] QString refusal();
-  /// Since the beginning; as they were before, while a batch is read.
+  /// Since the beginning; the previous figures while a batch is being read.
   [[nodiscard]] RowLosses losses();
 
  private:
   struct Tap {
     std::optional<PlotChannel> channel;
     std::vector<Run> runs;
-    std::size_t waiting = 0;  // samples in the runs
+    std::size_t waiting = 0;  // samples in `runs`
     std::optional<QString> stale;
     std::optional<ValueNamesPointer> names;
   };
 
-  /// Of the GUI thread, for the taps.
+  /// An order of the GUI thread for the taps.
   struct Order {
     std::string field;
     bool is_wanted = false;
   };
 
   void order(Order one);
-  /// Under the lock: what was ordered is done.
+  /// Executes the orders; call it with the lock held.
   void obey();
   void resolve(const std::string& field, Tap& tap) const;
   void keepNewest(const RowBatch& batch);
-  /// How many rows had to make room.
+  /// Returns the number of dropped samples.
   std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
   [[nodiscard]] ChannelList shapeOf(const std::vector<std::byte>& row);
 
   std::mutex mutex_;
   std::optional<Schema> schema_;
   bool is_picture_ = false;
-  bool varies_ = false;  // the schema has sequences, so each row may have other channels
+  bool varies_ = false;  // the schema has sequences, so the channels may differ from row to row
   std::uint64_t epoch_ = 0;
   std::map<std::string, Tap> taps_;
   std::optional<QString> stale_;
@@ -97,8 +97,8 @@ class ColumnFeed final : public RowSink {
   std::int64_t newest_time_ = 0;
   std::uint64_t rows_ = 0;
   RowLosses losses_;
-  RowLosses told_losses_;      // of the GUI thread
-  std::vector<Order> orders_;  // of the GUI thread
+  RowLosses told_losses_;      // GUI thread only
+  std::vector<Order> orders_;  // GUI thread only
   bool fresh_ = false;
   bool is_healed_ = false;
   ChannelList shape_;

@@ -9,12 +9,12 @@
 
 namespace tendon::gui {
 
-/// Commands that a user calls from the window. Each function returns at once; a handler is called
-/// in the GUI thread, at most once, and not after the session has ended.
+/// Calls commands for the user. Each function returns at once; a handler is called in the GUI
+/// thread, at most once, and not after the end of the session.
 class CommandCalls {
  public:
   using SchemaHandler = std::function<void(const Result<Schema>&)>;
-  /// JSON, empty where the command answers nothing; and the seconds it took.
+  /// The answer as JSON, empty if the command has no result; and the duration in s.
   using AnswerHandler = std::function<void(const Result<std::string>&, double)>;
 
   CommandCalls() = default;
@@ -22,13 +22,13 @@ class CommandCalls {
   CommandCalls& operator=(const CommandCalls&) = delete;
   virtual ~CommandCalls() = default;
 
-  /// What a type looks like, as `process` knows it.
+  /// The schema of a type, from `process`.
   virtual void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) = 0;
-  /// Calls "robot/arm/Control.MoveTo"; `argument` is JSON, empty for none. The activity list has
-  /// it, too.
+  /// Calls "robot/arm/Control.MoveTo"; `argument` is JSON, or empty for none. The call appears in
+  /// the activity list.
   virtual void callCommand(const std::string& path, const std::string& argument,
                            AnswerHandler handler) = 0;
-  /// What a read command says now, as JSON. Nobody has asked for it: no list has it.
+  /// Reads a value as JSON by a read command. No list shows it: the user did not request it.
   using ValueHandler = std::function<void(const Result<std::string>&)>;
   virtual void readValue(const std::string& path, ValueHandler handler) = 0;
 };

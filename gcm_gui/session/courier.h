@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// Carries calls from any thread to the thread of its receiver, in order. Handlers of network
-/// threads share it, so that one that outlives the receiver finds nobody and does nothing.
+/// Posts calls from any thread to the thread of its receiver, in order. Handlers in network threads
+/// share it, so a handler that outlives the receiver does nothing.
 class Courier {
  public:
   explicit Courier(QObject* receiver) : receiver_(receiver) {}
@@ -23,7 +23,7 @@ class Courier {
     }
   }
 
-  /// After it returns nothing more is posted. The receiver calls it before it goes.
+  /// Posts nothing more once it has returned. The receiver must call it before it is destroyed.
   void detach() {
     const std::lock_guard lock(mutex_);
     receiver_ = nullptr;

@@ -6,33 +6,33 @@
 
 namespace tendon::gui {
 
-/// How the window stands to its GCM. GUI thread.
+/// The state of the window's link to its GCM. GUI thread.
 class GcmLink : public QObject {
   Q_OBJECT
 
  public:
   enum class State {
-    kSearching,  ///< none has been found yet
+    kSearching,  ///< not found yet
     kConnected,
-    kLost,  ///< there was one
+    kLost,  ///< found before, now unreachable
   };
 
   using QObject::QObject;
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const QString& address() const { return address_; }
-  /// This program hosts the GCM itself.
+  /// True if this program hosts the GCM itself.
   [[nodiscard]] bool isHosted() const { return hosted_; }
-  /// Why it cannot be reached.
+  /// Why the GCM is unreachable.
   [[nodiscard]] const QString& reason() const { return reason_; }
-  /// When it came into its state, ns since 1970.
+  /// The start of the present state, ns since 1970.
   [[nodiscard]] std::int64_t since() const { return since_; }
 
   void setAddress(const QString& address, bool hosted);
   void setConnected();
-  /// Lost, or still searching when there never was one.
+  /// Sets kLost, or kSearching if there never was a link.
   void setUnreachable(const QString& reason);
-  /// All that is known of the system is wanted anew.
+  /// Requests the whole state of the system again.
   void askAnew() { Q_EMIT wantedAnew(); }
 
  Q_SIGNALS:

@@ -17,7 +17,7 @@ Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middle
     hosted->process_ = std::make_unique<Process>(
         "gcm", ProcessOptions{.middleware = middleware, .gcm = hosted->address()});
   } catch (const ConfigurationError& error) {
-    // The GCM serves the others all the same.
+    // The GCM still serves the other processes.
     Log(LogLevel::kWarning, "gcm-gui", error.what());
   }
   return hosted;
@@ -26,7 +26,7 @@ Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middle
 HostedGcm::HostedGcm(std::unique_ptr<GlobalManager> manager) : manager_(std::move(manager)) {}
 
 HostedGcm::~HostedGcm() {
-  process_.reset();  // says good-bye to the manager
+  process_.reset();  // leaves the manager properly
 }
 
 std::string HostedGcm::address() const { return manager_->address(); }

@@ -14,18 +14,18 @@ class Process;
 
 namespace tendon::gui {
 
-/// A GCM in this program, and this program's own process, "gcm", as its first member.
+/// A GCM in this program, with this program's own process, "gcm", as its first member.
 class HostedGcm {
  public:
-  /// `launch` is how it starts processes. Errors: kExists where there is a GCM at this address
-  /// already, and others of Middleware::Listen().
+  /// `launch` starts processes. Errors: kExists if there is already a GCM at this address, and
+  /// those of Middleware::Listen().
   static Result<std::unique_ptr<HostedGcm>> Start(const std::shared_ptr<Middleware>& middleware,
                                                   const std::string& address, Launch launch = {});
   HostedGcm(const HostedGcm&) = delete;
   HostedGcm& operator=(const HostedGcm&) = delete;
   ~HostedGcm();
 
-  /// Where others reach it.
+  /// The address for others.
   [[nodiscard]] std::string address() const;
 
  private:

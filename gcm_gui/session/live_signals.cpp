@@ -14,13 +14,12 @@ constexpr milliseconds kValuesPeriod{100};
 constexpr milliseconds kSweepPeriod{1000};
 constexpr int kIdleSweeps = 3;
 
-/// What follows the column: ".position[0]".
+/// The part after the column: ".position[0]".
 std::string FieldOf(const QString& column, const QString& signal) {
   return signal.mid(column.size()).toStdString();
 }
 
-/// Every row means every one from now on: what was written before comes by a subscription of its
-/// own.
+/// A subscription to every row only gets new rows. This one gets the row written before.
 class StandingRow final : public RowSink {
  public:
   explicit StandingRow(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
@@ -134,7 +133,7 @@ void LiveSignals::retry(const QString& column) {
 }
 
 void LiveSignals::drain() {
-  // What a receiver does in return may subscribe or release: walk over a copy of the names.
+  // A receiver may subscribe or release in its handler: iterate over a copy of the names.
   QList<std::pair<QString, QString>> signals_of_columns;
   for (const auto& [path, column] : columns_) {
     for (const auto& [signal, users] : column.users) signals_of_columns.append({path, signal});

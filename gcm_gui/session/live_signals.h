@@ -18,9 +18,9 @@ namespace tendon::gui {
 
 class ColumnFeed;
 
-/// Live data over the network: one subscription a column, shared by all who look at it, and a
-/// second one until the row that was there before it has come; kept for a moment after the last has
-/// looked away. Rows are handed out 30 times a second, newest values 10 times.
+/// Live data over the network. One subscription per column, shared by all users, plus a second one
+/// until the row that existed before has arrived; both last a little longer than their users.
+/// Passes on rows 30 times a second, newest values 10 times.
 class LiveSignals : public SignalSource {
   Q_OBJECT
 
@@ -35,13 +35,13 @@ class LiveSignals : public SignalSource {
   [[nodiscard]] RowLosses losses(const QString& signal) const override;
   void retry(const QString& column) override;
 
-  /// How many columns are subscribed to now.
+  /// The number of subscribed columns.
   [[nodiscard]] std::size_t columnCount() const { return columns_.size(); }
 
-  /// Hands out what has come; the timers call it.
+  /// Passes on new data; the timers call it.
   void drain();
   void drainValues();
-  /// Ends the subscriptions that nobody has used for a while.
+  /// Ends subscriptions that have been unused for a while.
   void dropUnused();
 
  private:
@@ -49,18 +49,18 @@ class LiveSignals : public SignalSource {
     std::shared_ptr<ColumnFeed> feed;
     TableSubscription table;
     TelemetryClient::Id id = 0;
-    std::optional<TelemetryClient::Id> standing;  // until a row is there
-    std::map<QString, int> users;                 // of each signal
+    std::optional<TelemetryClient::Id> standing;  // until a row has arrived
+    std::map<QString, int> users;                 // by signal
     QSet<const QObject*> watchers;
     int idle_sweeps = 0;
 
     [[nodiscard]] bool used() const { return !users.empty() || !watchers.isEmpty(); }
   };
 
-  /// Null for what is no path of a column.
+  /// Null if `column` is not the path of a column.
   Column* open(const QString& column);
-  /// Asks for the row that was there before, where somebody looks at the column and none has come;
-  /// also after the link was cut, when it is another one.
+  /// Requests the row that existed before the subscription, if the column has users and no row yet;
+  /// does so again after a lost link, since there may be another row.
   void seekStandingRow(Column& column);
   void endStanding(Column& column);
   void drainSignal(Column& column, const QString& signal);
@@ -74,7 +74,7 @@ class LiveSignals : public SignalSource {
   QTimer sweep_timer_;
 };
 
-/// "robot/arm/state.Joints" of "robot/arm/state.Joints.position[0]"; empty when it is no such path.
+/// "robot/arm/state.Joints" of "robot/arm/state.Joints.position[0]"; empty for other paths.
 [[nodiscard]] QString ColumnPathOf(const QString& signal);
 
 }  // namespace tendon::gui

@@ -21,11 +21,11 @@ std::optional<Error> RefusalOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
 }
 
-/// What a window has done that is this step of the history.
+/// The action of a window that corresponds to this step of the history.
 Action ActionOf(const message::HistoryEntry& step) {
   Action action;
   if (IsOfLife(step)) {
-    action.verb = Action::Verb::kUndo;  // unless it is one that windows make
+    action.verb = Action::Verb::kUndo;  // unless it is one that windows can make
     action.component = step.life.process + '/' + step.life.component;
     for (const LifeVerb verb : {LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop}) {
       if (ToString(verb) != step.verb) continue;
@@ -63,7 +63,7 @@ class Session::Listener final : public GcmListener {
   }
 
  private:
-  Session& session_;  // used in its own thread only, while it lives
+  Session& session_;  // used only in its own thread, while it lives
   std::shared_ptr<Courier> courier_;
 };
 
@@ -108,7 +108,7 @@ void Session::hearChanges(const std::vector<CatalogChange>& changes) {
   if (std::any_of(changes.begin(), changes.end(), is_component)) learnTypes();
 }
 
-/// So that what does not fit can be said in words, once a user asks.
+/// Learns types in advance, so that mismatches can be explained when the user asks.
 void Session::learnTypes() {
   client_->LearnDisputedTypes([this, courier = courier_](const auto& /*as far as they answer*/) {
     courier->post([this] { Q_EMIT store_.typesLearned(); });
@@ -306,7 +306,7 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                          : Result<std::chrono::microseconds>(answer.error()));
     tell(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
   };
-  // Answered by the process itself, without a thread of a component's.
+  // The process itself answers, without a thread of the component.
   client_->GetFill(wire.provided.process, wire.provided.component, heard);
 }
 

@@ -24,14 +24,14 @@
 
 namespace tendon::gui {
 
-/// The window's one connection to the system: the only class that hears network threads. All it
-/// hears arrives in the GUI thread, in order; nothing it is asked to do waits.
+/// The window's only connection to the system, and the only class that hears network threads.
+/// Everything it hears arrives in the GUI thread, in order; no request waits.
 class Session : public QObject, public SystemActions, public CommandCalls, public ConnectionChecks {
   Q_OBJECT
 
  public:
-  /// Looks for the GCM at `address`, for as long as it takes; what it is asked is answered within
-  /// `timeout`. To a viewer whatever would change something is denied.
+  /// Searches for the GCM at `address` without a time limit; requests time out after `timeout`. A
+  /// viewer is denied every change.
   Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
           Role role = Role::kOperator,
           std::chrono::milliseconds timeout = GcmClient::Options().timeout);
@@ -62,7 +62,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
-  /// A call whose answer is yet to come.
+  /// A call without an answer yet.
   struct OpenCall {
     std::string process;
     std::chrono::steady_clock::time_point start;
@@ -73,13 +73,13 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   void hearChanges(const std::vector<CatalogChange>& changes);
   void hearLost(const Error& reason);
   void learnTypes();
-  /// Enters the action, and returns what takes its result to the GUI thread from any thread.
+  /// Adds the action to the list; the returned function takes its result from any thread.
   Finish begin(Action action);
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);
-  /// Once: what a process answers after it was given up for lost tells nobody anything.
+  /// Ignores the answer of a process to a call that was already given up.
   void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
-  /// Nobody waits any longer for those that are lost.
+  /// Gives up the calls to lost processes.
   void giveUpCalls();
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 

@@ -8,8 +8,8 @@
 
 namespace tendon::gui {
 
-/// What a user can change of the system. Each returns at once; what came of it is told by the
-/// activity list, and the catalogue shows it.
+/// The changes that a user can make to the system. Each function returns at once; the activity list
+/// shows the outcome, and the catalogue the new state.
 class SystemActions {
  public:
   SystemActions() = default;
@@ -19,17 +19,17 @@ class SystemActions {
 
   virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
   virtual void disconnectInterface(const InterfaceName& required) = 0;
-  /// Connects a connected interface to another provider, as one step; to the former one again when
-  /// that is refused.
+  /// Connects a connected interface to another provider in one step; reconnects it to the former
+  /// one if that is refused.
   virtual void replaceConnection(const InterfaceName& required, const InterfaceName& provided) = 0;
-  /// Takes back the newest step that stands, whoever has made it; what is not this window's, or was
-  /// ordered of a component, only when it is asked for a second time.
+  /// Undoes the newest step that stands, by any author. A step of somebody else, or on a
+  /// component's life cycle, is only undone at the second call.
   virtual void undo() = 0;
-  /// Removes what is left of a lost process.
+  /// Removes the remains of a lost process.
   virtual void forget(const std::string& process) = 0;
   /// Starts, suspends, stops or restarts a component.
   virtual void steer(LifeVerb verb, const std::string& process, const std::string& component) = 0;
-  /// What is below `level` the process drops from now on.
+  /// From now on the process drops records below `level`.
   virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-/// The GCM puts the name of a certificate before that of the program: "anna (gcm-gui of ...)".
+/// With a certificate, the GCM puts its name first: "anna (gcm-gui of ...)".
 bool IsBy(const std::string& who, const std::string& program) {
   return who == program || who.ends_with(" (" + program + ")");
 }

@@ -58,11 +58,11 @@ void SteerCard::enter() {
   Q_EMIT confirmed(verb_, components_);
 }
 
-/// A key that is still held from what has opened the card is no second one.
+/// Ignores a key that is still held since it opened the card.
 void SteerCard::keyPressEvent(QKeyEvent* event) {
   if (event->isAutoRepeat()) return;
   const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  // A button that is to be held cannot be clicked.
+  // A button that must be held cannot be clicked.
   if (is_enter && window()->focusWidget() == button_) return enter();
   OverlayCard::keyPressEvent(event);
 }

@@ -12,16 +12,15 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// Asks once more before components are started or stopped: the button is held, or Enter
-/// pressed.
+/// Asks for confirmation before components are started or stopped: hold the button, or press Enter.
 class SteerCard : public OverlayCard {
   Q_OBJECT
 
  public:
-  /// Over `place`, a part of the window.
+  /// Appears over `place`, a part of the window.
   explicit SteerCard(QWidget& place);
 
-  /// `lines` name the components, `effects` say what will happen to them.
+  /// `lines` name the components; `effects` say what will happen to them.
   void ask(LifeVerb verb, const std::vector<Path>& components, const QStringList& lines,
            const QStringList& effects);
 

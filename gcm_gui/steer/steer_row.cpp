@@ -22,7 +22,7 @@ SteerRow::SteerRow(QWidget* parent) : QWidget(parent) {
     connect(button, &HoldButton::called, this, [this, verb] { Q_EMIT chosen(verb); });
     connect(button, &HoldButton::letGoEarly, this,
             [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
-    // Each as wide as the others, and never the reason why the panel is.
+    // All of equal width, and never wider than the panel.
     button->setMinimumWidth(1);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     line->addWidget(button);

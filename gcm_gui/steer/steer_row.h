@@ -11,15 +11,15 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// The buttons that start, suspend, stop and restart one component. Each is held for a while: any
-/// of them can set something in motion, or let it fall.
+/// The buttons to start, suspend, stop and restart one component. Each must be held for a while,
+/// because any of them can cause or end a motion.
 class SteerRow : public QWidget {
   Q_OBJECT
 
  public:
   explicit SteerRow(QWidget* parent = nullptr);
 
-  /// What the component would refuse in its state is disabled, and says why.
+  /// Disables the buttons that the component would refuse in its state; their tool tips say why.
   void show(const Catalog& catalogue, const std::string& process, const std::string& component);
 
  Q_SIGNALS:

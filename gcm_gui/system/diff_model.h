@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// In what the running system differs from its file.
+/// The differences between the running system and its file.
 class DiffModel : public RowListModel<SystemDifference> {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class DiffModel : public RowListModel<SystemDifference> {
 /// "= 29   + 2 only running   − 1 missing   ~ 1 changed".
 [[nodiscard]] QString SummaryOf(const SystemComparison& comparison);
 
-/// A line of a plan: a step and how it went, or what no step can bring about.
+/// A line of a plan: a step and its outcome, or something that no step can achieve.
 struct PlanLine {
   enum class Kind { kObstacle, kNote, kWaiting, kDone, kFailed, kLeft };
 
@@ -33,7 +33,7 @@ struct PlanLine {
   bool operator==(const PlanLine&) const = default;
 };
 
-/// The steps of a plan in their order, after what is in its way and what else is to be known.
+/// The steps of a plan in order, below the obstacles and remarks.
 class PlanModel : public RowListModel<PlanLine> {
   Q_OBJECT
 

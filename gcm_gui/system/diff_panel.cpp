@@ -26,7 +26,7 @@ QPushButton* MakeButton(const QString& text, const char* name, QHBoxLayout& row)
   return button;
 }
 
-/// A line of words above a list, and what can be done below it.
+/// A line of text above a list, and buttons below it.
 QVBoxLayout* Frame(QWidget& page, QLabel& words, RowView& list, QHBoxLayout& buttons) {
   auto* column = new QVBoxLayout(&page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -147,7 +147,7 @@ void DiffPanel::showDiff() {
   showButtons();
 }
 
-/// Another line never takes the place of the chosen one.
+/// Selects the same difference again, never another one in its place.
 void DiffPanel::choose(const std::string& what) {
   int row = 0;
   while (row < differences_.rowCount() && !what.empty() && differences_.row(row).what != what)
@@ -217,7 +217,7 @@ void DiffPanel::showPlan() {
   back_->setEnabled(phase != Restore::Phase::kRunning);
   pages_->setCurrentIndex(page);
   if (!is_new) return;
-  // On nothing that does something: a key may still be held.
+  // Away from every button: a key may still be held.
   if (waits || phase == Restore::Phase::kAsking) step_list_->setFocus();
   if (phase == Restore::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();

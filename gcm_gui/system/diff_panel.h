@@ -16,18 +16,18 @@ namespace tendon::gui {
 
 class RowView;
 
-/// The running system beside its file, line by line, and the steps from the one to the other before
-/// and while they are made.
+/// Compares the running system with its file, line by line, and shows the steps from one to the
+/// other before and while they are executed.
 class DiffPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `refusal` says why nothing can be changed from this window; empty where it can.
+  /// `refusal` says why this window cannot change anything; empty if it can.
   DiffPanel(SystemDocument& document, Restore& restore, const QString& refusal,
             QWidget* parent = nullptr);
 
  public Q_SLOTS:
-  /// All of the file: the plan for it, to look at.
+  /// Shows the plan for the whole file without executing it.
   void previewAll();
 
  private:

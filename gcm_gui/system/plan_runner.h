@@ -7,11 +7,11 @@
 
 namespace tendon::gui {
 
-/// Carries out plans, one at a time. Each function returns at once; handlers are called in the GUI
-/// thread, and not after the runner has ended.
+/// Executes plans, one at a time. Each function returns at once; handlers are called in the GUI
+/// thread, and not after the runner is destroyed.
 class PlanRunner {
  public:
-  /// Of one step; the first has number 1.
+  /// The outcome of one step; the first has number 1.
   using Progress = std::function<void(std::size_t number, const StepOutcome& outcome)>;
   using Done = std::function<void(const PlanOutcome& outcome)>;
 
@@ -21,7 +21,7 @@ class PlanRunner {
   virtual ~PlanRunner() = default;
 
   virtual void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) = 0;
-  /// The step that is being made is finished; the others are left.
+  /// Stops after the present step.
   virtual void stop() = 0;
 };
 

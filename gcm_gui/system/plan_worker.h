@@ -12,14 +12,14 @@
 
 namespace tendon::gui {
 
-/// Makes the steps of plans in a thread of its own, by asking a GCM for them.
+/// Executes the steps of plans in its own thread, through requests to a GCM.
 class PlanWorker final : public QObject, public PlanRunner {
   Q_OBJECT
 
  public:
-  /// So long `client` waits for an answer.
+  /// `timeout` is how long `client` waits for an answer.
   PlanWorker(std::shared_ptr<GcmClient> client, std::chrono::milliseconds timeout);
-  /// Waits for the step that is being made, though not for ever.
+  /// Waits for the present step, for a limited time.
   ~PlanWorker() override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
@@ -29,7 +29,7 @@ class PlanWorker final : public QObject, public PlanRunner {
   std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<Courier> courier_;
-  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: it is left after the step that is made
+  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: stop after the present step
   Background thread_{QT_TRANSLATE_NOOP("Words", "a step of a plan")};
 };
 

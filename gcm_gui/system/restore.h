@@ -16,9 +16,9 @@
 
 namespace tendon::gui {
 
-/// Brings the running system to a wanted state in three moves: a plan to look at, its steps one by
-/// one, and a way back. Processes that have something to make are asked for their classes before a
-/// plan is shown. GUI thread.
+/// Brings the running system to a wanted state: shows a plan, executes it step by step, and can
+/// undo it. Before it shows a plan, it asks the processes that must create something for their
+/// classes. GUI thread.
 class Restore : public QObject {
   Q_OBJECT
 
@@ -29,30 +29,30 @@ class Restore : public QObject {
           QObject* parent = nullptr);
 
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// What it leads to: "demo.gcm.json", "the state at 12:04".
+  /// The name of the wanted state: "demo.gcm.json", "the state at 12:04".
   [[nodiscard]] const QString& goal() const { return goal_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  /// Of the steps that are over, in their order.
+  /// Of the finished steps, in order.
   [[nodiscard]] const std::vector<StepOutcome>& outcomes() const { return outcomes_; }
   [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
   [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
 
-  /// Plans, and does nothing yet. Not while one is being carried out. A plan that leads to the same
-  /// goal stays in sight until the new one is made.
+  /// Makes a plan without executing it; ignored during an execution. An earlier plan for the same
+  /// goal stays visible until the new one is ready.
   void preview(const SystemFile& wanted, const QString& goal);
   void execute(AfterError after_error);
-  /// After the step that is being made.
+  /// Stops after the present step.
   void stop() { runner_.stop(); }
-  /// Previews the system as it was before execute(); processes that were started are ended.
+  /// Previews the system as before execute(); the plan ends processes that were started.
   void undo();
-  /// From the preview of an undo back to what it would have undone. No answer is waited for then.
+  /// Returns from the preview of an undo to the executed plan, and waits for no answer any more.
   void leave();
 
  Q_SIGNALS:
   void changed();
 
  private:
-  /// A plan that was carried out, and what came of it.
+  /// An executed plan with its outcome.
   struct Done {
     Plan plan;
     QString goal;
@@ -60,14 +60,14 @@ class Restore : public QObject {
     PlanOutcome outcome;
   };
 
-  /// The classes that are known when a plan is made, and how many answers are still to come.
+  /// The classes known for a plan, and the number of answers still missing.
   struct Question {
     KnownClasses known;
     std::size_t open = 0;
   };
   using Finish = std::function<Plan(Plan)>;
 
-  /// Plans once all have answered; `finish` has the last word on the plan.
+  /// Makes the plan once all have answered; `finish` may still change it.
   void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
   void noteBirth();
@@ -77,14 +77,14 @@ class Restore : public QObject {
   SystemReports& reports_;
   Phase phase_ = Phase::kIdle;
   QString goal_;
-  SystemFile wanted_;  // by the newest plan
+  SystemFile wanted_;  // of the newest plan
   Plan plan_;
-  std::shared_ptr<Question> question_;  // of the newest plan; null where none is waited for
+  std::shared_ptr<Question> question_;  // of the newest plan; null if no answer is missing
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
-  std::optional<Done> to_undo_;   // while its undo is only looked at
-  std::vector<PlanStep> births_;  // of processes, since then, with the instances that came of them
+  std::optional<Done> to_undo_;   // while its undo is previewed
+  std::vector<PlanStep> births_;  // started processes since then, with their instance ids
 };
 
 }  // namespace tendon::gui

@@ -9,7 +9,7 @@
 
 namespace tendon::gui {
 
-/// The last states of a system, one for each change, oldest first.
+/// The last states of a system, one per change, oldest first.
 class Snapshots {
  public:
   static constexpr std::size_t kMost = 50;
@@ -19,7 +19,7 @@ class Snapshots {
     SystemFile system{};
   };
 
-  /// Nothing happens where nothing changed.
+  /// Ignored if nothing changed.
   void add(std::int64_t when, SystemFile system) {
     if (!all_.empty() && all_.back().system == system) return;
     all_.push_back({when, std::move(system)});

@@ -18,11 +18,11 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::milliseconds kSoon{200};  // many changes come as one
+constexpr std::chrono::milliseconds kSoon{200};  // collects several changes
 
 using Layout = std::map<std::string, SystemFile::Position>;
 
-/// That of the components which the file has.
+/// The positions of those components that the file has.
 Layout LayoutFor(const SystemFile& file, Layout layout) {
   const SystemIndex index(file);
   std::erase_if(layout, [&](const auto& one) {
@@ -32,7 +32,7 @@ Layout LayoutFor(const SystemFile& file, Layout layout) {
   return layout;
 }
 
-/// What the file has of the processes that are there, and does not run yet, with its connections.
+/// Keeps the file's components and connections that do not run yet, of processes that are present.
 void KeepMissing(const SystemFile& former, RunningSystem& running) {
   const SystemIndex now(running.file);
   std::vector<SystemFile::Connection> connections;
@@ -58,7 +58,7 @@ void KeepMissing(const SystemFile& former, RunningSystem& running) {
 
 enum class Missing { kLeftOut, kKept };
 
-/// What is to be written, or why it is not.
+/// The content to save, or the reason why it cannot be saved.
 Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
                                 const message::Children& children,
                                 const std::optional<Layout>& layout, Missing missing) {
@@ -91,7 +91,7 @@ std::string SystemName(const QString& path) {
   return FileName(path).section('.', 0, 0).toStdString();
 }
 
-/// What is there is never overwritten, for nothing of it would be left.
+/// Never overwrites a file: nothing of it would be left.
 Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
                                 const std::string& process) {
   auto imported = Import(from, process);

@@ -21,16 +21,16 @@
 
 namespace tendon::gui {
 
-/// The system file of a window, and in what the running system differs from it. Files are read and
-/// written in a thread of its own, and compared in another; all else is of the GUI thread. Before
-/// one is written the GCM is asked whom it has started.
+/// The system file of a window, and its differences from the running system. One thread reads and
+/// writes files, another compares; everything else is in the GUI thread. Before a file is written,
+/// the GCM is asked for the processes it has started.
 class SystemDocument : public QObject {
   Q_OBJECT
 
  public:
   SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
-  /// Waits for what is being read or written, though not for ever; what was to be saved is, though
-  /// the GCM has not yet said whom it has started.
+  /// Waits, for a limited time, for files being read or written. A requested save is done even if
+  /// the GCM has not answered yet.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -39,48 +39,48 @@ class SystemDocument : public QObject {
   [[nodiscard]] QString name() const { return path_.section('/', -1); }
   [[nodiscard]] const SystemFile& file() const { return file_; }
   [[nodiscard]] const Catalog& catalogue() const { return store_.catalogue(); }
-  /// Of the file with what runs.
+  /// The comparison of the file with the running system.
   [[nodiscard]] const SystemComparison& comparison() const { return comparison_; }
   /// "demo.gcm.json", "demo.gcm.json, modified since 12:04"; empty without a file.
   [[nodiscard]] QString title() const;
   [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
 
-  /// Where components stand in the graph, by path: from now on it is saved with what runs, in place
-  /// of what the file says about it.
+  /// Sets the positions of components in the graph, by path. From now on they are saved in place of
+  /// those in the file.
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
-  /// The same with a file of the cisst component manager; what names no process goes to `process`.
-  /// It is written beside that file, as a system file; where there is one already, nothing is done.
+  /// Imports a file of the cisst component manager; components without a process go to `process`.
+  /// Writes the result beside it as a system file; does nothing if that exists already.
   void importFrom(const QString& path, const QString& process);
-  /// Reads a system file that is not this window's.
+  /// Reads a system file that does not become this window's file.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
-  /// Writes down what runs; what the file knows besides is kept in it. So is, in a file that was
-  /// imported, what does not run yet.
+  /// Saves the running system. Keeps the file's further content and, in an imported file, the parts
+  /// that do not run yet.
   void save(const QString& path);
-  /// One thing of the file becomes as it runs; `what` is that of a SystemDifference.
+  /// Updates one item of the file to its running state; `what` is that of a SystemDifference.
   void update(const std::string& what);
 
  Q_SIGNALS:
   void changed();
-  /// After open(), once it is read.
+  /// After open(), when the file has been read.
   void opened();
-  /// One sentence of what came of it.
+  /// A sentence about the outcome.
   void told(const QString& sentence);
 
  private:
   void hear();
-  /// Soon, with what runs now; once more where something has changed meanwhile.
+  /// Compares soon with the running system; again if something has changed meanwhile.
   void compare();
   void show(SystemComparison comparison);
-  /// Is the window's file from the moment on when it has been compared; then `done` is called.
+  /// Makes `file` the window's file once it has been compared; then calls `done`.
   void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
-  /// Whom the GCM has started; nobody where it is too old to say, which `note` tells.
+  /// The processes started by the GCM; empty if it is too old to tell, as `note` then says.
   struct Started {
     message::Children children;
     QString note;
   };
-  /// What else it answers is told, and nothing is to be written.
+  /// Nothing if the answer is any other error; then emits told(), and nothing is written.
   std::optional<Started> startedBy(const Result<message::Children>& answer);
   void write(const QString& path, const Started& started);
   void writePart(const std::string& what, const Started& started);
@@ -88,16 +88,16 @@ class SystemDocument : public QObject {
   const CatalogueStore& store_;
   SystemReports& reports_;
   QString path_;
-  QString imported_;     // the path where it was imported and not opened since
-  QStringList unsaved_;  // where the GCM's answer is waited for before it is written
+  QString imported_;     // the path of an imported file that was not opened since
+  QStringList unsaved_;  // files to be written after the GCM's answer
   SystemFile file_;
   SystemComparison comparison_;
-  std::int64_t modified_ = 0;  // ns since 1970; 0 while it is as the file says
+  std::int64_t modified_ = 0;  // ns since 1970; 0 while it equals the file
   Snapshots snapshots_;
   std::optional<std::map<std::string, SystemFile::Position>> layout_;
   QTimer soon_;
   bool is_comparing_ = false;
-  bool is_behind_ = false;     // compare once more
+  bool is_behind_ = false;     // must compare again
   std::uint64_t version_ = 0;  // of file_
   std::shared_ptr<Courier> courier_;
   Background thread_{QT_TRANSLATE_NOOP("Words", "a system file")};

@@ -7,12 +7,12 @@
 
 namespace tendon::gui {
 
-/// `base`, in which one thing is as `from` has it: added, changed, or removed where `from` lacks
-/// it. `what` is that of a SystemDifference: "component robot/arm".
+/// Returns `base` with one item taken from `from`: added, changed, or removed if `from` lacks it.
+/// `what` is that of a SystemDifference: "component robot/arm".
 [[nodiscard]] SystemFile WithPartOf(SystemFile base, const SystemFile& from,
                                     const std::string& what);
 
-/// What runs, with what it is connected to that is not there now.
+/// The running system, including connections whose other end does not exist now.
 [[nodiscard]] SystemFile WholeSystem(const Catalog& catalogue);
 
 }  // namespace tendon::gui

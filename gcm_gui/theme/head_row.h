@@ -7,20 +7,20 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// The head of a panel: 32 pixels high, a line below it, what it is at the left, what can be done
-/// at the right.
+/// The head of a panel: 32 pixels high, with a line below it, the title on the left and tools on
+/// the right.
 class HeadRow : public QFrame {
   Q_OBJECT
 
  public:
   explicit HeadRow(QWidget* parent = nullptr);
-  /// With a title in strong letters.
+  /// With a title in the strong font.
   explicit HeadRow(const QString& title, QWidget* parent = nullptr);
 
   void setTitle(const QString& title);
-  /// From the left, behind the title; takes ownership.
+  /// Appends on the left, after the title; takes ownership.
   void addLeft(QWidget* widget);
-  /// From the middle towards the right edge; takes ownership.
+  /// Appends on the right; takes ownership.
   void addRight(QWidget* widget);
 
  private:

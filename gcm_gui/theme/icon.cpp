@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-// A parsed drawing of one name and colour. Few exist, so they are kept.
+// The parsed drawing of a name and colour. Cached, because there are few.
 QSvgRenderer& Drawing(const QString& name, const QColor& color) {
   static QHash<std::pair<QString, QRgb>, std::shared_ptr<QSvgRenderer>> drawings;
   auto& drawing = drawings[{name, color.rgb()}];

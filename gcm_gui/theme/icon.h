@@ -11,10 +11,10 @@ class QRectF;
 namespace tendon::gui {
 
 /// The drawing `name` of resources/icons in a colour of the theme. Sharp at every scale, and
-/// follows the theme by itself; disabled ones are stale.
+/// follows changes of the theme; a disabled icon has the colour kStale.
 [[nodiscard]] QIcon ThemeIcon(const QString& name, Token token = Token::kDim);
 
-/// The same, for delegates and scenes.
+/// Paints the same icon, for delegates and scenes.
 void PaintIcon(QPainter& painter, const QRectF& rect, const QString& name, Token token);
 
 }  // namespace tendon::gui

@@ -2,13 +2,13 @@
 
 namespace tendon::gui {
 
-// The grid of 4 pixels, in logical pixels.
+// The base grid, in logical pixels.
 inline constexpr int kGrid = 4;
 inline constexpr int kRowHeight = 24;
 inline constexpr int kHeadHeight = 32;  ///< panel heads and tab bars
 inline constexpr int kTopBarHeight = 40;
-inline constexpr int kInset = 12;  ///< from a panel's edge to what it holds
-inline constexpr int kGap = 1;     ///< of canvas, between panels
+inline constexpr int kInset = 12;  ///< from a panel's edge to its contents
+inline constexpr int kGap = 1;     ///< of canvas colour, between panels
 inline constexpr int kRadius = 6;
 inline constexpr int kIndent = 14;  ///< one level of a tree
 

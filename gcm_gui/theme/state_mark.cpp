@@ -37,7 +37,7 @@ constexpr std::array<Look, kStateMarkCount> kLooks{{
 
 const Look& LookOf(StateMark mark) { return kLooks.at(static_cast<std::size_t>(mark)); }
 
-// Within the square from -1 to 1.
+// In the square from -1 to 1.
 void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
   QPen pen(color, 0.42);
   pen.setCapStyle(Qt::RoundCap);

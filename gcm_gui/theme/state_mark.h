@@ -9,7 +9,7 @@ class QRectF;
 
 namespace tendon::gui {
 
-/// What a component, a process, a port or an edge is found to be.
+/// The state of a component, process, port or edge.
 enum class StateMark {
   kConstructed,
   kReady,
@@ -26,15 +26,15 @@ enum class StateMark {
 };
 inline constexpr int kStateMarkCount = 12;
 
-/// "active", "not connected", in the user's language: always shown or spoken beside the shape.
+/// "active", "not connected", in the user's language; always shown or spoken beside the shape.
 [[nodiscard]] QString WordOf(StateMark mark);
-/// The same as the console says it, for filters.
+/// The same in the console's words, for filters.
 [[nodiscard]] QString KeyOf(StateMark mark);
 
 [[nodiscard]] Token ColorOf(StateMark mark);
 
-/// The shape that tells it without colour: disc, ring, half disc, square, bars, triangle, cross.
-/// Fills about 8 pixels of `rect`'s centre at 16 pixels, and grows with it.
+/// Draws a shape that shows the state without colour: disc, ring, half disc, square, bars,
+/// triangle, cross. Takes about 8 pixels in the centre of a 16-pixel `rect`, and scales with it.
 void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark);
 
 }  // namespace tendon::gui

@@ -33,7 +33,7 @@ Appearance OfPalette() {
 }  // namespace
 
 SystemAppearance::SystemAppearance(QObject* parent) : QObject(parent), appearance_(OfPalette()) {
-  // Without an address the bus would be started for us, and that may take its time.
+  // Without an address, Qt would start a bus for us, which may take long.
   if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) askPortal();
 }
 

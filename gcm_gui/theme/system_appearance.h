@@ -8,10 +8,10 @@ class QDBusVariant;
 
 namespace tendon::gui {
 
-/// Whether the desktop asks for dark or light windows.
+/// The desktop's preference for dark or light windows.
 ///
-/// Asks the desktop portal without waiting for it; until it has answered, and where there is none,
-/// the palette with which the application started decides.
+/// Asks the desktop portal without waiting. Until it answers, or without a portal, the palette at
+/// the start of the application decides.
 class SystemAppearance : public QObject {
   Q_OBJECT
 

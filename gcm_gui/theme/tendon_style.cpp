@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-// ▸ and ▾, drawn, because not every font has them.
+// Draws ▸ and ▾, because not every font has them.
 void DrawBranchArrow(const QStyleOption& option, QPainter& painter) {
   if (!option.state.testFlag(QStyle::State_Children)) return;
   constexpr double kHalf = 4;
@@ -49,14 +49,14 @@ TendonStyle::TendonStyle() : QProxyStyle("Fusion") {}
 void TendonStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (auto* view = qobject_cast<QAbstractItemView*>(widget)) view->setFrameShape(QFrame::NoFrame);
-  // Names and descriptions of processes may have any text; a tool tip is a label, too.
+  // Names and descriptions of processes may contain markup; a tool tip is a label, too.
   auto* const label = qobject_cast<QLabel*>(widget);
   const bool guesses = label != nullptr && label->textFormat() == Qt::AutoText;
   if (guesses) label->setTextFormat(Qt::PlainText);
   if (qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
       qobject_cast<QComboBox*>(widget) != nullptr) {
     if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
-    widget->installEventFilter(this);  // once, however often it is polished
+    widget->installEventFilter(this);  // only once, however often it is polished
   }
 }
 
@@ -121,7 +121,7 @@ void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     case PE_IndicatorBranch:
       return DrawBranchArrow(*option, *painter);
     case PE_FrameFocusRect:
-      // Item views frame whole rows themselves; a mouse needs no telling.
+      // Item views frame whole rows themselves, and a mouse user needs no frame.
       if (option->state.testFlag(State_KeyboardFocusChange) &&
           qobject_cast<const QAbstractItemView*>(widget) == nullptr) {
         DrawFocus(*option, *painter);

@@ -6,10 +6,10 @@ class QAbstractScrollArea;
 
 namespace tendon::gui {
 
-/// What palette and style sheet cannot say: the height of rows, the arrows of trees, how wide
-/// splitters are, that labels and tool tips show text as it is, unless they ask for another format,
-/// and that a wheel over a spin box or a choice that has no focus scrolls what it is in. Item views
-/// are drawn here and not by the style sheet, which would slow them.
+/// The parts of the look that palette and style sheet cannot set: row heights, arrows of trees,
+/// width of splitters, plain text in labels and tool tips unless they ask for another format, and a
+/// wheel that scrolls the surroundings of a spin box or choice without focus. Also draws item
+/// views, because a style sheet would make them slow.
 class TendonStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -29,11 +29,11 @@ class TendonStyle : public QProxyStyle {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-/// It has the focus, and it came there by a key: then it has to be shown where it is.
+/// True if the widget got the focus by a key, so that the focus must be visible.
 [[nodiscard]] bool HasKeyboardFocus(const QWidget& widget);
 
-/// Frames `place` of the viewport while the area has the keyboard focus. To be called when the rest
-/// is painted.
+/// Frames `place` of the viewport while the area has the keyboard focus. Call it after all other
+/// painting.
 void PaintFocus(const QAbstractScrollArea& area, const QRect& place);
 
 }  // namespace tendon::gui

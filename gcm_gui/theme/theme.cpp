@@ -13,7 +13,7 @@
 #include <array>
 #include <utility>
 
-// Outside the namespaces, as its macro demands: the resources are in a static library.
+// The macro must be outside namespaces. The resources are in a static library.
 static void LoadResources() { Q_INIT_RESOURCE(theme); }
 
 namespace tendon::gui {
@@ -120,7 +120,7 @@ void Theme::dress() {
   qApp->setStyleSheet(styleSheet());
 }
 
-// Light letters on a dark ground look bolder than they are.
+// Light letters on a dark background look bolder.
 void Theme::weighFonts() {
   const bool lighter = appearance_ == Appearance::kDark && text_.family() == kTextFamily;
   text_.setWeight(lighter ? QFont::Light : QFont::Normal);

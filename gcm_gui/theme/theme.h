@@ -11,23 +11,23 @@ namespace tendon::gui {
 
 class SystemAppearance;
 
-/// The look of the whole application: style, palette, style sheet and fonts, dark or light.
+/// The look of the application: style, palette, style sheet and fonts, dark or light.
 ///
-/// A widget that paints itself takes its colours from here each time it paints, and repaints on
-/// changed(); nothing else sets a colour. GUI thread only.
+/// A widget with its own painting must take its colours from here in each paint event, and repaint
+/// on changed(). No other code sets a colour. GUI thread only.
 class Theme : public QObject {
   Q_OBJECT
 
  public:
   enum class Choice { kSystem, kDark, kLight };
 
-  /// The one of this QApplication, which it belongs to. The first call dresses the application.
+  /// The theme of this QApplication, which owns it. The first call applies it to the application.
   static Theme& instance();
 
   [[nodiscard]] Choice choice() const { return choice_; }
-  /// Takes effect at once, also on open windows.
+  /// Takes effect at once, also in open windows.
   void choose(Choice choice);
-  /// From dark to light, and back.
+  /// Switches between dark and light.
   void toggle();
   [[nodiscard]] Appearance appearance() const { return appearance_; }
 
@@ -36,7 +36,7 @@ class Theme : public QObject {
   [[nodiscard]] QColor color(Token token, double opacity) const;
   [[nodiscard]] QColor curve(int index) const { return CurveColor(index, appearance_); }
 
-  [[nodiscard]] const QFont& text() const { return text_; }      ///< all but what follows
+  [[nodiscard]] const QFont& text() const { return text_; }      ///< all other text
   [[nodiscard]] const QFont& strong() const { return strong_; }  ///< heads and names
   [[nodiscard]] const QFont& mono() const { return mono_; }      ///< numbers, paths, types
   [[nodiscard]] const QFont& small() const { return small_; }    ///< axes and legends
@@ -63,8 +63,8 @@ class Theme : public QObject {
   QFont small_mono_;
 };
 
-/// Gives a label or a tool button its part in the style sheet: "dim", "strong", "mono", "ok",
-/// "warning", "bad", "accent", several separated by blanks; "" for none. A push button may be
+/// Sets the style sheet roles of a label or a tool button: "dim", "strong", "mono", "ok",
+/// "warning", "bad", "accent", several with blanks between; "" for none. A push button may be
 /// "primary".
 void SetRole(QWidget& widget, const QString& role);
 

@@ -4,7 +4,7 @@
 
 namespace tendon::gui {
 
-/// What a colour means: the only way in which a view names one.
+/// The meaning of a colour. Views name colours only by these tokens.
 enum class Token {
   kCanvas,  ///< behind and between the panels
   kPanel,   ///< a panel's surface
@@ -12,13 +12,13 @@ enum class Token {
   kLine,    ///< borders, grids
   kText,
   kDim,        ///< secondary text
-  kAccent,     ///< selection, links, the thing to do next
+  kAccent,     ///< selection, links, the suggested next action
   kOnAccent,   ///< text on a surface of kAccent
-  kSelection,  ///< behind what is selected
+  kSelection,  ///< background of a selection
   kOk,
   kWarning,
   kBad,
-  kStale,  ///< marks and lines of what is lost; too faint for text, which is kDim then
+  kStale,  ///< marks and lines of lost things; too faint for text, which uses kDim
 };
 inline constexpr int kTokenCount = 13;
 
@@ -26,7 +26,7 @@ enum class Appearance { kDark, kLight };
 
 [[nodiscard]] QColor ColorOf(Token token, Appearance appearance);
 
-/// The colours of Okabe and Ito, each adapted to stand out from kPanel. Repeats after
+/// The colours of Okabe and Ito, adapted for contrast with kPanel. They repeat after
 /// kCurveColorCount.
 [[nodiscard]] QColor CurveColor(int index, Appearance appearance);
 inline constexpr int kCurveColorCount = 8;

@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Where a card of this size stands beside `shown`: at its right, left, below or above, wherever it
-/// fits into `room` first; else in the lower part of what is shown. Never outside of `room`.
+/// The place for a card of this size beside `shown`: the first of right, left, below and above that
+/// fits into `room`, else over the lower part of `shown`. Always within `room`.
 [[nodiscard]] QRect CardBeside(const QRect& shown, const QSize& card, const QRect& room);
 
 }  // namespace tendon::gui

@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kDimmed = 0.66;  // of the canvas' colour, over all but the hole
+constexpr double kDimmed = 0.66;  // opacity of the canvas colour outside the hole
 constexpr int kRim = 2;
 
 bool CanBeSeen(const QWidget* target, const QWidget& window) {
@@ -71,7 +71,7 @@ void Tour::back() {
   while (step_ > 0) {
     if (QWidget* target = reach(--step_)) return showStep(step_, *target);
   }
-  if (target_ != nullptr) showStep(step_, *target_);  // all before it were left out
+  if (target_ != nullptr) showStep(step_, *target_);  // all earlier steps were skipped
 }
 
 QWidget* Tour::reach(std::size_t step) {

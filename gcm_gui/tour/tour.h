@@ -12,31 +12,30 @@ namespace tendon::gui {
 
 class TourCard;
 
-/// One thing that a tour points at.
+/// One stop of a tour.
 struct TourStep {
   QString title;
   QString text;  ///< one sentence
-  /// Opens the page that it is on, and returns it. What cannot be seen then, or is null, is left
-  /// out of the tour.
+  /// Opens the page of the widget and returns it. The tour skips a widget that is null or not
+  /// visible then.
   std::function<QWidget*()> target;
 };
 
-/// Shows somebody around in a window: dims it, leaves a hole over one thing after the other, and
-/// says beside the hole what that is for. It ends with its last step, with Escape, and when
-/// anything else takes the focus; the focus then is where it was before. What it shows goes on
-/// living, but does not hear the mouse meanwhile.
+/// Leads the user through a window: dims it, leaves a hole over one widget after another, and
+/// explains each on a card. Ends with the last step, with Escape, or when something else takes the
+/// focus; then restores the former focus. The widgets below keep updating, but get no mouse events.
 class Tour : public QWidget {
   Q_OBJECT
 
  public:
-  /// Stands over the whole of `window`, which owns it. Hidden at first.
+  /// Covers the whole of `window`, which owns it. Hidden at first.
   Tour(std::vector<TourStep> steps, QWidget& window);
 
-  /// From the first step, also while it is running.
+  /// Starts at the first step, also while running.
   void start();
   void end();
   [[nodiscard]] bool isRunning() const { return !isHidden(); }
-  /// What is not dimmed, in the window.
+  /// The area that is not dimmed, in the window's coordinates.
   [[nodiscard]] const QRect& hole() const { return hole_; }
 
  Q_SIGNALS:
@@ -49,7 +48,7 @@ class Tour : public QWidget {
  private:
   void next();
   void back();
-  /// The target of that step, seen now; else null, and the step is left out.
+  /// The target of a step if it is visible now; else null, and the tour skips the step.
   [[nodiscard]] QWidget* reach(std::size_t step);
   void showStep(std::size_t step, QWidget& target);
   void follow(QWidget* target);
@@ -57,13 +56,13 @@ class Tour : public QWidget {
   void hearFocus(const QWidget* now);
 
   const std::vector<TourStep> all_;
-  std::vector<TourStep> steps_;  // those of this round that can be shown, as far as that is known
+  std::vector<TourStep> steps_;  // of this run, without the steps known to be skipped
   std::size_t step_ = 0;
   QWidget& window_;
   TourCard* card_;
   QPointer<QWidget> target_;
-  QList<QPointer<QWidget>> followed_;  // the target and what it is in
-  QPointer<QWidget> before_;           // had the focus
+  QList<QPointer<QWidget>> followed_;  // the target and its parents
+  QPointer<QWidget> before_;           // had the focus before
   QRect hole_;
 };
 

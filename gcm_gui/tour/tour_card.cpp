@@ -74,7 +74,7 @@ void TourCard::show(const QString& title, const QString& text, int number, int c
   setAccessibleName(Words::tr("Tour, %1: %2").arg(place_->text(), title));
   setAccessibleDescription(text);
   QFrame::show();
-  QAccessibleEvent told(this, QAccessible::Alert);  // the focus stays where it is, the words do not
+  QAccessibleEvent told(this, QAccessible::Alert);  // the focus stays, but the text changes
   QAccessible::updateAccessibility(&told);
 }
 

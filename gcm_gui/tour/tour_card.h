@@ -8,20 +8,20 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// What the tour says of one thing, with the ways on, back and out: buttons, and the keys Enter or
-/// Right, Left, and Escape. While it has the focus, no key without Ctrl or Alt means anything else
-/// to the window, and Tab stays within the card.
+/// The tour's text about one widget, with buttons and keys to go on (Enter or Right), back (Left)
+/// and out (Escape). While the card has the focus, the window receives no key without Ctrl or Alt,
+/// and Tab stays within the card.
 class TourCard : public QFrame {
   Q_OBJECT
 
  public:
   explicit TourCard(QWidget* parent);
 
-  /// `number` from 1 to `count`.
+  /// `number` counts from 1 to `count`.
   void show(const QString& title, const QString& text, int number, int count);
-  /// As wide as a line that is read well, as high as its words need.
+  /// A readable line length, and the height that the text then needs.
   [[nodiscard]] QSize wantedSize() const;
-  /// The focus goes to the button that goes on.
+  /// Sets the focus to the button that goes on.
   void takeFocus();
 
  Q_SIGNALS:

@@ -78,7 +78,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   };
   connect(&filter_, &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex& first, const QModelIndex&, const QList<int>& roles) {
-            if (roles.isEmpty() && !first.parent().isValid()) foldGone();  // one may be back
+            if (roles.isEmpty() && !first.parent().isValid()) foldGone();  // one may have returned
           });
   connect(&filter_, &QAbstractItemModel::rowsInserted, this, hear_rows);
   connect(&filter_, &QAbstractItemModel::rowsRemoved, this, hear_rows);
@@ -86,7 +86,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 }
 
 void CataloguePanel::showCount() {
-  // A filter also finds the numbers below columns, which do not count as items.
+  // A filter also matches numbers below columns, which do not count as items.
   const int count = filter_.matchCount();
   const QString items =
       count == 0 ? QString() : CountText(count, Words::tr("%1 item"), Words::tr("%1 items"));
@@ -100,7 +100,7 @@ void CataloguePanel::setNow(qint64 now) {
   foldGone();
 }
 
-/// What is selected stays in sight.
+/// A selected process stays visible.
 bool CataloguePanel::isFolded(const QModelIndex& process) const {
   const CatalogueItem* item = filter_.item(process);
   if (!item->gone || now_ - item->since < kUntilFolded) return false;
@@ -120,7 +120,7 @@ void CataloguePanel::foldGone() {
   tellFolded(folded);
 }
 
-/// What was selected before stays until the clock folds it: nothing moves under the hand.
+/// The former selection stays visible until the next tick: nothing moves under the user's hand.
 void CataloguePanel::showSelected() {
   int hidden = 0;
   bool is_shown = false;
@@ -150,7 +150,7 @@ void CataloguePanel::focusFilter() {
 bool CataloguePanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // it clears the field before it means anything to the window
+    event->accept();  // clears the field before the window can use the key
     return true;
   }
   if (event->type() == QEvent::KeyPress) {

@@ -12,7 +12,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::milliseconds kSettle{50};
-constexpr int kMostExpanded = 200;  // rows that a filter opens by itself
+constexpr int kMostExpanded = 200;  // rows that a filter expands by itself
 
 }  // namespace
 
@@ -24,7 +24,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
   setSelectionMode(ExtendedSelection);
   setDragEnabled(true);
   setDragDropMode(DragOnly);
-  // Before the selection hears of it: what goes with its row stays selected by its path.
+  // Connected before the selection model, so that removed rows stay selected by path.
   connect(&filter, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { removing_ = true; });
   setModel(&filter);
   columns_ = new CatalogueColumns(*this);
@@ -49,7 +49,7 @@ void CatalogueTree::connectModel() {
   connect(model(), &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
             viewport()->update();
-            // More than values: rows may have come back from a lost process.
+            // Not only values: rows may have returned with a lost process.
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
@@ -102,7 +102,7 @@ void CatalogueTree::applyFilter() {
   settle_.start();
 }
 
-/// None on the empty ground, where the hand points at nothing of what it would steer.
+/// No menu on empty ground, where the pointer is on none of the selected items.
 void CatalogueTree::contextMenuEvent(QContextMenuEvent* event) {
   const bool is_by_key = event->reason() == QContextMenuEvent::Keyboard;
   if (!is_by_key && !indexAt(event->pos()).isValid()) return;
@@ -130,7 +130,7 @@ void CatalogueTree::publishSelection() {
   for (const QModelIndex& index : selectionModel()->selectedRows()) {
     paths.append(index.data(kPathRole).toString());
   }
-  // The row last pointed at is the current one.
+  // The row clicked last is the current one.
   const QString current = currentIndex().data(kPathRole).toString();
   if (paths.removeOne(current)) paths.append(current);
   selection_.setPaths(paths);

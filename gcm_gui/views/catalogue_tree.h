@@ -15,10 +15,10 @@ namespace tendon::gui {
 
 class CatalogueColumns;
 
-/// The catalogue on the screen. What is expanded and what is selected is kept by path, so that both
-/// come back with what they name. What is opened while there is a filter stays open without it;
-/// what is closed meanwhile is closed only until then. Live values are asked for only for rows that
-/// can be seen.
+/// The catalogue as a tree view. Expansion and selection are kept by path, so they return when the
+/// object returns. A row that the user expands under a filter stays expanded without it; a row
+/// collapsed under a filter is collapsed only until the filter ends. Live values are requested only
+/// for visible rows.
 class CatalogueTree : public RowView {
   Q_OBJECT
 
@@ -27,17 +27,17 @@ class CatalogueTree : public RowView {
                 QWidget* parent = nullptr);
 
   [[nodiscard]] CatalogueColumns& columns() const { return *columns_; }
-  /// On the viewport, of every row that can be seen, by path.
+  /// The rectangles of all visible rows by path, in viewport coordinates.
   [[nodiscard]] QHash<QString, QRect> visibleRows() const;
 
  public Q_SLOTS:
-  /// Expands what is above it and scrolls to it.
+  /// Expands the parents and scrolls to the row.
   void reveal(const QString& path);
 
  Q_SIGNALS:
   void plotRequested(const QString& path);
   void connectRequested(const QString& path);
-  /// Of what is selected, at a place on the screen.
+  /// The user wants the menu of the selection at this place of the screen.
   void menuRequested(const QPoint& place);
 
  protected:
@@ -48,17 +48,17 @@ class CatalogueTree : public RowView {
   void scrollContentsBy(int dx, int dy) override;
 
  private:
-  /// Which rows are open, by path.
+  /// The expanded rows, by path.
   struct Open {
     QSet<QString> expanded;
-    QSet<QString> collapsed;  // processes, which are open unless closed
+    QSet<QString> collapsed;  // processes, which are expanded by default
 
     void note(const QString& path, bool open);
   };
 
   void connectModel();
   void remember(const QModelIndex& index, bool open);
-  /// Expands, of these rows and all below them, those that were.
+  /// Restores the expansion of these rows and of all below them.
   void restore(const QModelIndex& parent, int first, int last);
   void applyFilter();
   void activateRow(const QModelIndex& index);
@@ -71,7 +71,7 @@ class CatalogueTree : public RowView {
   SignalSource& source_;
   CatalogueColumns* columns_ = nullptr;
   Open own_;
-  std::optional<Open> filtered_;  // while there is a filter
+  std::optional<Open> filtered_;  // set while there is a filter
   QTimer settle_;
   bool restoring_ = false;
   bool publishing_ = false;

@@ -9,7 +9,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kAboveWords = 4;  // so that the first line stands where a single one would
+constexpr int kAboveWords = 4;  // aligns the first line with single lines
 
 void ShowFact(const Fact& fact, QLabel& name, QLabel& value) {
   const bool words = fact.kind == Fact::Kind::kSentence;

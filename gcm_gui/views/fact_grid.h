@@ -15,12 +15,12 @@ struct Fact {
 
   QString name;
   QString value;
-  QString help = {};  ///< what it means, for the tool tip
+  QString help = {};  ///< explanation for the tool tip
   Kind kind = Kind::kFigure;
 };
 
-/// A short table of facts: what it is at the left, dim; how much at the right, in tabular figures,
-/// or in words, which take as many lines as they need.
+/// A short table of facts: dim names on the left; on the right numbers in tabular figures, or texts
+/// that wrap.
 class FactGrid : public QWidget {
   Q_OBJECT
 

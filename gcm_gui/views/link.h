@@ -6,7 +6,7 @@ class QToolButton;
 
 namespace tendon::gui {
 
-/// Words that do something when they are clicked; `name` is that of the object.
+/// A button that looks like a link; `name` is its object name.
 [[nodiscard]] QToolButton* MakeLink(const QString& text, const QString& name);
 
 }  // namespace tendon::gui

@@ -92,7 +92,7 @@ void OverlayCard::fit() {
   lines.activate();
   const int wanted = kHeadHeight + 4 + lines.totalHeightForWidth(width - 2);
   const int height = std::min(wanted, room.height());
-  // From below: the graph is seen as long as there is room.
+  // At the bottom, so that as much of the graph as possible stays visible.
   setGeometry(room.center().x() - width / 2, room.bottom() + 1 - height, width, height);
 }
 
@@ -106,7 +106,7 @@ bool OverlayCard::eventFilter(QObject* watched, QEvent* event) {
 bool OverlayCard::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       IsOwnKey(static_cast<QKeyEvent*>(event)->key())) {
-    event->accept();  // they mean something here before they mean anything to the window
+    event->accept();  // the card's keys take precedence over the window's
     return true;
   }
   return QFrame::event(event);

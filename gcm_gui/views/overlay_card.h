@@ -10,14 +10,14 @@ namespace tendon::gui {
 
 class HeadRow;
 
-/// Something to be read and done over a part of the window; no dialog: all else goes on and can be
-/// used. As high as it needs, from below. Escape closes it and gives the focus back.
+/// A card over the lower part of a widget, as high as its contents. It is not modal: the rest of
+/// the window stays usable. Escape closes it and returns the focus.
 class OverlayCard : public QFrame {
   Q_OBJECT
 
  public:
-  /// Stands over `place`, a part of its window; `body` becomes its own, and is given a
-  /// layout before the card is opened. Hidden at first.
+  /// Covers a part of `place`. Takes ownership of `body`, which must have a layout before the card
+  /// is opened. Hidden at first.
   OverlayCard(QWidget& place, QWidget* body);
 
   void close();
@@ -30,14 +30,14 @@ class OverlayCard : public QFrame {
  protected:
   [[nodiscard]] QWidget& body() { return *body_; }
   [[nodiscard]] HeadRow& head() { return *head_; }
-  /// The last thing in the head.
+  /// The close button, the last one in the head.
   [[nodiscard]] QToolButton& leave() { return *leave_; }
-  /// Behind what stands in the head already, before the one that closes it.
+  /// Adds a widget to the head, before the close button.
   void addToHead(QWidget* widget);
   void open();
-  /// Enter, where the focus is on nothing that it presses.
+  /// Called on Enter if the focus is on nothing that uses Enter itself.
   virtual void enter() {}
-  /// To what the body needs now.
+  /// Fits the height to the present contents.
   void fit();
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +50,7 @@ class OverlayCard : public QFrame {
   HeadRow* head_;
   QToolButton* leave_;
   QScrollArea* scroll_;
-  QPointer<QWidget> before_;  // had the focus
+  QPointer<QWidget> before_;  // had the focus before
 };
 
 }  // namespace tendon::gui

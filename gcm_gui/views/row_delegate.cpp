@@ -19,11 +19,11 @@ namespace {
 constexpr int kGlyphWidth = 16;
 constexpr int kSpace = 6;
 constexpr int kTrendWidth = 48;
-constexpr int kTrendRight = 108;        // of a trend from the row's right edge
+constexpr int kTrendRight = 108;        // from a trend to the row's right edge
 constexpr double kStaleOpacity = 0.45;  // of marks
-constexpr int kHeaderPadding = 8;       // under the words of a header
+constexpr int kHeaderPadding = 8;       // below the texts of a header
 
-/// Draws as much of `text` as fits, and returns the width it took.
+/// Draws as much of `text` as fits, and returns the width used.
 int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
               Token token, Qt::Alignment side, Qt::TextElideMode elide = Qt::ElideRight) {
   if (text.isEmpty() || rect.width() <= 0) return 0;
@@ -35,11 +35,10 @@ int PaintText(QPainter& painter, const QRect& rect, const QString& text, const Q
   return metrics.horizontalAdvance(shown);
 }
 
-/// Nothing where only the beginning of a word fits: a letter and three dots tell nobody anything.
-/// Returns what it takes of the width. Of "suspended · 5 s old" the age alone where there is no
-/// room for both: the component says its state.
+/// Draws nothing if only a few letters fit, since they would say nothing. Returns the width used.
+/// Shortens "suspended · 5 s old" to the age if necessary: the component shows its state.
 int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
-  constexpr int kFewest = 8;  // letters
+  constexpr int kFewest = 8;  // characters
   const QFont& mono = Theme::instance().mono();
   const QFontMetrics metrics(mono);
   if (rect.width() < metrics.horizontalAdvance(text)) {
@@ -49,7 +48,7 @@ int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
   return PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
 }
 
-/// Behind words of this width at the right of `room`.
+/// Tints the background of a text of this width at the right of `room`.
 void PaintTint(QPainter& painter, const QRect& room, int width) {
   const int left = std::max(room.left(), room.right() - width - 4);
   painter.fillRect(QRect(QPoint(left, room.top() + 3), QPoint(room.right() + 3, room.bottom() - 3)),
@@ -80,7 +79,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->save();
   QRect rect = option.rect;
   if (const auto* view = qobject_cast<const QAbstractItemView*>(option.widget)) {
-    // Buttons of the row stand at its right end.
+    // The buttons of the row are at its right end.
     const QWidget* buttons = view->indexWidget(index);
     if (buttons != nullptr) rect.setRight(rect.right() - buttons->childrenRect().width() - kInset);
   }
@@ -107,7 +106,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->restore();
 }
 
-/// What it needs, within reason: a value alone means nothing.
+/// The width that the name needs, up to a limit: a value without a name says nothing.
 int RowDelegate::roomForName(const QRect& rect, const QModelIndex& index) const {
   const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
                    QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
@@ -159,7 +158,7 @@ void RowDelegate::paintTrend(QPainter& painter, const QRect& row, const QRect& f
   const bool stale = index.data(kStaleRole).toBool();
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(Theme::instance().color(stale ? Token::kStale : Token::kAccent), 1.2));
-  // The newest stands at the right edge from the first value on.
+  // The newest value is always at the right edge.
   const double step = place.width() / 99.0;
   QPolygonF line;
   for (qsizetype i = 0; i < trend.parts.size(); ++i) {
@@ -201,7 +200,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   font.setStrikeOut(index.data(kStruckRole).toBool());
   const bool quiet = stale || index.data(kQuietRole).toBool();
   if (index.data(kFreshRole).toBool()) font.setBold(true);
-  // Of a path the end says most.
+  // The end of a path says most.
   const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
   const int used =
       PaintText(painter, rect, index.data().toString(), font, quiet ? Token::kDim : Token::kText,

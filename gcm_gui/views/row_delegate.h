@@ -5,20 +5,20 @@
 
 namespace tendon::gui {
 
-/// Draws a row of the window's lists: a letter or a shape, the name, a dim detail, and at the right
-/// its value with shape and unit. Asks the model by RowRole; colours and fonts are the theme's.
+/// Draws a row of the window's lists: a letter or shape, the name, a dim detail, and on the right
+/// the value with shape and unit. Reads the model by RowRole, and colours and fonts from the theme.
 class RowDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// The first column also shows this one at its right edge; -1, the default, for none.
+  /// The column shown at the right edge of the first column; -1, the default, for none.
   void setValueColumn(int column) { value_column_ = column; }
-  /// In every column numbers stand right and words left; unless told, all but the first are right.
+  /// By default all columns but the first are right-aligned; true left-aligns words in all.
   void setAllLeft(bool all_left) { all_left_ = all_left; }
 
-  /// Left of the first column, in pixels.
+  /// The margin left of the first column, in pixels.
   void setLeftInset(int pixels) { left_inset_ = pixels; }
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -27,12 +27,12 @@ class RowDelegate : public QStyledItemDelegate {
                                const QModelIndex& index) const override;
 
  private:
-  /// What the name keeps of a row that also shows its value, in pixels.
+  /// The width in pixels that remains for the name in a row that also shows its value.
   [[nodiscard]] int roomForName(const QRect& rect, const QModelIndex& index) const;
-  // Both return what is left of `rect`; of a value at least `name` pixels.
+  // Both return the remaining part of `rect`; paintValue() leaves at least `name` pixels.
   QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index, int name) const;
   QRect paintName(QPainter& painter, QRect rect, const QModelIndex& index) const;
-  /// At a fixed place, so that trends stand below each other; nothing where that is not `free`.
+  /// Paints at a fixed place, so that trends are aligned; nothing if that is not within `free`.
   void paintTrend(QPainter& painter, const QRect& row, const QRect& free,
                   const QModelIndex& index) const;
 

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kTreeInset = 6;  // of the arrows from the edge
+constexpr int kTreeInset = 6;  // from the edge to the arrows
 
 }  // namespace
 
@@ -30,7 +30,7 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(kRowHeight);
   connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
-  // The frame around all rows, where the current one is out of sight, must not move along.
+  // The frame around all rows, drawn if the current one is out of sight, must not scroll.
   connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
           qOverload<>(&QWidget::update));
 }
@@ -40,7 +40,7 @@ void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   drawInside([&] { drawFencedRow(painter, option, index); });
 }
 
-/// An exception must not pass the frame of QTreeView::paintEvent(), whose painter nobody would end.
+/// No exception may pass QTreeView::paintEvent(): its painter would never be ended.
 void RowView::drawInside(const std::function<void()>& draw) const {
   auto* view = const_cast<RowView*>(this);
   if (!Fence::instance().isCovered(view)) Fence::run(view, ViewWork::kDrawing, draw);
@@ -84,7 +84,7 @@ void RowView::paintEvent(QPaintEvent* event) {
 
 void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QTreeView::currentChanged(current, previous);
-  viewport()->update();  // the frame of the focus is as wide as the view
+  viewport()->update();  // the focus frame is as wide as the view
 }
 
 RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& title,

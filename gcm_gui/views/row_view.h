@@ -7,8 +7,8 @@ namespace tendon::gui {
 
 class RowDelegate;
 
-/// A tree or a list in the window's look: rows of 24 pixels, no frame, the whole row tinted when it
-/// is selected or pointed at.
+/// A tree or a list in the window's style: rows of 24 pixels, no frame, and the whole row tinted if
+/// it is selected or under the pointer.
 class RowView : public QTreeView {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class RowView : public QTreeView {
   explicit RowView(QWidget* parent = nullptr);
 
   [[nodiscard]] RowDelegate& rows() const { return *delegate_; }
-  /// What to say in the middle while there are no rows.
+  /// The text in the middle while there are no rows.
   void setEmptyText(const QString& text) { empty_text_ = text; }
 
  protected:
@@ -35,7 +35,7 @@ class RowView : public QTreeView {
   QString empty_text_;
 };
 
-/// A list: no arrows, the first column as wide as there is room. `title` is for a screen reader.
+/// Makes a list without arrows, whose first column fills the width. `title` is for screen readers.
 [[nodiscard]] RowView* MakeRowList(QAbstractItemModel& model, const QString& name,
                                    const QString& title, const QString& empty_text);
 

@@ -14,9 +14,9 @@ class StateLabel : public QWidget {
  public:
   explicit StateLabel(QWidget* parent = nullptr);
 
-  /// An empty text shows the mark's own word.
+  /// An empty text shows the default word of the mark.
   void show(StateMark mark, const QString& text = {});
-  /// Grey: it was so when it was last heard of.
+  /// Stale means grey: the last known state.
   void setStale(bool stale);
   [[nodiscard]] const QString& text() const { return text_; }
 

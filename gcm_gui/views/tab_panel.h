@@ -10,7 +10,7 @@ namespace tendon::gui {
 
 class HeadRow;
 
-/// Pages behind a row of tabs, with room at the right of the tabs.
+/// Pages with a row of tabs, and room for tools at the right of the tabs.
 class TabPanel : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class TabPanel : public QWidget {
   void setTitle(int page, const QString& title);
   void setCurrent(int page);
   [[nodiscard]] int current() const;
-  /// At the right of the tabs; takes ownership.
+  /// Adds a tool at the right of the tabs; takes ownership.
   void addRight(QWidget* widget);
   [[nodiscard]] QTabBar& tabs() const { return *tabs_; }
 

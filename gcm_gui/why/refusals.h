@@ -10,17 +10,17 @@
 
 namespace tendon::gui {
 
-/// A connection that was asked for through this window, and not made.
+/// A connection that was requested through this window and refused.
 struct RefusedConnection {
   InterfaceName provided;
   QString reason;
-  std::int64_t when = 0;  ///< it was asked for, ns since 1970
+  std::int64_t when = 0;  ///< the time of the request, ns since 1970
 
   bool operator==(const RefusedConnection&) const = default;
 };
 
-/// What was refused last of each required interface: until it is connected after all, is
-/// disconnected, or goes. GUI thread.
+/// The last refusal of each required interface, until it is connected, disconnected or removed. GUI
+/// thread.
 class Refusals : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class Refusals : public QObject {
   using QObject::QObject;
 
   [[nodiscard]] const ByRequired& all() const { return refused_; }
-  /// Null where nothing was refused.
+  /// Null if there is none.
   [[nodiscard]] const RefusedConnection* find(const InterfaceName& required) const;
 
  public Q_SLOTS:

@@ -7,30 +7,30 @@
 
 namespace tendon::gui {
 
-/// One member of a required interface beside the one of a provided interface that fills it, or
-/// should.
+/// One member of a required interface beside the member of a provided interface that fills it or
+/// should fill it.
 struct SignatureRow {
   enum class Verdict {
     kSame,
-    kMissing,   ///< needed, and not offered
+    kMissing,   ///< needed, but not offered
     kChanged,   ///< offered with another kind or type
     kWithout,   ///< optional, and not offered
-    kUnneeded,  ///< offered, and not needed
+    kUnneeded,  ///< offered, but not needed
   };
 
   Verdict verdict = Verdict::kSame;
   bool is_event = false;
-  const MemberDescription* needed = nullptr;   ///< null where it is not needed
-  const MemberDescription* offered = nullptr;  ///< null where it is not offered
-  std::string remark;                          ///< what is wrong, in words
+  const MemberDescription* needed = nullptr;   ///< null if not needed
+  const MemberDescription* offered = nullptr;  ///< null if not offered
+  std::string remark;                          ///< the mistake, in words
 
   [[nodiscard]] bool is_bad() const {
     return verdict == Verdict::kMissing || verdict == Verdict::kChanged;
   }
 };
 
-/// What is needed in its order, commands before events; then what is offered besides. The rows
-/// point into both descriptions. The verdicts are those of Compare().
+/// First the needed members in their order, commands before events, then the unneeded ones. The
+/// rows point into both descriptions. The verdicts are those of Compare().
 [[nodiscard]] std::vector<SignatureRow> SignatureDiff(const RequiredDescription& required,
                                                       const ProvidedDescription& provided);
 

@@ -25,7 +25,7 @@ StateMark MarkOf(Verdict verdict) {
   return StateMark::kNotConnected;
 }
 
-/// In a column: the tip says in what they differ.
+/// Short enough for a column; the tool tip has the difference.
 QString ShortRemark(const SignatureRow& row) {
   switch (row.verdict) {
     case Verdict::kSame:

@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// Two interfaces side by side, member by member: what is needed, what is offered, how they differ.
+/// Two interfaces side by side: per member the needed and the offered one, and their difference.
 class SignatureModel : public QAbstractTableModel {
   Q_OBJECT
 

@@ -24,10 +24,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kSignatureStep = 4;
-constexpr int kMostRows = 9;  // of the two sides, before they scroll
+constexpr int kMostRows = 9;  // of the comparison, before it scrolls
 constexpr int kStepMarkWidth = 16;
 constexpr int kNumberWidth = 14;
-constexpr int kLinkHeight = 20;  // lower than other links: it stands in a line of text
+constexpr int kLinkHeight = 20;  // lower than other links, because it is in a line of text
 constexpr int kVerdictWidth = 200;
 
 struct VerdictLook {
@@ -98,7 +98,7 @@ void StepList::show(const Diagnosis& diagnosis) {
   int number = 0;
   for (const DiagnosisStep& step : shown_) addStep(++number, step);
   layout()->addWidget(rows_);
-  rows_->show();  // at once, for the keys
+  rows_->show();  // at once, so that keys work
   if (toggle_ == nullptr) return;
   toggle_->setChecked(was_shown);
   if (had_focus) toggle_->setFocus();

@@ -14,8 +14,8 @@ namespace tendon::gui {
 class RowView;
 class SignatureModel;
 
-/// The seven steps, one below the other: a mark, the number, what was found; below a bad one its
-/// details and what to do, to be copied; below the signatures both sides, when that is wanted.
+/// Lists the seven steps: mark, number and finding. Below a failed step it shows details and
+/// remedies, which can be copied; below the signatures, on request, both interfaces.
 class StepList : public QWidget {
   Q_OBJECT
 
@@ -23,14 +23,13 @@ class StepList : public QWidget {
   explicit StepList(SignatureModel& signatures, QWidget* parent = nullptr);
 
   void show(const Diagnosis& diagnosis);
-  /// Of two interfaces that are both there; else there is nothing to set side by side. Before
-  /// show().
+  /// True if both interfaces exist, so that they can be shown side by side. Call it before show().
   void setComparable(bool comparable) { comparable_ = comparable; }
-  /// The keys reach what is in it behind `before`.
+  /// Puts the list after `before` in the tab order.
   void orderTabs(QWidget& before);
 
  Q_SIGNALS:
-  /// One sentence: what has been copied.
+  /// One sentence about the copied text.
   void copied(const QString& text);
 
  private:
@@ -46,7 +45,7 @@ class StepList : public QWidget {
   QWidget* rows_ = nullptr;
   std::vector<DiagnosisStep> shown_;
   bool comparable_ = false;
-  bool compares_ = false;  // what is shown
+  bool compares_ = false;  // the comparison is visible
 };
 
 }  // namespace tendon::gui

@@ -14,8 +14,8 @@ class ConnectionChecks;
 class SystemActions;
 class WhyCard;
 
-/// Brings the Why? card what it shows: asks anew while it is open and one of the two processes
-/// changes. Never waits.
+/// Supplies the Why? card with its contents. Asks again when one of the two processes changes while
+/// the card is open. Never waits.
 class WhyBinding : public QObject {
   Q_OBJECT
 
@@ -26,10 +26,10 @@ class WhyBinding : public QObject {
   [[nodiscard]] Refusals& refusals() { return refusals_; }
 
  public Q_SLOTS:
-  /// Of the required interface `path`; of the one that a member belongs to. Nothing but a notice()
-  /// when it is none.
+  /// Opens the card for the required interface `path`, or for the interface of a member. Anything
+  /// else only gives a notice().
   void open(const QString& path);
-  /// Only where something is wrong with it; says whether.
+  /// Opens it only if something is wrong with the connection; returns true if so.
   bool openProblem(const QString& path);
 
  Q_SIGNALS:
@@ -47,9 +47,9 @@ class WhyBinding : public QObject {
   ConnectionChecks& checks_;
   SystemActions& actions_;
   Refusals refusals_;
-  std::optional<message::Wire> wire_;  // of the card, while it is open
+  std::optional<message::Wire> wire_;  // of the open card
   bool is_asking_ = false;
-  bool ask_again_ = false;  // something changed meanwhile
+  bool ask_again_ = false;  // something has changed meanwhile
 };
 
 }  // namespace tendon::gui

@@ -11,19 +11,19 @@ namespace tendon::gui {
 
 class StepList;
 
-/// Why a connection stands or does not.
+/// Explains why a connection works or does not work.
 class WhyCard : public OverlayCard {
   Q_OBJECT
 
  public:
   explicit WhyCard(QWidget& place);
 
-  /// The check has begun: the ends are known, the steps are not.
+  /// The check has begun: shows the ends, without steps.
   void begin(const message::Wire& wire);
-  /// Null descriptions where an end is not there.
+  /// A description is null if that end does not exist.
   void show(const WhyReport& report, const RequiredDescription* required,
             const ProvidedDescription* provided);
-  /// Nothing can be said but this.
+  /// Shows only this sentence.
   void tell(const QString& sentence);
 
  Q_SIGNALS:

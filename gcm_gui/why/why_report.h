@@ -9,29 +9,29 @@
 
 namespace tendon::gui {
 
-/// All that the Why? card says of a connection.
+/// The contents of the Why? card for one connection.
 struct WhyReport {
   Diagnosis diagnosis;
-  std::optional<RefusedConnection> refusal;  ///< the last one, of this very connection
-  QStringList leftovers;                     ///< as LeftoverTexts(), of one that was tried
+  std::optional<RefusedConnection> refusal;  ///< the last one of this very connection
+  QStringList leftovers;                     ///< LeftoverTexts() of a connection that was tried
 
   /// "fails at step 5 of 7", "connected and working", "nothing keeps it from being connected".
   [[nodiscard]] QString verdict() const;
   /// "refused at 12:04:31: no answer from desk", or empty.
   [[nodiscard]] QString history() const;
-  /// The line that says the same in a terminal.
+  /// The shell command that gives the same report.
   [[nodiscard]] QString command() const;
-  /// All of it for a mail: the steps are numbered and worded as `gcm explain` prints them.
+  /// All of it as text for a mail; numbers and words of the steps are those of `gcm explain`.
   [[nodiscard]] QString text() const;
 };
 
-/// The provided interface that a user means who asks why `required` is not connected: the one that
-/// was refused, else the one it is connected to, else the best candidate.
+/// The provided interface that the user probably means when asking why `required` is not connected:
+/// the refused one, else the connected one, else the best candidate.
 [[nodiscard]] std::optional<InterfaceName> LikelyProvider(const Catalog& catalogue,
                                                           const Refusals& refusals,
                                                           const InterfaceName& required);
 
-/// What of a fix can be copied: its command if it names one, else all of it.
+/// The part of a fix to copy: its command if there is one, else all of it.
 [[nodiscard]] QString CommandOfFix(const std::string& fix);
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kTextWidth = 540;
 
-/// Where the GCM starts processes they then run here, too.
+/// True if a GCM there would start processes on this machine.
 bool IsHere(const GcmLink& link) {
   return link.isHosted() || link.address().startsWith(QStringLiteral("127.")) ||
          link.address().startsWith(QStringLiteral("localhost:")) ||

@@ -11,14 +11,14 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// What the middle of the window shows while no component is known: what that means, buttons
-/// that start a GCM or the demo, where that can be done, go to another machine and show the window
-/// around, and the line for a terminal that changes it.
+/// The middle of the window while no component is known. It explains this state and offers buttons
+/// to start a GCM or the demo (if possible), to go to another machine and to take the tour, and a
+/// shell command that fills the window.
 class EmptyState : public QWidget {
   Q_OBJECT
 
  public:
-  /// What can be started on this machine.
+  /// The programs that can be started on this machine.
   struct Offers {
     bool gcm = false;
     bool demo = false;
@@ -27,10 +27,10 @@ class EmptyState : public QWidget {
   EmptyState(const GcmLink& link, Offers offers, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// One is to be started where none answers.
+  /// The user wants to start a GCM because none answers.
   void gcmRequested();
   void demoRequested();
-  /// Another GCM is to be shown.
+  /// The user wants to see another GCM.
   void otherRequested();
   void tourRequested();
 

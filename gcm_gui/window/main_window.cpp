@@ -64,9 +64,9 @@ constexpr int kInspectorWidth = 336;
 constexpr int kStripHeight = 124;
 constexpr int kLeastCatalogueWidth = 208;
 constexpr int kLeastCentreWidth = 480;
-constexpr int kLeastInspectorWidth = 334;  // of a form: the panel does not grow for it
+constexpr int kLeastInspectorWidth = 334;  // enough for a form, so that the panel need not grow
 constexpr int kLeastStripHeight = 80;
-constexpr int kRoomToRead = 220;  // of a log, or a console
+constexpr int kRoomToRead = 220;  // for a log or a console
 constexpr int kPlotsHeight = 268;
 constexpr int kLeastPlotsHeight = 120;
 constexpr std::chrono::seconds kSecond{1};
@@ -130,7 +130,7 @@ void MainWindow::connectFence() {
             .arg(fault.view, fault.what)
             .arg(fault.count)
             .toStdString());
-    if (!fault.is_covered) return;  // Problems counts it; what was done may say more
+    if (!fault.is_covered) return;  // Problems counts it; the notice of the action may say more
     notice_->tell(Words::tr("%1 has met an error: see Problems").arg(fault.view));
   });
 }
@@ -144,7 +144,7 @@ void MainWindow::buildViews() {
   setCentralWidget(centre);
   buildPanels(*centre);
   addFavourites();
-  // From left to right: the catalogue before the middle, not behind it.
+  // From left to right: the catalogue comes before the middle.
   setTabOrder(&top_bar_->lastButton(), &catalogue_->filterField());
   setTabOrder(&catalogue_->filterField(), &catalogue_->tree());
   const auto dress = [this] {
@@ -407,7 +407,7 @@ void MainWindow::callSelection() {
 }
 
 void MainWindow::goTo(const QString& path) {
-  if (path.isEmpty()) return;  // of a problem of the window itself
+  if (path.isEmpty()) return;  // a problem of the window itself
   selection_.select(path);
   revealSelection();
 }
@@ -436,7 +436,7 @@ void MainWindow::showPage() {
 }
 
 void MainWindow::showLink() {
-  // Which system it is, where several windows are open.
+  // Names the system, in case several windows are open.
   const GcmLink& link = parts_.link;
   const QString file = files_->document().title();
   setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
@@ -469,7 +469,7 @@ void MainWindow::tick() {
   tell(*scene_);
   tell(*top_bar_);
   tell(*lost_);
-  // Those that are over go by and by.
+  // Old faults disappear after a while.
   Fence::run(&problems_, ViewWork::kHandling,
              [this] { problems_.showFaults(Fence::instance().faults()); });
   Fence::instance().noteUnnoted();

@@ -46,8 +46,8 @@ class Tour;
 class WhyBinding;
 class WhyCard;
 
-/// The window: a bar, three columns, a strip. It puts the views together and gives them their keys;
-/// what they show they know themselves.
+/// The window: a bar, three columns, a strip. It creates the views, connects them and assigns keys;
+/// the views themselves know their contents.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -75,20 +75,20 @@ class MainWindow : public QMainWindow {
 
  public Q_SLOTS:
   void plotSelection();
-  /// Begins with the selected interface, or with the next unconnected one of the component. Of
-  /// several required ones that are selected, all are matched.
+  /// Begins a connection of the selected interface, or of the next unconnected one of the
+  /// component. If several required ones are selected, matches all of them.
   void connectSelection();
   void disconnectSelection();
-  /// Where the selected command is called.
+  /// Goes to the form of the selected command.
   void callSelection();
   void revealSelection();
-  /// Selects it, and brings it into sight.
+  /// Selects the object and makes it visible.
   void goTo(const QString& path);
   void escape();
 
  private:
   void connectModels();
-  /// Tells of views that have thrown.
+  /// Reports views that have thrown.
   void connectFence();
   void buildViews();
   [[nodiscard]] QWidget* buildTop();
@@ -154,7 +154,7 @@ class MainWindow : public QMainWindow {
   KeysCard* keys_ = nullptr;
   Tour* tour_ = nullptr;
   QTimer second_;
-  std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is there
+  std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is reachable
 };
 
 }  // namespace tendon::gui

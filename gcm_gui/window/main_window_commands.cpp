@@ -36,7 +36,7 @@
 namespace tendon::gui {
 namespace {
 
-/// A button that the keys have come to is pressed by Space, whatever Space does elsewhere.
+/// Space presses a button with the keyboard focus, even if Space is a shortcut.
 class ButtonsHaveSpace : public QObject {
  public:
   explicit ButtonsHaveSpace(QWidget& window) : QObject(&window), window_(window) {
@@ -106,7 +106,7 @@ void MainWindow::addSystemCommands() {
   add(Words::tr("&Redo"), QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { redo_->again(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add(Words::tr("&Filter the catalogue"), QKeySequence::Find, [this] {
-    // Where the focus is, there is what is looked for.
+    // Searches in the part of the window that has the focus.
     graph_->isAncestorOf(focusWidget()) || graph_->hasFocus() ? graph_commands_->search().open()
                                                               : catalogue_->focusFilter();
   });
@@ -154,7 +154,7 @@ void MainWindow::forbidChanges() {
     action->setEnabled(false);
     action->setToolTip(parts_.read_only);
     if (action->shortcut().isEmpty()) continue;
-    auto* refusal = new QAction(this);  // its key says why, too
+    auto* refusal = new QAction(this);  // so that its key also says why
     refusal->setShortcut(action->shortcut());
     connect(refusal, &QAction::triggered, this,
             [this, undoes = action->objectName() == Words::tr("Undo")] {

@@ -16,13 +16,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kVersion = 1;  // of kept layouts
-// Closable also where it cannot be seen: only then the menu can hide it.
+constexpr int kVersion = 1;  // of saved layouts
+// Only a closable panel can be hidden by the menu, even without a visible close button.
 constexpr QDockWidget::DockWidgetFeatures kFree =
     QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
 
-/// What a perspective shows of the panels, in the order of their coming: sizes, 0 for hidden; and
-/// the part of the middle that the plots take.
+/// The sizes of the panels in a perspective, in the order of add(), 0 for hidden; and the plots'
+/// fraction of the middle.
 struct Arrangement {
   const char* title;
   std::array<int, 3> sizes;
@@ -34,7 +34,7 @@ constexpr std::array<Arrangement, 4> kArrangements{
      {QT_TRANSLATE_NOOP("Words", "Layout for operating"), {240, 420, 124}, 0.50},
      {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 336, 260}, 0.30}}};
 
-/// As large as wanted when it is first laid out.
+/// Has the wanted size in the first layout.
 class Page final : public QWidget {
  public:
   Page(QWidget* content, const QSize& wanted) : wanted_(wanted) {
@@ -80,7 +80,7 @@ void Panels::fill(QMenu& menu) {
     QAction* action = menu.addAction(Words::tr(kArrangements[i].title), this,
                                      [this, i] { show(static_cast<Perspective>(i)); });
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + i)));
-    window_.addAction(action);  // the key works while the menu is closed
+    window_.addAction(action);  // so that the key works while the menu is closed
   }
   menu.addSeparator();
   for (const Panel& panel : panels_) menu.addAction(panel.dock->toggleViewAction());
@@ -94,7 +94,7 @@ void Panels::fill(QMenu& menu) {
 void Panels::setMovable(bool movable) {
   for (const Panel& panel : panels_) {
     QWidget* title = panel.dock->titleBarWidget();
-    // An empty title while it stays where it is: its content has a head of its own.
+    // An empty title bar while it cannot be moved: its content has its own head.
     panel.dock->setTitleBarWidget(movable ? nullptr : new QWidget(panel.dock));
     delete title;
     panel.dock->setFeatures(movable ? kFree : QDockWidget::DockWidgetClosable);
@@ -122,7 +122,7 @@ void Panels::show(Perspective perspective) {
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     panels_[i].dock->setVisible(wanted.sizes.at(i) > 0);
   }
-  window_.layout()->activate();  // sizes are given to what is there
+  window_.layout()->activate();  // so that the sizes apply to the present panels
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     QDockWidget* dock = panels_[i].dock;
     const int size = wanted.sizes.at(i);

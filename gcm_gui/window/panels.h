@@ -14,44 +14,44 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// Which panels there are around the middle of a window, and how large: four perspectives on keys,
-/// panels that can be moved once that is asked for, and a layout that can be kept.
+/// The panels around the middle of a window and their sizes: four perspectives on keys, panels that
+/// can be moved after a command allows it, and a layout that can be saved.
 class Panels : public QObject {
   Q_OBJECT
 
  public:
   enum class Perspective { kConnect, kPlot, kOperate, kDiagnose };
 
-  /// `centre` has two rows, the graph above the plots.
+  /// `centre` has two rows, with the graph above the plots.
   Panels(QMainWindow& window, QSplitter& centre);
 
-  /// Takes what the window shows at that edge; `size` is across the edge, in pixels.
+  /// Adds a panel at this edge; `size` is across the edge, in pixels.
   void add(QWidget* content, const QString& title, Qt::DockWidgetArea area, int size, int least);
-  /// Adds perspectives, panels, and what else can be done with them. After the last add().
+  /// Adds perspectives, panels and layout commands to the menu. Call it after the last add().
   void fill(QMenu& menu);
 
   void show(Perspective perspective);
   void setMovable(bool movable);
-  /// Shows the panel that has this in it.
+  /// Shows the panel that contains this widget.
   void reveal(const QWidget& content);
-  /// Makes the panel that has this in it at least so large across its edge, in pixels.
+  /// Makes the panel of this widget at least this wide across its edge, in pixels.
   void giveRoom(const QWidget& content, int size);
-  /// All as it was at the first start.
+  /// Restores the default layout.
   void reset();
 
   [[nodiscard]] QByteArray state() const;
-  /// What is no state, or one of other panels, changes nothing.
+  /// Ignores an invalid state, or one of other panels.
   void restore(const QByteArray& state);
 
  Q_SIGNALS:
   void shown(tendon::gui::Panels::Perspective perspective);
-  /// All else that can be arranged is to be as at the first start, too.
+  /// Everything else that can be arranged must return to its default, too.
   void wasReset();
 
  private:
   struct Panel {
     QDockWidget* dock;
-    Qt::DockWidgetArea area;  // where it stands at first
+    Qt::DockWidgetArea area;  // its default edge
   };
   [[nodiscard]] static Qt::Orientation across(Qt::DockWidgetArea area);
 

@@ -28,7 +28,7 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
 
 void PlotBinding::showStale(const QString& path, const QString& reason) {
   const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
-  // That a process is gone is said in many places; the legend says whose rows it waits for.
+  // Many places report a lost process; the legend says which rows it waits for.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
 }
@@ -45,7 +45,7 @@ QString PlotBinding::standstillOf(const QString& path,
   return IsOld(why, age, 0) ? OldText(why, age) : QString();
 }
 
-// Those that end alike come first: a component that was renamed has the same table.
+// Paths with the longest common end come first: a renamed component has the same table.
 QList<CurveKey> PlotBinding::candidatesFor(const QString& path) const {
   QList<CurveKey> all;
   for (int row = 0; row < model_.rowCount({}); ++row) {

@@ -13,24 +13,24 @@ namespace tendon::gui {
 class CatalogueModel;
 class PlotPanel;
 
-/// Brings the plots the rows that they ask for.
+/// Supplies the plots with the rows that they ask for.
 class PlotBinding : public QObject {
   Q_OBJECT
 
  public:
-  /// At most so many curves come into a plot at one go.
+  /// The maximum number of curves added to a plot at once.
   static constexpr int kMostAtOnce = 16;
 
   PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
               QObject* parent = nullptr);
 
  public Q_SLOTS:
-  /// All numbers at and below a path of the catalogue.
+  /// Plots all numbers at and below a path of the catalogue.
   void plot(const QString& path);
   void plotSignal(const QString& path, const QString& unit);
 
  Q_SIGNALS:
-  /// One sentence when nothing could be plotted, or not all of it.
+  /// One sentence if nothing could be plotted, or not everything.
   void notice(const QString& text);
 
  private:

@@ -73,7 +73,7 @@ QJsonObject Connections(const Catalog& catalogue) {
   return connections;
 }
 
-// JSON of Qt has integers of 64 bits with a sign; the rest of those without are texts.
+// Qt's JSON has signed 64-bit integers only; larger unsigned ones become texts.
 QJsonValue Exactly(const ExactNumber& number) {
   const auto integer = static_cast<std::int64_t>(number.word());
   if (!number.isInteger()) return number.nearest();
@@ -218,7 +218,7 @@ void UiDescription::write() {
   if (text == written_) return;
   written_ = text;
   FileWriter::instance().write(file_, text, this, [this](const QString& refusal) {
-    if (!refusal.isEmpty()) written_.clear();  // once more
+    if (!refusal.isEmpty()) written_.clear();  // writes it again
   });
 }
 

@@ -10,9 +10,9 @@ namespace tendon::gui {
 
 class MainWindow;
 
-/// A diagnostic for tests that drive the real program with a real mouse: writes, five times a
-/// second while anything changes, a JSON file that says where on the screen things are and what the
-/// window knows.
+/// A diagnostic for tests that drive the real program with a real mouse: writes a JSON file, at
+/// most five times a second and only after changes, with the positions of things on the screen and
+/// the state of the window.
 ///
 ///     window, widgets   rectangles [x, y, width, height] by object name; a tab is `name/title`
 ///     rows              of the catalogue, by path

@@ -9,7 +9,7 @@ namespace tendon::gui {
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (depth_ > 0 && event->type() == QEvent::Paint) return paint(receiver, event);
   if (depth_ > 0) return FencedApplication::notify(receiver, event);
-  // Both may be gone afterwards.
+  // Read them before: both objects may be gone afterwards.
   const char* receiver_class = receiver->metaObject()->className();
   const QObject* owner = receiver->parent();
   const char* owner_class = owner == nullptr ? "" : owner->metaObject()->className();
@@ -45,7 +45,7 @@ bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   const std::int64_t before = os::ThreadWaits();
   const std::int64_t waits_so_far = painting_waits_;
   const bool handled = FencedApplication::notify(receiver, event);
-  // Those of what is painted within are among them.
+  // Includes the waits of nested painting.
   painting_waits_ = waits_so_far + os::ThreadWaits() - before;
   return handled;
 }

@@ -7,10 +7,10 @@
 
 namespace tendon::gui {
 
-/// The application, which notes how much processor time its longest event handler took, and how
-/// often handlers have waited. Waiting for the processor does not count, so a busy machine does not
-/// look like a stall; nor does the event loop's own waiting for the next event, nor what Qt waits
-/// while it paints: it shares large areas with threads of its own.
+/// Measures the longest processor time of an event handler, and counts how often handlers wait.
+/// Waiting for the processor does not count, so a busy machine does not look like a stall. Nor does
+/// the event loop's own wait for events, nor Qt's wait while painting: it shares large areas with
+/// its own threads.
 class WatchedApplication : public FencedApplication {
   Q_OBJECT
 
@@ -20,13 +20,13 @@ class WatchedApplication : public FencedApplication {
   bool notify(QObject* receiver, QEvent* event) override;
 
   [[nodiscard]] std::chrono::nanoseconds longestHandler() const { return longest_; }
-  /// What it was: the classes of the receiver's parent and of the receiver, and the event's type.
+  /// The longest handler: classes of the receiver's parent and the receiver, and event type.
   [[nodiscard]] const QString& longestName() const { return longest_name_; }
-  /// How often handlers have given up the processor to wait for something.
+  /// How often handlers have given up the processor to wait.
   [[nodiscard]] std::int64_t waits() const { return waits_; }
-  /// Each that has waited, by its name and how often: "GraphView/QTimer 1 · 2 times".
+  /// Each handler that has waited, with its count: "GraphView/QTimer 1 · 2 times".
   [[nodiscard]] const QStringList& waiters() const { return waiters_; }
-  /// From now on anew.
+  /// Starts the measurement again.
   void forgetHandlers();
 
  private:
@@ -38,7 +38,7 @@ class WatchedApplication : public FencedApplication {
   std::chrono::nanoseconds longest_{0};
   QString longest_name_;
   std::int64_t waits_ = 0;
-  std::int64_t painting_waits_ = 0;  // in the handler that runs
+  std::int64_t painting_waits_ = 0;  // in the running handler
   QStringList waiters_;
 };
 

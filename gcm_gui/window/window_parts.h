@@ -17,7 +17,7 @@ class SignalSource;
 class SystemActions;
 class SystemReports;
 
-/// What a window shows and steers; all of it outlives the window.
+/// The objects that a window shows and controls; all must outlive the window.
 struct WindowParts {
   CatalogueStore& store;
   GcmLink& link;
@@ -28,14 +28,14 @@ struct WindowParts {
   ConnectionChecks& checks;
   PlanRunner& plans;
   SystemReports& reports;
-  console::Settings console = {};  ///< of the console in the window
-  QString kept = {};               ///< the folder of what is kept for the next time; empty: none
-  QStringList gcm = {};            ///< `gcm` with its options; empty: none is started from here
-  QString demo = {};               ///< the system file of the demo; empty: none is offered
-  QString read_only = {};          ///< why nothing can be changed from here; empty where it can
+  console::Settings console = {};  ///< of the window's console
+  QString kept = {};               ///< the folder for saved state; empty: none
+  QStringList gcm = {};            ///< `gcm` with its options; empty: the window starts no GCM
+  QString demo = {};               ///< the system file of the demo; empty: no demo is offered
+  QString read_only = {};          ///< why this window can change nothing; empty if it can
 };
 
-/// The parts that a session has.
+/// The parts that belong to a session.
 [[nodiscard]] WindowParts PartsOf(Session& session);
 
 }  // namespace tendon::gui

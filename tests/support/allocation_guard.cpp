@@ -10,13 +10,13 @@
 
 namespace {
 
-// Constant-initialised, so that reading it in a new thread allocates nothing.
+// Constant-initialised, so that the first access in a new thread does not allocate.
 constinit thread_local std::uint64_t allocations_of_thread = 0;
 
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 constinit std::atomic<std::size_t> too_much = kNever;
 
-// Null where there is no memory.
+// Null if memory is exhausted.
 void* TryAllocate(std::size_t size) noexcept {
   ++allocations_of_thread;
   if (size >= too_much.load(std::memory_order_relaxed)) return nullptr;

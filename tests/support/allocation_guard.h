@@ -5,19 +5,19 @@
 
 namespace tendon {
 
-/// Fails the test if this thread allocates while the guard lives. Other threads may.
+/// Fails the test if this thread allocates while the guard lives. Other threads may allocate.
 ///
 ///     const AllocationGuard guard;
 ///     EXPECT_EQ(arm.move_to(JointGoal{}), Status::kQueued);
 class AllocationGuard {
  public:
   AllocationGuard() noexcept;
-  /// Reports how often `operator new` was called.
+  /// Reports the number of calls of `operator new`.
   ~AllocationGuard();
   AllocationGuard(const AllocationGuard&) = delete;
   AllocationGuard& operator=(const AllocationGuard&) = delete;
 
-  /// Calls of `operator new` in this thread since the guard was made.
+  /// Calls of `operator new` in this thread since the guard was created.
   [[nodiscard]] std::uint64_t allocations() const noexcept;
 
  private:

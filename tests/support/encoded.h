@@ -7,7 +7,7 @@
 
 namespace tendon::test {
 
-/// The body that stands for the value on the wire.
+/// The encoded body of a value, as on the wire.
 template <Payload T>
 std::vector<std::byte> Encoded(const T& value) {
   std::vector<std::byte> body;

@@ -9,7 +9,7 @@
 
 namespace tendon::test {
 
-/// An empty folder that nobody else can look into, removed in the end.
+/// An empty private folder, removed at the end.
 class Folder {
  public:
   Folder()

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
-/// Components that lead each other, and stop at their end the one that they lead.
+/// Components in a chain: each leads the next one and stops it in its own Cleanup().
 namespace leading {
 
-/// What components have done; outlives them.
+/// The actions of the components, in order; outlives them.
 class Story {
  public:
   void Add(const std::string& line) {
@@ -33,8 +33,8 @@ class Story {
   std::vector<std::string> lines_;
 };
 
-/// Leads the next one, and can be led itself: tells of each stop that reaches it, and of its
-/// Cleanup(), which sends one to the next.
+/// Leads the next component, and may have a leader itself. Reports each stop that reaches it, and
+/// its Cleanup(), in which it sends a stop to the next one.
 template <std::derived_from<tendon::Task> Base>
 class Leading final : public Base {
  public:
@@ -49,13 +49,13 @@ class Leading final : public Base {
     next.AddFunction(stop_, "Stop");
   }
 
-  std::atomic<std::chrono::milliseconds> work{std::chrono::milliseconds(0)};  ///< of a cycle
+  std::atomic<std::chrono::milliseconds> work{std::chrono::milliseconds(0)};  ///< of one cycle
   std::atomic<bool> floods = false;   ///< sends until it is refused
-  std::atomic<bool> executes = true;  ///< what is sent to it
-  std::atomic<bool> holds = false;    ///< a cycle, until it is false again
+  std::atomic<bool> executes = true;  ///< executes received commands
+  std::atomic<bool> holds = false;    ///< holds a cycle until it is false again
   std::atomic<bool> is_held = false;
-  std::atomic<std::uint64_t> refused = 0;  ///< for want of room
-  std::atomic<std::uint64_t> gone = 0;     ///< as it was told
+  std::atomic<std::uint64_t> refused = 0;  ///< commands refused for lack of room
+  std::atomic<std::uint64_t> gone = 0;     ///< as reported to it
 
  private:
   void Run() override {

@@ -12,10 +12,10 @@
 
 namespace tendon::test {
 
-/// Locales for tests of numbers, made here: which are installed differs from machine to machine,
-/// and so do the sources from which Debian makes them. Each has its language's number words and
-/// nothing else. This program speaks the last one used, and its own again in the end; programs that
-/// it starts find them by LOCPATH. One at a time: what it changes is the whole program's.
+/// Creates locales for tests of numbers: installed locales, and the sources from which Debian makes
+/// them, differ between machines. Each has its language's number format and nothing else. This
+/// program uses the last chosen one, and its original one at the end; child programs find them by
+/// LOCPATH. One at a time, because a locale belongs to the whole program.
 class Locales {
  public:
   Locales() {
@@ -29,15 +29,15 @@ class Locales {
     former_path_.empty() ? unsetenv("LOCPATH") : setenv("LOCPATH", former_path_.c_str(), 1);
   }
 
-  /// "C", "en_US", a German and a French one: two have a decimal comma.
+  /// "C", "en_US", a German and a French one: the last two have a decimal comma.
   static const std::vector<std::string>& Names() {
     static const std::vector<std::string> names{"C", "en_US", "de_DE", "fr_FR"};
     return names;
   }
 
-  /// One of Names(). False where localedef, which is a part of the C library, cannot make it.
+  /// Uses one of Names(). Returns false if localedef, a part of the C library, cannot create it.
   bool Use(const std::string& name) {
-    // The C library remembers a locale that was not there: it is made before it is asked for.
+    // The C library remembers a missing locale, so create it before the first use.
     if (name != "C" && !std::filesystem::exists(folder_.path() / name)) Make(name);
     return std::setlocale(LC_ALL, name.c_str()) != nullptr;
   }
@@ -61,7 +61,7 @@ class Locales {
     std::ofstream(letters) << "<code_set_name> ANSI_X3.4-1968\n<mb_cur_max> 1\n<escape_char> /\n"
                               "CHARMAP\n"
                            << AsciiLetters() << "END CHARMAP\n";
-    // -c: the other parts of a locale stay those of C, which it says as warnings.
+    // -c: the other parts stay those of C, about which localedef warns.
     const std::string line = "localedef -c -f '" + letters + "' -i '" + locale + "' '" +
                              (folder_.path() / name).string() + "' >/dev/null 2>&1";
     [[maybe_unused]] const int warned = std::system(line.c_str());

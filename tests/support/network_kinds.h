@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-/// A sort of network on which tests of whole processes run.
+/// A kind of network for tests with whole processes.
 struct NetworkKind {
   /// Makes the middleware of one more process.
   using Join = std::function<std::shared_ptr<tendon::Middleware>()>;
 
   std::string name;
-  /// Makes a network of its own.
+  /// Makes a new network.
   std::function<Join()> make;
 };
 
 inline void PrintTo(const NetworkKind& kind, std::ostream* out) { *out << kind.name; }
 
-/// Loopback and plain sockets, and Ice where it is built.
+/// Loopback and plain sockets, and Ice if it is built.
 std::vector<NetworkKind> NetworkKinds();
-/// The first two of them.
+/// Only loopback and plain sockets.
 std::vector<NetworkKind> PlainNetworkKinds();

@@ -13,12 +13,12 @@
 #include "support/program.h"
 #include "support/wait.h"
 
-/// A GCM and processes, each with a middleware of its own, all in this program.
+/// A GCM and processes in this program, each with its own middleware.
 class NetworkTest : public testing::TestWithParam<NetworkKind> {
  protected:
   NetworkTest() { StartGcm(); }
 
-  /// Where it was before.
+  /// Also restarts it, at the same address.
   void StartGcm() {
     auto gcm = tendon::GlobalManager::Start(
         join_(),
@@ -32,7 +32,7 @@ class NetworkTest : public testing::TestWithParam<NetworkKind> {
   [[nodiscard]] tendon::ProcessOptions Options() const {
     return {.middleware = join_(), .gcm = gcm_address_};
   }
-  /// A process that has joined.
+  /// Starts a process and waits until it has joined.
   [[nodiscard]] std::unique_ptr<tendon::Process> Start(const std::string& name) const {
     auto process = std::make_unique<tendon::Process>(name, Options());
     const auto joined = process->WaitUntilJoined(std::chrono::seconds(20));

@@ -14,7 +14,7 @@ void Scaled(const Move& move, const double& factor, Move& scaled) {
 }  // namespace
 
 Plant::Plant(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(1)) {
-  state_table().SetLength(4095);  // for a sanitizer may hold up who reads for some seconds
+  state_table().SetLength(4095);  // a sanitizer may delay a reader for some seconds
   state_table().Add(move_, "Move");
   state_table().Add(note_, "Note", 256);
   auto& control = AddProvidedInterface("Control");

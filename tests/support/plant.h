@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-/// Two components for tests of connections: a plant that offers every kind of command and event,
-/// and an operator that uses them all.
+/// Two components for tests of connections: a plant with every kind of command and event, and an
+/// operator that uses all of them.
 namespace plant {
 
-/// Fixed; the number tells one call from the next.
+/// A payload of fixed size; the number distinguishes calls.
 struct Move {
   std::uint64_t number = 0;
   std::array<double, 3> goal{};
@@ -22,7 +22,7 @@ struct Move {
   bool operator==(const Move&) const = default;
 };
 
-/// Dynamic.
+/// A payload of dynamic size.
 struct Note {
   std::string text;
   std::vector<double> values;
@@ -30,7 +30,7 @@ struct Note {
   bool operator==(const Note&) const = default;
 };
 
-/// Looks like a Move to people, but is none.
+/// Has the fields of a Move, but is another type.
 struct OtherMove {
   std::uint64_t number = 0;
   std::array<double, 3> goal{};
@@ -53,7 +53,7 @@ inline constexpr auto tendon::kPayload<plant::OtherMove> =
 
 namespace plant {
 
-/// What was done, in order; any thread.
+/// The actions in order; any thread.
 template <typename T>
 class Record {
  public:
@@ -75,7 +75,7 @@ class Record {
   std::vector<T> values_;
 };
 
-/// Executes commands at 1 kHz, echoes each as an event and records a row a cycle.
+/// Executes commands at 1 kHz, raises an event for each, and records a row per cycle.
 class Plant final : public tendon::PeriodicTask {
  public:
   explicit Plant(std::string name);
@@ -86,8 +86,8 @@ class Plant final : public tendon::PeriodicTask {
   Record<Move> moves;
   Record<Note> notes;
   Record<int> stops;
-  mutable std::mutex gate;            ///< whoever asks waits while it is locked
-  mutable std::atomic<int> asked{0};  ///< how many have come to the gate
+  mutable std::mutex gate;            ///< callers wait while it is locked
+  mutable std::atomic<int> asked{0};  ///< the number of callers that have reached the gate
 
  private:
   void Stop();
@@ -102,7 +102,7 @@ class Plant final : public tendon::PeriodicTask {
   tendon::WriteEvent<Note> written_;
 };
 
-/// Has no thread: the test calls its functions, and executes the events that have arrived.
+/// Has no thread: the test calls its functions and executes its received events.
 class Operator final : public tendon::Component {
  public:
   explicit Operator(std::string name, std::size_t capacity = 64);
@@ -127,7 +127,7 @@ class Operator final : public tendon::Component {
   void OnWritten(const Note& note) { written.push_back(note); }
 };
 
-/// Offers and needs too little, or something else.
+/// Offers and needs too little, or the wrong things.
 class Impostor final : public tendon::Component {
  public:
   explicit Impostor(std::string name);

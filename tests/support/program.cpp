@@ -37,20 +37,20 @@ void RedirectTo(const std::string& file, int descriptor) {
   close(opened);
 }
 
-/// Where all programs of this test keep what they would keep at their user's.
+/// The home folder of all programs of this test.
 const fs::path& Home() {
   static const tendon::test::Folder home;
   return home.path();
 }
 
-/// In a child, which else would run on if `parent` were killed, with its ports, for ever.
+/// Ends a child with its parent; otherwise it would live on with its ports if `parent` were killed.
 void EndWith(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);  // that was before
+  if (getppid() != parent) _exit(127);  // the parent had already ended
 }
 
-/// Everything that a child becomes, made before there is one: between the fork and its new program
-/// it may have locks that threads of ours held, and must take none.
+/// The data for a child, prepared before fork(): between fork() and exec() other threads' locks may
+/// be held, so the child must take none.
 class Start {
  public:
   Start(const Program::Words& command, const std::map<std::string, std::string>& environment,
@@ -68,7 +68,7 @@ class Start {
   Start(const Start&) = delete;
   Start& operator=(const Start&) = delete;
 
-  /// In the child.
+  /// Runs in the child.
   [[noreturn]] void Become() const {
     RedirectTo(out_, STDOUT_FILENO);
     RedirectTo(err_, STDERR_FILENO);
@@ -101,8 +101,8 @@ class Start {
   std::string err_;
 };
 
-/// Keeps other tests, those of other users too, off the port until this one ends: whoever takes it
-/// does so later than us. The name of a socket in no folder leaves nothing behind.
+/// Reserves the port among tests, also of other users, until this one ends. The abstract socket
+/// name leaves no file behind.
 bool IsReserved(int port) {
   const std::string name = "tendon-test-port-" + std::to_string(port);
   sockaddr_un address{};
@@ -136,7 +136,7 @@ Program::Program(const Words& command, const std::map<std::string, std::string>&
   folder_ = folder;
   const Start start(command, environment, folder_, Home());
   const pid_t parent = getpid();
-  const bool is_main_thread = gettid() == parent;  // others may end, and with them what they forked
+  const bool is_main_thread = gettid() == parent;  // others may end, and end their children
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("no process for " + command[0]);
   if (pid_ > 0) return;
@@ -154,7 +154,7 @@ Program::~Program() {
 }
 
 void Program::Signal(int signal) const {
-  if (!exit_code_) kill(pid_, signal);  // else its pid may be another's by now
+  if (!exit_code_) kill(pid_, signal);  // else another process may have its pid by now
 }
 
 std::optional<int> Program::Wait(std::chrono::seconds patience) {
@@ -182,7 +182,7 @@ Outcome RunProgram(const Program::Words& command,
 int FreePort() {
   constexpr int kTries = 1000;
   std::random_device random;
-  std::uniform_int_distribution<int> any(20000, 31999);  // the kernel gives others higher ones
+  std::uniform_int_distribution<int> any(20000, 31999);  // the kernel assigns higher ones
   for (int i = 0; i < kTries; ++i) {
     const int port = any(random);
     if (IsReserved(port) && IsFree(port)) return port;

@@ -44,7 +44,7 @@ TEST(Program, TheEnvironmentThatIsGivenDecides) {
 TEST(Program, SaysWhichSignalEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
 
 TEST(Program, EndsWithTheTestThatRunsItHoweverThatDies) {
-  const tendon::test::Folder folder;  // for what they cannot remove
+  const tendon::test::Folder folder;  // for files that they cannot remove
   int ends[2];                        // the other end is open in the test and in its program
   ASSERT_EQ(pipe(ends), 0);
 

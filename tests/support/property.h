@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-/// Properties that hold for all numbers, checked by RapidCheck.
+/// Checks properties of all numbers with RapidCheck.
 namespace tendon::test {
 
-/// Doubles at which arithmetic goes wrong: ends, denormals, what differs in its last digits.
+/// Doubles that often break arithmetic: limits, denormals, values that differ in the last digits.
 inline std::vector<double> EdgeDoubles() {
   using Limits = std::numeric_limits<double>;
   std::vector<double> edges = {0.0,
@@ -48,7 +48,7 @@ inline std::vector<double> EdgeDoubles() {
   return edges;
 }
 
-/// Edges, their neighbours, and any 64 bits. RapidCheck's own doubles, which are small, too.
+/// Edge cases, their neighbours, any 64 bits, and RapidCheck's own small doubles.
 inline rc::Gen<double> AnyDouble() {
   const auto edges = rc::gen::elementOf(EdgeDoubles());
   const auto infinity = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ inline rc::Gen<double> AnyFinite() {
   return rc::gen::suchThat(AnyDouble(), [](double value) { return std::isfinite(value); });
 }
 
-/// Ends, what lies around the last integer that a double holds, and any others.
+/// Limits, integers near the largest that a double holds exactly, and any others.
 template <std::integral Integer>
 rc::Gen<Integer> AnyInteger() {
   using Limits = std::numeric_limits<Integer>;
@@ -79,8 +79,8 @@ rc::Gen<Integer> AnyInteger() {
                         rc::gen::arbitrary<Integer>());
 }
 
-/// Calls a property, whose body has RC_ASSERT(), for some hundred cases; for a minute of them where
-/// TENDON_FULL_FAULTS is set. RC_PARAMS, as RapidCheck prints it, repeats a failure.
+/// Calls a property, whose body uses RC_ASSERT(), for some hundred cases, or for a minute if
+/// TENDON_FULL_FAULTS is set. To repeat a failure, set RC_PARAMS as printed by RapidCheck.
 template <typename Property>
 void CheckProperty(Property property) {
   constexpr std::chrono::minutes kFull(1);

@@ -33,7 +33,7 @@ namespace {
 
 using Counts = RealTimeGuard::Counts;
 
-constexpr int kSetSyscallUserDispatch = 59;  // of prctl; older headers do not have it
+constexpr int kSetSyscallUserDispatch = 59;  // of prctl; older headers lack it
 constexpr unsigned char kAllow = 0;
 constexpr unsigned char kBlock = 1;
 
@@ -49,7 +49,7 @@ void SetArmed(bool armed) {
   if (traps_system_calls) selector = armed ? kBlock : kAllow;
 }
 
-/// While it lives the thread sleeps, which is allowed.
+/// During its life the thread sleeps, which is allowed.
 struct Sleep {
   Sleep() { SetArmed(false); }
   ~Sleep() {
@@ -65,8 +65,8 @@ void CountSystemCall(long number) {
 }
 
 #if defined(__x86_64__)
-/// A trapped call is counted and made after all: the instruction is executed again, and until the
-/// thread sleeps its calls are no longer trapped.
+/// Counts a trapped call and then lets it happen: repeats the instruction, and does not trap
+/// further calls until the thread sleeps.
 void OnTrap(int /*signal*/, siginfo_t* info, void* context) {
   selector = kAllow;
   CountSystemCall(info->si_syscall);
@@ -118,7 +118,7 @@ Counts RealTimeGuard::Disarm() {
 
 }  // namespace tendon_test
 
-// What stands before the functions of the C library.
+// These interpose functions of the C library.
 extern "C" {
 
 using tendon_test::counts;

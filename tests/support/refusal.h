@@ -6,7 +6,7 @@
 
 namespace tendon::test {
 
-/// What the ConfigurationError says that `action` throws; empty when it throws none.
+/// The message of the ConfigurationError that `action` throws; empty if it throws none.
 template <typename Action>
 std::string Refusal(Action action) {
   try {

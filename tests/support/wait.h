@@ -3,8 +3,8 @@
 #include <chrono>
 #include <thread>
 
-/// Waits until `predicate()` holds, looking every millisecond; false when it does not within
-/// `timeout`, which is long: it bounds a test that fails, and says nothing about speed.
+/// Waits until `predicate()` is true, polling every millisecond; false after `timeout`. The default
+/// is long: it only bounds a failing test and says nothing about speed.
 template <typename Predicate>
 bool EventuallyTrue(Predicate predicate,
                     std::chrono::milliseconds timeout = std::chrono::seconds(30)) {

@@ -10,9 +10,9 @@
 
 namespace tendon::test {
 
-/// A decimal number as a sign, its digits without zeros at either end, and the power of ten of the
-/// last one. What two words mean is the same exactly if these are equal: the oracle of all that
-/// reads numbers, which shares nothing with it.
+/// A decimal number: a sign, the digits without zeros at either end, and the power of ten of the
+/// last digit. Two words mean the same number exactly if these are equal. This is the oracle for
+/// all code that reads numbers, and shares none of that code.
 struct WrittenNumber {
   bool is_negative = false;
   std::string digits;  // empty for 0
@@ -21,7 +21,7 @@ struct WrittenNumber {
   bool operator==(const WrittenNumber&) const = default;
 };
 
-/// Of what can be read in one way only; nothing for all else.
+/// Parses a word that has exactly one meaning; nothing for any other.
 inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
   constexpr std::size_t kMostOfExponent = 15;  // digits: no type holds more
   static const std::regex grammar(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?)0*(\d*))?)");
@@ -42,7 +42,7 @@ inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
   return number;
 }
 
-/// Words as people write numbers, and as they do not.
+/// Random words, valid and invalid numbers.
 class RandomWords {
  public:
   explicit RandomWords(std::uint32_t seed) : random_(seed) {}

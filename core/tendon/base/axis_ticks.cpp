@@ -12,18 +12,18 @@ namespace tendon {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kAir = 0.1;  // around a value at rest, of its size
+constexpr double kAir = 0.1;  // space around a constant value, relative to its size
 constexpr double kTolerance = 1e-9;
-constexpr double kFinest = 0x1p-55;  // of a step, in its axis' size: an eighth of what doubles skip
-constexpr std::size_t kShort = 9;    // letters, up to which a label never has an exponent
+constexpr double kFinest = 0x1p-55;  // step size relative to the axis: 1/8 of a double's spacing
+constexpr std::size_t kShort = 9;    // letters; a label up to this size never has an exponent
 constexpr std::array<std::int64_t, 3> kFactors{1, 2, 5};
 
-/// factor * 10^exponent: doubles hold hardly any of these numbers, and their labels must.
+/// factor * 10^exponent. Doubles hold hardly any of these numbers exactly, but labels must.
 struct Decimal {
   std::int64_t factor = 0;
   int exponent = 0;
 
-  /// The nearest double; infinite where it is beyond all.
+  /// The nearest double; infinite if it is out of range.
   [[nodiscard]] double real() const {
     const std::string text = std::to_string(factor) + 'e' + std::to_string(exponent);
     double value = 0;
@@ -60,13 +60,13 @@ std::string ExponentText(const Decimal& number) {
          (size.size() < 2 ? "0" : "") + size;
 }
 
-/// High less low, in parts so that it is finite.
+/// (high - low) / parts, computed so that it is finite.
 double SpanOver(const AxisSpan<double>& span, double parts) {
   return span.high / parts - span.low / parts;
 }
 
-/// 1, 2 or 5 times a power of ten, at most `most` of which fit, and not below what doubles of this
-/// size can tell apart.
+/// 1, 2 or 5 times a power of ten, at most `most` of which fit, and not too small for doubles of
+/// this size to be told apart.
 Decimal StepOf(const AxisSpan<double>& span, int most) {
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   const double least = std::max({SpanOver(span, std::max(most, 2)), size * kFinest,
@@ -81,13 +81,13 @@ Decimal StepOf(const AxisSpan<double>& span, int most) {
   }
 }
 
-/// The multiple of a step that `count` says.
+/// `count` times the step.
 Decimal Multiple(const Decimal& step, std::int64_t count) {
   return {.factor = step.factor * count, .exponent = step.exponent};
 }
 
-/// The last multiple of a step that is not above a value. The quotient is only near it: a denormal
-/// step is not what its digits say.
+/// The last multiple of a step that is not above `value`. The quotient is only near it, because a
+/// denormal step is not exactly what its digits say.
 std::int64_t StepsBelow(double value, const Decimal& step) {
   const auto is_above = [&](std::int64_t count) { return Multiple(step, count).real() > value; };
   auto low = static_cast<std::int64_t>(std::floor(value / step.real()));
@@ -101,7 +101,7 @@ std::int64_t StepsBelow(double value, const Decimal& step) {
   return low;
 }
 
-/// Unsigned, so that it holds the whole range.
+/// Unsigned, so that it can hold the whole range.
 template <std::integral Integer>
 std::uint64_t Distance(Integer low, Integer high) {
   return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
@@ -122,7 +122,7 @@ std::uint64_t IntegerStepOf(const AxisSpan<Integer>& span, int most) {
   }
 }
 
-/// What is left of a value above the multiple of `step` below it.
+/// The distance from `value` down to the nearest multiple of `step`.
 template <std::integral Integer>
 std::uint64_t Remainder(Integer value, std::uint64_t step) {
   const auto bits = static_cast<std::uint64_t>(value);
@@ -183,7 +183,7 @@ AxisSpan<double> FittedToTicks(const AxisSpan<double>& span, int most) {
           .high = std::min(Multiple(step, last).real(), kLargest)};
 }
 
-/// Texts of one kind: the shorter one, if that is much.
+/// Labels of one form: the shorter one, if it is much shorter.
 std::vector<std::string> LabelsOf(const std::vector<Decimal>& numbers) {
   std::vector<std::string> fixed;
   std::vector<std::string> exponents;

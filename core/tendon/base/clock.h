@@ -9,7 +9,7 @@ namespace tendon {
 /// leases. Never jumps; comparable between processes of one machine.
 using SteadyTime = std::chrono::time_point<std::chrono::steady_clock, std::chrono::nanoseconds>;
 
-/// Where a class gets the time from, so that a test can turn the hands.
+/// The source of time for a class, so that a test can set the time.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -17,15 +17,15 @@ class Clock {
   [[nodiscard]] virtual SteadyTime Now() const noexcept = 0;
 };
 
-/// The real one.
+/// The real clock.
 const Clock& SteadyClock() noexcept;
 
-/// The longest time anybody waits for: as good as for ever, and short enough to be added to now.
+/// The longest wait: as good as forever, and short enough to be added to the present time.
 inline constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
-/// When `timeout`, or the longest wait if that is less, will be over by the real clock.
+/// The end of `timeout`, or of the longest wait if that is less, on the real clock.
 [[nodiscard]] SteadyTime DeadlineAfter(std::chrono::nanoseconds timeout) noexcept;
 
-/// Stands still until told otherwise.
+/// Stands still until Advance().
 class ManualClock final : public Clock {
  public:
   [[nodiscard]] SteadyTime Now() const noexcept override;

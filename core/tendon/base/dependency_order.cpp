@@ -3,7 +3,7 @@
 namespace tendon {
 namespace {
 
-/// One that is put in order once all that it depends on is.
+/// An element that is put in order after all that it depends on.
 struct Open {
   std::size_t number;
   std::size_t next = 0;  // of its dependencies
@@ -15,7 +15,7 @@ std::vector<std::size_t> DependencyOrder(const Dependencies& dependencies) {
   std::vector<std::size_t> order;
   order.reserve(dependencies.size());
   std::vector<bool> is_begun(dependencies.size());
-  std::vector<Open> open;  // a list, not recursion: a chain may be as long as there are things
+  std::vector<Open> open;  // a list, not recursion: a chain may be very long
   const auto begin = [&](std::size_t number) {
     if (is_begun[number]) return;
     is_begun[number] = true;

@@ -6,15 +6,15 @@
 
 namespace tendon {
 
-/// How much may wait at most.
+/// The most that may wait.
 struct QueueBound {
   std::size_t elements = 0;
   std::size_t bytes = 0;
 };
 
-/// What waits for a reader who may be slow: bounded in elements and in bytes. An element for which
-/// there is no room takes the place of the oldest ones; the newest is always kept, also where it
-/// alone is larger than all that may wait.
+/// A queue for a slow reader, bounded in elements and in bytes. A new element for which there is no
+/// room replaces the oldest ones. The newest one is always kept, even if it alone is larger than
+/// the bound.
 ///
 /// Thread safety: one thread at a time.
 template <typename T>
@@ -22,7 +22,7 @@ class DroppingQueue {
  public:
   explicit DroppingQueue(QueueBound bound) : bound_(bound) {}
 
-  /// Calls `on_dropped(T&)` with each element that makes place, the oldest first.
+  /// Calls `on_dropped(T&)` with each element that is replaced, oldest first.
   template <typename OnDropped>
   void Push(T element, std::size_t bytes, OnDropped&& on_dropped) {
     while (!waiting_.empty() &&
@@ -34,7 +34,7 @@ class DroppingQueue {
     bytes_ += bytes;
   }
 
-  /// The oldest elements, at least one where there is one, of at most so many bytes otherwise.
+  /// Removes and returns the oldest elements: at least one if any, else at most `most_bytes`.
   [[nodiscard]] std::deque<T> Take(std::size_t most_bytes) {
     std::deque<T> taken;
     std::size_t size = 0;
@@ -48,7 +48,7 @@ class DroppingQueue {
 
   [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// The next that Take() gives; there must be one.
+  /// The next element that Take() returns; there must be one.
   [[nodiscard]] T& front() { return waiting_.front().element; }
 
  private:

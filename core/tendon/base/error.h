@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// What sort of failure it is; a program chooses its exit code by it, a viewer its next step.
+/// The kind of failure; a program chooses its exit code by it, a viewer its next step.
 enum class ErrorCode : std::int32_t {
   kFailed,        ///< the operation was refused or failed
   kInvalid,       ///< an argument, a file or a message is malformed
@@ -20,7 +20,7 @@ enum class ErrorCode : std::int32_t {
   kDenied,        ///< the role does not allow it
 };
 
-/// Why a request was refused: one sentence that says what, where, and what to do next.
+/// The reason why a request was refused: one sentence with what, where, and what to do next.
 struct Error {
   ErrorCode code = ErrorCode::kFailed;
   std::string message;
@@ -31,15 +31,15 @@ struct Error {
 /// "failed", "not found", ...
 [[nodiscard]] std::string_view ToString(ErrorCode code) noexcept;
 
-/// What an exception says, and behind it those that have led to it (std::nested_exception): "no
-/// arm: no port".
+/// The message of an exception, then those of the exceptions that caused it
+/// (std::nested_exception): "no arm: no port".
 [[nodiscard]] std::string ReasonOf(std::exception_ptr thrown);
 
-/// A wiring mistake in a program: a second interface of a name, a bad period. Thrown while a
-/// component is being built, never in a cycle.
+/// A wiring mistake in a program, such as a duplicate interface name or an invalid period. Thrown
+/// while a component is built, never in a cycle.
 class ConfigurationError : public std::runtime_error {
  public:
-  /// Of code kInvalid.
+  /// With code kInvalid.
   using std::runtime_error::runtime_error;
   explicit ConfigurationError(const Error& error)
       : std::runtime_error(error.message), code_(error.code) {}
@@ -50,8 +50,8 @@ class ConfigurationError : public std::runtime_error {
   ErrorCode code_ = ErrorCode::kInvalid;
 };
 
-/// What an author hears who adds a part to what has all of its parts: "cannot add command 'Stop' to
-/// interface 'Control' (sealed): add it in the constructor". `whole` with its state, if any.
+/// The error for an author who adds a part too late: "cannot add command 'Stop' to interface
+/// 'Control' (sealed): add it in the constructor". `state` is that of `whole`, if any.
 [[nodiscard]] ConfigurationError AddedTooLate(const std::string& part, const std::string& whole,
                                               std::string_view state = "sealed");
 

@@ -5,7 +5,7 @@
 
 namespace tendon {
 
-/// The element of a list whose `name` this is, or null; looks at one after the other.
+/// The element of a list with this `name`, or null. A linear search.
 template <typename List>
 [[nodiscard]] const typename List::value_type* FindNamed(const List& elements,
                                                          const std::string& name) {

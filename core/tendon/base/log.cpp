@@ -24,7 +24,7 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
   return spdlog::level::info;
 }
 
-/// The process' log: stderr, so that a program's standard output stays data.
+/// The log of the process: stderr, so that the standard output has only data.
 struct Sinks {
   std::shared_ptr<spdlog::logger> console = [] {
     auto logger = std::make_shared<spdlog::logger>(
@@ -37,7 +37,7 @@ struct Sinks {
 };
 
 Sinks& TheSinks() {
-  static Sinks& sinks = *new Sinks;  // for ever: what ends last logs, too
+  static Sinks& sinks = *new Sinks;  // never freed: code that ends last may log
   return sinks;
 }
 
@@ -56,13 +56,13 @@ void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::str
   Sinks& sinks = TheSinks();
   std::string line(source);
   line.append(": ").append(message);
-  // To the sinks themselves: the level of the logger has been asked before, or must not be.
+  // Directly to the sinks: the logger's level was checked before, or must not count.
   const spdlog::details::log_msg record(time, {}, sinks.console->name(), ToSpdlog(level), line);
   for (const auto& sink : sinks.console->sinks()) {
     try {
       sink->log(record);
     } catch (const std::exception&) {
-      // Who logs is not told that nobody reads it.
+      // The caller is not told that nobody reads the log.
     }
   }
   const std::scoped_lock lock(sinks.mutex);

@@ -10,29 +10,28 @@ namespace tendon {
 
 enum class LogLevel : std::int32_t { kDebug, kInfo, kWarning, kError };
 
-/// One line for people, to stderr and to every sink. `source` is a component's or a part's name.
-/// Any thread. In a task's Run() it neither waits, allocates nor calls the operating system: a copy
-/// is put aside, and logged by another thread some 20 ms later (DeferLogging). Elsewhere it locks
-/// and allocates.
+/// Logs one line for people, to stderr and to every sink. `source` is the name of a component or a
+/// part. Any thread. In a task's Run() it never waits, allocates or calls the operating system:
+/// another thread logs a copy about 20 ms later (DeferLogging). Elsewhere it locks and allocates.
 void Log(LogLevel level, std::string_view source, std::string_view message);
 
-/// Records below `level` are dropped; kInfo at the start.
+/// Drops records below `level`; kInfo by default.
 void SetLogLevel(LogLevel level);
-/// Whether such a record is not dropped. Any thread; one load.
+/// True if such a record is not dropped. Any thread; one load.
 [[nodiscard]] bool IsLogged(LogLevel level);
 
 using LogSink = std::function<void(LogLevel, std::string_view source, std::string_view message)>;
 
-/// Hears every record that is not dropped, in the logging thread, or in the one that logs what was
-/// put aside. Kept for the life of the process.
+/// Adds a sink for every record that is not dropped. It runs in the logging thread, or in the
+/// thread that logs deferred records. Kept for the life of the process.
 void AddLogSink(LogSink sink);
 
 using LogTime = std::chrono::system_clock::time_point;
 
-/// Puts records aside for threads that must not wait.
+/// Stores log records for threads that must not wait.
 class LogDeferral {
  public:
-  /// In the thread that logs; the texts do not outlive the call.
+  /// In the thread that logs; the texts are valid only during the call.
   virtual void PutAside(LogTime time, LogLevel level, std::string_view source,
                         std::string_view message) noexcept = 0;
 
@@ -40,7 +39,7 @@ class LogDeferral {
   ~LogDeferral() = default;
 };
 
-/// While it lives, what its thread logs goes to a deferral. They may be nested.
+/// While it lives, the log records of its thread go to a deferral. May be nested.
 class DeferLogging {
  public:
   explicit DeferLogging(LogDeferral& deferral) noexcept;
@@ -52,7 +51,7 @@ class DeferLogging {
   LogDeferral* before_;
 };
 
-/// Log() with a record that was put aside, or that no level may hide: it is not dropped.
+/// Log() for a deferred record, or for one that no level may hide: it is never dropped.
 void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::string_view message);
 
 }  // namespace tendon

@@ -38,7 +38,8 @@ std::string Lower(std::string_view text) {
   return lower;
 }
 
-/// How many letters to insert, delete, replace or swap with a neighbour (optimal string alignment).
+/// Number of letters to insert, delete, replace or swap with a neighbour (optimal string
+/// alignment).
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -58,7 +59,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// Of a name that was not typed to its end; empty where there are several.
+/// The full name for one that was not typed to its end; empty if there are several.
 std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::string> candidates) {
   constexpr std::size_t kShortest = 2;
   std::string found;
@@ -106,7 +107,7 @@ std::string Nearest(std::string_view name, std::span<const std::string> candidat
   std::size_t best_distance = limit + 1;
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
-    if (longer - shorter > limit) continue;  // of a name from outside, which may have megabytes
+    if (longer - shorter > limit) continue;  // a name from outside may have megabytes
     const std::size_t distance = EditDistance(Lower(name), Lower(candidate));
     if (2 * distance <= shorter && distance < best_distance) {
       best = candidate;

@@ -10,16 +10,16 @@
 
 namespace tendon {
 
-/// Names of processes, components, interfaces and members: 1 to 64 letters, digits, '_' and '-'.
-/// The error reads "component name 'a b' has ' ' at 2; allowed: letters digits _ - (max 64)";
+/// Checks the name of a process, component, interface or member: 1 to 64 letters, digits, '_' and
+/// '-'. The error reads "component name 'a b' has ' ' at 2; allowed: letters digits _ - (max 64)";
 /// `what` is the word before "name".
 Result<void> CheckName(std::string_view what, std::string_view name);
 
-/// The same for the author of a component: throws ConfigurationError.
+/// The same for the author of a component; throws ConfigurationError.
 void RequireName(std::string_view what, std::string_view name);
 
-/// A name that must be given once, and where it was: made from text in a call, it knows the
-/// caller's line.
+/// A name that may be given only once, with the place where it was given: constructed from text in
+/// a call, it knows the caller's line.
 struct PlacedName {
   PlacedName(const char* name, SourcePlace given_at = SourcePlace::current())
       : text(name), place(given_at) {}
@@ -30,16 +30,16 @@ struct PlacedName {
   SourcePlace place;
 };
 
-/// The candidate most like `name`, or empty when none is near: an edit distance of a third of its
-/// length or 1, of 3 at most, and no more than half of either name; else the only one that begins
-/// with `name`, of two letters at least. Case makes no difference.
+/// The candidate most like `name`, or empty if none is near. Near is an edit distance of at most a
+/// third of its length (or 1), of 3, and of half of either name. If none is, the only candidate
+/// that begins with `name`, if that has two letters or more. Ignores case.
 [[nodiscard]] std::string Nearest(std::string_view name, std::span<const std::string> candidates);
 
-/// "; did you mean 'arm'?" or, when nothing is near, the empty string.
+/// "; did you mean 'arm'?", or empty if no candidate is near.
 [[nodiscard]] std::string DidYouMean(std::string_view name,
                                      std::span<const std::string> candidates);
 
-/// Names one end of a connection. `process` is empty when this process is meant.
+/// Names one end of a connection. An empty `process` means this process.
 struct InterfaceName {
   std::string process;
   std::string component;

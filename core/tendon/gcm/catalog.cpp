@@ -119,7 +119,7 @@ std::vector<CatalogChange> Catalog::AsChanges() const {
       changes.push_back({.kind = Kind::kConnection, .process = name, .connections = {connection}});
     }
   }
-  // Each took at least one change to come about, so this does not go below zero.
+  // Not below zero, because each of them took at least one change.
   std::uint64_t revision = revision_ - changes.size();
   for (CatalogChange& change : changes) change.revision = ++revision;
   return changes;
@@ -140,7 +140,7 @@ Fingerprint Catalog::ContentHash() const {
     for (const auto& [component_name, component] : entry.components) {
       ComponentDescription content = component;
       content.fault_time = 0;
-      content.warning.clear();  // comes and goes with the load
+      content.warning.clear();  // changes with the load
       Append(content, bytes);
     }
     std::vector<ConnectionDescription> connections;

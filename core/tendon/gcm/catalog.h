@@ -9,11 +9,11 @@
 
 namespace tendon {
 
-/// A process and what it holds.
+/// A process with its components and connections.
 struct ProcessEntry {
   ProcessDescription process;
   std::map<std::string, ComponentDescription> components;
-  std::map<std::uint64_t, ConnectionDescription> connections;  ///< those it owns, by id
+  std::map<std::uint64_t, ConnectionDescription> connections;  ///< those that it owns, by id
 
   bool operator==(const ProcessEntry&) const = default;
 };
@@ -25,7 +25,7 @@ class Catalog {
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] const std::map<std::string, ProcessEntry>& processes() const { return processes_; }
 
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const ProcessEntry* FindProcess(const std::string& name) const;
   [[nodiscard]] const ComponentDescription* FindComponent(const std::string& process,
                                                           const std::string& component) const;
@@ -35,19 +35,19 @@ class Catalog {
   [[nodiscard]] const ConnectionDescription* FindConnection(const InterfaceName& required) const;
   [[nodiscard]] std::vector<ConnectionDescription> connections() const;
 
-  /// Applies the next change; false, and nothing happens, when its revision does not follow or it
-  /// makes no sense (the watcher then asks for a snapshot).
+  /// Applies the next change. Returns false without an effect if its revision is not the next one
+  /// or it is invalid (the watcher then asks for a snapshot).
   [[nodiscard]] bool Apply(const CatalogChange& change);
 
-  /// The changes that build this catalogue from an empty one of revision `revision() - size`; a
-  /// snapshot is sent that way.
+  /// The changes that build this catalogue from an empty one of revision `revision() - size`. A
+  /// snapshot is sent in this form.
   [[nodiscard]] std::vector<CatalogChange> AsChanges() const;
 
-  /// Empty, at this revision: where a snapshot begins.
+  /// An empty catalogue of this revision, to which a snapshot is applied.
   static Catalog At(std::uint64_t revision);
 
-  /// Of everything but pids, instances, times, addresses, connection ids, reasons and warnings: two
-  /// systems that look alike to their users have the same.
+  /// A hash of everything but pids, instances, times, addresses, connection ids, reasons and
+  /// warnings: equal for two systems that look the same to users.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalog&) const = default;

@@ -23,7 +23,7 @@ Result<void> Ignored(const Result<None>& result) {
   return result.error();
 }
 
-/// Where the catalogue says that a process is.
+/// The present process, as in the catalogue.
 Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& process) {
   const auto entry = LookUpProcess(catalog, process);
   if (!entry) return entry.error();
@@ -34,7 +34,7 @@ Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& pr
   return (*entry)->process;
 }
 
-/// As the catalogue describes them, in the order asked for.
+/// The events as in the catalogue, in the order asked for.
 Result<std::vector<MemberDescription>> LookUpEvents(const Catalog& catalog,
                                                     const EventSubscription& wanted) {
   const auto provided = LookUpProvided(catalog, wanted.provided);
@@ -53,13 +53,13 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalog& catalog,
   return events;
 }
 
-/// The path, which parsed, has only letters that names have.
+/// `path` was parsed, so it is printable.
 Error NoCommand(const std::string& path) {
   return {ErrorCode::kInvalid,
           "'" + path + "' names no command: expected process/component/interface.member"};
 }
 
-/// On a machine that is busy beyond measure, who is patient is answered by more than "it hangs".
+/// With a long timeout, waits longer for a busy process before it says "it hangs".
 client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
   opening.patience = std::max(opening.patience, options.timeout / 2);
@@ -68,7 +68,7 @@ client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
 
 }  // namespace
 
-/// The parts, and in which order they come and go.
+/// The parts of a client, and the order of their start and end.
 class GcmClient::Implementation {
  public:
   Implementation(std::shared_ptr<Middleware> middleware, const Options& options,
@@ -107,8 +107,8 @@ class GcmClient::Implementation {
     return client::CallOnce<T>(outstanding_, std::move(handler));
   }
 
-  /// The same of what a process is asked: where that is not reached the GCM still is, which
-  /// kUnreachable would deny.
+  /// For a request to a process. kUnreachable becomes kFailed, because it would mean that the GCM
+  /// is not reached.
   template <typename T>
   std::function<void(Result<T>)> GuardedOfProcess(std::function<void(Result<T>)> handler) {
     return [done = Guarded(std::move(handler))](Result<T> result) {
@@ -121,7 +121,7 @@ class GcmClient::Implementation {
   Worker& timer() { return *timer_; }
   client::Caller& caller() { return *caller_; }
   client::EventFeed& events() { return *events_; }
-  /// Made at the first call: a program that subscribes to nothing has no use for it.
+  /// Created at the first call, because many programs subscribe to nothing.
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) {
@@ -149,8 +149,7 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// All who ask before the next look at the catalogue share it; there are few, however fast that
-  /// changes.
+  /// All callers before the next look at the catalogue share it, which bounds the number of looks.
   void LearnDisputedTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
     if (closing_) return;
@@ -189,7 +188,7 @@ class GcmClient::Implementation {
     };
   }
 
-  /// The GCM is asked each time, which tells it to whom it lets watch.
+  /// Asks the GCM each time; it answers only clients that may watch.
   [[nodiscard]] FindFanOut FanOutFinder() const {
     return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
       const auto alive = weak.lock();
@@ -203,11 +202,11 @@ class GcmClient::Implementation {
   }
 
   [[nodiscard]] Hello Mine() const {
-    const auto cookie = LoopbackCookie();  // without it, whoever is asked says what is missing
+    const auto cookie = LoopbackCookie();  // without it, the peer's refusal says what is missing
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
-  /// Those who wait hear that there will be no look; they may ask again, in vain.
+  /// Drops the handlers, which reports an error to their callers.
   void EndLearning() {
     std::vector<DoneHandler> learners;
     const std::scoped_lock lock(mutex_);
@@ -239,7 +238,7 @@ class GcmClient::Implementation {
     for (const auto& [process, instance] : processes) telemetry_->Retry(process);
   }
 
-  /// Here alone: it must not end in a thread of its own, where the links may end.
+  /// Owned only here: it must not be destroyed in one of its own threads, where links may end.
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
   const std::chrono::milliseconds timeout_;
@@ -251,8 +250,8 @@ class GcmClient::Implementation {
   const std::shared_ptr<client::EventFeed> events_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
-  std::vector<DoneHandler> learners_;  // who waits for the next look
-  SteadyTime next_look_{};             // not before
+  std::vector<DoneHandler> learners_;  // wait for the next look
+  SteadyTime next_look_{};             // not earlier
   bool closing_ = false;
 };
 

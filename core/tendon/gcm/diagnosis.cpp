@@ -14,18 +14,17 @@ namespace {
 
 using Verdict = DiagnosisStep::Verdict;
 
-/// What each step looks at; said where it was not reached.
+/// What each step checks; shown if it was not reached.
 constexpr std::array kSteps = {
     "both processes are there", "both components are active",     "the required interface is free",
     "the signatures match",     "the processes reach each other", "the connection is made",
     "the provider answers"};
 
-/// Of them, from 0 on: that at which both components are active, and at which the processes reach
-/// each other.
+/// Indices in kSteps: "both components are active" and "the processes reach each other".
 constexpr std::size_t kActive = 1;
 constexpr std::size_t kReached = 4;
 
-/// Goes through the steps until one is bad.
+/// Executes the steps until one is bad.
 class Examination {
  public:
   explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
@@ -37,7 +36,7 @@ class Examination {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
-  /// Where the required side is there, which alone knows it: as the catalogue says.
+  /// As in the catalogue, if the required side is present, since only that side knows.
   void SetConnected(const Catalog& catalog) {
     const message::Wire& wire = diagnosis_.wire;
     const ProcessEntry* owner = catalog.FindProcess(wire.required.process);
@@ -57,7 +56,7 @@ class Examination {
   Diagnosis diagnosis_;
 };
 
-/// A connection to what is not in the catalogue waits for it.
+/// A connection to an end that is not in the catalogue waits for it.
 void CheckAbsent(const Catalog& catalog, const message::Wire& wire, const Error& missing,
                  Examination& examination) {
   const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
@@ -97,7 +96,7 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
                    provided.name + " is " + std::string(ToString(provided.state)));
 }
 
-/// Step 3; what the required interface is connected to.
+/// Step 3: the current connection of the required interface.
 void CheckFree(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
   const auto* connection = catalog.FindConnection(wire.required);
   if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
@@ -121,14 +120,14 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
                   std::move(details));
 }
 
-/// An address of this machine alone, told to a process on another one.
+/// Whether the provider announces a loopback address to a process on another host.
 bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& provided) {
   return IsOfOneHost(provided.address) && required.host != provided.host;
 }
 
 std::string SeenFrom(const std::string& host) { return " (seen from host " + host + ")"; }
 
-/// It is tried again by itself, which may help or not.
+/// It is retried automatically, which may or may not help.
 std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
                          const std::string& reason) {
   if (os::TellsOfNoRoute(reason)) {
@@ -150,7 +149,7 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
             provided.address,
         "start " + provided.name + " with --listen and --advertise for host " + provided.host);
   }
-  if (connection == nullptr) return;  // nobody has tried
+  if (connection == nullptr) return;  // never tried
   if (connection->state == ConnectionState::kPending) {
     return examination.Bad(ErrorCode::kTimeout,
                            "it is pending: " + connection->reason + SeenFrom(required.host),
@@ -197,7 +196,7 @@ Remainder LeftAtProvider(const Catalog& catalog, const message::Wire& wire,
               ", which asks for nothing; it ends with the link between the two"};
 }
 
-/// The better one is the smaller.
+/// Smaller is better.
 auto RankOf(const Candidate& candidate) {
   const Compatibility& how = candidate.compatibility;
   return std::tuple(!how.fits(), -how.matched, how.mismatches.size(), candidate.provided);

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// All types by name, and where one who knows each is found.
+/// All types by name, each with one process that knows it.
 class TypesByName {
  public:
   void Add(const ComponentDescription& component, std::string_view process) {
@@ -45,7 +45,7 @@ class TypesByName {
     if (!name.empty()) types_[name].try_emplace(type, process);
   }
 
-  std::map<std::string_view, std::map<Fingerprint, std::string_view>> types_;  // of the catalogue
+  std::map<std::string_view, std::map<Fingerprint, std::string_view>> types_;  // into the catalogue
 };
 
 }  // namespace

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Of each process that is there, the payload types which have the name of another type, as two
-/// versions of a component's do, and which FindSchema() does not know. Once they are learned,
-/// Compare() can say in what the two differ. Linear in the members.
+/// For each present process, the payload types that share their name with another type, as with two
+/// versions of a component, and that FindSchema() does not know. When they are learned, Compare()
+/// can name the difference. Linear in the members.
 [[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypes(const Catalog& catalog);
 
-/// Those of two interfaces alone, each to be asked of its own process.
+/// The same for two interfaces only; each process is asked for its own types.
 [[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypesBetween(
     const Catalog& catalog, const message::Wire& wire);
 

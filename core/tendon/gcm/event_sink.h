@@ -18,33 +18,32 @@ namespace tendon {
 struct EventSubscription {
   InterfaceName provided;
   std::vector<std::string> events;
-  /// Events that may wait in their process until they are sent; what finds no room is lost.
+  /// How many events may wait in their process to be sent; more are lost.
   std::uint32_t capacity = 1024;
 };
 
-/// When an event was raised, by the steady clock of its source.
+/// When an event was raised.
 struct EventTime {
-  SteadyTime raised;  ///< as this process' steady clock had it then; never later than now
-  /// How far that may be off, as two clocks are compared by asking: half a way there and back at
-  /// most, some 10 us on one host. The largest value where the other clock tells nothing sensible;
-  /// then `raised` is when it arrived.
+  SteadyTime raised;  ///< on this process's steady clock; never later than now
+  /// The bound of the error: at most half a round trip, some 10 us on one host. The largest value
+  /// if the other clock is not usable; then `raised` is the time of arrival.
   std::chrono::nanoseconds uncertainty = std::chrono::nanoseconds::max();
 };
 
-/// What a listener to events hears, in threads of the client or the middleware, one call at a time;
-/// must not block. `event` is the place in EventSubscription::events.
+/// Receives events, in threads of the client or the middleware, one call at a time; must not block.
+/// `event` is the index in EventSubscription::events.
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  /// From now on each event is heard, or told of as lost. Again after healing; the types are those
-  /// that the process has now.
+  /// From now on each event is delivered or reported as lost. Called again after each recovery,
+  /// with the types that the process has now.
   virtual void OnListening(const std::vector<MemberDescription>& events) = 0;
-  /// It was raised; `value` is the CDR body of its type, empty where it carries none.
+  /// `value` is the CDR body of the event's type; empty if it has none.
   virtual void OnEvent(std::size_t event, std::span<const std::byte> value,
                        const EventTime& time) = 0;
-  /// So many more were raised for which there was no room.
+  /// `lost` more events were raised and not delivered.
   virtual void OnEventsLost(std::size_t event, std::uint64_t lost) = 0;
-  /// Nothing is heard for now; the client tries again by itself.
+  /// No events for now; the client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 

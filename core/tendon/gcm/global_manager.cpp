@@ -10,7 +10,7 @@
 namespace tendon {
 namespace {
 
-/// What a GCM keeps; those at different addresses have histories of their own.
+/// A file of a GCM; GCMs at different addresses have separate files.
 std::filesystem::path StatePath(const GlobalManager::Options& options, const std::string& what,
                                 const std::string& ending) {
   std::string address = options.address;
@@ -21,7 +21,7 @@ std::filesystem::path StatePath(const GlobalManager::Options& options, const std
   return folder / (what + "-" + address + ending);
 }
 
-/// Nobody would talk to a GCM with another.
+/// Peers would refuse a GCM with any other certificate.
 Result<void> CheckCertificateOf(const Middleware& middleware) {
   const Certificate* certificate = middleware.certificate();
   if (certificate == nullptr) return {};
@@ -45,7 +45,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = kGcmName, .cookie = *cookie};
-  // The address first: the history is another GCM's while that listens there.
+  // Listens first: while another GCM has the address, the history is in use.
   std::promise<std::weak_ptr<server::Server>> made;
   const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {
     const auto alive = server.get().lock();
@@ -53,7 +53,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
-  auto promise = std::move(made);  // broken, where no server comes of it, before the listener ends
+  auto promise = std::move(made);  // breaks before the listener ends if no server is made
   auto server = std::make_shared<server::Server>(server::Server::Options{
       .history = StatePath(options, "history", ".jsonl"),
       .clock = options.clock,

@@ -18,43 +18,43 @@ namespace server {
 class Server;
 }
 
-/// The global component manager: LCMs join it under their names and keep it informed; viewers watch
-/// its catalogue and its log, and ask it to connect and disconnect. It carries no data. What it
-/// knows it is told by the LCMs: killed and started anew it knows the same again when they have
-/// joined again, and nothing that runs was disturbed. Only the history of steps is kept in a file.
+/// The global component manager. LCMs join it under their names and report changes; viewers watch
+/// its catalogue and log, and ask it to connect and disconnect. It carries no data. A restarted one
+/// learns everything again when the LCMs join again, and disturbs nothing that runs. Only the
+/// history of steps is kept in a file.
 ///
 /// Thread safety: all functions at any time. One thread of its own, and the middleware's.
 class GlobalManager {
  public:
-  /// Where it listens, and what it keeps.
+  /// The address and the files of a GCM.
   struct Options {
     std::string address = "127.0.0.1:10705";
-    std::filesystem::path state_folder;   ///< of the history; empty: os::StateFolder()
-    const Clock* clock = &SteadyClock();  ///< of the leases; outlives the manager
-    /// Until an LCM's answer is given up: longer than that needs to find a peer that hangs, shorter
-    /// than clients wait for us.
+    std::filesystem::path state_folder;   ///< for the history; empty: os::StateFolder()
+    const Clock* clock = &SteadyClock();  ///< for the leases; outlives the manager
+    /// How long to wait for an LCM's answer: longer than an LCM needs to find that its peer hangs,
+    /// shorter than clients wait for the GCM.
     std::chrono::milliseconds order_timeout{1500};
-    Launch launch{};  ///< of the processes that it starts
-    /// Where the broker is by which rows reach many viewers; empty: there is none.
+    Launch launch{};  ///< for the processes that it starts
+    /// The address of the multicast broker for rows; empty: there is none.
     std::string fan_out{};
   };
 
-  /// Errors are those of Middleware::Listen(): kExists where another GCM is at this address.
+  /// Errors are those of Middleware::Listen(): kExists if another GCM has this address.
   static Result<std::unique_ptr<GlobalManager>> Start(std::shared_ptr<Middleware> middleware,
                                                       Options options);
   GlobalManager(const GlobalManager&) = delete;
   GlobalManager& operator=(const GlobalManager&) = delete;
-  /// Closes all channels; LCMs run on and look for the next GCM. Not in a thread of the middleware.
+  /// Closes all channels; LCMs run on and look for a GCM. Not in a thread of the middleware.
   ~GlobalManager();
 
-  /// Where others reach it, with the port that was taken.
+  /// The address for others, with the port that was taken.
   [[nodiscard]] std::string address() const { return listener_->address(); }
   /// New at each start.
   [[nodiscard]] std::uint64_t instance() const { return instance_; }
-  /// A copy of the catalogue as it is now.
+  /// A copy of the current catalogue.
   [[nodiscard]] Catalog catalog() const;
 
-  /// Judges the leases by the clock, as its thread does each 100 ms. For tests that turn the hands.
+  /// Checks the leases, as its thread does every 100 ms. For tests that set the clock.
   void Tick();
 
  private:

@@ -37,7 +37,7 @@ std::string LineOf(const message::HistoryEntry& step) {
   return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
-/// Throws Ordered::exception where it is not such a line.
+/// Throws Ordered::exception if the line is not a step.
 std::optional<message::HistoryEntry> StepOf(const Ordered& line) {
   message::HistoryEntry step;
   step.id = line.at("id").get<std::uint64_t>();
@@ -66,7 +66,7 @@ std::optional<message::HistoryEntry> StepOf(const Ordered& line) {
   return step;
 }
 
-// What a line says that marks an earlier step.
+// The marks that a line can give an earlier step.
 constexpr const char* kUndo = "undo";
 constexpr const char* kPassOver = "pass over";
 
@@ -81,7 +81,7 @@ std::string MarkLine(std::uint64_t id, const char* what, const UndoMark& by) {
   return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
-/// False where there is no such step.
+/// Returns false if there is no such step.
 bool MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::string_view what) {
   bool is_known = false;
   for (message::HistoryEntry& step : steps) {
@@ -92,7 +92,7 @@ bool MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::st
   return is_known;
 }
 
-/// Adds the line to what is known; false where it does not read.
+/// Adds one line of the file; returns false if it is invalid.
 bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps, Undos& undos) {
   try {
     const auto parsed = ParseOrderedJson(text);
@@ -238,7 +238,7 @@ void History::Close() {
   Write();
 }
 
-/// All that waits, in one go: a slow disk is waited for once.
+/// Writes all waiting lines at once, to wait for a slow disk only once.
 void History::Write() {
   const bool is_long = file_bytes_ > 2 * kMaxBytes;
   std::vector<Line> lines;

@@ -16,25 +16,25 @@
 
 namespace tendon {
 
-/// "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm", "start robot": the step
-/// for people.
+/// The text of a step: "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm",
+/// "start robot".
 [[nodiscard]] std::string ToString(const message::HistoryEntry& step);
 
-/// Who has taken a step back, and when.
+/// Who undid a step, and when.
 struct UndoMark {
-  std::string who;        ///< the program that asked; empty where that is not known
+  std::string who;        ///< the program that asked; empty if unknown
   std::int64_t when = 0;  ///< ns since 1970
 };
 
-/// The steps that were made, kept in a file of one JSON object a line, so that they can be undone
-/// after a restart too. The newest kMaxSteps are kept, or as many as fit into kMaxBytes of the
-/// file; that is written anew when it has grown to twice as much. A last line that a crash cut
-/// short is left out; another one that does not read is left out with a warning.
+/// The steps of users, in a file with one JSON object a line, so that they can be undone after a
+/// restart too. Keeps the newest kMaxSteps, or as many as fit into kMaxBytes, and rewrites the file
+/// when it is twice as large. Ignores a last line that a crash cut off; ignores other invalid lines
+/// with a warning.
 ///
-/// A step is known at once. A thread of its own waits for the disk, so that a slow one delays
-/// nobody but who waits for `done`: a kill loses at most the steps whose `done` was not called yet.
-/// When the disk refuses, that is logged, and the step is known until the end of the process;
-/// whether it would is tried at the start.
+/// A step is in memory at once. A thread of its own waits for the disk, so that a slow disk delays
+/// only callers that wait for `done`. A crash loses at most steps whose `done` was not called. A
+/// write error is logged, and the step stays in memory until the process ends; the start tests
+/// whether the file can be written.
 ///
 /// Thread safety: all functions but Close() at any time.
 class History {
@@ -44,24 +44,23 @@ class History {
   /// Called once, in the order of the steps, by the history's thread or by Close().
   using Done = std::function<void()>;
 
-  /// Reads what the file holds; a missing one is empty. One that cannot be written is said in the
-  /// log, by the history's thread.
+  /// Reads the file; a missing one is empty. The history's thread logs if it cannot be written.
   explicit History(std::filesystem::path file);
   History(const History&) = delete;
   History& operator=(const History&) = delete;
-  /// Close().
+  /// Calls Close().
   ~History();
 
   /// Adds a step; returns its number.
   std::uint64_t Record(message::HistoryEntry step, Done done);
   void MarkUndone(std::uint64_t id, Done done, const UndoMark& by = {});
   void MarkPassedOver(std::uint64_t id, Done done);
-  /// Waits until the disk has everything. Record() and the others must not be called any more.
+  /// Waits until everything is on disk. Other functions must not add steps any more.
   void Close();
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
-  /// Of a step that was undone; of nobody where that is not known.
+  /// For an undone step; `who` is empty if it is not known.
   [[nodiscard]] UndoMark undo_of(std::uint64_t id) const;
   /// The newest step that was neither undone nor passed over.
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
@@ -82,15 +81,15 @@ class History {
   void Write();
 
   const std::filesystem::path file_;
-  // Of the thread that writes.
+  // Only in the writing thread.
   bool is_torn_ = false;  // the file may end in the middle of a line
   std::size_t file_bytes_ = 0;
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // for all that follows
   std::vector<message::HistoryEntry> steps_;
-  std::deque<std::size_t> bytes_;  // of the line of each step
+  std::deque<std::size_t> bytes_;  // size of each step's line
   std::size_t all_bytes_ = 0;
-  std::map<std::uint64_t, UndoMark> undos_;  // of steps that are known, by their numbers
+  std::map<std::uint64_t, UndoMark> undos_;  // known steps, by number
   std::uint64_t last_id_ = 0;
   std::vector<Line> unwritten_;
   Worker writer_{"gcm-history"};

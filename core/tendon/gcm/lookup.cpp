@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostListed = 8;
 
-/// "; did you mean 'arm'?", else what there is, if it is not too much to read.
+/// "; did you mean 'arm'?", or the list of names if it is short.
 std::string Hint(const std::string& name, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "; there is none";
   if (std::string near = DidYouMean(name, candidates); !near.empty()) return near;
@@ -27,7 +27,7 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
-/// An interface of the other side stands where one of this is needed, which its component may have.
+/// The error for an interface of the wrong side; lists those of the right side, if any.
 Error OtherSide(const InterfaceName& name, const std::string& what, const std::string& needed,
                 const std::vector<std::string>& candidates) {
   const std::string hint = candidates.empty()
@@ -55,14 +55,14 @@ std::vector<std::string> NamesIn(const List& elements) {
   return names;
 }
 
-/// Names may come from anywhere: none is repeated in an error before it was checked.
+/// Names are untrusted: they are checked before an error repeats them.
 Result<void> CheckFullName(const InterfaceName& name) {
   if (auto checked = CheckName("process", name.process); !checked) return checked;
   if (auto checked = CheckName("component", name.component); !checked) return checked;
   return CheckName("interface", name.interface);
 }
 
-/// Between the required and the provided interface.
+/// The text between the required and the provided interface.
 std::string StandOf(ConnectionState state) {
   switch (state) {
     case ConnectionState::kPending:
@@ -88,7 +88,7 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
          " --replace";
 }
 
-/// A connection that works makes no room for one that would wait for its provider.
+/// An active connection is not replaced by one that would wait for its provider.
 Result<void> CheckReplacement(const Catalog& catalog, const ConnectionDescription& connection,
                               const std::string& provider) {
   if (connection.state != ConnectionState::kActive) return {};
@@ -101,7 +101,7 @@ Result<void> CheckReplacement(const Catalog& catalog, const ConnectionDescriptio
                    ", for what replaces it must be there: " + present.error().message};
 }
 
-/// The commands of an interface, the columns of a table among them.
+/// The commands of an interface, including the columns of a table.
 std::vector<MemberDescription> CommandsOf(const ComponentDescription& component,
                                           const std::string& interface) {
   if (const auto* provided = FindNamed(component.provided, interface)) return provided->commands;

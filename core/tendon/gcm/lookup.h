@@ -9,9 +9,8 @@
 #include <string>
 #include <string_view>
 
-/// Names that people type, looked up in a catalogue. Errors are of code kNotFound unless they say
-/// otherwise, name what is missing and what is near. The pointers live as long as the catalogue is
-/// not changed.
+/// Looks up names that people type in a catalogue. Errors are of code kNotFound unless noted, and
+/// name what is missing and similar names. The pointers are valid until the catalogue changes.
 namespace tendon {
 
 Result<const ProcessEntry*> LookUpProcess(const Catalog& catalog, const std::string& process);
@@ -23,50 +22,49 @@ Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
 Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
                                                   const InterfaceName& name);
 
-/// A command, or a column of a state table as the read command that it is.
+/// A command, or a column of a state table as a read command.
 Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path);
 
-/// Whether its caller, or who raises it, has something to say.
+/// Whether a call or an event carries an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
-/// What a connect makes of a required interface that is connected.
+/// What a connect does if the required interface is connected already.
 enum class Occupied { kRefused, kReplaced };
 
-/// The order to be given for a connect, checked as far as the catalogue knows. Errors: kInvalid,
-/// kNotFound; kIncompatible, as Refusal() words it; kExists where the required interface is
-/// connected; kFailed where its process is not there. A provider's process that is not there, or
-/// that nobody has seen yet, is all right: the connection will be pending; but it replaces none
-/// that is active (kFailed, kNotFound). What a process that is there does not have is not all
-/// right.
+/// The order for a connect, checked against the catalogue. Errors: kInvalid, kNotFound;
+/// kIncompatible, in the words of Refusal(); kExists if the required interface is connected;
+/// kFailed if its process is absent. An absent or unknown provider process is allowed, and the
+/// connection will be pending; but it must not replace an active one (kFailed, kNotFound). A
+/// missing interface of a present process is an error.
 Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
                                     Occupied occupied = Occupied::kRefused);
 
 /// The same order, unchecked.
 [[nodiscard]] message::Wiring WiringOf(const Catalog& catalog, const message::Wire& wire);
 
-/// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed where it is not
-/// connected or its process is not there.
+/// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed if it is not
+/// connected or its process is absent.
 Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog, const InterfaceName& required);
 
-/// The required interface that `text` names: by its path; or by the number of its connection, "12",
-/// or "desk/12" where more than one process has a connection of that number (else kInvalid).
+/// The required interface that `text` names: by its path, or by the number of its connection: "12",
+/// or "desk/12" if several processes have a connection of that number (else kInvalid).
 Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text);
 
-/// New at each start of the process; 0 where there is none of that name.
+/// Changes at each start of the process; 0 if there is no process of that name.
 [[nodiscard]] std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process);
 
-/// Whether the process can be talked to: it is there, if perhaps a little late.
+/// Whether the process can be reached: it is there, perhaps slow.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
-/// What the reason of a lost process begins with where nothing came while its link stood.
+/// How the reason of a lost process begins if it fell silent while its link was open.
 inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
 
-/// Whether the process was lost in silence: its program may be stopped, hang, or be cut off, and
-/// come back by itself. One whose link broke has ended.
+/// Whether the process was lost by silence: it may be suspended, hang, or be cut off, and may come
+/// back. A process whose link broke has ended.
 [[nodiscard]] bool HasFallenSilent(const ProcessDescription& process);
 
-/// What to do where a process is gone: "start it again", or, where it has fallen silent, how to
-/// wake or to end its program.
+/// The remedy if a process is gone: "start it again", or for a silent one, how to wake or to end
+/// its program.
 [[nodiscard]] std::string AdviceFor(const ProcessDescription& process);
 
 /// kFailed, "process 'robot' is lost (reason)" or "is starting", unless it is present.

@@ -11,15 +11,14 @@
 #include <string>
 #include <vector>
 
-/// What travels between a GCM and the viewers that watch it; what it says to LCMs is in
-/// process/membership_messages.h, and what it passes on to them in process/life/messages.h. Each
-/// struct is the body of a frame.
+/// The messages between a GCM and its viewers. For messages to LCMs see
+/// process/membership_messages.h and process/life/messages.h. Each struct is the body of a frame.
 namespace tendon {
 
-/// What can be asked of a GCM for a process of its own host.
+/// The orders to a GCM for a process on its own host.
 enum class ProcessVerb : std::int32_t {
-  kStart,  ///< an `lcm` without components; done once it has joined
-  kKill,   ///< asks it to end, and ends it where it does not; done once it is gone
+  kStart,  ///< starts an `lcm` without components; done when it has joined
+  kKill,   ///< asks it to end, and kills it if it does not; done when it is gone
 };
 
 template <>
@@ -36,7 +35,7 @@ inline constexpr auto kPayload<ProcessVerb> = DescribeEnum("tendon.ProcessVerb",
 
 namespace tendon::message {
 
-// From a viewer; all are requests. A viewer also sends kRenew each second, to see that the GCM
+// From a viewer; all are requests. A viewer also sends kRenew every second, to check that the GCM
 // lives.
 inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
 inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
@@ -53,114 +52,114 @@ inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog 
 // From the GCM, besides process/log/messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
-/// The catalogue as changes on an empty one (Catalog::At(base)).
+/// The catalogue as changes to an empty one (Catalog::At(base)).
 struct Snapshot {
   std::uint64_t gcm_instance = 0;
   std::uint64_t base = 0;
   std::vector<CatalogChange> changes;
 };
 
-/// The next changes. Where they do not follow what the viewer has, it read too slowly: it asks for
+/// The next changes. If they do not follow the viewer's revision, the viewer was too slow and sends
 /// kWatch again.
 struct Changes {
   std::vector<CatalogChange> changes;
 };
 
-/// The records of all processes from now on, and first those that the GCM has kept.
+/// Asks for the records of all processes from now on, preceded by those that the GCM has kept.
 struct WatchLog {
-  std::uint64_t gcm_instance = 0;  ///< of the GCM whose records the viewer has, or 0
-  std::uint64_t after = 0;         ///< it has all of them before this one
+  std::uint64_t gcm_instance = 0;  ///< the GCM of the viewer's records, or 0
+  std::uint64_t after = 0;         ///< the viewer has all records before this one
 };
 
 /// The answer to WatchLog; the records follow, as LogRecords.
 struct LogWatched {
   std::uint64_t gcm_instance = 0;
-  std::uint64_t begin = 0;  ///< number of the first
-  std::uint64_t end = 0;    ///< of the one that the GCM will have next
+  std::uint64_t begin = 0;  ///< the number of the first record
+  std::uint64_t end = 0;    ///< the number of the GCM's next record
 };
 
-/// How a member does, as it has told last.
+/// The resources of a member, as last reported.
 struct ProcessHealth {
   std::string process;
   std::uint64_t instance = 0;
-  double cpu = -1.0;         ///< cores that it kept busy; below 0 until it has told twice
-  std::uint64_t memory = 0;  ///< bytes that are resident
-  /// How far its steady clock is ahead of the GCM's, and how far that may be off: below 0 where
-  /// nothing is known yet.
+  double cpu = -1.0;         ///< cores kept busy; below 0 until the second report
+  std::uint64_t memory = 0;  ///< resident bytes
+  /// How far its steady clock is ahead of the GCM's, and the bound of the error: below 0 if nothing
+  /// is known yet.
   std::chrono::nanoseconds clock_offset{0};
   std::chrono::nanoseconds clock_uncertainty{-1};
-  std::chrono::nanoseconds age{0};  ///< since it told this; members tell each second
+  std::chrono::nanoseconds age{0};  ///< since its report; members report every second
 };
 
-/// The members that have told; tombstones are none.
+/// The members that have reported; no tombstones.
 struct SystemHealth {
   std::vector<ProcessHealth> processes;  ///< by name
 };
 
-/// A tombstone to be removed.
+/// Removes a tombstone.
 struct Forget {
   std::string process;
 };
 
-/// One verb, for a process that the GCM itself starts, or has started.
+/// One verb, for a process that the GCM starts or has started.
 struct ProcessOrder {
   ProcessVerb verb = ProcessVerb::kStart;
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;  ///< start
-  /// Until one that has not joined is stopped again, and one that has not ended is killed; 0: as
-  /// long as the GCM finds right.
+  /// The time for it to join, after which it is stopped, or to end, after which it is killed; 0:
+  /// the GCM chooses.
   std::chrono::nanoseconds patience{0};
 };
 
-/// What a step in the life of a component was about, and what there was before it.
+/// What a life-cycle step changed, and the state before it.
 struct LifeStep {
   std::string process;
-  std::string component;  ///< empty: of the process itself, which was started
+  std::string component;  ///< empty: the step started the process itself
   std::string class_name;
   std::string library;
-  std::string configuration;  ///< "create", "configure": that it has now
-  /// "configure", "remove": that it had; "stop": who ended with it, as followers.h has it.
+  std::string configuration;  ///< "create", "configure": the new one
+  /// "configure", "remove": the old one; "stop": the components that stopped too, see followers.h.
   std::string former;
-  std::string thread;                                   ///< "remove": as LifeOrder has it
-  std::string leader;                                   ///< "remove": likewise
-  ComponentState state = ComponentState::kConstructed;  ///< before
-  std::vector<Wire> connections;                        ///< "remove": of this component
+  std::string thread;                                   ///< "remove": as in LifeOrder
+  std::string leader;                                   ///< "remove": as in LifeOrder
+  ComponentState state = ComponentState::kConstructed;  ///< before the step
+  std::vector<Wire> connections;                        ///< "remove": those of the component
 
   bool operator==(const LifeStep&) const = default;
 };
 
-/// Which step is to be taken back, or passed over.
+/// The step to be undone or passed over.
 struct WhichStep {
-  std::uint64_t id = 0;  ///< refused where it is not the newest any more; 0: whichever that is
-  std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: as the GCM finds right
+  std::uint64_t id = 0;                  ///< refused if it is not the newest; 0: the newest
+  std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: the GCM chooses
 };
 
-/// Before the first step of a plan, and after the last: of two that made plans for the same system
-/// at once, each would undo the other's.
+/// Sent before the first and after the last step of a plan. Otherwise two plans executed at once
+/// would undo each other's steps.
 struct PlanTurn {
-  bool is_wanted = true;  ///< refused while another viewer has it; false: it is given back
+  bool is_wanted = true;  ///< true: refused while another viewer has the turn; false: gives it back
 };
 
-/// One step that was made, and can be unmade.
+/// One step of the history, which can be undone.
 struct HistoryEntry {
   std::uint64_t id = 0;
-  std::string verb;  ///< "connect", "disconnect", "replace", or that of an order
+  std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
   Wire wire;
-  InterfaceName former;   ///< "replace": what the required interface was connected to
-  LifeStep life;          ///< of an order for a life, else without a process
+  InterfaceName former;   ///< "replace": the former provided interface
+  LifeStep life;          ///< for a life-cycle order; else its process is empty
   std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
-  /// Of the process of the required side, which had made it: one that was started again has
-  /// nothing of it to undo.
+  /// The instance of the required side's process, which made the change. A restarted process has
+  /// nothing to undo.
   std::uint64_t instance = 0;
-  bool is_unknown = false;  ///< it was begun, and nobody has heard whether it was done
+  bool is_unknown = false;  ///< it was begun, and its outcome is unknown
   bool undone = false;
-  bool passed_over = false;  ///< it could not be undone any more, and somebody has said so
+  bool passed_over = false;  ///< it could not be undone any more, and a user has confirmed that
 
   bool operator==(const HistoryEntry&) const = default;
 };
 
-/// What people and programs have asked for.
+/// The requests of people and programs.
 struct History {
   std::vector<HistoryEntry> entries;  ///< oldest first
 };

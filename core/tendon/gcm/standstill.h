@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// Why the values of a component do not follow what happens now.
+/// Why the values of a component are not current.
 enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNoAnswer, kLost };
 
 /// "suspended", "not started", "no answer"; "running" for none.
@@ -35,7 +35,7 @@ enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNo
   return "lost";
 }
 
-/// A process that does not answer, or is gone, says nothing of its components.
+/// If a process does not answer or is gone, the state of its components is unknown.
 [[nodiscard]] constexpr Standstill StandstillOf(ProcessState process,
                                                 ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return Standstill::kNoAnswer;
@@ -56,7 +56,7 @@ enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNo
   return Standstill::kFaulted;
 }
 
-/// What is not in the catalogue is lost.
+/// A component that is not in the catalogue counts as lost.
 [[nodiscard]] inline Standstill StandstillOf(const Catalog& catalog, const std::string& process,
                                              const std::string& component) {
   const ProcessEntry* entry = catalog.FindProcess(process);
@@ -66,10 +66,10 @@ enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNo
   return StandstillOf(entry->process.state, found->second.state);
 }
 
-/// Whether a value is to be marked as old, which the console and the window both ask here. One of a
-/// component that stands still is, unless its row is so fresh that it may still be on its way; so
-/// is one whose rows come later than their rate lets expect. `age` of the row, where it is known;
-/// `rate` of the rows in Hz, 0 where it is not.
+/// Whether to mark a value as old, in the console and in the window. Values of a component that
+/// stands still are old, unless the row is so fresh that it may have just arrived. So are values
+/// whose next row is overdue. `age` is the row's, if known; `rate` is that of the rows in Hz, 0 if
+/// unknown.
 [[nodiscard]] inline bool IsOld(Standstill why, std::optional<std::chrono::nanoseconds> age,
                                 double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};

@@ -20,7 +20,7 @@ Error Refused(const fs::path& path, const std::string& reason) {
   return {ErrorCode::kInvalid, path.string() + ": " + reason};
 }
 
-/// The file's bytes, at most one more than kMaxSize.
+/// At most kMaxSize bytes of the file, plus one that tells if it is larger.
 Result<std::string> ReadBytes(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string text(SystemFile::kMaxSize + 1, '\0');
@@ -34,15 +34,14 @@ void AddComment(OrderedJson& json, const std::string& comment) {
   if (!comment.empty()) json["comment"] = comment;
 }
 
-/// What to ask for, so that a component gets into the state of another, or where that was meant to
-/// be.
+/// The state to ask for, so that a component reaches `state` or the state intended by it.
 ComponentState DesiredFor(ComponentState state) {
   if (state == ComponentState::kFaulted) return ComponentState::kActive;
   if (state == ComponentState::kReady) return ComponentState::kConstructed;
   return state;
 }
 
-/// What differs from the defaults, and the policy.
+/// The fields that differ from the defaults, and the policy.
 OrderedJson JsonOf(const ThreadOptions& thread) {
   const OrderedJson all = OrderedJson::parse(ToJson(thread));
   const OrderedJson defaults = OrderedJson::parse(ToJson(ThreadOptions()));
@@ -105,7 +104,7 @@ OrderedJson JsonOf(const SystemFile& system) {
   return json;
 }
 
-/// Before anything walks over them: JSON may be nested too deep for that.
+/// First of all, because code below would recurse into JSON that is nested too deeply.
 Result<void> CheckConfigurations(const SystemFile& system) {
   for (const auto& process : system.processes) {
     for (const auto& component : process.components) {
@@ -164,7 +163,7 @@ Result<std::string> SystemFileText(const SystemFile& system) {
   try {
     constexpr int kIndent = 2;
     text = JsonOf(system).dump(kIndent) + "\n";
-  } catch (const OrderedJson::exception& exception) {  // a text is no UTF-8
+  } catch (const OrderedJson::exception& exception) {  // a text is not UTF-8
     return refuse(exception.what());
   }
   const auto again = ParseSystemFile(text, "it would not be read again");

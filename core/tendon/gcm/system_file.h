@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// A whole system as a user writes it down: which components run in which processes, in which
-/// state, and what is connected. JSON, version 1:
+/// The description of a whole system by its user: which components run in which processes, in which
+/// state, and their connections. JSON, version 1:
 ///
 ///     {
 ///       "version": 1,
@@ -32,31 +32,31 @@ namespace tendon {
 ///       "layout": {"robot/arm": [120, 40]}
 ///     }
 ///
-/// A component may also have "configuration" (what its constructor is given), "period" (s, which
-/// its class has chosen: to compare, not to set), "thread" (fields of ThreadOptions), "runs_after"
-/// (a task of its process, in whose thread and cycle it runs), and "state": "active" unless it says
-/// "suspended", "finished" or "constructed". One that has "thread", but not "runs_after", runs in a
-/// thread of its own; one that has neither runs as its class chooses. A "class" of null is that of
-/// a component which its own program makes. A process with "start", such as {"restart":
-/// "on-failure"} or {}, which is to restart never, is an `lcm` that the GCM starts on its own host.
-/// With "strict": true no component is started that lacks the connection of a required interface
-/// which it needs; otherwise it runs, and waits for that. Everything may have a "comment". What a
-/// component may have may be missing, and so may "connections", "layout" and "strict".
+/// A component may also have "configuration" (for its constructor), "period" (s, chosen by its
+/// class; to compare, not to set), "thread" (fields of ThreadOptions), "runs_after" (a task of its
+/// process, in whose thread and cycle it runs), and "state": "active" by default, else "suspended",
+/// "finished" or "constructed". With "thread" but no "runs_after" it runs in a thread of its own;
+/// with neither, as its class chooses. A "class" of null means that its own program creates the
+/// component. A process with "start" is an `lcm` that the GCM starts on its own host: {"restart":
+/// "on-failure"}, or {} for no restarts. With "strict": true a component is not started without the
+/// connections that it needs; otherwise it runs and waits for them. Everything may have a
+/// "comment". All these keys of a component are optional, and so are "connections", "layout" and
+/// "strict".
 struct SystemFile {
-  /// One to make, and how.
+  /// A component to create.
   struct Component {
     std::string name;
-    std::string class_name;     ///< empty: only its own program makes it
-    std::string library;        ///< of a plug-in, without path; empty: one that has the class
-    std::string configuration;  ///< JSON text for the class to check, or empty for its defaults
-    double period = 0.0;        ///< s; 0 where it is not known, or has none
+    std::string class_name;     ///< empty: only its own program creates it
+    std::string library;        ///< plug-in name without path; empty: any plug-in with the class
+    std::string configuration;  ///< JSON that the class checks; empty for its defaults
+    double period = 0.0;        ///< s; 0 if it is unknown or there is none
     std::optional<ThreadOptions> thread{};
     std::string runs_after{};  ///< the component after which it runs, or empty
-    /// The desired one of kDesirable; any, where it was taken from what runs.
+    /// The desired state, one of kDesirable; any state if taken from a running system.
     ComponentState state = ComponentState::kActive;
     std::string comment{};
 
-    /// Whether it is known in which thread it runs.
+    /// Whether the thread in which it runs is known.
     [[nodiscard]] bool tells_thread() const { return thread || !runs_after.empty(); }
 
     bool operator==(const Component&) const = default;
@@ -67,12 +67,12 @@ struct SystemFile {
 
     bool operator==(const Start&) const = default;
   };
-  /// What one process runs.
+  /// The components of one process.
   struct Process {
     std::string name;
     std::vector<Component> components;
     std::string comment{};
-    std::optional<Start> start{};  ///< nothing: somebody else starts it
+    std::optional<Start> start{};  ///< empty: others start it
 
     bool operator==(const Process&) const = default;
   };
@@ -84,7 +84,7 @@ struct SystemFile {
 
     bool operator==(const Connection&) const = default;
   };
-  /// Of a component in the graph.
+  /// The position of a component in the graph.
   struct Position {
     double x = 0.0;
     double y = 0.0;
@@ -99,7 +99,7 @@ struct SystemFile {
   std::string comment{};
   bool strict = false;
 
-  /// Null where there is none; by looking at all, unlike a SystemIndex.
+  /// Null if there is none. Linear search, unlike SystemIndex.
   [[nodiscard]] const Process* FindProcess(const std::string& process_name) const;
   [[nodiscard]] const Component* FindComponent(const std::string& process_name,
                                                const std::string& component_name) const;
@@ -108,30 +108,30 @@ struct SystemFile {
 
   static constexpr int kVersion = 1;
   static constexpr std::size_t kMaxSize = std::size_t{16} << 20U;           // bytes
-  static constexpr std::size_t kMaxConfiguration = std::size_t{64} << 10U;  // bytes, in one line
-  /// The states that a component can be brought to, or left in.
+  static constexpr std::size_t kMaxConfiguration = std::size_t{64} << 10U;  // bytes, on one line
+  /// The states that a component can be asked to have.
   static constexpr std::array kDesirable = {ComponentState::kActive, ComponentState::kSuspended,
                                             ComponentState::kFinished,
                                             ComponentState::kConstructed};
 };
 
-/// Strict: what it does not understand is an error, which says where: "demo.json: line 12, column
-/// 5: unexpected ','" or "demo.json: line 7, column 20: processes[0].components[1].class: expected
-/// string, got number". The code is kNotFound for a missing file, else kInvalid.
+/// Strict: unknown content is an error, with its place: "demo.json: line 12, column 5: unexpected
+/// ','" or "demo.json: line 7, column 20: processes[0].components[1].class: expected string, got
+/// number". The code is kNotFound for a missing file, else kInvalid.
 Result<SystemFile> ReadSystemFile(const std::filesystem::path& path);
 
-/// What is in the file, which must be a regular one; of one that is too large no more than tells.
+/// The content of the file, which must be a regular one; cut just above kMaxSize.
 Result<std::string> ReadSystemText(const std::filesystem::path& path);
 
-/// `source` is what errors begin with.
+/// Errors begin with `source`.
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source);
 
-/// The text that reads back as `system`, a faulted component of which is to be active; kInvalid
-/// where there is none, since a configuration is no JSON, or too long.
+/// The text that reads back as `system`; a faulted component becomes active. kInvalid if there is
+/// none, because a configuration is no JSON or is too long.
 Result<std::string> SystemFileText(const SystemFile& system);
 
-/// Replaces the file, wholly or not at all; os::ReplaceDurably() says what stays of one that is
-/// there. kInvalid as SystemFileText(), else kFailed.
+/// Replaces the file completely or not at all; os::ReplaceDurably() says what it keeps of an
+/// existing file. kInvalid as SystemFileText(), else kFailed.
 Result<void> WriteSystemFile(const std::filesystem::path& path, const SystemFile& system);
 
 }  // namespace tendon

@@ -20,7 +20,7 @@ using file::FileObject;
 using file::Refuse;
 using file::Shown;
 
-/// What is left out has its default.
+/// Missing fields have their defaults.
 std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::string& task) {
   const Json* given = object.Find("thread");
   if (given == nullptr) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::str
   return *options;
 }
 
-/// One of `known` by its name.
+/// The value of `known` with the name in the file.
 template <typename T, std::size_t kCount>
 T ReadWord(const FileObject& object, const std::string& key, const std::array<T, kCount>& known) {
   const std::string text = object.Text(key);
@@ -56,13 +56,13 @@ T ReadWord(const FileObject& object, const std::string& key, const std::array<T,
          "expected one of " + all + ", got '" + shown + "'" + DidYouMean(shown, names));
 }
 
-/// One that a component can be asked to be in.
+/// A state that a component can be asked to have.
 ComponentState ReadState(const FileObject& object) {
   if (object.Find("state") == nullptr) return ComponentState::kActive;
   return ReadWord(object, "state", SystemFile::kDesirable);
 }
 
-/// null: its own program makes it, and nobody else can.
+/// null means: only its own program creates it.
 std::string ReadClass(const FileObject& object) {
   if (object.Get("class").is_null()) {
     for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
@@ -101,7 +101,7 @@ SystemFile::Component ReadComponent(const Json& json, const std::string& place) 
   return component;
 }
 
-/// That each one runs after another one of the process, and none after itself in the end.
+/// Each must run after another component of the process, without rings.
 void CheckLeaders(const std::vector<SystemFile::Component>& components, const FileObject& process) {
   std::vector<std::string> names;
   for (const auto& one : components) names.push_back(one.name);
@@ -117,7 +117,7 @@ void CheckLeaders(const std::vector<SystemFile::Component>& components, const Fi
   }
 }
 
-/// Of a process that the GCM starts, as an `lcm`.
+/// For a process that the GCM starts as an `lcm`.
 SystemFile::Start ReadStart(const Json& json, const FileObject& process) {
   const FileObject object(json, process.Place("start"), {"restart"});
   if (object.Find("restart") == nullptr) return {};
@@ -146,7 +146,7 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
   return process;
 }
 
-/// What a file says beside its processes, which it is about.
+/// Reads the rest of the file, which refers to its processes.
 class LinkReader {
  public:
   explicit LinkReader(SystemFile& system) : system_(system) {}
@@ -174,7 +174,7 @@ class LinkReader {
   }
 
  private:
-  /// That the file has the component; whether that has the interface is known when it runs.
+  /// The component must be in the file; its interface is checked only when it runs.
   void CheckComponent(const std::string& process, const std::string& component,
                       const std::string& place) const {
     if (index_.FindComponent(process, component) != nullptr) return;

@@ -9,8 +9,8 @@
 
 namespace tendon::ice {
 
-/// Reads what Ice encodes, from bytes of any origin: no size is believed before it was compared
-/// with what is left. Generated code of Ice 3.7.8 does not do so and dies; none of it runs here.
+/// Reads the encoding of Ice from untrusted bytes: checks every size against the remaining bytes.
+/// Generated code of Ice 3.7.8 does not check, and crashes; none of it runs here.
 class BoundedReader {
  public:
   explicit BoundedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -27,7 +27,7 @@ class BoundedReader {
     std::memcpy(&value, bytes->data(), sizeof value);
     return value;
   }
-  /// A byte, or 255 and an int; never more than what is left.
+  /// One byte, or 255 and an int. Fails above the remaining bytes.
   std::optional<std::size_t> ReadSize() {
     const auto first = ReadByte();
     if (!first) return std::nullopt;
@@ -43,19 +43,19 @@ class BoundedReader {
   }
   [[nodiscard]] bool AtEnd() const { return rest_.empty(); }
 
-  /// What the byte is where an int says the size.
+  /// The byte before a size that is an int.
   static constexpr std::uint8_t kLongSize = 255;
 
  private:
   std::span<const std::byte> rest_;
 };
 
-/// The parameters of an operation that takes one sequence of bytes or one string: what is in it, or
-/// nothing where `encapsulation` is malformed or holds anything else.
+/// The parameters of an operation with one sequence of bytes or one string: its content, or nothing
+/// if `encapsulation` is malformed or holds anything else.
 std::optional<std::span<const std::byte>> ReadOnlyParameter(
     std::span<const std::byte> encapsulation);
 
-/// The counterpart; replaces the content of `encapsulation`, keeps its capacity.
+/// The inverse. Replaces the content of `encapsulation`, keeps its capacity.
 void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulation);
 
 }  // namespace tendon::ice

@@ -34,7 +34,7 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
   return 0;
 }
 
-/// Looks after calls that are open for long, in the thread of Ice's timer.
+/// Releases calls that are open for long, in the thread of Ice's timer.
 class LookAtOpenCalls final : public IceUtil::TimerTask {
  public:
   explicit LookAtOpenCalls(std::shared_ptr<Links> links) : links_(std::move(links)) {}
@@ -44,7 +44,7 @@ class LookAtOpenCalls final : public IceUtil::TimerTask {
   const std::shared_ptr<Links> links_;
 };
 
-/// `tls` is null for links without.
+/// `tls` is null without TLS.
 std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls,
                                                     const std::shared_ptr<Links>& links) {
   auto settings = Settings();
@@ -74,14 +74,14 @@ Error WhyNotListening(const HostPort& place) {
   }
 }
 
-/// `tls` is null for a link without, also below.
+/// `tls` is null without TLS, also below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
                                    std::to_string(timeout.count()) + " ms" +
                                    (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
 }
 
-/// Why a link was not opened that nobody waits for any more.
+/// The reason if nobody waits for the link any more.
 struct NobodyWaitsForIt {};
 std::exception_ptr NobodyWaits() { return std::make_exception_ptr(NobodyWaitsForIt()); }
 
@@ -113,7 +113,7 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
 
 class IceMiddleware final : public Middleware {
  public:
-  /// `tls` is null for links without.
+  /// `tls` is null without TLS.
   IceMiddleware(Exposure exposure, std::shared_ptr<Tls> tls)
       : exposure_(exposure),
         tls_(std::move(tls)),
@@ -138,7 +138,7 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
   }
-  /// The broker opens links to who listens, which nobody does to a person.
+  /// A listener needs the certificate of a process, because the broker opens the link to it.
   [[nodiscard]] FanOut* fan_out() override {
     return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &fan_out_;
   }
@@ -206,11 +206,11 @@ class IceMiddleware final : public Middleware {
     return ++last_number_;
   }
 
-  /// A new connection, or nothing when it takes too long.
+  /// Returns a new connection; nothing if it takes too long.
   std::optional<Connected> Connect(const HostPort& place, SteadyTime deadline) {
     const auto proxy =
         communicator_->stringToProxy("tendon:" + EndpointAt(place))
-            ->ice_connectionId(std::to_string(NewNumber()));  // one of its own for each link
+            ->ice_connectionId(std::to_string(NewNumber()));  // a new connection for each link
     const auto connected = std::make_shared<Handover<Connected>>();
     try {
       proxy->ice_getConnectionAsync(
@@ -228,8 +228,8 @@ class IceMiddleware final : public Middleware {
     return connected->WaitUntil(deadline);
   }
 
-  /// Begins to serve a link. The ping makes the other end do so, too, and warms the connection up.
-  /// What went wrong, if anything; nothing when it takes too long.
+  /// Starts to serve a link. The ping makes the other end do the same, and warms up the connection.
+  /// Returns the failure, if any; nothing if it takes too long.
   std::optional<std::exception_ptr> Greet(const std::shared_ptr<IceLink>& link,
                                           const std::shared_ptr<Ice::Connection>& connection,
                                           SteadyTime deadline) {
@@ -254,7 +254,7 @@ class IceMiddleware final : public Middleware {
   const std::shared_ptr<Tls> tls_;
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
-  const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections made here
+  const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections opened here
   IceFanOut fan_out_;
   std::mutex mutex_;
   std::uint64_t last_number_ = 0;
@@ -275,7 +275,7 @@ Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credent
   try {
     return std::unique_ptr<Middleware>(
         std::make_unique<ice::IceMiddleware>(Exposure::kCertified, *std::move(tls)));
-  } catch (const Ice::Exception& failure) {  // it reads the same files, and may see them otherwise
+  } catch (const Ice::Exception& failure) {  // Ice reads the same files, and may disagree
     return Error{
         ErrorCode::kInvalid,
         "TLS cannot be started with " + credentials.certificate.string() + ": " + failure.ice_id()};

@@ -13,7 +13,7 @@ namespace tendon::ice {
 namespace {
 
 std::string Place(std::string host, int port) {
-  constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
+  constexpr std::string_view kMapped = "::ffff:";  // IPv4 on an IPv6 socket
   if (host.starts_with(kMapped)) host.erase(0, kMapped.size());
   return ToString(HostPort{std::move(host), static_cast<std::uint16_t>(port)});
 }
@@ -22,12 +22,12 @@ Ends EndsIfOpen(const Ice::Connection& connection) {
   try {
     if (const auto address = AddressIn(connection.getInfo())) return EndsOf(*address);
   } catch (const Ice::Exception&) {
-    // It is closed already.
+    // Closed already.
   }
   return {};
 }
 
-/// What is thrown at the peer while it answers; empty where the link broke, or is about to.
+/// The exception of the peer while it answered; empty if the link broke or is closing.
 std::string FailureOfPeer(const Ice::Exception& why) {
   if (const auto* unknown = dynamic_cast<const Ice::UnknownException*>(&why)) {
     return unknown->unknown;
@@ -35,7 +35,7 @@ std::string FailureOfPeer(const Ice::Exception& why) {
   return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
 }
 
-/// Instead of an answer to `question`.
+/// Replaces the answer to `question`.
 Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std::string& failure) {
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
@@ -77,7 +77,7 @@ void AdoptSocket(const Ice::Connection& connection) {
     os::AdoptSocket(static_cast<std::uint16_t>(address->localPort),
                     static_cast<std::uint16_t>(address->remotePort));
   } catch (const Ice::Exception&) {
-    // It is closed already.
+    // Closed already.
   }
 }
 
@@ -95,9 +95,8 @@ Status IceLink::Send(std::span<const std::byte> frame) {
   return Begin(oneway_, "frame", frame);
 }
 
-/// A two-way call of Ice, which brings the answer with it if there is one at once: no thread has to
-/// send it by a call of its own. Nobody waits in Ice. Who accepted makes none: what it asks no
-/// caller waits for.
+/// A two-way call of Ice, which returns the answer if there is one at once, without another thread
+/// or message. No thread waits in Ice. The acceptor uses Send(): no caller waits for its requests.
 Status IceLink::Ask(std::span<const std::byte> frame) {
   if (door_ != 0) return Send(frame);
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
@@ -105,7 +104,7 @@ Status IceLink::Ask(std::span<const std::byte> frame) {
   return Begin(two_way_, "ask", frame, *header);
 }
 
-/// One message; with the header of what asks.
+/// Sends one message; `question` is the header of a request by Ask().
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
                       std::span<const std::byte> bytes,
                       const std::optional<FrameHeader>& question) {
@@ -165,7 +164,7 @@ void IceLink::Close() {
 
 void IceLink::Fail(const Error& reason) {
   if (!StartClosing(reason)) return;
-  open_calls_.Release();  // Ice closes nothing before
+  open_calls_.Release();  // otherwise Ice would not close
   const bool is_unheard = door_ == 0 && IsUnheard(local_, peer_);
   connection_->close(is_unheard ? Ice::ConnectionClose::Forcefully
                                 : Ice::ConnectionClose::Gracefully);
@@ -192,7 +191,7 @@ void IceLink::CheckAdmission() {
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
-/// Of no meaning to the peer. Once it has left, so has what was returned before.
+/// The marker means nothing to the peer. When it has left, so have all earlier replies.
 void IceLink::SendSign() {
   if (is_sign_on_way_.Get()) return;
   is_sign_on_way_.Set(true);
@@ -227,7 +226,7 @@ bool IceLink::Deliver(std::span<const std::byte> frame) {
   return HandOn(frame, kMaxPieceSize, nullptr);
 }
 
-/// Of a peer that is admitted there may be `most` bytes.
+/// An admitted peer may send `most` bytes.
 bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
                      std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);

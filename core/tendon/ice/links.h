@@ -26,10 +26,10 @@ struct Ends {
   std::string peer = "unknown";
 };
 
-/// One connection of Ice, either end of it. What Ice calls back holds it by shared pointers only.
+/// Either end of an Ice connection. Callbacks of Ice own it by shared pointers only.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
-  /// `door` names the listener that accepted it, or is 0.
+  /// `door` identifies the listener that accepted it; 0 if it was opened here.
   IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door);
 
   Status Send(std::span<const std::byte> frame) override;
@@ -42,43 +42,43 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
     return certificate_ ? &*certificate_ : nullptr;
   }
 
-  /// Before the first frame is delivered.
+  /// Call it before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
-  /// One message. False where it is no frame that the peer may send.
+  /// Delivers one message. Returns false if the peer may not send it.
   bool Deliver(std::span<const std::byte> frame);
-  /// A frame that asks, and gets the answer, if there is one yet, where that may go back with
-  /// the call. Ice does not tell when such a one has left, and keeps as many as there are: beyond 2
-  /// MiB a sign is sent behind them, and beyond 4 MiB that have not left, answers go by Send() and
-  /// its window. Likewise.
+  /// Like Deliver(), for a frame by Ask(). The reply, if there is one at once or it is deferred,
+  /// may return with the call. Ice does not report when such replies have left, and queues any
+  /// number. So above 2 MiB a marker is sent after them, and while over 4 MiB have not left,
+  /// replies use Send() and its window.
   bool DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer);
-  /// Whether an answer may go back with its call still.
+  /// Whether a reply may still return with its call.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
-  /// An answer of so many bytes went back.
+  /// Counts a reply of `size` bytes that returned with its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
-  /// Of those that are answered later; released once the link ends.
+  /// Calls with deferred replies; released when the link ends.
   [[nodiscard]] OpenCalls& open_calls() { return open_calls_; }
-  /// Closes because of what the peer did, after answering it.
+  /// Closes because of the peer's fault, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
-  /// Fails unless it was admitted: it was accepted long enough ago.
+  /// Called some time after an accept: fails the link unless it was admitted.
   void CheckAdmission();
 
-  // Of a message that was begun. `size` is what it takes of the window; nothing afterwards.
+  // Outcomes of a message. `size` is its room in the window; it becomes 0.
 
-  /// It has left, and so has what was returned before it was begun: bytes, of all that ever was.
+  /// The message has left, and so have the first `returned_before` bytes of returned replies.
   void OnSent(std::size_t& size, std::uint64_t returned_before);
-  /// It has not, or its answer is missing: `question` is refused where the peer has thrown.
+  /// The message has failed, or its answer is missing. If the peer has thrown, refuses `question`.
   void OnFailed(std::size_t& size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
-  /// It was answered: with one parameter, a frame or nothing, valid as long as `owner` is held
-  /// where there is one.
+  /// The message was answered with one parameter: a frame or nothing. Valid as long as `owner` is
+  /// held, or during the call if that is null.
   void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
  private:
   friend class Links;
 
-  /// Bytes of answers that may not have left.
+  /// Bounds of reply bytes that may not have left.
   static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
   static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
 
@@ -92,7 +92,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   bool HandOn(std::span<const std::byte> frame, std::size_t most,
               std::shared_ptr<const void> owner);
   bool StartClosing(const Error& reason);
-  /// The connection is gone, whatever the cause.
+  /// The connection is gone, for any reason.
   void OnGone();
 
   const std::shared_ptr<Ice::Connection> connection_;
@@ -107,12 +107,12 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
-  std::optional<Error> reason_;  // why it is closed, or about to be
-  std::size_t unsent_ = 0;       // bytes; those of small questions until they are answered
+  std::optional<Error> reason_;  // why the link is closed, or about to be
+  std::size_t unsent_ = 0;       // bytes; those of small requests count until answered
 
-  Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once it is closed
-  SharedCounter<> returned_;                              // bytes, of all answers
-  Published<std::uint64_t> left_;                         // of them, as far as is known
+  Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once closed
+  SharedCounter<> returned_;                              // bytes of all returned replies
+  Published<std::uint64_t> left_;                         // of these, known to have left
   Flag is_sign_on_way_;
   OpenCalls open_calls_;
 };
@@ -120,17 +120,17 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 /// The links of one communicator. Thread-safe.
 class Links {
  public:
-  /// From now on the connection's frames reach the link, and its end, too.
+  /// Routes the frames and the end of the link's connection to the link from now on.
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
   std::shared_ptr<IceLink> Find(const Ends& ends);
 
-  /// Of all of them; see OpenCalls.
+  /// Calls OpenCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
-  /// Closes the links accepted at `door`, or for 0 all that there are or will be; when it returns
-  /// their handlers have heard it.
+  /// Closes the links accepted at `door`; for 0 all present and future links. Their handlers have
+  /// heard OnClosed() when it returns.
   void CloseAll(std::uint64_t door);
 
  private:
@@ -140,16 +140,15 @@ class Links {
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
 
-/// Null where there is none.
+/// Null if there is none.
 std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
 Ends EndsOf(const Ice::IPConnectionInfo& address);
 
-/// Ice leaves its sockets to whatever programs this one starts, which would hold their ports, and
-/// lets the kernel pace them: not that of this connection any more (os::AdoptSocket()). Takes
-/// longer the more sockets there are.
+/// Changes the socket of a connection (os::AdoptSocket()), so that child processes cannot inherit
+/// it and hold its port, and the kernel does not pace it. Takes longer with more sockets.
 void AdoptSocket(const Ice::Connection& connection);
 
-/// The identity of the endpoint at both ends.
+/// The identity of the endpoint, at both ends.
 Ice::Identity EndpointIdentity();
 
 }  // namespace tendon::ice

@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// An answer from this size on is lent to who waits for it, and not copied.
+/// An answer of at least this size is lent to its requester, not copied.
 constexpr std::size_t kLent = std::size_t{16} << 10U;
 
 }  // namespace
@@ -42,8 +42,8 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
   if (answer.size() >= kLent) {
     try {
       owner = std::make_shared<IceInternal::Buffer>();
-      owner->swapBuffer(in);           // the bytes stay where they are
-    } catch (const std::bad_alloc&) {  // it is copied then, or refused
+      owner->swapBuffer(in);           // does not move the bytes
+    } catch (const std::bad_alloc&) {  // then it is copied or refused
       owner.reset();
     }
   }

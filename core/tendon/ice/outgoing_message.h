@@ -13,17 +13,17 @@
 
 namespace tendon::ice {
 
-/// One message of Ice that a link sends, with one sequence of bytes: made as generated code makes
-/// it, in one piece of memory and without a function object. Its link is told once what became of
-/// it. Only by std::make_shared().
+/// A message that a link sends through Ice, with one sequence of bytes. Made as generated code
+/// makes it, with one allocation and no function object. Reports its outcome to its link once.
+/// Create it with std::make_shared().
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
-  /// What the link is told when the message has left.
+  /// What the link needs to know when the message has left.
   struct Told {
-    std::size_t size = 0;  ///< as the link counts it
+    std::size_t size = 0;  ///< as counted by the link
     std::uint64_t returned_before = 0;
   };
-  /// `peer` says whether an answer is wanted, `question` which.
+  /// `peer` is two-way if an answer is wanted; `question` is then the header.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
                   const Told& told, const std::optional<FrameHeader>& question)
       : OutgoingAsync(peer, false),
@@ -32,11 +32,11 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
         counted_(told.size),
         question_(question) {}
 
-  /// Begins; never waits. Throws where Ice has ended, and the link is not told.
+  /// Starts to send; never waits. Throws if Ice has ended; then the link is not told.
   void Send(const std::string& operation, std::span<const std::byte> bytes);
 
  private:
-  // What Ice calls; the first three, whether it shall call the others.
+  // Called by Ice; the first three decide whether it calls the others.
   bool handleSent(bool is_done, bool was_sent) override {
     return !was_sent && (is_done || told_.size >= kLarge);
   }
@@ -46,13 +46,13 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeException(const Ice::Exception& why, OutgoingAsyncBase* self) const override;
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
-  /// A question from this size on takes no room in the window any more once it was sent: an answer
-  /// to it may be long in coming.
+  /// A request of at least this size leaves the window when it was sent, because its answer may
+  /// take long.
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 
   const std::shared_ptr<IceLink> link_;
   const Told told_;
-  mutable std::size_t counted_;  // by the link still
+  mutable std::size_t counted_;  // bytes still counted by the link
   const std::optional<FrameHeader> question_;
 };
 

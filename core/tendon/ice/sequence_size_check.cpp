@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
-/// Takes the place of the function of this name in Ice's library, by the rules of the dynamic
-/// linker: the one found first wins, here also for calls within that library, unless it was linked
-/// with -Bsymbolic-functions. Up to 3.7.11 Ice's own adds in 32 bits, so that a size near 2^31
-/// passes; the facet in a request's header is read with it before any servant is asked, and then 64
-/// GiB are allocated, or the connection is stuck for ever.
+/// Replaces the function of this name in Ice's library: the dynamic linker uses the first
+/// definition, also for calls within that library, unless it was linked with -Bsymbolic-functions.
+/// Up to 3.7.11 Ice's own adds in 32 bits, so that a size near 2^31 passes. Ice reads the facet in
+/// a request's header with it before it asks any servant; then it allocates 64 GiB, or the
+/// connection hangs for ever.
 Ice::Int Ice::InputStream::readAndCheckSeqSize(Int minSize) {
   const Int size = readSize();
   const std::int64_t left = b.end() - i;
@@ -21,7 +21,7 @@ namespace tendon::ice {
 bool RefusesImpossibleSizes(const std::shared_ptr<Ice::Communicator>& communicator) {
   const std::vector<Ice::Byte> two_gigabytes{255, 255, 255, 255, 127};
   Ice::InputStream stream(communicator, two_gigabytes);
-  std::pair<const Ice::Byte*, const Ice::Byte*> unread;  // no more than a pair of pointers
+  std::pair<const Ice::Byte*, const Ice::Byte*> unread;  // just two pointers
   try {
     stream.read(unread);
     return false;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kTypes[] = {"::Ice::Object", "::tendon::Endpoint"};
 
-// As parameters.
+// Encoded parameters.
 constexpr std::array kNothing{std::byte{6}, std::byte{0}, std::byte{0},
                               std::byte{0}, std::byte{1}, std::byte{1}};
 constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
@@ -22,13 +22,13 @@ constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
 constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
                           std::byte{1}, std::byte{1}, std::byte{1}};
 
-/// The peer reads it where it waits for an answer. (Ice asks for a file and a line.)
+/// A peer that waits for an answer reads `what`. (Ice asks for a file and a line.)
 [[noreturn]] void CutOff(IceLink& link, const std::string& what) {
   link.Fail({ErrorCode::kInvalid, link.peer() + " was cut off: " + what});
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-/// What goes back is the only parameter: nothing, or one frame. False where that is done later.
+/// Writes the reply, the only parameter: nothing or one frame. Returns false if it is deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
   ReturnedFrame answer(link, incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
@@ -36,7 +36,7 @@ bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming&
   if (!answer.has_begun()) {
     incoming.startWriteParams()->writeSize(0);
   } else if (!answer.is_there()) {
-    throw std::runtime_error("the answer could not be written");  // Ice forgets what there is
+    throw std::runtime_error("the answer could not be written");  // makes Ice drop what was written
   }
   incoming.endWriteParams();
   return true;
@@ -63,14 +63,14 @@ bool EndpointServant::_iceDispatch(IceInternal::Incoming& incoming, const Ice::C
   return Dispatch(parameters, current, incoming);
 }
 
-/// Writes the answer, which a oneway does not get; false where it is written later.
+/// Writes the answer, unless the call is oneway. Returns false if it is written later.
 bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice::Current& current,
                                IceInternal::Incoming& incoming) {
   const auto link = LinkOf(current.con);
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  // Kept as long as the call is open, and of no use to us.
+  // Ice keeps the context as long as the call is open, and we do not use it.
   if (!current.ctx.empty()) CutOff(*link, "it sends a context with '" + current.operation + "'");
   if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";

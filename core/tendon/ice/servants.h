@@ -12,8 +12,8 @@
 
 namespace tendon::ice {
 
-/// The endpoint of slice/tendon.ice, dispatched by hand: hands each frame to the link of the
-/// connection it came on.
+/// The endpoint of slice/tendon.ice, dispatched by hand. Passes each frame to the link of its
+/// connection.
 class EndpointServant : public Ice::Object {
  public:
   explicit EndpointServant(std::shared_ptr<Links> links) : links_(std::move(links)) {}
@@ -21,7 +21,7 @@ class EndpointServant : public Ice::Object {
   bool _iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) override;
 
  protected:
-  /// The link of a connection; null where there is none.
+  /// The link of a connection; null if there is none.
   virtual std::shared_ptr<IceLink> LinkOf(const std::shared_ptr<Ice::Connection>& connection);
 
   [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
@@ -39,8 +39,8 @@ class AcceptingServant final : public EndpointServant {
   AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t door)
       : EndpointServant(std::move(links)), accept_(std::move(accept)), door_(door) {}
 
-  /// Accepts nothing any more; closes what was accepted. When it returns the handlers have heard
-  /// it.
+  /// Accepts no more connections and closes the accepted ones. Their handlers have heard OnClosed()
+  /// when it returns.
   void Stop();
 
  private:

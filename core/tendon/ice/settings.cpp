@@ -11,7 +11,7 @@
 namespace tendon::ice {
 namespace {
 
-/// What follows a title in a message of Ice, up to the end of its line.
+/// The text after a title in a message of Ice, up to the end of its line.
 std::string After(std::string_view title, const std::string& message) {
   const auto found = message.find(title);
   if (found == message.npos) return "somebody";
@@ -25,7 +25,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
     Log(LogLevel::kInfo, "ice", OnOneLine(message));
   }
   void trace(const std::string& category, const std::string& message) override {
-    // Of a peer whose certificate OpenSSL finds bad, Ice tells nothing else.
+    // Ice reports a certificate that OpenSSL rejects only here.
     if (category == "Security" && message.starts_with("certificate verification failure")) {
       const std::string place = After("remote address = ", message);
       const std::string address = place.substr(0, place.rfind(':'));
@@ -48,10 +48,10 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
   AuditLog audit_;
 };
 
-/// For a message of Ice with a frame of that size.
+/// The size limit, in KiB, for a message of Ice with a frame of that size.
 std::string KibibytesFor(std::size_t frame) {
   constexpr std::size_t kKibi = 1024;
-  constexpr std::size_t kEnvelope = 16;  // KiB, for what Ice puts around it
+  constexpr std::size_t kEnvelope = 16;  // KiB for Ice's envelope
   return std::to_string(frame / kKibi + kEnvelope);
 }
 
@@ -80,22 +80,22 @@ Ice::InitializationData Settings() {
   set("Ice.MessageSizeMax", KibibytesFor(kMaxReturned));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
-  // What makes no progress for so long is lost (ms).
+  // Without progress for this long (ms), a connection is lost.
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
-  // Clients show that they live, servers close what is silent, some 2 to 4 s after a peer vanished.
-  // Not the other way round as well: what one sends would hide from it that nothing comes back. So
-  // who opened must ask the peer, as WatchOver() does.
+  // Clients send heartbeats; servers close silent connections, 2 to 4 s after a peer vanished. Not
+  // the reverse as well: a sender's own heartbeats would hide from it that nothing comes back. So
+  // the opener must ping the peer, as WatchOver() does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
-  set("Ice.ACM.Server.Close", "1");  // on idle, and not while a call is open: see OpenCalls
-  // One thread hears all that is opened here, another all that is accepted. A pool that may grow
-  // wakes a thread for each message, to wait for the next (4 futex and 2 epoll calls). None is
-  // needed, for what might take its time is executed by CallThreads. One thread keeps the order on
-  // each connection, too.
+  set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open: see OpenCalls
+  // One thread serves all opened connections, another all accepted ones. A pool that may grow wakes
+  // a thread for each message, to wait for the next (4 futex and 2 epoll calls). It is not needed,
+  // because CallThreads executes what may take long. One thread also keeps the order on each
+  // connection.
   set("Ice.ThreadPool.Server.Size", "1");
   set("Ice.ThreadPool.Server.SizeMax", "1");
   set("Ice.ThreadPool.Client.Size", "1");

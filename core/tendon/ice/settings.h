@@ -7,16 +7,16 @@
 
 namespace tendon::ice {
 
-/// All that our communicators are started with: nothing comes from the environment. Warnings of Ice
-/// go to our log, a few at a time.
+/// The settings of all our communicators, independent of the environment. Ice's warnings go to our
+/// log, at a limited rate.
 Ice::InitializationData Settings();
 
-/// One that strangers can reach: its messages are no larger than kMaxPieceSize.
+/// An adapter that accepts unauthenticated peers: its messages are limited to kMaxPieceSize.
 std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& communicator,
                                                          const std::string& name,
                                                          const std::string& endpoints);
 
-/// Ice's messages have several lines; ours have one.
+/// Puts a message of Ice, which has several lines, on one line.
 std::string OnOneLine(const std::string& text);
 
 }  // namespace tendon::ice

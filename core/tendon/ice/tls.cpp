@@ -14,7 +14,7 @@
 namespace tendon::ice {
 namespace {
 
-/// The text of the certificate that a peer shows, or nothing.
+/// The text of the peer's certificate; empty if there is none.
 std::string ShownBy(const IceSSL::ConnectionInfo& info) {
   return info.certs.empty() ? std::string() : info.certs.front()->encode();
 }
@@ -23,7 +23,7 @@ std::chrono::sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// What OpenSSL has against a certificate, as Ice tells it.
+/// Translates OpenSSL's reason, as Ice reports it.
 std::string InOurWords(const std::string& reason, const Credentials& credentials) {
   const auto says = [&reason](const char* words) { return reason.find(words) != reason.npos; };
   if (says("self-signed") || says("self signed") || says("issuer certificate")) {
@@ -35,11 +35,11 @@ std::string InOurWords(const std::string& reason, const Credentials& credentials
   return OnOneLine(reason);
 }
 
-/// Called by OpenSSL in each handshake. 1: goes on.
+/// Called by OpenSSL in each handshake. Returns 1 to continue.
 int ShowOwnOf(SSL* link, void* tls) {
   try {
     return static_cast<Tls*>(tls)->ShowOwn(*link) ? 1 : 0;
-  } catch (const std::exception& failure) {  // it is C that calls
+  } catch (const std::exception& failure) {  // called by C code
     Log(LogLevel::kError, "ice", std::string("no certificate to show: ") + failure.what());
     return 0;
   }
@@ -48,7 +48,7 @@ int ShowOwnOf(SSL* link, void* tls) {
 }  // namespace
 
 Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
-  // What is read again later must be found whatever folder this program works in by then.
+  // Absolute paths, because files are read again later, perhaps in another working directory.
   credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
                  .authority = std::filesystem::absolute(credentials.authority)};
   auto own = openssl::ShownCertificate::Read(credentials);
@@ -60,7 +60,7 @@ void Tls::AddTo(Ice::Properties& settings) const {
   settings.setProperty("Ice.Plugin.IceSSL", "IceSSL:createIceSSL");
   settings.setProperty("IceSSL.Protocols", "TLS1_2, TLS1_3");
   settings.setProperty("IceSSL.VerifyPeer", "2");
-  settings.setProperty("IceSSL.Trace.Security", "1");  // what an acceptor has against a peer
+  settings.setProperty("IceSSL.Trace.Security", "1");  // why an acceptor refuses a peer
   settings.setProperty("IceSSL.VerifyDepthMax", "2");
   settings.setProperty("IceSSL.CAs", (credentials_.authority / "ca.crt").string());
   settings.setProperty("IceSSL.CertFile", own_->file().string());
@@ -72,7 +72,7 @@ void Tls::Judge(const Ice::Communicator& communicator) {
       communicator.getPluginManager()->getPlugin("IceSSL"));
   SSL_CTX_set_cert_cb(plugin->getContext(), &ShowOwnOf, this);
   handshakes_.Watch(*plugin->getContext());
-  SSL_CTX_set_num_tickets(plugin->getContext(), 0);  // no session is ever resumed
+  SSL_CTX_set_num_tickets(plugin->getContext(), 0);  // sessions are never resumed
   plugin->setCertificateVerifier(
       [self = shared_from_this()](const auto& peer) { return self->IsGood(*peer); });
 }

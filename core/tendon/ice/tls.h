@@ -20,29 +20,29 @@
 
 namespace tendon::ice {
 
-/// TLS for one communicator, with certificates at both ends. Peers are judged once by Ice, which
-/// knows the CA, and once by us, who know the revoked, the roles and why. Thread-safe.
+/// TLS for one communicator, with certificates at both ends. Ice checks the CA of a peer; this
+/// class checks revocation and role, and knows the reason of a refusal. Thread-safe.
 class Tls : public std::enable_shared_from_this<Tls> {
   struct Key {};
 
  public:
-  /// kDenied, kNotFound or kInvalid where what this program itself would show is not good. Warns of
-  /// what soon will not be. A certificate that is renewed later is shown with the next link.
+  /// kDenied, kNotFound or kInvalid if our own certificate or key is not valid. Logs a warning if
+  /// it expires soon. A certificate renewed later is used for the next link.
   static Result<std::shared_ptr<Tls>> Make(Credentials credentials);
 
-  /// Before a communicator is made of the settings.
+  /// Call it before a communicator is created with the settings.
   void AddTo(Ice::Properties& settings) const;
-  /// Before anything is connected.
+  /// Call it before any connection.
   void Judge(const Ice::Communicator& communicator);
 
-  /// Why no link was opened to `place`: what Ice had against its certificate, or our judgement.
+  /// Why no link was opened to `place`: Ice's reason against its certificate, or ours.
   Error NotTrusted(const HostPort& place, const std::string& reason);
-  /// The same where it hung up: most often it is the one who does not trust.
+  /// The same after the peer hung up: most likely it does not trust us.
   [[nodiscard]] Error NotAccepted(const HostPort& place) const;
 
-  /// One's own.
+  /// Our own.
   [[nodiscard]] const Certificate& certificate() const { return own_->certificate(); }
-  /// For the handshake of one link: false where there is none to show.
+  /// Sets our certificate for the handshake of one link. Returns false if there is none.
   bool ShowOwn(SSL& link);
 
   Tls(Key /*only from Make()*/, Credentials credentials,
@@ -66,11 +66,11 @@ class Tls : public std::enable_shared_from_this<Tls> {
   Handshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
-  std::optional<Refused> refused_;  // the last one that was opened here
+  std::optional<Refused> refused_;  // the last refused peer of an opened link
 };
 
-/// Of the peer of a connection; nothing without TLS. Throws what Ice throws where it is closed
-/// already: who has a certificate must not be taken for one who needs none.
+/// The certificate of the peer; nothing without TLS. Throws an Ice exception if the connection is
+/// closed already: a peer with a certificate must not pass for one that needs none.
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection);
 
 }  // namespace tendon::ice

@@ -14,12 +14,11 @@
 
 namespace tendon {
 
-/// An operation bound for one connection: made when two interfaces are connected, destroyed after
-/// the connection. It has two faces: typed for callers that share the type, and encoded (CDR
-/// bodies) for those that do not: proxies, other plug-ins' types, consoles.
+/// A command bound for one connection: created when two interfaces are connected, destroyed after
+/// the connection. It has two faces: typed, for callers that share the types, and encoded (CDR
+/// bodies), for all others: proxies, consoles, plug-ins with types of their own.
 ///
-/// Thread safety: called by one thread at a time, or by many where the connection was made for
-/// many.
+/// Thread safety: one thread at a time, or many if the connection was made for many.
 class CommandBase {
  public:
   CommandBase(Layout in, Layout out) : in_layout_(in), out_layout_(out) {}
@@ -27,36 +26,36 @@ class CommandBase {
   CommandBase& operator=(const CommandBase&) = delete;
   virtual ~CommandBase() = default;
 
-  /// kInvalid when `in` does not decode. `out` gets the answer of what has come to a good end.
+  /// Returns kInvalid if `in` cannot be decoded. Writes the reply to `out` only on success.
   virtual Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) = 0;
-  /// The same, and waits until it was executed: for at most `timeout`. `out` is replaced and keeps
-  /// its capacity.
+  /// The same, but waits for at most `timeout` until the call was executed. Replaces the content of
+  /// `out`, which keeps its capacity.
   virtual Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                              std::chrono::nanoseconds /*timeout*/) {
     return Status::kUnsupported;
   }
 
-  /// WaitEncoded() in two halves, for who must not block. kQueued: `call` is its number until
-  /// EndEncoded(), and `ended`, which outlives the command, is notified once the server has done
-  /// with it, or has stopped after it was posted. Any other status is its end.
+  /// WaitEncoded() in two steps, for callers that must not block. kQueued: `call` identifies the
+  /// call until EndEncoded(). `ended`, which must outlive the command, is notified when the server
+  /// has finished the call, or stops after it was posted. Any other status is final.
   virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                               Wakeup<>& /*ended*/, std::size_t& /*call*/) {
     return Status::kUnsupported;
   }
   [[nodiscard]] virtual bool HasEnded(std::size_t /*call*/) { return true; }
-  /// How a call has ended that was begun. One that has not is given up, as at the deadline.
+  /// Returns the outcome of a begun call. Gives up a call that has not ended, as at its deadline.
   virtual Status EndEncoded(std::size_t /*call*/, std::vector<std::byte>& /*out*/) {
     return Status::kUnsupported;
   }
 
-  /// How old the value is that a read has answered last; 0 where each read asks, and the largest
-  /// value where there was none.
+  /// Age of the value that the last read returned: 0 if every read asks the server, the largest
+  /// value if there was no value.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
 
-  /// For handlers of events: their source has faulted, or is about to start anew.
+  /// For event handlers: the source of the event has faulted, or is about to restart.
   virtual void SetSourceFaulted(bool /*faulted*/) {}
 
-  /// Whether it may be cast to Command<In, Out>, the fingerprints being equal.
+  /// True if it may be cast to Command<In, Out>. The fingerprints must already be equal.
   template <Payload In, Payload Out>
   [[nodiscard]] bool Is() const {
     return in_layout_ == LayoutOf<In>() && out_layout_ == LayoutOf<Out>();
@@ -74,8 +73,8 @@ class Command : public CommandBase {
   Command() : CommandBase(LayoutOf<In>(), LayoutOf<Out>()) {}
 
   virtual Status Execute(const In& in, Out& out) = 0;
-  /// Returns once it was executed; kTimeout when it was not and will not be, kOutcomeUnknown when
-  /// it was started. What runs in the caller's thread ends when it ends.
+  /// Returns when the call was executed. kTimeout: it was not and will not be; kOutcomeUnknown: it
+  /// was started. A command that runs in the caller's thread ignores `timeout`.
   virtual Status Wait(const In& in, Out& out, std::chrono::nanoseconds /*timeout*/) {
     return Execute(in, out);
   }

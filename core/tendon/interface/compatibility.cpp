@@ -25,7 +25,7 @@ std::string Words(const MemberDescription& member, const std::string& noun) {
   return words;
 }
 
-/// Of two types of one name.
+/// Describes how two types of the same name differ.
 std::string DifferenceWords(Fingerprint needed, Fingerprint offered, const SchemaLookup& find) {
   const auto needed_schema = find(needed);
   const auto offered_schema = find(offered);
@@ -35,7 +35,7 @@ std::string DifferenceWords(Fingerprint needed, Fingerprint offered, const Schem
   return "fields, units or shapes differ";
 }
 
-/// What the offered one is, in as few words as tell the difference.
+/// Describes the offered member, in just enough words to show the difference.
 std::string OfferedWords(const MemberDescription& needed, const MemberDescription& offered,
                          const SchemaLookup& find) {
   if (needed.signature.kind != offered.signature.kind) {

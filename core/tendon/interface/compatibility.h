@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// What keeps one member of a required interface from binding.
+/// The reason why one member of a required interface cannot be bound.
 struct Mismatch {
   enum class Kind { kMissing, kOtherKind, kOtherType };
 
@@ -19,7 +19,7 @@ struct Mismatch {
   std::string text;  ///< "missing write command MoveTo", one clause for a person
 };
 
-/// Whether a required and a provided interface fit. The same answer in an LCM, `gcm` and `gcm-gui`.
+/// Tells if a required and a provided interface fit. LCM, `gcm` and `gcm-gui` all use this.
 struct Compatibility {
   int needed = 0;   ///< functions and handlers that are not optional
   int matched = 0;  ///< how many of them the provided interface fills
@@ -30,17 +30,17 @@ struct Compatibility {
   [[nodiscard]] std::string Text() const;
 };
 
-/// What a type is, where that is known.
+/// Finds the schema of a type; nothing if the type is unknown.
 using SchemaLookup = std::function<std::optional<Schema>(Fingerprint)>;
 
-/// Works on descriptions alone. Every function needs a command, every handler an event, of the same
-/// name and signature; an optional one may be missing but may not differ. Linear in the members.
-/// The words name the first difference of two types that `find` knows.
+/// Compares descriptions only. Every function needs a command, and every handler an event, of the
+/// same name and signature. An optional member may be missing, but must not differ. The text names
+/// the first difference of two types if `find` knows both.
 [[nodiscard]] Compatibility Compare(const RequiredDescription& required,
                                     const ProvidedDescription& provided,
                                     const SchemaLookup& find = FindSchema);
 
-/// The sentence of a refused connection: "teleoperation/Robot does not fit arm/Control: ...".
+/// The error text of a refused connection: "teleoperation/Robot does not fit arm/Control: ...".
 [[nodiscard]] std::string Refusal(const std::string& required, const std::string& provided,
                                   const Compatibility& compatibility);
 

@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// How long a handler that runs may take to return.
+/// Time that a running handler gets to return.
 constexpr std::chrono::milliseconds kGrace(100);
 
 /// Waits until the mailbox is empty, its component has stopped executing, or time is up.
@@ -21,7 +21,7 @@ void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point dead
   }
 }
 
-/// A function that would wait for the thread that calls it, or nothing.
+/// The function that would wait for its own calling thread, if there is one.
 std::optional<std::string> WaitForItself(const RequiredInterface& required,
                                          const ProvidedInterface& provided) {
   if (required.inbox() == nullptr || required.inbox() != provided.inbox()) return std::nullopt;
@@ -108,7 +108,7 @@ void Connection::OpenMailboxes() {
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
     events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
                                        &required_.event_time_);
-    if (required_.has_hearer()) events_->Hold();  // until the component was told
+    if (required_.has_hearer()) events_->Hold();  // until the component was told of its peer
     peer_.events = events_;
   }
 }
@@ -153,14 +153,14 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (is_told_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
-    // Callers that wait are inside the binding: they must be served, or sent away, before it goes.
+    // Waiting callers are inside the binding: serve or cancel them before it goes.
     commands_->Close();
     LetDrain(commands_, deadline);
     commands_->completions().Cancel();
   }
   required_.Withdraw();
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
-  LetDrain(commands_, deadline);  // what has slipped in meanwhile
+  LetDrain(commands_, deadline);  // calls that arrived meanwhile
   if (events_ != nullptr && !events_->is_held()) LetDrain(events_, deadline);
   const auto last = std::max(deadline, std::chrono::steady_clock::now() + kGrace);
   const std::uint64_t number = commands_ != nullptr ? commands_->number() : 0;
@@ -176,7 +176,7 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   functions_.clear();
   queued_handlers_.clear();
   direct_handlers_.clear();
-  if (!is_told_here()) required_.AnnounceNone();  // behind its last event
+  if (!is_told_here()) required_.AnnounceNone();  // after its last event
   TellClientGone(number);
   return dropped;
 }

@@ -12,56 +12,56 @@
 
 namespace tendon {
 
-/// A required interface bound to a provided one, both in this process: a mailbox for commands, a
-/// mailbox for events, and the commands in between. Lives from Make() to its destruction.
+/// Connects a required interface to a provided one in the same process: a mailbox for commands, a
+/// mailbox for events, and the commands in between. Lasts from Make() to its destruction.
 ///
 /// Used by managers only, one at a time; both components may run meanwhile.
 class Connection {
  public:
-  /// Binds all functions and handlers, or nothing: kIncompatible with the sentence that names both
-  /// ends, or where a task would wait for itself; kExists when `required` is connected already. The
-  /// interfaces must outlive the connection. A component that requires hears of it in its own
-  /// thread before its functions reach the other end (Component::OnConnected); one without a thread
-  /// here, before anything is bound.
+  /// Binds all functions and handlers, or none. Fails with kIncompatible if the interfaces do not
+  /// fit (the message names both ends) or a task would wait for itself, with kExists if `required`
+  /// is already connected. Both interfaces must outlive the connection. The component of `required`
+  /// is told before its functions reach the peer (Component::OnConnected): in its own thread, or,
+  /// if it has none, in this one before anything is bound.
   static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
                                                   ProvidedInterface& provided,
                                                   const std::string& required_name,
                                                   const std::string& provided_name);
 
-  /// Bytes of the slots of the mailboxes that Make() opens.
+  /// Size in bytes of the mailbox slots that Make() allocates.
   [[nodiscard]] static std::size_t MailboxBytes(const RequiredInterface& required,
                                                 const ProvidedInterface& provided);
 
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  /// Close() with no patience, if it was not called.
+  /// Calls Close() with no patience if the connection is still open.
   ~Connection();
 
-  /// No call and no event enters any more; lets both ends execute what they accepted for at most
-  /// `patience`. Then whoever still waits for a call gets kNotConnected, and everything is freed;
-  /// what a handler uses that does not return is freed once it has. Both components hear of it in
-  /// their own threads (Component::OnDisconnected, OnClientGone); one without a thread that
-  /// requires hears of it here, first of all. Returns how many accepted calls and events were
-  /// dropped. Never from a thread that executes either end's mailboxes.
+  /// Stops new calls and events; both ends get at most `patience` to execute those accepted.
+  /// Callers that still wait then get kNotConnected, and everything is freed; the data of a handler
+  /// that does not return is freed when it returns. Both components are told in their own threads
+  /// (Component::OnDisconnected, OnClientGone); if that of `required` has no thread, it is told
+  /// here, before all else. Returns the number of accepted calls and events that were dropped.
+  /// Never call it from a thread that executes a mailbox of either end.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// When it was made.
   [[nodiscard]] SteadyTime made() const { return made_; }
-  /// Calls that have left the server's mailbox, and events that have left the client's. Reads do
-  /// not wait in any: they are not counted.
+  /// Calls taken from the server's mailbox plus events taken from the client's. Reads use no
+  /// mailbox and are not counted.
   [[nodiscard]] std::uint64_t taken() const;
-  /// Calls that the server's mailbox holds at most; 0 where calls do not wait.
+  /// Largest number of calls in the server's mailbox; 0 if calls are not queued.
   [[nodiscard]] std::size_t capacity() const;
   /// Calls waiting at the server now.
   [[nodiscard]] std::size_t waiting() const;
   /// Calls refused because the server's mailbox was full.
   [[nodiscard]] std::uint64_t refused() const;
-  /// Calls replaced by newer ones, of commands that keep the latest only.
+  /// Calls replaced by newer ones, of commands that keep only the latest.
   [[nodiscard]] std::uint64_t replaced() const;
-  /// Events that have not reached the client: RequiredInterface::lost_events().
+  /// Events that did not reach the client: RequiredInterface::lost_events().
   [[nodiscard]] std::uint64_t lost_events() const;
-  /// The functions whose values pass through the codec, since the two ends have other layouts of
-  /// one type, or one end has only bytes. Slower, and no longer free of allocations.
+  /// The functions whose values pass through the codec, because the two ends have different layouts
+  /// of one type, or one end has only bytes. Such calls are slower and may allocate.
   [[nodiscard]] const std::vector<std::string>& converted() const { return converted_; }
 
  private:
@@ -72,7 +72,7 @@ class Connection {
   void OpenMailboxes();
   void BindFunctions();
   void BindHandlers();
-  /// Whether the component that requires is told in the thread that changes the connection.
+  /// True if the component of `required` is told in the thread that changes the connection.
   [[nodiscard]] bool is_told_here() const {
     return required_.inbox() == nullptr && required_.has_hearer();
   }
@@ -88,7 +88,7 @@ class Connection {
   Commands functions_;        // bound to commands_
   Commands queued_handlers_;  // bound to events_
   Commands direct_handlers_;
-  std::vector<BoundMember> members_;  // by function; one more, so that there is a first
+  std::vector<BoundMember> members_;  // by function; one extra, so that it is never empty
   struct Subscription {
     EventBase* event;
     CommandBase* handler;

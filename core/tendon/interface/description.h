@@ -7,22 +7,22 @@
 
 namespace tendon {
 
-/// One member of an interface as others see it: a command, an event, or the function or handler
-/// that needs one. The names of the payload types are for people; the signature decides.
+/// One member of an interface: a command, an event, or the function or handler that needs one. The
+/// names of the payload types are for people; only the signature decides what fits.
 struct MemberDescription {
   std::string name;
   Signature signature;
   std::string in_type;
   std::string out_type;
   bool optional = false;  ///< functions and handlers only: the interface connects without it
-  std::string hazard;     ///< commands only: "motion" where a call can set something in motion
-  /// s, commands only: what a call sets going ends where it is not renewed by then; 0 for never.
+  std::string hazard;     ///< commands only: "motion" if a call can set something in motion
+  /// Seconds, commands only: the effect of a call ends unless renewed in this time; 0 for never.
   double expires_after = 0.0;
 
   bool operator==(const MemberDescription&) const = default;
 };
 
-/// What a component offers under one name. `events` are of kind void or write.
+/// The members that a component offers under one name. `events` are of kind void or write.
 struct ProvidedDescription {
   std::string name;
   std::vector<MemberDescription> commands;
@@ -31,7 +31,7 @@ struct ProvidedDescription {
   bool operator==(const ProvidedDescription&) const = default;
 };
 
-/// What a component needs filled under one name.
+/// The members that a component needs filled under one name.
 struct RequiredDescription {
   std::string name;
   std::vector<MemberDescription> functions;

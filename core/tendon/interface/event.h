@@ -9,36 +9,36 @@
 
 namespace tendon {
 
-/// The handlers of an event, whatever its type. One thread raises, or many where the component has
-/// none of its own; managers subscribe at any time.
+/// The handlers of one event, whatever its type. One thread raises the event, or many if the
+/// component has no thread of its own. Managers subscribe handlers at any time.
 class EventBase : public Caller {
  public:
   ~EventBase() override;
 
-  /// From now on `handler` is called, through a converting command where it needs one; what does
-  /// not reach it is counted in `lost` as well. Both must outlive its Unsubscribe().
+  /// Calls `handler` from now on, through a converting command if needed. Events that do not reach
+  /// it are also counted in `lost`. Both must outlive the call of Unsubscribe().
   void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
-  /// After it returns the handler is not called any more, nor being called.
+  /// When it returns, the handler does not run and will not be called again.
   void Unsubscribe(CommandBase& handler);
 
-  /// Tells the handlers that nobody will raise it until further notice, or no longer. By whom may
-  /// raise it.
+  /// Tells the handlers that nobody raises the event until further notice, or that the source is
+  /// back. Called by a thread that may raise the event.
   void SetSourceFaulted(bool faulted);
 
-  /// How often it has not reached a handler, over all of them: its mailbox was full, its component
-  /// not active, or it threw.
+  /// How often the event did not reach a handler, over all handlers: the mailbox was full, the
+  /// component not active, or the handler threw.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
-  /// While it is off, raising it does nothing. Any thread.
+  /// Raising a disabled event does nothing. Any thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] bool is_enabled() const noexcept { return enabled_.Get(); }
 
-  /// Before it is raised; see Gate.
+  /// Called before the event is raised; see Gate.
   void SetRaisers(Callers raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
 
  protected:
-  /// A connected handler; `adapter` converts for one whose type has another layout.
+  /// A connected handler. `adapter` converts if its type has a different layout.
   struct Subscriber {
     CommandBase* handler = nullptr;
     std::shared_ptr<CommandBase> adapter;
@@ -47,7 +47,7 @@ class EventBase : public Caller {
   };
   using List = std::vector<Subscriber>;
 
-  /// `call(CommandBase&) -> Status` for each handler; a failed one is counted as lost.
+  /// Runs `call(CommandBase&) -> Status` for each handler and counts a failed call as lost.
   template <typename Call>
   void CallHandlers(Call call) {
     if (!is_enabled()) return;
@@ -67,14 +67,13 @@ class EventBase : public Caller {
   Flag enabled_{true};
   Gate<List> current_;
   SharedCounter<> lost_;
-  std::mutex mutex_;  // of managers
+  std::mutex mutex_;  // taken by managers only
   std::unique_ptr<List> list_;
 };
 
-/// Something that happens in a component, told to every handler that is connected. Raise it by
-/// calling it, from the component's thread: it never waits, locks or allocates; a handler whose
-/// mailbox is full misses it, which is counted at both ends. Handlers that run directly run in this
-/// thread.
+/// Notifies all connected handlers. The component raises it by calling it, in its own thread.
+/// Raising never waits, locks or allocates. A handler whose mailbox is full misses the event, and
+/// both ends count it. Direct handlers run in the thread that raises.
 template <typename T>
 class Event final : public EventBase {
   static_assert(RequirePayload<T>());

@@ -7,24 +7,24 @@
 
 namespace tendon {
 
-/// The caller's end of a command, a member of the component that calls it. Filled when its required
-/// interface is connected; until then a call returns kNotConnected, kDisabled while the server has
-/// switched the command off, and kNotActive while it does not run; a read is answered by one that
-/// rests, though not by one that is faulted.
+/// The caller's end of a command; a member of the component that calls it. It is bound when its
+/// required interface is connected. A call returns kNotConnected before that, kDisabled while the
+/// server has disabled the command, and kNotActive while the server does not run. Reads also work
+/// while the server is stopped, but not while it is faulted.
 ///
-/// A call of a void or write function never waits, locks or allocates; a read runs the server's
-/// code, or asks another process and waits for at most the interface's deadline, unless it is
-/// mirrored. To wait until the server has executed the call is spelt out:
+/// A call of a void or write function never waits, locks or allocates. A read runs the server's
+/// code in this thread. If another process serves it and it is not mirrored, the read waits for the
+/// reply, at most for the interface's read deadline. Wait() waits until the server has executed the
+/// call:
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
-/// kTimeout: it was not executed and will not be; kOutcomeUnknown: it was started, how it ends
-/// cannot be known; kNotConnected: disconnected meanwhile; kWouldDeadlock: the server runs in this
-/// very thread. Functions that return something can only be called so.
+/// kTimeout: it was not executed and will not be; kOutcomeUnknown: it was started, and its result
+/// is unknown; kNotConnected: the connection ended; kWouldDeadlock: the server runs in this very
+/// thread. Functions that return a value can only be called with Wait().
 ///
-/// Thread safety: those of one required interface are called by one thread at a time: where its
-/// component is a task, by its thread. Those of a component without a thread, and where
-/// SetCallers() says so, are called by any threads.
+/// Thread safety: one thread at a time calls the functions of a required interface; for a task, its
+/// own. Any thread may call them if the component has none, or if SetCallers() allows it.
 template <CommandKind kKind, typename In, typename Out>
 class Function final : public Caller {
   static_assert(RequirePayload<In>() && RequirePayload<Out>());
@@ -53,8 +53,9 @@ class Function final : public Caller {
     return CallAndWait(in, out, timeout);
   }
 
-  /// How old the value is that was read last, where it is a copy: see RequiredInterface::Mirror().
-  /// 0 where each read asks; the largest value where nothing was read yet, or nobody can be asked.
+  /// Age of the value that was read last, if it is a copy: see RequiredInterface::Mirror(). 0 if
+  /// each read asks the server; the largest value if nothing was read yet or no server can be
+  /// asked.
   [[nodiscard]] Time age() requires kIsRead {
     Time age = Time::max();
     if (binding_ == nullptr) return age;
@@ -65,7 +66,7 @@ class Function final : public Caller {
     return age;
   }
 
-  /// Whether a call would reach a server now.
+  /// True if a call would reach a server now.
   [[nodiscard]] bool is_connected() {
     return binding_ != nullptr && binding_->Enter([this](const BoundMember* members) {
       return members != nullptr && members[index_].is_reached();

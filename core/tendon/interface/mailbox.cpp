@@ -54,11 +54,11 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   class Nothing final : public Entry {
     void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {}
   };
-  static Nothing& nothing = *new Nothing;  // a task may come upon it while the program ends
+  static Nothing& nothing = *new Nothing;  // never freed: a task may still use it at program end
   Publish(argument, nothing);
 }
 
-/// Null at once in a thread without PatientCalls, and in the one that would have to make the room.
+/// Null at once in a thread without PatientCalls, and in the thread that would have to make room.
 std::byte* Mailbox::AwaitRoom() noexcept {
   constexpr std::chrono::microseconds kBetweenLooks(200);
   const SteadyTime deadline = PatientCalls::deadline();

@@ -17,33 +17,32 @@
 
 namespace tendon {
 
-/// Who calls through an interface, or raises its events.
+/// The threads that call through an interface or raise its events.
 enum class Callers {
-  kOneThread,    ///< one at a time: a task's own
-  kManyThreads,  ///< at the same time: those of thread-less components, foreign callbacks
+  kOneThread,    ///< one at a time: the task's own thread
+  kManyThreads,  ///< concurrently: of components without a thread, or of driver callbacks
 };
 
-/// The calls of one connection that wait for the thread of the component called: one ring whose
-/// slot holds the command and its argument together, usually in one cache line.
+/// Holds the calls of one connection until the thread of the called component executes them. It is
+/// one ring; a slot holds the command and its argument together, usually in one cache line.
 ///
-/// Thread safety: one thread or many, as it was made for, post (Claim, Publish); one thread
-/// executes (ExecuteOne). Posting never locks or allocates, and waits only in a thread
-/// with PatientCalls.
+/// Thread safety: one thread or many, as constructed, post (Claim, Publish); one thread executes
+/// (ExecuteOne). Posting never locks or allocates, and waits only in a thread with PatientCalls.
 class Mailbox {
  public:
-  /// Whoever can execute what a slot holds.
+  /// Executes the content of a slot.
   class Entry {
    public:
     virtual ~Entry() = default;
-    /// In the executing thread. May throw what the author's code throws; the slot is freed all the
-    /// same.
+    /// In the executing thread. May throw whatever the author's code throws; the slot is freed
+    /// anyway.
     virtual void ExecuteSlot(std::byte* argument, std::size_t slot) = 0;
-    /// Instead of ExecuteSlot(): the call will not be executed.
+    /// Called instead of ExecuteSlot() if the call will not be executed.
     virtual void DropSlot(std::size_t /*slot*/) noexcept {}
   };
 
-  /// What the arguments of a connection need: the maximum over its commands; and how many slots
-  /// they want reserved, all together.
+  /// The needs of a connection's arguments: size and alignment are the maximum over its commands,
+  /// `reserve` is the sum of their reserved slots.
   struct SlotShape {
     std::size_t size = 0;
     std::size_t alignment = 1;
@@ -52,40 +51,40 @@ class Mailbox {
     void Cover(const SlotShape& other);
   };
 
-  /// What stands before the argument of a slot: who executes it, and where slots have one the time.
+  /// Bytes before the argument of a slot: its entry, and in timed slots the time.
   static constexpr std::size_t kEntryBytes = sizeof(Entry*);
   static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
-  /// What one slot takes, whose argument stands behind so many bytes.
+  /// Bytes of a slot whose argument has `before` bytes in front of it.
   [[nodiscard]] static std::size_t SlotBytes(const SlotShape& argument, std::size_t before);
 
   /// The component called, as all its mailboxes see it.
   struct Server {
     Flag accepting;                     ///< whether it executes calls
-    Published<std::thread::id> thread;  ///< that executes them; nobody's until one is bound
-    Wakeup<>* wakeup = nullptr;         ///< told of every post
+    Published<std::thread::id> thread;  ///< that executes them; none until one is bound
+    Wakeup<>* wakeup = nullptr;         ///< notified of every post
   };
 
-  /// `server` and `ready`, which is raised after every post, outlive it. Where there is an
-  /// `event_time`, each slot has the time of its post, which stands there when it is executed.
+  /// `server` and `ready` must outlive it; `ready` is raised after every post. If `event_time` is
+  /// given, each slot holds the time of its post, which is written there when the slot is executed.
   Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
           ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
 
-  /// Of all mailboxes that its inbox has ever had, no other has it.
+  /// Unique among all mailboxes that its inbox has ever had.
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
-  /// Room for the next call's argument, which must be published if there are many callers. Null
-  /// when the mailbox is full, which is counted, or not open; nothing has happened. In a thread
-  /// with PatientCalls it is null only once that has waited for room.
+  /// Room for the argument of the next call; if there are many callers, it must be published. Null
+  /// if the mailbox is not open, or full, which is counted; nothing has happened then. In a thread
+  /// with PatientCalls it first waits for room.
   std::byte* Claim() noexcept;
-  /// Room in the reserve; null when whoever asked for it takes more than it asked for.
+  /// Room in the reserve; null if its owner takes more slots than it has reserved.
   std::byte* ClaimReserved() noexcept;
-  /// Why Claim() has refused.
+  /// The reason why Claim() returned null.
   [[nodiscard]] Status refusal() const noexcept;
   /// The stable number of the slot of a claimed argument, below storage().
   [[nodiscard]] std::size_t SlotOf(const std::byte* argument) const noexcept;
-  /// Hands the claimed slot over; `entry` will execute it.
+  /// Hands the claimed slot to the server, which will execute `entry`.
   void Publish(std::byte* argument, Entry& entry) noexcept;
-  /// Instead of Publish(), where no argument has come about: the slot passes by without a call.
+  /// Instead of Publish(), if the argument could not be made: the slot passes without a call.
   void GiveUp(std::byte* argument) noexcept;
 
   /// Executes the oldest call; false when there is none.
@@ -93,38 +92,38 @@ class Mailbox {
   /// Frees the oldest call without executing it; false when there is none.
   bool DropOne() noexcept;
 
-  /// From now on Claim() refuses.
+  /// Claim() refuses from now on.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
-  /// While it is held, calls arrive and wait: nothing is executed.
+  /// While held, calls arrive and wait, but are not executed.
   void Hold() noexcept { held_.Set(true); }
   void Release() noexcept { held_.Set(false); }
   [[nodiscard]] bool is_held() const noexcept { return held_.Get(); }
-  /// What waits will not be executed any more.
+  /// Waiting calls will not be executed any more.
   void Abandon() noexcept { abandoned_.Set(true); }
   [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
-  /// Whether the component it belongs to executes calls.
+  /// True if the called component executes calls.
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
-  /// Whether this very thread would have to execute what it posts.
+  /// True if this very thread would have to execute the calls that it posts.
   [[nodiscard]] bool is_executed_here() const noexcept {
     return server_.thread.Get() == std::this_thread::get_id();
   }
 
-  /// For calls that are waited for.
+  /// For calls whose callers wait.
   [[nodiscard]] CompletionPool& completions() noexcept { return completions_; }
 
   [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
-  /// How many calls have left it, nearly all because they were executed.
+  /// Calls that have left the mailbox, nearly all because they were executed.
   [[nodiscard]] std::uint64_t taken() const noexcept {
     return many_ ? many_->released() : one_->released();
   }
-  /// Slots there are in memory: a pool of this many arguments has one for each.
+  /// Number of slots in memory; a pool of arguments has one for each.
   [[nodiscard]] std::size_t storage() const noexcept { return completions_.size(); }
-  /// How many calls were refused because it was full.
+  /// Calls refused because the mailbox was full.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
   void CountRefused() noexcept { refused_.Add(); }
-  /// How many calls were replaced by newer ones of the same command.
+  /// Calls replaced by newer ones of the same command.
   [[nodiscard]] std::uint64_t replaced() const noexcept { return replaced_.value(); }
   void CountReplaced() noexcept { replaced_.Add(); }
 
@@ -142,7 +141,7 @@ class Mailbox {
     return slot + sizeof(Entry*);  // NOLINT(bugprone-sizeof-expression): a slot begins with it
   }
 
-  std::optional<SlotRing<>> one_;  // one of the two
+  std::optional<SlotRing<>> one_;  // exactly one of the two is used
   std::optional<SharedSlotRing<>> many_;
   std::size_t capacity_;
   std::size_t argument_offset_;
@@ -154,7 +153,7 @@ class Mailbox {
   Flag abandoned_;
   Flag held_;
   CompletionPool completions_;
-  // Of callers, some of whom try again and again: apart from what the server reads.
+  // Written by callers, some of which retry all the time: apart from the data the server reads.
   alignas(kSeparation) SharedCounter<> refused_;
   SharedCounter<> replaced_;
 };

@@ -28,23 +28,23 @@ MemberDescription DescribeMember(std::string name, CommandKind kind) {
           .expires_after = 0.0};
 }
 
-/// What happens to a call when its mailbox is full.
+/// The effect of a full mailbox on a call.
 enum class Overflow {
   kRefuse,      ///< it is refused with kQueueFull
-  kLatestOnly,  ///< it never is: a call replaces an older one of the command that still waits
+  kLatestOnly,  ///< never refused: it replaces an older call of the command that still waits
 };
 
 class ColumnBase;
 class StateTable;
 
-/// A column of a state table; null pointers where there is none.
+/// A column of a state table; null pointers if there is none.
 struct ColumnSource {
   const StateTable* table = nullptr;
   const ColumnBase* column = nullptr;
 };
 
-/// What a component lets others execute: a command of a provided interface, or an event handler of
-/// a required one. Every connection gets a command of its own from it.
+/// An operation that a component offers: a command of a provided interface, or an event handler of
+/// a required one. Each connection gets its own command from it.
 class Offer {
  public:
   explicit Offer(MemberDescription description) : description_(std::move(description)) {}
@@ -53,70 +53,70 @@ class Offer {
   virtual ~Offer() = default;
 
   [[nodiscard]] const MemberDescription& description() const { return description_; }
-  /// Says what a call can do to the world: "motion". Viewers then ask before they call.
+  /// States a danger of the call: "motion". Viewers then ask before they call.
   Offer& SetHazard(std::string hazard) {
     description_.hazard = std::move(hazard);
     return *this;
   }
-  /// For queued void and write commands and handlers, in the constructor; others disregard it.
+  /// For queued void and write commands and handlers, in the constructor; others ignore it.
   Offer& SetOverflow(Overflow overflow) {
     overflow_ = overflow;
     return *this;
   }
   [[nodiscard]] Overflow overflow() const { return overflow_; }
-  /// Whether it is one that does not disregard that, and keeps the latest call only.
+  /// True if overflow() says kLatestOnly and this kind of offer does not ignore it.
   [[nodiscard]] bool keeps_latest_only() const {
     return overflow_ == Overflow::kLatestOnly && uses_mailbox() &&
            !WaitsForServer(description_.signature.kind);
   }
 
-  /// For queued commands of a task, in the constructor: what a call sets going must be renewed by
-  /// the next one; a call that the command refuses renews, too. Where none was executed for
-  /// `after`, or where the client of the last one is gone, `method` runs in the component's thread:
-  /// in ProcessQueuedCommands(), and at the latest at the end of the first cycle after that. So a
-  /// robot stops whose operator is cut off. It also runs where another command has taken over
-  /// since, or has ended all: the method must look whether what it ends still goes on. `after` is 1
-  /// ms to 3600 s. ConfigurationError for what does not wait for the component.
+  /// For queued commands of a task, in the constructor: the next call must renew the effect of a
+  /// call; a call that the command refuses renews it, too. If no call was executed for `after`, or
+  /// the client of the last call is gone, `method` runs in the component's thread: in
+  /// ProcessQueuedCommands(), or at the latest at the end of the first cycle after that. So a robot
+  /// stops when its operator is cut off. `method` also runs if another command has since taken over
+  /// or ended everything: it must check that the effect still goes on. `after` is 1 ms to 3600 s.
+  /// Throws ConfigurationError if calls do not wait for the component's thread.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });
   }
-  /// Null where calls need not be renewed.
+  /// Null if calls need not be renewed.
   [[nodiscard]] Expiry* expiry() const { return expiry_.get(); }
 
-  /// Says that a call answers with the newest value of a column, which outlives the offer.
+  /// States that a call returns the newest value of a column, which must outlive the offer.
   Offer& SetSource(const ColumnSource& source) {
     source_ = source;
     return *this;
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// While a command is off, its callers get kDisabled; what waits is executed all the same. Any
+  /// Callers of a disabled command get kDisabled; calls that already wait are still executed. Any
   /// thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
-  /// The component it belongs to, told by its interface; it outlives all commands.
+  /// Sets its component, on behalf of its interface. The host outlives all commands.
   void SetHost(const Host* host) { host_ = host; }
 
-  /// Says that a call does nothing but copy from a state table.
+  /// States that a call only copies from a state table.
   Offer& SetReadsTableOnly() {
     reads_table_only_ = true;
     return *this;
   }
-  /// Whether a call runs code of the component in the thread of its caller, where it may take its
-  /// time. `has_mailbox` says whether it is bound to one.
+  /// True if a call runs code of the component in the caller's thread, where it may take long.
+  /// `has_mailbox` says whether the offer is bound to a mailbox.
   [[nodiscard]] virtual bool RunsInCaller(bool has_mailbox) const {
     return uses_mailbox() ? !has_mailbox : !reads_table_only_;
   }
 
-  /// Whether the mailbox refers to what Bind() makes, so that the two are freed together.
+  /// True if the mailbox refers to the result of Bind(), so that both are freed together.
   [[nodiscard]] virtual bool uses_mailbox() const { return true; }
-  /// The room its argument needs in a mailbox' slot.
+  /// The room that its argument needs in a mailbox slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
-  /// A command for one connection. `mailbox` is null where calls run in the caller's thread; it
-  /// outlives the command.
+  /// Makes a command for one connection. `mailbox` is null if calls run in the caller's thread; it
+  /// must outlive the command.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const = 0;
 
  protected:
@@ -134,7 +134,7 @@ class Offer {
   const Host* host_ = nullptr;
 };
 
-/// Whatever runs in the server's thread: `handler(in, out)`.
+/// Runs `handler(in, out)` in the server's thread.
 template <Payload In, Payload Out, typename Handler>
 class QueuedOffer : public Offer {
  public:
@@ -168,7 +168,7 @@ class QueuedOffer : public Offer {
   Handler handler_;
 };
 
-/// A queued write of what `filter(in, filtered)` makes of the argument in the caller's thread.
+/// A queued write: `filter(in, filtered)` runs in the caller's thread, and `filtered` is queued.
 template <Payload In, Payload Filtered, typename Filter, typename Handler>
 class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
  public:
@@ -186,14 +186,14 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
   Filter filter_;
 };
 
-/// Who hears of an exception in what runs in the caller's thread.
+/// The side that is blamed for an exception in code that runs in the caller's thread.
 enum class Blame {
-  kCaller,     ///< it gets kFailed: its question may be to blame
+  kCaller,     ///< it gets kFailed: its argument may be the cause
   kComponent,  ///< it is faulted as well
 };
 
-/// Whatever runs in the caller's thread. Every connection gets a copy of `body`, so it may have
-/// Scratch space of its own.
+/// Runs `body` in the caller's thread. Each connection gets a copy of `body`, which may contain a
+/// Scratch.
 template <Payload In, Payload Out, typename Body>
 class DirectOffer final : public Offer {
  public:

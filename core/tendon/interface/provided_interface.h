@@ -21,13 +21,13 @@ namespace tendon {
 
 /// A named set of commands and events that a component offers.
 ///
-/// It is filled in the component's constructor. A second member of one name, a bad name or adding
-/// after the component was started throws ConfigurationError. Methods and events must outlive it,
-/// which members of the component do.
+/// Fill it in the component's constructor. A duplicate or invalid name, or adding a member after
+/// the component was started, throws ConfigurationError. Methods and events must outlive the
+/// interface; members of the component do.
 class ProvidedInterface {
  public:
-  /// `inbox` is where calls wait for the component's thread; null when they run in the caller's.
-  /// `host` is their component; without one calls are always taken.
+  /// Calls wait in `inbox` for the component's thread; if null, they run in the caller's thread.
+  /// `host` is the component; without one, calls are always accepted.
   ProvidedInterface(std::string name, Inbox* inbox, const Host* host = nullptr)
       : name_(std::move(name)), inbox_(inbox), host_(host) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
@@ -36,7 +36,7 @@ class ProvidedInterface {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
   [[nodiscard]] const Host* host() const { return host_; }
-  /// Who raises its events: any thread where the component has none of its own.
+  /// The threads that raise its events: any thread if the component has no thread of its own.
   [[nodiscard]] Callers raisers() const {
     return inbox_ == nullptr ? Callers::kManyThreads : Callers::kOneThread;
   }
@@ -54,8 +54,8 @@ class ProvidedInterface {
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
   }
-  /// The caller waits for the answer, with a deadline. For what takes a moment: a caller that has
-  /// given up does not hear the answer.
+  /// The caller waits for the reply, with a deadline. Only for quick methods: a caller that has
+  /// given up does not get the reply.
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, PlacedName name) {
     return AddQueued<None, Out>(
@@ -71,7 +71,7 @@ class ProvidedInterface {
         [method, object](const In& in, Out& out) { (object->*method)(in, out); });
   }
   /// A write command of `In`: `filter(in, filtered)` runs in the caller's thread, where it may
-  /// throw (kFailed); its output is queued.
+  /// throw (kFailed); `filtered` is queued.
   template <typename In, typename Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
@@ -84,10 +84,10 @@ class ProvidedInterface {
         name.place);
   }
 
-  // Runs in the caller's thread: what touches only rows of a state table.
+  // Runs in the caller's thread, and reads only rows of a state table.
 
   /// Newest value of a column of `table`; kNoSample before the first row. Allocates nothing for
-  /// fixed payloads.
+  /// payloads of fixed size.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name) {
     const Column<T>& column = table.Find(variable);
@@ -96,8 +96,8 @@ class ProvidedInterface {
         .SetSource({&table, &column})
         .SetReadsTableOnly();
   }
-  /// The value `delay` rows before the newest; kNoSample until there is one, and where the table is
-  /// too short to keep it.
+  /// The value `delay` rows before the newest; kNoSample until it exists, or if the table is too
+  /// short to keep it.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name,
                              std::size_t delay) {
@@ -108,7 +108,7 @@ class ProvidedInterface {
                               })
         .SetReadsTableOnly();
   }
-  /// `function(row, question, answer)` on the newest value of a column.
+  /// Runs `function(row, question, answer)` on the newest value of a column.
   template <Payload T, typename In, typename Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
                                  void (*function)(const T&, const In&, Out&), PlacedName name) {
@@ -123,7 +123,7 @@ class ProvidedInterface {
         });
   }
 
-  // Runs in the caller's thread, whenever: hence the tag.
+  // Runs in the caller's thread at any time; therefore the tag.
 
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe) {
@@ -146,9 +146,9 @@ class ProvidedInterface {
                                   return Status::kDone;
                                 });
   }
-  /// A value that is never changed once the method has handed it out: an image, a map. It is not
-  /// copied before it is sent to another process. Null: kNoSample. Called in the caller's thread,
-  /// which may be the last to hold the value and frees it then.
+  /// For a value that never changes after the method has returned it: an image, a map. It is not
+  /// copied before it is sent to another process. Null gives kNoSample. The method runs in the
+  /// caller's thread, which may be the last holder of the value and then frees it.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         PlacedName name, ThreadSafe) {
@@ -169,30 +169,30 @@ class ProvidedInterface {
                               });
   }
 
-  /// Lets clients handle `event`, which the component raises by calling it.
+  /// Lets clients handle `event`. The component raises it by calling it.
   template <Payload T>
   void AddEvent(Event<T>& event, PlacedName name) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
     AddEvent(event, DescribeMember<T, None>(std::move(name.text), kKind), name.place);
   }
 
-  /// For members that are made at run time: proxies, columns of a table.
+  /// For members that are made at run time, such as proxies and columns of a table.
   Offer& AddOffer(std::unique_ptr<Offer> offer, SourcePlace place = SourcePlace::current());
   void AddEvent(EventBase& event, MemberDescription description,
                 SourcePlace place = SourcePlace::current());
 
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
 
-  /// Of its commands that must be renewed.
+  /// One for each command that must be renewed.
   [[nodiscard]] std::vector<Expiry*> expiries() const;
 
-  /// See EventBase: of all its events.
+  /// Calls EventBase::SetSourceFaulted() of all its events.
   void SetSourceFaulted(bool faulted);
 
   [[nodiscard]] ProvidedDescription description() const;
-  /// The names of the commands that keep the latest call only.
+  /// Names of the commands that keep only the latest call.
   [[nodiscard]] std::vector<std::string> latest_only() const;
 
   /// No member can be added from now on.

@@ -52,14 +52,14 @@ void RequiredInterface::AdmitPeerAtRest() noexcept {
 
 void RequiredInterface::Announce(Peer& peer) {
   peer.number = ++peers_;
-  peer_.Set(peer.number);  // before the component can know it by its number
+  peer_.Set(peer.number);  // before the component can take it and compare numbers
   announced_.Exchange(&peer);
   if (has_hearer()) return host_->TellPeerChanged(*this);
   if (TakePeer()) binding_.Exchange(peer.members);
 }
 
 void RequiredInterface::Withdraw() noexcept {
-  announced_.Exchange(nullptr);  // nobody is admitting it any more
+  announced_.Exchange(nullptr);  // from here on nobody can admit it
   binding_.Exchange(nullptr);
 }
 

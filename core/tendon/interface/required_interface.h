@@ -21,13 +21,13 @@ namespace tendon {
 
 enum class Need { kRequired, kOptional };
 
-/// A named set of functions and event handlers that a component needs filled by a provided
-/// interface. Filled in the component's constructor; the rules are those of ProvidedInterface.
+/// A named set of functions and event handlers that a component needs. A connection fills it from a
+/// provided interface. Members are added in the component's constructor, as in ProvidedInterface.
 class RequiredInterface {
  public:
-  /// `inbox` is where events wait; null when the component has no thread: handlers then run in the
-  /// thread that raises them, and any thread may call its functions. `host` is their component;
-  /// without one handlers always run.
+  /// Events wait in `inbox`. It is null if the component has no thread: handlers then run in the
+  /// thread that raises the event, and any thread may call the functions. `host` is the component;
+  /// without one, handlers always run.
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
                     const Host* host = nullptr)
       : name_(std::move(name)), inbox_(inbox), host_(host), need_(need) {
@@ -39,7 +39,7 @@ class RequiredInterface {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
 
-  /// `function` is a member of the component; it calls the command of this name.
+  /// `function` is a member of the component and calls the command of this name.
   template <CommandKind kKind, Payload In, Payload Out>
   void AddFunction(Function<kKind, In, Out>& function, PlacedName name,
                    Need need = Need::kRequired) {
@@ -65,7 +65,7 @@ class RequiredInterface {
                          [method, object](const In& in, None&) { (object->*method)(in); });
   }
 
-  // Runs in the thread that raises the event: hence the tag.
+  // Runs in the thread that raises the event; therefore the tag.
 
   template <typename Owner, std::derived_from<Owner> Object>
   void AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe,
@@ -79,7 +79,7 @@ class RequiredInterface {
     AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
   }
 
-  /// `waiter` is a member of the component, a thread of which waits for the event of this name.
+  /// `waiter` is a member of the component; one of its threads waits for the event of this name.
   template <Payload T>
   void AddEventWaiter(EventWaiter<T>& waiter, PlacedName name, Need need = Need::kRequired) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
@@ -88,64 +88,62 @@ class RequiredInterface {
              name.place);
   }
 
-  /// For members that are made at run time. The caller's place in the binding is returned.
+  /// For members that are made at run time. Returns the caller's index in the binding.
   std::size_t AddCaller(Caller& caller, MemberDescription description,
                         SourcePlace place = SourcePlace::current());
   Offer& AddOffer(std::unique_ptr<Offer> handler, SourcePlace place = SourcePlace::current());
   [[nodiscard]] BindingGate& binding() { return binding_; }
 
-  /// Who calls its functions. A task's thread alone does, unless it says here, in its constructor,
-  /// that threads of others do as well, such as callbacks of a driver.
+  /// The threads that call its functions. For a task, this is its own thread, unless its
+  /// constructor allows others here, such as callbacks of a driver.
   void SetCallers(Callers callers) { binding_.SetCallers(callers, inbox_); }
   [[nodiscard]] Callers callers() const { return binding_.callers(); }
 
-  /// How many calls may wait at the server, and how many events here; 64 unless set before the
-  /// connection is made. 1 to 2^24.
+  /// Capacity for calls at the server, and for events here: 1 to 2^24, default 64. Set it before
+  /// the connection is made.
   void SetMailboxCapacity(std::size_t capacity);
   [[nodiscard]] std::size_t mailbox_capacity() const { return mailbox_capacity_; }
 
-  /// How long a read waits for the answer of another process; 100 ms unless set before the
-  /// connection is made. At least 1 ms.
+  /// How long a read waits for the reply of another process: at least 1 ms, default 100 ms. Set it
+  /// before the connection is made.
   void SetReadDeadline(std::chrono::milliseconds deadline);
   [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
 
-  /// Where another process serves `function`, which was added before, it is answered from a copy
-  /// that comes some 50 times a second, and asks nobody: no wait, no lock and, once it has
-  /// answered, no allocation. Its age() says how old the value was. kNoSample before the first
-  /// copy. Only what AddCommandReadState() offers, without a delay, can be mirrored: to connect it
-  /// with anything else of another process is refused. In one process it reads as ever.
+  /// If another process serves `function` (already added), reads return a copy that is updated
+  /// about 50 times a second. A read does not wait or lock and, after the first one, does not
+  /// allocate; it returns kNoSample before the first copy. The age() of the function tells how old
+  /// the value was. Works only with AddCommandReadState() without a delay: connecting to any other
+  /// command of another process is refused. Within one process, reads are as usual.
   template <Payload T>
   void Mirror(const Function<CommandKind::kRead, None, T>& function) {
     MarkMirrored(function);
   }
-  /// The names of what is mirrored.
+  /// Names of the mirrored functions.
   [[nodiscard]] std::vector<std::string> mirrored() const;
 
-  /// When the event was raised that the component's thread handles now, or has handled last, by
-  /// the steady clock; for one of another process, when it arrived. Handlers that run directly run
-  /// when it is raised.
+  /// Steady-clock time when the event was raised that the component's thread handles now, or has
+  /// handled last; for an event of another process, when it arrived. Direct handlers run when the
+  /// event is raised.
   [[nodiscard]] SteadyTime event_time() const { return event_time_; }
-  /// How many events have not reached their handlers here: the mailbox was full, the component not
-  /// active, or a handler threw. Those of a handler that keeps the latest only are not lost.
+  /// Events that did not reach their handlers here: the mailbox was full, the component not active,
+  /// or a handler threw. If a handler keeps only the latest event, replaced ones are not lost.
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
   [[nodiscard]] RequiredDescription description() const;
-  /// Whether some of its event handlers run in the thread that raises the event, where they may
-  /// take their time.
+  /// True if some event handlers run in the thread that raises the event, where they may take long.
   [[nodiscard]] bool handles_in_raiser() const;
-  /// The names of the event handlers that keep the latest event only.
+  /// Names of the event handlers that keep only the latest event.
   [[nodiscard]] std::vector<std::string> latest_only() const;
-  /// Whether there is a connection. The functions reach the peer once the component was told of it:
+  /// True if there is a connection. Functions reach the peer after the component was told of it:
   /// Component::OnConnected().
   [[nodiscard]] bool is_connected() const noexcept { return peer_.Get() != kNoPeer; }
-  /// Counts up with each new peer, when the component is told of it; 0 before the first. Who
-  /// remembers a number knows by another one that what he has heard came from somebody else. Any
-  /// thread.
+  /// Increases with each new peer, when the component is told of it; 0 before the first. A changed
+  /// number means that earlier data came from another peer. Any thread.
   [[nodiscard]] std::uint64_t generation() const noexcept { return generation_.Get(); }
 
   void Seal();
 
-  // For the component, in its own thread, which tells itself of each change before it goes on.
+  // For the component, in its own thread; it handles each change before it goes on.
 
   enum class PeerChange { kNone, kGone, kNew };
   [[nodiscard]] PeerChange peer_change() const noexcept {
@@ -153,21 +151,21 @@ class RequiredInterface {
     if (peer == told_) return PeerChange::kNone;
     return told_ != kNoPeer ? PeerChange::kGone : PeerChange::kNew;
   }
-  /// After kGone.
+  /// Called after kGone.
   void ForgetPeer() noexcept { told_ = kNoPeer; }
-  /// After kNew: the next generation begins. False where the peer has gone meanwhile.
+  /// Called after kNew: the next generation begins. False if the peer has gone meanwhile.
   bool TakePeer() noexcept;
   /// From now on calls reach the peer and its events are handled, unless it has gone meanwhile.
   void AdmitPeer() noexcept;
 
-  /// For managers, while its component does not run, which is told when it starts: admits calls of
-  /// what nobody else may call meanwhile.
+  /// For managers, while the component does not run; it is told when it starts. Admits calls now,
+  /// unless many threads may call.
   void AdmitPeerAtRest() noexcept;
 
  private:
   friend class Connection;
 
-  /// What a connection has made for the component.
+  /// The data that a connection makes for the component.
   struct Peer {
     const BoundMember* members = nullptr;
     Mailbox* events = nullptr;
@@ -175,17 +173,17 @@ class RequiredInterface {
   };
   static constexpr std::uint64_t kNoPeer = 0;
 
-  // For connections, in the thread of a manager.
+  // For connections, in a manager's thread.
 
-  /// Whether its component is told of its peers, and admits them.
+  /// True if the component is told of its peers and admits them.
   [[nodiscard]] bool has_hearer() const {
     return host_ != nullptr && host_->hears_of_connections();
   }
-  /// There is a peer, which must stay where it is until it is withdrawn; `peer` gets its number.
+  /// Sets the peer, which must stay in place until it is withdrawn, and numbers it.
   void Announce(Peer& peer);
-  /// No call reaches the peer any more.
+  /// After this, no call reaches the peer.
   void Withdraw() noexcept;
-  /// There is none any more.
+  /// There is no peer any more.
   void AnnounceNone();
 
   struct NamedCaller {
@@ -231,7 +229,7 @@ class RequiredInterface {
   std::vector<NamedCaller> callers_;
   std::vector<std::unique_ptr<Offer>> handlers_;
   BindingGate binding_;
-  std::uint64_t peers_ = 0;  // there have been
+  std::uint64_t peers_ = 0;  // number of peers so far
   Published<std::uint64_t> peer_{kNoPeer};
   GuardedPointer<const Peer> announced_;
   std::uint64_t told_ = kNoPeer;  // of the component's thread: the peer it knows

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// How a command is executed. Part of the signature: a harmless read can never bind to a command
-/// that blocks.
+/// How a command is executed. It is part of the signature, so that a harmless read can never bind
+/// to a command that blocks.
 enum class CommandKind : std::int32_t {
   kVoid,           ///< no argument; queued to the server's thread
   kWrite,          ///< one argument in; queued to the server's thread
@@ -46,12 +46,12 @@ inline constexpr auto kPayload<CommandKind> =
   return "unknown";
 }
 
-/// Whether the caller gets an answer for which it waits until the server's thread has executed it.
+/// True if the caller waits for a reply until the server's thread has executed the call.
 [[nodiscard]] constexpr bool WaitsForServer(CommandKind kind) noexcept {
   return kind == CommandKind::kVoidReturn || kind == CommandKind::kWriteReturn;
 }
 
-/// What both ends of a connection must agree on, for one member.
+/// The kind and types of one member; they must be equal at both ends of a connection.
 struct Signature {
   CommandKind kind = CommandKind::kVoid;
   Fingerprint in;

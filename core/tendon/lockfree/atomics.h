@@ -11,20 +11,20 @@
 
 namespace tendon {
 
-/// Keeps what two threads write apart: two cache lines, since processors fetch lines in pairs.
+/// Distance between data that two threads write: two cache lines, as processors fetch pairs.
 inline constexpr std::size_t kSeparation = 128;
 inline constexpr std::size_t kCacheLine = 64;
 
-/// How lock-free classes reach the machine. Each of them is a template over such a policy, so that
-/// the same source runs under the interleaving simulator of tests/support.
+/// How lock-free classes access the machine. Each class is a template over such a policy, so that
+/// the same source also runs under the interleaving simulator of tests/support.
 struct StdAtomics {
   template <typename T>
   using Atomic = std::atomic<T>;
 
   static void Fence(std::memory_order order) noexcept { std::atomic_thread_fence(order); }
-  /// Binds the compiler only; the other side makes up for it with ProcessBarrier().
+  /// Orders only the compiler; the other side compensates with ProcessBarrier().
   static void CompilerFence() noexcept { std::atomic_signal_fence(std::memory_order_seq_cst); }
-  /// A full fence in every thread of the process. Microseconds.
+  /// A full fence in every thread of the process. Takes microseconds.
   static void ProcessBarrier() noexcept { os::ProcessBarrier(); }
 
   static void Sleep(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
@@ -33,7 +33,7 @@ struct StdAtomics {
   }
   static void Wake(const std::atomic<std::uint32_t>& word) noexcept { os::FutexWake(word); }
 
-  /// Between two looks at what another thread will change: yields first, then sleeps.
+  /// Waits between two checks for a change by another thread: first yields, then sleeps.
   static void Pause(unsigned looks) noexcept {
     constexpr unsigned kYields = 64;
     constexpr std::chrono::microseconds kNap(50);

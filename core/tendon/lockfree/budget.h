@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// So many of something may be taken at a time, by any threads. Wait-free; without a limit it costs
-/// nothing. Says nothing about the order of other data.
+/// Limits how many units any threads hold together. Wait-free; costs nothing without a limit. Does
+/// not order other data.
 template <typename Atomics = StdAtomics>
 class Budget {
  public:
@@ -17,8 +17,8 @@ class Budget {
 
   explicit Budget(std::uint64_t most = kNoLimit) : most_(most) {}
 
-  /// Takes `n` where no more than the most are taken then, or they are all that is taken: one alone
-  /// may be larger. Where others are just refused, it may be refused with them.
+  /// Takes `n` units if the total stays within the limit, or if nothing else is taken: one alone
+  /// may exceed it. May also fail while the request of another thread is being refused.
   [[nodiscard]] bool Take(std::uint64_t n) noexcept {
     if (most_ == kNoLimit) return true;
     const std::uint64_t before = taken_.fetch_add(n, std::memory_order_relaxed);
@@ -26,7 +26,7 @@ class Budget {
     Give(n);
     return false;
   }
-  /// Gives back what was taken.
+  /// Returns units that were taken.
   void Give(std::uint64_t n) noexcept {
     if (most_ != kNoLimit) taken_.fetch_sub(n, std::memory_order_relaxed);
   }

@@ -8,23 +8,23 @@
 
 namespace tendon {
 
-/// What a caller that waits for its call and the server that executes it share. Belongs to a pool:
-/// free, pending (not executed yet), started, done or abandoned by its caller.
+/// The record that a waiting caller and the server of its call share. It belongs to a pool, and is
+/// free, pending (not executed yet), started, done, or abandoned by its caller.
 ///
-/// Thread safety: any thread may try to take a free one; then one caller, and one server. The last
-/// to be done with it frees it: the caller of a done one, the server of an abandoned one.
+/// Thread safety: any thread may try to take a free record; then one caller and one server use it.
+/// The last one to finish frees it: the caller of a done record, the server of an abandoned one.
 template <typename Atomics = StdAtomics>
 class Completion {
  public:
   enum class Ending {
-    kDone,        ///< status() holds; Free() it
-    kNotStarted,  ///< and it will not be
-    kStarted,     ///< being executed; how it ends will not be known
+    kDone,        ///< status() is valid; call Free()
+    kNotStarted,  ///< and will not be
+    kStarted,     ///< being executed; the outcome stays unknown
   };
 
-  // The caller.
+  // For the caller.
 
-  /// From free to pending; false when it is not free.
+  /// From free to pending; false if it is not free.
   bool TryTake() noexcept {
     State expected = kFree;
     if (!state_.compare_exchange_strong(expected, kPending,
@@ -34,19 +34,19 @@ class Completion {
     listener_.store(nullptr, std::memory_order_relaxed);
     return true;
   }
-  /// Before it is posted, by a caller that does not sleep in Await(): `listener` is notified once
-  /// is_done() holds, and by Interrupt(). It outlives the record.
+  /// Called before the post, by a caller that does not sleep in Await(). `listener` is notified
+  /// when is_done() holds, and by Interrupt(). It must outlive the record.
   void SetListener(Wakeup<Atomics>& listener) noexcept {
     listener_.store(&listener, std::memory_order_release);  // (D)
   }
   [[nodiscard]] bool is_done() const noexcept {
     return state_.load(std::memory_order_acquire) == kDone;  // pairs with (B)
   }
-  /// Done with it: what the server has written for this call was read, or it was never posted.
+  /// The caller has finished: it has read the server's results, or has never posted the call.
   void Free() noexcept { state_.store(kFree, std::memory_order_release); }  // (A)
 
-  /// Waits until the call was executed, until `interrupted()`, which is notified by Interrupt(), or
-  /// until `deadline`. Where it was not executed it belongs to the server.
+  /// Waits until the call was executed, until `interrupted()` (notified by Interrupt()), or until
+  /// `deadline`. If the call was not executed, the record now belongs to the server.
   template <typename Predicate>
   Ending Await(Predicate interrupted, SteadyTime deadline) {
     wakeup_.WaitUntil(
@@ -58,17 +58,17 @@ class Completion {
   }
   [[nodiscard]] Status status() const noexcept { return status_; }
 
-  // The server.
+  // For the server.
 
-  /// Before the call is executed; false when its caller has gone: it is not executed.
+  /// Before the call. False if its caller has gone: the call must not be executed.
   bool Start() noexcept {
     if (state_.exchange(kStarted, std::memory_order_acq_rel) != kAbandoned) return true;  // (C)
     Free();
     return false;
   }
-  /// After it. What was written before is seen by the caller that finds it done.
+  /// After the call. A caller that finds it done sees everything written before.
   void Finish(Status status) noexcept {
-    // The next caller's, once this one is done.
+    // Read first: once the state is done, the listener may be that of the next caller.
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
     status_ = status;
     if (state_.exchange(kDone, std::memory_order_acq_rel) == kAbandoned) return Free();  // (B), (C)
@@ -76,8 +76,8 @@ class Completion {
     if (listener != nullptr) listener->Notify();
   }
 
-  /// Any thread: lets the caller look at `interrupted()`; a listener, if the call was posted
-  /// before.
+  /// Any thread: makes the caller check `interrupted()`; notifies a listener too, if the call was
+  /// posted before.
   void Interrupt() noexcept {
     wakeup_.Notify();
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
@@ -87,10 +87,10 @@ class Completion {
  private:
   enum State : std::uint32_t { kFree, kPending, kStarted, kDone, kAbandoned };
 
-  // (A) what the last caller has read may be written over
-  // (B) what the server has written may be read
-  // (C) what a caller that has gone was doing with it is over
-  // (D) what the listener is may be used
+  // (A) data that the last caller has read may be overwritten
+  // (B) data that the server has written may be read
+  // (C) a caller that has gone no longer uses the record
+  // (D) the listener may be used
   typename Atomics::template Atomic<State> state_{kFree};
   Wakeup<Atomics> wakeup_;
   typename Atomics::template Atomic<Wakeup<Atomics>*> listener_{nullptr};

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// A number that one thread counts up and any thread may read. As cheap as a plain one; says
-/// nothing about the order of other data.
+/// A number that one thread increments and any thread may read. As cheap as a plain number; does
+/// not order other data.
 template <typename Atomics = StdAtomics>
 class Counter {
  public:
@@ -23,7 +23,7 @@ class Counter {
   typename Atomics::template Atomic<std::uint64_t> value_{0};
 };
 
-/// The same where several threads count: one locked instruction.
+/// The same for several counting threads: one locked instruction.
 template <typename Atomics = StdAtomics>
 class SharedCounter {
  public:

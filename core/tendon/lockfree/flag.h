@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// A small value that threads set and look at; what was written before Set() is seen after a Get()
-/// that sees it. Wait-free.
+/// A small value that threads set and read. A Get() that sees a value also sees everything written
+/// before its Set(). Wait-free.
 template <typename T, typename Atomics = StdAtomics>
 requires std::is_trivially_copyable_v<T>
 class Published {

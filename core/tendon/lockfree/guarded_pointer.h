@@ -7,21 +7,21 @@
 
 namespace tendon {
 
-/// A pointer that one thread uses in its calls while another replaces it and must know when the old
-/// object is no longer in use. The calling side pays three plain stores; the replacing side pays
-/// for both with a barrier through the whole process.
+/// A pointer that one thread uses in its calls while another thread replaces it and learns when the
+/// old object is no longer in use. The calling side pays three plain stores; the replacing side
+/// pays for both with a barrier through the whole process.
 ///
-/// Thread safety: Calls by one thread (nested ones too); Exchange() and Get() by other threads, one
-/// at a time, never from inside a call, for which they would wait for ever.
+/// Thread safety: Calls by one thread (also nested); Exchange() and Get() by other threads, one at
+/// a time, never from inside a call, for which they would wait forever.
 ///
-/// The in-call word says which object the thread uses:
-///  - the call says that it uses one, then loads the pointer, then says which. Where calls that are
-///    nested use different ones it is left at that it uses some;
-///  - the exchange stores the pointer, then reads the word. The process barrier between stands for
-///    a full fence in the call as well: either the exchange sees the call, or the call sees the new
-///    pointer;
-///  - whoever uses the new object does not hold the exchange up, however long: neither a thread
-///    that calls without a break nor a call that waits for somebody.
+/// The in-call word tells which object the thread uses:
+/// - A call stores that it uses some object, then loads the pointer, then stores which object. If
+///   nested calls use different objects, the word stays at "some object".
+/// - The exchange stores the pointer, then reads the word. The process barrier in between is a full
+///   fence in the call as well: either the exchange sees the call, or the call sees the new
+///   pointer.
+/// - A user of the new object never delays the exchange, however long it runs: neither a thread
+///   that calls without a break nor a call that waits for something.
 template <typename T, typename Atomics = StdAtomics>
 class GuardedPointer {
  public:
@@ -29,13 +29,13 @@ class GuardedPointer {
   GuardedPointer(const GuardedPointer&) = delete;
   GuardedPointer& operator=(const GuardedPointer&) = delete;
 
-  /// While it lives, what get() gives is not freed.
+  /// While it lives, the object of get() is not freed.
   class [[nodiscard]] Call {
    public:
     explicit Call(GuardedPointer& guarded) noexcept
         : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {  // its own
       guarded_.in_call_.store(kSomeObject, std::memory_order_release);
-      Atomics::CompilerFence();  // with (C) a full fence: told before the pointer is loaded
+      Atomics::CompilerFence();  // with (C) a full fence: stored before the pointer is loaded
       object_ = guarded_.pointer_.load(std::memory_order_acquire);  // pairs with (A)
       const std::uintptr_t word = WordOf(object_);
       const bool is_only_one = before_ == kNoObject || before_ == word;
@@ -50,20 +50,20 @@ class GuardedPointer {
 
    private:
     GuardedPointer& guarded_;
-    std::uintptr_t before_;  // the in-call word
+    std::uintptr_t before_;  // the in-call word before this call
     T* object_;
   };
 
-  /// Makes `next` the object of all further calls, waits until no call uses the old one, and
-  /// returns that: the caller may free it. Takes microseconds, and as long as a call that uses it.
+  /// Makes `next` the object of all further calls, waits until no call uses the old object, and
+  /// returns it; the caller may free it. Takes microseconds, plus the rest of a call that uses it.
   T* Exchange(T* next) noexcept {
     T* const old = Get();
     TryExchange(next, SteadyTime::max());
     return old;
   }
 
-  /// The same, and waits no longer than until `deadline`. False when a call still uses the old
-  /// object; it may, as may all objects before it, until an exchange has succeeded.
+  /// The same, but waits at most until `deadline`. False if a call still uses the old object; then
+  /// that object and all earlier ones may be in use until an exchange succeeds.
   bool TryExchange(T* next, SteadyTime deadline) noexcept {
     pointer_.store(next, std::memory_order_release);  // (A) publishes the object
     Atomics::ProcessBarrier();                        // (C)
@@ -75,19 +75,19 @@ class GuardedPointer {
     }
   }
 
-  /// Instead of an exchange where there is no object yet, by the calling thread between two of its
-  /// calls. Costs a store. The side that replaces must not do so meanwhile.
+  /// Instead of an exchange if there is no object yet; by the calling thread, between two of its
+  /// calls. Costs one store. The replacing side must not replace it meanwhile.
   void SetByCaller(T* object) noexcept {
     pointer_.store(object, std::memory_order_release);  // (A)
   }
 
-  /// For the side that replaces.
+  /// For the replacing side.
   [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
 
  private:
-  // No word of an object is like these, for objects are aligned.
+  // Objects are aligned, so the word of an object never equals these.
   static constexpr std::uintptr_t kNoObject = 0;
-  static constexpr std::uintptr_t kSomeObject = 1;  // not known which, or different ones
+  static constexpr std::uintptr_t kSomeObject = 1;  // unknown which, or several
 
   static std::uintptr_t WordOf(T* object) noexcept {
     static_assert(alignof(T) >= 4);
@@ -95,7 +95,7 @@ class GuardedPointer {
   }
 
   typename Atomics::template Atomic<T*> pointer_;
-  typename Atomics::template Atomic<std::uintptr_t> in_call_{kNoObject};  // stored by who calls
+  typename Atomics::template Atomic<std::uintptr_t> in_call_{kNoObject};  // stored by the callers
 };
 
 }  // namespace tendon

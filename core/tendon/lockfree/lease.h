@@ -6,19 +6,19 @@
 
 namespace tendon {
 
-/// Something that one thread at a time may have, and that nobody waits for: who comes second does
-/// without. Wait-free; one locked instruction.
+/// A right that one thread at a time may hold. Nobody waits for it: a second thread goes without.
+/// Wait-free; one locked instruction.
 template <typename Atomics = StdAtomics>
 class Lease {
  public:
-  /// False when somebody has it.
+  /// False if another thread holds it.
   [[nodiscard]] bool TryTake() noexcept {
     return !taken_.exchange(true, std::memory_order_acquire);  // pairs with (A)
   }
-  /// By whom TryTake() gave it.
+  /// Called by the thread whose TryTake() succeeded.
   void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
 
-  /// Takes it where nobody has it, and then returns it in the end.
+  /// Takes it if it is free, and returns it in the end.
   class [[nodiscard]] Hold {
    public:
     explicit Hold(Lease& lease) noexcept : lease_(lease.TryTake() ? &lease : nullptr) {}

@@ -8,13 +8,13 @@
 
 namespace tendon {
 
-/// Notices from one thread to another, as many as there are: the sender allocates and frees, the
-/// receiver takes all that have come without a lock, an allocation or a system call. After R. K.
-/// Treiber, "Systems Programming: Coping with Parallelism" (1986), with a pop of the whole stack,
-/// which knows no ABA problem.
+/// An unbounded list of notices from one thread to another. The sender allocates and frees; the
+/// receiver takes all notices without a lock, an allocation or a system call. After R. K. Treiber,
+/// "Systems Programming: Coping with Parallelism" (1986); taking the whole stack avoids the ABA
+/// problem.
 ///
 /// Thread safety: one thread at a time may call Send(), one other thread Take(). Take() is
-/// wait-free; it costs one load where nothing has come.
+/// wait-free; it costs one load if there is no notice.
 template <typename T, typename Atomics = StdAtomics>
 class NoticeList {
  public:
@@ -22,7 +22,7 @@ class NoticeList {
   NoticeList(const NoticeList&) = delete;
   NoticeList& operator=(const NoticeList&) = delete;
 
-  /// Frees what was taken before.
+  /// Also frees the notices that were taken before.
   void Send(T notice) {
     notices_.remove_if([](const Node& node) {
       return node.is_taken.load(std::memory_order_acquire);  // pairs with (B)
@@ -33,7 +33,7 @@ class NoticeList {
     }
   }
 
-  /// Whether an unread notice satisfies `predicate(const T&)`. In the sending thread.
+  /// True if an unread notice satisfies `predicate(const T&)`. In the sending thread.
   template <typename Predicate>
   [[nodiscard]] bool HasUnread(Predicate predicate) const {
     for (const Node& node : notices_) {
@@ -42,7 +42,7 @@ class NoticeList {
     return false;
   }
 
-  /// `action(const T&)` for each, the oldest first.
+  /// Calls `action(const T&)` for each notice, oldest first.
   template <typename Action>
   void Take(Action action) {
     if (newest_.load(std::memory_order_relaxed) == nullptr) return;
@@ -69,7 +69,7 @@ class NoticeList {
     typename Atomics::template Atomic<bool> is_taken{false};
   };
 
-  std::list<Node> notices_;  // the sender's
+  std::list<Node> notices_;  // of the sender
   typename Atomics::template Atomic<Node*> newest_{nullptr};
 };
 

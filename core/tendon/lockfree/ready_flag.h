@@ -6,21 +6,21 @@
 
 namespace tendon {
 
-/// Says that items may wait in a queue, so that its consumer need not look into the queues in which
-/// none does: the flags of many lie side by side, one byte each.
+/// Tells that items may wait in a queue, so that its consumer need not look into empty queues: the
+/// flags of many queues lie side by side, one byte each.
 ///
-/// Thread safety: any thread raises it after an item it has published; one thread consumes.
+/// Thread safety: any thread raises it after it has published an item; one thread consumes.
 ///
-/// As with a sleeper: the producer publishes, then looks at the flag; the consumer lowers the flag,
+/// As with a sleeper: the producer publishes, then reads the flag; the consumer lowers the flag,
 /// then looks for items. With a full fence between the two steps on both sides, at least one of
-/// them sees the other. So a producer finds the flag up, as a rule, and writes nothing that the
-/// consumer reads besides the queue. Where another producer has just raised it, (B) keeps the look
-/// at the sleeper's flag behind, lest the wake-up wait for that one. (Not in the simulator's
-/// model.)
+/// them sees the other. So a producer usually finds the flag up; then, besides the queue, it writes
+/// nothing that the consumer reads. If another producer has just raised the flag, (B) makes this
+/// one read the sleeper's flag afterwards; the wake-up then need not wait for the other producer.
+/// (Not in the simulator's model.)
 template <typename Atomics = StdAtomics>
 class ReadyFlag {
  public:
-  /// Also wakes the consumer where it sleeps on `wakeup`, which may be null.
+  /// Also wakes the consumer if it sleeps on `wakeup`, which may be null.
   void Raise(Wakeup<Atomics>* wakeup) noexcept {
     Atomics::Fence(std::memory_order_seq_cst);     // (A) the item is out before the flags are read
     if (!up_.load(std::memory_order_acquire)) {    // pairs with (B)
@@ -32,8 +32,8 @@ class ReadyFlag {
 
   enum class IfEmpty { kLeaveUp, kLower };
 
-  /// Consumer: `has_items()`, which is asked only where the flag is up. Who lowers it each time
-  /// keeps fast producers busy with raising it.
+  /// Consumer: calls `has_items()` only if the flag is up. Lowering it each time makes fast
+  /// producers raise it again and again.
   template <typename Predicate>
   bool IsReady(Predicate has_items, IfEmpty if_empty) noexcept {
     if (!up_.load(std::memory_order_relaxed)) return false;  // orders nothing

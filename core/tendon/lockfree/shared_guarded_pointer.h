@@ -9,15 +9,15 @@
 
 namespace tendon {
 
-/// A GuardedPointer for several calling threads; two locked instructions a call.
+/// A GuardedPointer for several calling threads; two locked instructions per call.
 ///
-/// Thread safety: Calls by any threads (nested ones too); Exchange() and Get() by one thread at a
-/// time, never from inside a call.
+/// Thread safety: Calls by any threads (also nested); Exchange() and Get() by one thread at a time,
+/// never from inside a call.
 ///
-/// Calls are counted in one of two places. Which one belongs to the object is said in the lowest
-/// bit of the pointer to it, and changes with each exchange. A call counts, then looks at the
-/// pointer again; where that has changed it begins anew. So all that stay counted in the old place
-/// use the old object, and the exchange waits for them alone.
+/// Calls are counted in one of two places. The lowest bit of the pointer tells which place belongs
+/// to the object, and changes with each exchange. A call counts itself, then reads the pointer
+/// again; if the pointer has changed, the call starts over. So all calls that stay counted in the
+/// old place use the old object, and the exchange waits only for them.
 template <typename T, typename Atomics = StdAtomics>
 class SharedGuardedPointer {
  public:
@@ -25,7 +25,7 @@ class SharedGuardedPointer {
   SharedGuardedPointer(const SharedGuardedPointer&) = delete;
   SharedGuardedPointer& operator=(const SharedGuardedPointer&) = delete;
 
-  /// While it lives, what get() gives is not freed.
+  /// While it lives, the object of get() is not freed.
   class [[nodiscard]] Call {
    public:
     explicit Call(SharedGuardedPointer& guarded) noexcept
@@ -55,8 +55,8 @@ class SharedGuardedPointer {
     std::uintptr_t word_;
   };
 
-  /// Makes `next` the object of all further calls, waits until no call uses the old one, and
-  /// returns that: the caller may free it. As long as the longest call that uses it.
+  /// Makes `next` the object of all further calls, waits until no call uses the old object, and
+  /// returns it; the caller may free it. Takes as long as the longest call that uses it.
   T* Exchange(T* next) noexcept {
     const std::uintptr_t old = pointer_.load(std::memory_order_relaxed);
     const std::size_t place = PlaceOf(old);
@@ -68,7 +68,7 @@ class SharedGuardedPointer {
     return ObjectOf(old);
   }
 
-  /// For the side that replaces.
+  /// For the replacing side.
   [[nodiscard]] T* Get() const noexcept {
     return ObjectOf(pointer_.load(std::memory_order_acquire));
   }
@@ -83,7 +83,7 @@ class SharedGuardedPointer {
     return reinterpret_cast<T*>(word & ~std::uintptr_t{1});
   }
 
-  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // and the place
+  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // with the place in its lowest bit
   std::array<typename Atomics::template Atomic<std::uint32_t>, 2> running_{};
 };
 

@@ -10,15 +10,15 @@
 
 namespace tendon {
 
-/// A SlotRing for several producer threads: the same slots, in the order in which they were
-/// claimed; one locked instruction a claim where nobody competes.
+/// A SlotRing for several producer threads: the same slots, in the order of their claims; one
+/// locked instruction per claim without contention.
 ///
-/// Thread safety: any threads call Claim() and Publish(), one thread Front() and Release(). A claim
-/// is lock-free, all else wait-free. A producer that is held up between the two holds up what was
-/// claimed after it, not the other producers.
+/// Thread safety: any threads call Claim() and Publish(), one thread Front() and Release(). Claim()
+/// is lock-free, the others wait-free. A producer that is delayed between Claim() and Publish()
+/// delays the slots claimed after its own, but not the other producers.
 ///
-/// Claims move the write index; each place in memory counts how often it was published. The slot of
-/// an index is published when its place has been so once for every turn through the ring.
+/// Claims move the write index. Each place in memory counts how often it was published. The slot of
+/// an index is published when its place was published once for every turn through the ring.
 template <typename Atomics = StdAtomics>
 class SharedSlotRing {
  public:
@@ -31,15 +31,15 @@ class SharedSlotRing {
         turn_shift_(static_cast<unsigned>(std::countr_zero(storage()))),
         published_(std::make_unique<Index[]>(storage())) {}
 
-  /// A free slot, which must be published; null when the ring is full.
+  /// A free slot, which must be published; null if the ring is full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
-  /// The same, and full only when the reserve is used up as well.
+  /// The same, but full only when the reserve is used up as well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
 
   /// Hands a claimed slot to the consumer.
   void Publish(const std::byte* slot) noexcept {
     Index& turns = published_[IndexOf(slot)];
-    // Nobody else writes it meanwhile; (B) has brought the count of the turn before.
+    // No other thread writes it now; (B) has made the count of the previous turn visible.
     turns.store(turns.load(std::memory_order_relaxed) + 1, std::memory_order_release);  // (A)
   }
 
@@ -61,13 +61,13 @@ class SharedSlotRing {
     return slots_.IndexOf(slot);
   }
 
-  /// How many slots wait, claimed ones included. Any thread; exact when no side is at work.
+  /// Number of waiting slots, including claimed ones. Any thread; exact while no side is active.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::uint64_t read = read_.load(std::memory_order_acquire);  // pairs with (B)
     return std::min<std::size_t>(write_.load(std::memory_order_relaxed) - read,
                                  capacity_ + reserve_);
   }
-  /// How many slots the consumer has returned so far. Any thread.
+  /// Number of slots that the consumer has returned so far. Any thread.
   [[nodiscard]] std::uint64_t released() const noexcept {
     return read_.load(std::memory_order_relaxed);
   }
@@ -78,11 +78,11 @@ class SharedSlotRing {
   using Index = typename Atomics::template Atomic<std::uint64_t>;
 
   std::byte* ClaimWithin(std::size_t limit) noexcept {
-    // The exchange orders nothing: the slot is free by (B), and the consumer learns of it by (A).
+    // The exchange orders nothing: (B) frees the slot, and (A) tells the consumer of it.
     std::uint64_t write = write_.load(std::memory_order_relaxed);
     while (true) {
       const std::uint64_t read = read_.load(std::memory_order_acquire);  // pairs with (B)
-      // An old `write` may lie before `read`; then the exchange fails and brings the newest.
+      // An old `write` may lie before `read`; then the exchange fails and loads the newest value.
       const auto waiting = static_cast<std::int64_t>(write - read);
       if (waiting >= static_cast<std::int64_t>(limit)) return nullptr;
       if (write_.compare_exchange_weak(write, write + 1, std::memory_order_relaxed)) {

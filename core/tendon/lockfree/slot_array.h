@@ -18,8 +18,8 @@ constexpr std::size_t StrideOf(std::size_t slot_size, std::size_t alignment) {
 }
 inline constexpr std::size_t kAnyStride = 0;
 
-/// The memory of a ring: aligned slots, their number a power of two. Allocated by the constructor.
-/// A stride that the compiler knows makes slots quicker to find.
+/// The memory of a ring: aligned slots, whose number is a power of two. The constructor allocates
+/// it. Slots are found faster if the compiler knows the stride.
 template <std::size_t kStride = kAnyStride>
 class SlotArray {
  public:
@@ -43,7 +43,7 @@ class SlotArray {
   [[nodiscard]] std::byte* At(std::uint64_t index) const noexcept {
     return slots_ + (index & mask_) * stride();
   }
-  /// The number of a slot's place, below count_in_memory().
+  /// The place number of a slot, below count_in_memory().
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
     // Exact division by the stride: a shift and the inverse of its odd part, modulo 2^64.
     return (static_cast<std::size_t>(slot - slots_) >> shift_) * inverse_;
@@ -56,7 +56,7 @@ class SlotArray {
 
  private:
   static constexpr std::size_t InverseOfOdd(std::size_t odd) {
-    std::size_t inverse = odd;  // right in three bits; each Newton step doubles them
+    std::size_t inverse = odd;  // correct in three bits; each Newton step doubles them
     for (int step = 0; step < 5; ++step) inverse *= 2 - odd * inverse;
     return inverse;
   }

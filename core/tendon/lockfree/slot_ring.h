@@ -8,15 +8,15 @@
 
 namespace tendon {
 
-/// A bounded queue of raw slots between one producer thread and one consumer thread. What lies in a
-/// slot is made, used and destroyed in place by its users.
+/// A bounded queue of raw slots between one producer thread and one consumer thread. Its users
+/// construct, use and destroy the contents of a slot in place.
 ///
 /// All memory is allocated by the constructor. A capacity of 64 holds 64.
 ///
 /// Thread safety: one thread calls Claim() and Publish(), one other Front() and Release(); all are
-/// wait-free. They work on indices that are never reset: slots [read, write) are the consumer's,
-/// the others the producer's. Each side remembers the other's index and looks again only when it
-/// seems full or empty, which spares most of the traffic between the two cores.
+/// wait-free. The indices are never reset: slots [read, write) belong to the consumer, the others
+/// to the producer. Each side remembers the other's index and reads it again only when the ring
+/// seems full or empty, which avoids most of the traffic between the two cores.
 template <typename Atomics = StdAtomics, std::size_t kStride = kAnyStride>
 class SlotRing {
  public:
@@ -26,9 +26,9 @@ class SlotRing {
            std::size_t reserve = 0)
       : capacity_(capacity), reserve_(reserve), slots_(capacity + reserve, slot_size, alignment) {}
 
-  /// Producer: the next free slot, the same until Publish(); null when the ring is full.
+  /// Producer: the next free slot, the same until Publish(); null if the ring is full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
-  /// Producer: the same, and full only when the reserve is used up as well.
+  /// Producer: the same, but full only when the reserve is used up as well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
 
   /// Producer: hands the claimed slot to the consumer.
@@ -37,7 +37,7 @@ class SlotRing {
     producer_.write.store(write + 1, std::memory_order_release);  // (A) publishes the slot
   }
 
-  /// Consumer: the oldest published slot, the same until Release(); null when the ring is empty.
+  /// Consumer: the oldest published slot, the same until Release(); null if the ring is empty.
   std::byte* Front() noexcept {
     const std::uint64_t read = consumer_.read.load(std::memory_order_relaxed);
     if (read == consumer_.write_seen) {
@@ -53,18 +53,18 @@ class SlotRing {
     consumer_.read.store(read + 1, std::memory_order_release);  // (B) returns the slot
   }
 
-  /// The number of a slot's place in memory, below storage(); it serves a pool beside the ring.
+  /// The place number of a slot, below storage(); it serves a pool beside the ring.
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
     return slots_.IndexOf(slot);
   }
 
-  /// How many slots wait. Any thread; exact when neither side is at work.
+  /// Number of waiting slots. Any thread; exact while neither side is active.
   [[nodiscard]] std::size_t size() const noexcept {
     const std::uint64_t read = consumer_.read.load(std::memory_order_acquire);    // pairs with (B)
     const std::uint64_t write = producer_.write.load(std::memory_order_acquire);  // pairs with (A)
     return std::min<std::size_t>(write - read, capacity_ + reserve_);
   }
-  /// How many slots the consumer has returned so far. Any thread.
+  /// Number of slots that the consumer has returned so far. Any thread.
   [[nodiscard]] std::uint64_t released() const noexcept {
     return consumer_.read.load(std::memory_order_relaxed);
   }

@@ -8,26 +8,26 @@
 
 namespace tendon {
 
-/// The newest value of one thread for one other, whole; values in between are replaced. Values are
-/// assigned, so that those of dynamic types keep what they have allocated.
+/// Passes the newest value from one thread to one other, always complete; a newer value replaces an
+/// older one. Values are assigned, so that dynamic types keep their memory.
 ///
 /// Thread safety: one thread calls Write(), one other Take(), any is_fresh(). Wait-free.
 ///
-/// Of three values one is the writer's, one the reader's, and one in the middle, for which either
-/// exchanges its own.
+/// Of three values, one belongs to the writer and one to the reader. Each side exchanges its own
+/// for the third, the one in the middle.
 template <typename T, typename Atomics = StdAtomics>
 class Snapshot {
  public:
-  /// Whether the value before was never taken: it is replaced.
+  /// Returns true if it replaces a value that was never taken.
   bool Write(const T& value) {
     values_[mine_] = value;
-    // (A) publishes the value, and takes over one that the reader is done with, by (B).
+    // (A) publishes the value; (B) gives the writer one that the reader no longer uses.
     const std::uint32_t old = middle_.exchange(mine_ | kFresh, std::memory_order_acq_rel);
     mine_ = old & kPlace;
     return (old & kFresh) != 0;
   }
 
-  /// The newest value, the reader's until its next Take(); null when it has been taken already.
+  /// The newest value, the reader's until its next Take(); null if it was already taken.
   T* Take() noexcept {
     if (!is_fresh()) return nullptr;
     // (B) hands the reader's value back; pairs with (A).
@@ -35,7 +35,7 @@ class Snapshot {
     return &values_[theirs_];
   }
 
-  /// Whether a value waits to be taken. Only the writer makes it true, only the reader false.
+  /// True if a value waits to be taken. Only the writer makes it true, only the reader false.
   [[nodiscard]] bool is_fresh() const noexcept {
     return (middle_.load(std::memory_order_relaxed) & kFresh) != 0;  // orders nothing
   }

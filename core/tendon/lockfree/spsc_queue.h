@@ -9,9 +9,9 @@
 
 namespace tendon {
 
-/// A bounded queue of values between one producer thread and one consumer thread; a SlotRing whose
-/// slots hold a T each. Values are moved in and out, so that a T that allocates when it is moved
-/// has no place in a cycle.
+/// A bounded queue of values between one producer thread and one consumer thread: a SlotRing whose
+/// slots hold a T each. Values are moved in and out, so a T that allocates when moved does not
+/// belong in a cycle.
 ///
 /// Thread safety: one thread may call Push(), one other thread may call Pop(). Both are wait-free.
 template <typename T, typename Atomics = StdAtomics>
@@ -49,7 +49,7 @@ class SpscQueue {
     return true;
   }
 
-  /// Any thread; exact when neither side is at work.
+  /// Any thread; exact while neither side is active.
   [[nodiscard]] std::size_t size() const noexcept { return ring_.size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return ring_.capacity(); }
 

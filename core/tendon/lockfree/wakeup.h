@@ -7,37 +7,37 @@
 
 namespace tendon {
 
-/// Lets one thread sleep until others have something for it. Posters pay a fence and a look at a
-/// flag (some 5 ns) while it is awake, a system call when it sleeps.
+/// Lets one thread sleep until others have work for it. A poster pays a fence and a look at a flag
+/// (about 5 ns) while that thread is awake, and a system call while it sleeps.
 ///
-/// No wake-up is lost: the poster publishes, then looks at the flag; the sleeper raises the flag,
-/// then looks for work. With a full fence between the two steps on both sides, at least one of them
-/// sees the other.
+/// No wake-up is lost: the poster publishes, then reads the flag; the sleeper raises the flag, then
+/// looks for work. With a full fence between the two steps on both sides, at least one of them sees
+/// the other.
 ///
 /// Thread safety: any thread may Notify(); one thread may WaitUntil().
 template <typename Atomics = StdAtomics>
 class Wakeup {
  public:
-  /// After publishing what the sleeper waits for. Wait-free but for the system call.
+  /// Called after the work was published. Wait-free except for the system call.
   void Notify() noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is out before the flag is read
     NotifyAfterFence();
   }
-  /// The same for a poster that has put such a fence after the work itself.
+  /// The same for a poster that has already put such a fence after the work.
   void NotifyAfterFence() noexcept {
     if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
     if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
   }
-  /// Notify() for what has time until `when`: who wakes up by itself until then is left asleep.
+  /// Notify() for work that has time until `when`: skips a sleeper that wakes by itself before.
   void NotifyBy(SteadyTime when) noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A)
     if (asleep_.load(std::memory_order_acquire) == kAwake) return;
     if (until_.load(std::memory_order_relaxed) > when) NotifyAfterFence();
   }
 
-  /// Sleeps until `ready()` or until `deadline`; returns what `ready()` said last. `ready` looks,
-  /// in this thread, for what posters publish before they notify; it runs a few times more than
-  /// needed.
+  /// Sleeps until `ready()` or until `deadline`; returns the last result of `ready()`, which looks,
+  /// in this thread, for work that posters publish before they notify. It runs a few times more
+  /// than needed.
   template <typename Predicate>
   bool WaitUntil(Predicate ready, SteadyTime deadline) {
     while (!ready()) {
@@ -59,7 +59,7 @@ class Wakeup {
   static constexpr std::uint32_t kAsleep = 1;
 
   typename Atomics::template Atomic<std::uint32_t> asleep_{kAwake};
-  typename Atomics::template Atomic<SteadyTime> until_{SteadyTime{}};  // it sleeps at most
+  typename Atomics::template Atomic<SteadyTime> until_{SteadyTime{}};  // latest end of the sleep
 };
 
 }  // namespace tendon

@@ -6,10 +6,10 @@
 
 namespace tendon {
 
-/// Brings a component at rest to the state that a file wants of it: starts it for kActive and
-/// kSuspended, and lets it rest else. It becomes suspended by way of active: where that does not
-/// succeed within `patience`, it is stopped, for it was not to run. Errors as those of the manager,
-/// which say what became of it.
+/// Brings a component at rest to the state that a file wants. Starts it for kActive and kSuspended;
+/// for any other state it stays at rest. It becomes suspended after it was active. If that fails
+/// within `patience`, it is stopped, because it was not meant to run. Errors are those of the
+/// manager, and tell in which state it is left.
 Result<void> BringTo(LocalManager& manager, const std::string& component, ComponentState wanted,
                      Patience patience = kPatience);
 

@@ -12,27 +12,27 @@
 
 namespace tendon {
 
-/// A class as those see it who do not know its type.
+/// A component class, for code that does not know its type.
 struct ComponentClass {
   std::string name;
-  Schema configuration;  ///< of None where it takes none
-  std::string defaults;  ///< the configuration of one that is told nothing, as JSON
+  Schema configuration;  ///< of None if it takes no configuration
+  std::string defaults;  ///< its default configuration, as JSON
 };
 
-/// The component classes that can be made by name. A plug-in adds its own in a function
+/// The component classes that can be created by name. A plug-in adds its classes in a function
 ///
 ///     extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
 ///       registry.Add<arm::SimulatedArm>("SimulatedArm");
 ///     }
 ///
-/// A class is made from its name, or from its name and its configuration: a described payload
-/// called `Configuration` in the class, whose defaults hold for what the JSON leaves out.
+/// A component is constructed from its name, or from its name and its configuration: a described
+/// payload called `Configuration` in the class. Its defaults apply to members that the JSON omits.
 class ComponentRegistry {
  public:
   using Factory = std::function<Result<std::unique_ptr<Component>>(const std::string& name,
                                                                    const std::string& json)>;
 
-  /// ConfigurationError when the class is there already.
+  /// Throws ConfigurationError if the class already exists.
   template <std::derived_from<Component> T>
   void Add(std::string class_name) {
     ComponentClass added{std::move(class_name), {}, ToJson(None{})};
@@ -47,16 +47,16 @@ class ComponentRegistry {
   }
   void AddFactory(ComponentClass added, Factory factory);
 
-  /// Makes a component; errors name the class, and what its constructor said.
+  /// Creates a component. Errors name the class and contain the message of its constructor.
   Result<std::unique_ptr<Component>> Create(const std::string& class_name, const std::string& name,
                                             const std::string& configuration_json) const;
 
-  /// In the order of their names.
+  /// Sorted by name.
   [[nodiscard]] std::vector<ComponentClass> classes() const;
   [[nodiscard]] std::vector<std::string> class_names() const;
 
-  /// What a component is told: the defaults, JSON, replaced by what `json` says, a JSON object or
-  /// empty; nested objects are merged. kInvalid says what is wrong with either.
+  /// Replaces members of `defaults`, which is JSON, by those of `json`, a JSON object or empty;
+  /// nested objects are merged. kInvalid tells what is wrong with either.
   static Result<std::string> MergeConfiguration(const std::string& defaults,
                                                 const std::string& json);
 

@@ -23,7 +23,7 @@ struct ColumnDescription {
 };
 
 /// A state table as others see it. It is also the provided interface `state` (the table named
-/// "state") or `state-NAME`, with one read command a column.
+/// "state") or `state-NAME`, with one read command per column.
 struct TableDescription {
   std::string name;          ///< of its provided interface: "state" or "state-NAME"
   std::uint64_t length = 0;  ///< rows kept
@@ -32,10 +32,10 @@ struct TableDescription {
   bool operator==(const TableDescription&) const = default;
 };
 
-/// What has become of the file of a plug-in since it was loaded.
+/// The state of a plug-in's file since the plug-in was loaded.
 enum class PluginState : std::int32_t {
-  kCurrent,  ///< has what runs
-  kChanged,  ///< has something else, which only a new process runs
+  kCurrent,  ///< holds the loaded version
+  kChanged,  ///< holds another version, which only a new process runs
   kGone,
 };
 
@@ -49,14 +49,13 @@ inline constexpr auto kPayload<PluginState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// A plug-in that a process has loaded. It stays loaded as it was then.
+/// A plug-in that a process has loaded. The process keeps that version.
 struct PluginDescription {
   std::string name;
-  std::string file;  ///< from where
-  std::int64_t written =
-      0;  ///< when what runs was written to that file, ns since 1970 (for people)
+  std::string file;          ///< its path
+  std::int64_t written = 0;  ///< write time of the loaded version, ns since 1970 (for people)
   PluginState state = PluginState::kCurrent;
-  std::int64_t written_now = 0;  ///< kChanged: when what is there now was written
+  std::int64_t written_now = 0;  ///< kChanged: write time of the version there now
 
   bool operator==(const PluginDescription&) const = default;
 };
@@ -66,14 +65,14 @@ struct ComponentDescription {
   std::string name;
   std::string class_name;
   std::string library;        ///< the plug-in's file name, or empty
-  std::string configuration;  ///< JSON, as its class was told; empty where it was told nothing
+  std::string configuration;  ///< JSON, as given to its class; empty if none was given
   ComponentState state = ComponentState::kConstructed;
-  std::string fault;            ///< why it is faulted
-  std::int64_t fault_time = 0;  ///< since when, ns since 1970 (for people); 0 while it is not
-  std::string warning;          ///< what is wrong though it is active: "missed 8 x 10 ms"
-  double period = 0.0;          ///< s; 0 where it has none
-  /// How its own thread runs, or would if it ran after no other: one, or none where it never has a
-  /// thread of its own.
+  std::string fault;            ///< the reason of the fault
+  std::int64_t fault_time = 0;  ///< time of the fault, ns since 1970 (for people); 0 without one
+  std::string warning;          ///< a problem while it is active: "missed 8 x 10 ms"
+  double period = 0.0;          ///< s; 0 if it has none
+  /// How its own thread runs, or would run if it did not run after another one: one entry, or none
+  /// if it never has a thread of its own.
   std::vector<ThreadOptions> thread{};
   std::string leader{};  ///< the component after which it runs, or empty
   SharedList<ProvidedDescription> provided;
@@ -84,9 +83,9 @@ struct ComponentDescription {
 };
 
 enum class ConnectionState : std::int32_t {
-  kPending,  ///< wanted; the peer is not there yet, gone, or faulted
+  kPending,  ///< wanted; the peer does not exist yet, is gone, or faulted
   kActive,
-  kFailed,  ///< the peer is there and refused
+  kFailed,  ///< the peer exists and has refused
 };
 
 template <>
@@ -107,33 +106,33 @@ struct ConnectionDescription {
   InterfaceName provided;
   ConnectionState state = ConnectionState::kPending;
   std::string reason;  ///< why it is pending or failed
-  /// Functions whose values pass through the codec, since the ends have other layouts of a type:
-  /// slower, and not free of allocations.
+  /// Functions whose values pass through the codec, because the ends have different layouts of a
+  /// type: slower, and may allocate.
   std::vector<std::string> converted{};
 
   bool operator==(const ConnectionDescription&) const = default;
 };
 
-/// How the calls and events of a connection have fared since it was made, or made again.
+/// Statistics of a connection's calls and events since it was made, or made again.
 struct ConnectionCounts {
-  std::chrono::nanoseconds age{0};  ///< since then
-  /// To the other process and back, as measured last; below 0 within one process, or where it is
-  /// not known yet.
+  std::chrono::nanoseconds age{0};  ///< time since then
+  /// To the other process and back, as last measured; negative within one process, or if it is not
+  /// known yet.
   std::chrono::nanoseconds round_trip{-1};
   std::uint64_t taken = 0;        ///< calls and events that have left a mailbox: executed, or sent
   std::uint64_t capacity = 0;     ///< calls that can wait at the server
   std::uint64_t waiting = 0;      ///< calls that wait at the server now
   std::uint64_t refused = 0;      ///< calls that found the server's mailbox full
-  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, where only the latest is kept
-  std::uint64_t lost_events = 0;  ///< events that have not reached the client
+  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, if only the latest is kept
+  std::uint64_t lost_events = 0;  ///< events that did not reach the client
 
   bool operator==(const ConnectionCounts&) const = default;
 };
 
-/// How full the mailboxes of a component are: the fullest of them.
+/// The fill of a component's fullest mailbox.
 struct MailboxFill {
-  std::uint64_t waiting = 0;   ///< calls or events, now
-  std::uint64_t capacity = 0;  ///< how many can; 0 where nothing is connected
+  std::uint64_t waiting = 0;   ///< calls or events that wait now
+  std::uint64_t capacity = 0;  ///< calls or events that can wait; 0 if not connected
 
   bool operator==(const MailboxFill&) const = default;
 };

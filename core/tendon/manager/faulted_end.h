@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// Makes it what a connection is while the component at one of its ends is faulted: pending, with
-/// the reason. `fault` is Component::fault().
+/// Makes the connection pending, with the reason, because `component` at one of its ends is
+/// faulted. `fault` is its Component::fault().
 void SetEndFaulted(ConnectionDescription& connection, const std::string& component,
                    const std::string& fault);
 

@@ -22,7 +22,7 @@ Error NoInterface(const std::string& sort, const InterfaceName& name,
                                          DidYouMean(name.interface, known)};
 }
 
-/// A connection leads from a required to a provided interface.
+/// The error for a name on the wrong side: a connection needs a required and a provided one.
 Error OtherSide(const InterfaceName& name, const std::string& is, const std::string& wanted) {
   return Error{ErrorCode::kNotFound, "interface '" + name.interface + "' of component '" +
                                          name.component + "' is a " + is + " one; name a " +
@@ -84,8 +84,8 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
 LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component,
                                             ComponentOrigin origin) {
   component->Seal();
-  // The last of those who wait for its state may let it go without the lock, and those that run
-  // after it hear of it.
+  // The last holder may be a thread that waits for its state, without the lock. The lock is needed
+  // because the destructor also changes the tasks that run after it.
   const auto destroy = [this](Component* one) {
     const auto destroyed = Lock();
     delete one;
@@ -110,7 +110,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     if (Find(component) != removed.get()) {
       return Error{ErrorCode::kNotFound, "component '" + component + "' was removed meanwhile"};
     }
-    OnRemoving(*removed);  // what still waits for a peer waits no longer
+    OnRemoving(*removed);  // ends its pending connections
     DisconnectAll(component);
   }
   if (!removed->is_at_rest() && !removed->is_stopping()) {
@@ -148,7 +148,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  LetGo(*component);  // once more: others could connect to it while it was stopping
+  LetGo(*component);  // again: others could connect to it while it was stopping
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
 }

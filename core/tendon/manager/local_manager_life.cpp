@@ -9,12 +9,12 @@
 namespace tendon {
 namespace {
 
-// What is asked of a component, without waiting for its effect.
+// Requests to a component, without waiting for their effect.
 Result<void> Start(Component& component) { return component.Start(kNoWait); }
 Result<void> Suspend(Component& component) { return component.Suspend(kNoWait); }
 Result<void> Stop(Component& component) { return component.Stop(kNoWait); }
 
-/// What `body` returns; others may have the lock meanwhile.
+/// Runs `body` without the lock, which others may take meanwhile.
 Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const auto& body) {
   struct Relock {
     explicit Relock(std::unique_lock<std::recursive_mutex>& given) : held(given) { held.unlock(); }
@@ -103,7 +103,7 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
   return end.Run(deadline);
 }
 
-/// And is not asked to leave its rest right now.
+/// Also checks that no request is in progress, which might end the rest.
 bool LocalManager::IsAtRest(const Component& component) const {
   const auto lock = Lock();
   return component.is_at_rest() && !turns_.IsInUse(component);
@@ -117,7 +117,7 @@ void LocalManager::LetExecute(const Component& client, SteadyTime deadline) cons
   }
 }
 
-/// Those of which no other thread makes cycles execute nothing while this one waits.
+/// A server whose cycles no other thread makes executes nothing while this thread waits.
 bool LocalManager::HasCallsUnderWay(const Component& client) const {
   const auto lock = Lock();
   return std::ranges::any_of(connections_, [&](const auto& one) {
@@ -147,12 +147,12 @@ std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant
   for (const auto& [id, connection] : connections_) {
     const std::size_t client = numbers.at(connection.description.required.component);
     const std::size_t server = numbers.at(connection.description.provided.component);
-    // Who runs after its own client ends with it, and cannot end after it.
+    // A server that runs after its own client ends with it, and cannot end after it.
     if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
     needed[client].push_back(server);
   }
   std::vector<OrderlyEnd::Member> members;
-  std::map<std::size_t, std::size_t> places;  // in the order of the end, by number
+  std::map<std::size_t, std::size_t> places;  // places in the order of the end, by number
   std::vector<std::size_t> order = DependencyOrder(needed);
   std::reverse(order.begin(), order.end());
   for (const std::size_t number : order) {
@@ -252,7 +252,7 @@ Result<void> LocalManager::Replace(std::unique_ptr<Component> component, Compone
   return replaced;
 }
 
-/// Nothing is changed before all that may refuse has agreed.
+/// Changes nothing until everything that may refuse has agreed.
 Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   Component& made = *given.component;
   const std::string& name = made.name();

@@ -17,7 +17,7 @@ OrderlyEnd::OrderlyEnd(std::vector<Member> members, Actions actions)
       drained_by_(members_.size()) {}
 
 Result<void> OrderlyEnd::Run(SteadyTime deadline) {
-  const PatientCalls all_together;  // of those that end in this very thread
+  const PatientCalls all_together;  // one limit for all that end in this very thread
   while (!Advance()) {
     if (SteadyClock().Now() >= deadline) {
       GiveUp();
@@ -28,7 +28,7 @@ Result<void> OrderlyEnd::Run(SteadyTime deadline) {
   return outcome_;
 }
 
-/// Whether all are done.
+/// True if all are done.
 bool OrderlyEnd::Advance() {
   for (std::size_t place = 0; place < members_.size(); ++place) Advance(place);
   return std::ranges::all_of(phases_, [](Phase phase) { return phase == Phase::kDone; });
@@ -70,7 +70,7 @@ void OrderlyEnd::BeginDrain(std::size_t place) {
   drained_by_[place] = SteadyClock().Now() + kDrainPatience;
 }
 
-/// In those waits is done what no thread of the components does.
+/// WaitFor() also does the work for which the components have no thread.
 void OrderlyEnd::Wait() {
   constexpr std::chrono::microseconds kBetweenLooks(500);
   bool has_waited = false;

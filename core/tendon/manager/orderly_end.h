@@ -12,45 +12,45 @@
 
 namespace tendon {
 
-/// Stops components so that what their Cleanup() sends last is executed: each is asked to stop once
-/// those that call it have ended and what they have sent is executed. Those that do not depend on
+/// Stops components so that the last calls of their Cleanup() are executed: a component is asked to
+/// stop when its clients have ended and their calls are executed. Components that do not depend on
 /// each other stop at the same time.
 class OrderlyEnd {
  public:
-  /// One of the components, and which of the others end before it.
+  /// A component, and the components that end before it.
   struct Member {
     std::shared_ptr<Component> component;
     std::vector<std::size_t> before;  ///< the places in the list, all smaller, of those that end
                                       ///< before it
   };
-  /// How components are asked, and what is known of them.
+  /// How to stop components, and how to query them.
   struct Actions {
     std::function<bool(const Component&)> is_at_rest;
-    /// Asks it to stop; kTimeout: it could not be asked now, and is asked again.
+    /// Asks it to stop; kTimeout: it could not be asked now, and is asked again later.
     std::function<Result<void>(const std::shared_ptr<Component>&)> stop;
-    /// Whether calls that it has sent are still to be executed.
+    /// True if calls that it has sent are still to be executed.
     std::function<bool(const Component&)> has_calls_under_way;
   };
 
   OrderlyEnd(std::vector<Member> members, Actions actions);
 
-  /// Returns once all have ended. At `deadline` those that could not be asked before are asked,
-  /// whatever still calls them, and kGrace later it returns. The first error; the log says whose
-  /// last calls were not executed in time.
+  /// Returns when all have ended. At `deadline` it asks the components that could not be asked
+  /// before, even if others still call them, and returns kGrace later. Returns the first error; the
+  /// log names those whose last calls were not executed in time.
   Result<void> Run(SteadyTime deadline);
 
   static constexpr std::chrono::milliseconds kGrace{100};
-  /// For what one has sent last, once it has ended.
+  /// For the last calls of a component that has ended.
   static constexpr std::chrono::milliseconds kDrainPatience{1300};
 
-  /// What `client` has sent last is not waited for any longer.
+  /// Logs that the last calls of `client` are no longer waited for.
   static void LogNotExecuted(const Component& client);
 
  private:
   enum class Phase {
     kWaits,  ///< for those that end before it
     kAsked,
-    kEnded,  ///< what it has sent may still be under way
+    kEnded,  ///< its last calls may still be under way
     kDone,
   };
 

@@ -25,7 +25,7 @@ Error Refusal(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kFailed, "plug-in " + file.string() + ": " + reason};
 }
 
-/// What the exception that is being handled says.
+/// The message of the exception that is being handled.
 std::string ThrownWords() { return "threw: " + Printable(ReasonOf(std::current_exception()), 512); }
 
 Result<void> CheckAbi(void* library) {
@@ -42,7 +42,7 @@ Result<void> CheckAbi(void* library) {
                                        "; build it again against this version"};
 }
 
-/// The library is told apart from others by its bytes: one that was written again is another one.
+/// A library is identified by its bytes: a file that was written again is another library.
 using LoadedFile = std::pair<fs::path, std::array<std::uint64_t, 2>>;
 std::mutex loaded_mutex;
 std::map<LoadedFile, void*>& LoadedLibraries() {
@@ -59,7 +59,7 @@ Result<void*> LoadGuarded(const fs::path& file, const fs::path& original) {
   }
 }
 
-/// Lets a library that is loaded register its classes.
+/// Lets a loaded library register its classes.
 Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   void* const entry = os::FindSymbol(library, kRegister);
   if (entry == nullptr) {
@@ -136,7 +136,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
     return Refusal(original, kLoads + ("it has not finished after " +
                                        std::to_string(patience.count()) + " ms"));
   }
-  // A plug-in may write, too, and end the process with any code.
+  // A plug-in may also print text, and end the process with any code.
   const std::string& out = outcome->out;
   const std::string last = out.substr(out.rfind('\n', out.size() - 2) + 1);
   if (outcome->exit_code == 0 && out.ends_with("loaded\n")) return {};

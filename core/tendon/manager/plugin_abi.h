@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-/// What a plug-in was built with: the version of these headers and the compiler's binary interface.
-/// Every plug-in that includes them carries its own copy; the loader compares it with its own
-/// before the plug-in may register anything.
+/// Identifies the build of a plug-in: the version of these headers and the compiler's binary
+/// interface. Every plug-in that includes them has its own copy. The loader compares it with its
+/// own before the plug-in may register anything.
 extern "C" [[gnu::used, gnu::visibility("default")]] inline std::uint64_t
 TendonPluginAbi() noexcept {
   constexpr std::uint64_t kMajor = 0;

@@ -9,15 +9,15 @@
 
 namespace tendon {
 
-/// The files from which a process has loaded plug-ins, and what has become of them. Thread-safe.
+/// The files of the plug-ins that a process has loaded, and their states. Thread-safe.
 class PluginFiles {
  public:
-  /// What was read from the file of the plug-in, and is loaded now.
+  /// `content` was read from the file of the plug-in and is now loaded.
   void Add(const std::string& library, os::FileContent content);
-  /// Looks at all files, which may take as long as their disks do; true where the descriptions are
-  /// others than before.
+  /// Checks all files, which may take as long as their disks need. True if the descriptions have
+  /// changed.
   bool Look();
-  /// As of the last look, in the order in which they were loaded. Does not wait for a look.
+  /// As of the last Look(), in the order of loading. Does not wait for a Look().
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
  private:
@@ -28,9 +28,9 @@ class PluginFiles {
 
   static PluginDescription Describe(Loaded& loaded);
 
-  std::mutex look_mutex_;  // before mutex_
+  std::mutex look_mutex_;  // locked before mutex_
   std::vector<Loaded> loaded_;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // guards descriptions_
   std::vector<PluginDescription> descriptions_;
 };
 

@@ -9,18 +9,18 @@
 
 namespace tendon {
 
-/// Whether `component` runs after `leader`, or after one that does.
+/// True if `component` runs after `leader`, directly or through others.
 [[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
 
-/// Which components are asked something now: one request at a time for each, while others are
-/// asked something, too. Everything here is called with the owner's lock held.
+/// Allows one request at a time for each component; requests of different components may overlap.
+/// All functions are called with the owner's lock held.
 class Turns {
  public:
-  /// The time in which a component is asked by one.
+  /// The time of one request of a component.
   class Turn {
    public:
-    /// Lets go of the lock until no other request of the component is under way, but at least for
-    /// kShortest; it is not ours where one still is by `deadline`.
+    /// Releases the lock until no other request of the component is in progress, for at least
+    /// kShortest. If one still is at `deadline`, is_ours() is false.
     Turn(Turns& turns, const Component& component, std::unique_lock<std::recursive_mutex>& lock,
          SteadyTime deadline);
     Turn(const Turn&) = delete;
@@ -35,8 +35,8 @@ class Turns {
     bool is_ours_ = true;
   };
 
-  /// Whether a request is under way of it, or of one that runs after it: it must stay then, and so
-  /// must its leader.
+  /// True if a request of it, or of one that runs after it, is in progress: it and its leader must
+  /// stay then.
   [[nodiscard]] bool IsInUse(const Component& component) const;
 
   static constexpr std::chrono::milliseconds kShortest{20};

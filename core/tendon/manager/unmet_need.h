@@ -9,28 +9,28 @@
 
 namespace tendon {
 
-/// A required interface that a component needs, and that nothing serves.
+/// A required interface that a component needs and that has no active connection.
 struct UnmetNeed {
   std::string interface;
   std::string reason;           ///< "not connected", "pending: process 'robot' is not there"
-  bool has_connection = false;  ///< there is one, which does not stand
+  bool has_connection = false;  ///< there is one, but it is not active
 
   bool operator==(const UnmetNeed&) const = default;
 };
 
-/// Whether a component needs the interface: it is not optional, nor are all of its functions and
-/// event handlers.
+/// True if a component needs the interface: it is not optional, and not all of its functions and
+/// event handlers are.
 [[nodiscard]] bool IsNeeded(const RequiredDescription& required);
 
-/// The connection that the required interface of this name has, or null.
+/// Finds the connection of the required interface of this name; null if there is none.
 using FindConnection =
     std::function<const ConnectionDescription*(const std::string& required_interface)>;
 
-/// Of a component, in the order of its required interfaces.
+/// The unmet needs of a component, in the order of its required interfaces.
 [[nodiscard]] std::vector<UnmetNeed> UnmetNeedsOf(const ComponentDescription& component,
                                                   const FindConnection& find);
 
-/// The same where its process has these connections: linear in them times its interfaces.
+/// The same, with the connections of its process. Cost: connections times interfaces.
 [[nodiscard]] std::vector<UnmetNeed> UnmetNeedsOf(
     const ComponentDescription& component, const std::vector<ConnectionDescription>& connections);
 
@@ -40,7 +40,7 @@ using FindConnection =
 /// With the reasons: "Robot: not connected; Camera: pending: process 'eye' is not there".
 [[nodiscard]] std::string ReasonsOf(const std::vector<UnmetNeed>& needs);
 
-/// Refuses to start a component that lacks what it needs, for who has asked for that.
+/// The error for a person who asked to start a component with unmet needs; none without them.
 [[nodiscard]] Result<void> CheckNeeds(const std::string& component,
                                       const std::vector<UnmetNeed>& needs);
 

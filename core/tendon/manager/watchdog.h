@@ -17,18 +17,18 @@ namespace tendon {
 class Component;
 class Task;
 
-/// Notices tasks with a period whose next cycle does not come, because the last one blocks: three
-/// periods and 50 ms after it has begun it is overdue. Each is said once in the log, as is its
-/// return; other tasks are not concerned.
+/// Notices periodic tasks whose next cycle does not come because the last one blocks: a task is
+/// overdue three periods and 50 ms after its last cycle began. The log reports this once, and the
+/// task's return once. Tasks without a period are ignored.
 ///
-/// One thread for all tasks, which looks every 50 ms; none while there is no task. Thread-safe.
+/// One thread checks all tasks every 50 ms; it starts with the first task. Thread-safe.
 class Watchdog {
  public:
   static constexpr std::chrono::milliseconds kBetweenLooks{50};
   static constexpr std::chrono::milliseconds kGrace{50};
   static constexpr int kPeriods = 3;
 
-  /// `on_change` is called, in the watchdog's thread, when a warning has come or gone.
+  /// `on_change` is called, in the watchdog's thread, when a warning appears or disappears.
   explicit Watchdog(std::function<void()> on_change) : on_change_(std::move(on_change)) {}
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
@@ -41,7 +41,7 @@ class Watchdog {
   /// "missed 8 x 10 ms" while the task is overdue, else empty.
   [[nodiscard]] std::string WarningOf(const Component& component) const;
 
-  /// Whether a task of this period is overdue so long after its last cycle began.
+  /// True if a task of this period is overdue when its last cycle began so long ago.
   [[nodiscard]] static bool IsOverdue(std::chrono::duration<double> period,
                                       std::chrono::nanoseconds since_last_cycle);
 

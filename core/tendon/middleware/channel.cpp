@@ -11,7 +11,7 @@
 namespace tendon {
 namespace {
 
-/// Whether this thread is inside a call from the middleware, which must not wait for it.
+/// How many calls from a middleware this thread is inside. Above 0 it must not wait for one.
 thread_local int calls_from_middleware = 0;
 
 struct CallFromMiddleware {
@@ -21,20 +21,20 @@ struct CallFromMiddleware {
   ~CallFromMiddleware() { --calls_from_middleware; }
 };
 
-/// Where it cannot be known: on this machine, which is the stricter.
+/// Treats an unreadable address as on this machine, which is the stricter case.
 bool IsOnThisMachine(const Link& link) {
   const auto address = ParseAddress(link.peer(), 0);
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
-/// One's own Hello for the peer of `link`: the cookie is for peers on this machine alone, and TLS
-/// needs none.
+/// The Hello that is sent to the peer of `link`. Only peers on this machine may get proof of the
+/// cookie, and TLS needs none.
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
 }
 
-/// An answer is lost for which there is no memory, and nothing else.
+/// If memory is short, only this answer is lost.
 Result<Answer> CopyOf(std::span<const std::byte> answer) {
   try {
     return Answer(Bytes(answer.begin(), answer.end()));
@@ -106,7 +106,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
                      link->certificate());
   const Bytes greeting = handshake_->Greet();
   lock.unlock();
-  (void)Send(MessageType::kHello, 1, 0, greeting);  // refused: it will hear OnClosed()
+  (void)Send(MessageType::kHello, 1, 0, greeting);  // if refused, OnClosed() follows
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     is_open_.Set(false);
@@ -123,7 +123,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
 
 void Channel::OnFrame(std::span<const std::byte> frame) { OnLentFrame(frame, nullptr); }
 
-/// What is lent is owned by `owner`; null where it is not.
+/// `owner` keeps a lent frame alive; null if the frame is not lent.
 void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) {
   const CallFromMiddleware mark;
   const auto header = ReadWholeFrame(frame);
@@ -138,7 +138,7 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
   }
 }
 
-/// A message is lost, and its link with it; all others are not.
+/// Gives up one message and its link; all other links go on.
 void Channel::OnNoRoom(const char* limit, std::size_t size) {
   static Complaints complaints("channel");
   CallGuarded("channel", [&] {
@@ -149,7 +149,7 @@ void Channel::OnNoRoom(const char* limit, std::size_t size) {
   });
 }
 
-/// Of what comes before the peer is known, and of what comes too late.
+/// Handles frames that come before the handshake is done, or too late.
 void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   if (reason_ || !link_) return;
@@ -235,7 +235,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   });
 }
 
-/// Nothing of a batch is believed that is not whole.
+/// Checks the whole batch first: if it is malformed, none of its replies counts.
 void Channel::OnReplies(std::span<const std::byte> body) {
   if (!IsReplyBatch(body)) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});

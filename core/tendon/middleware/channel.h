@@ -29,49 +29,49 @@
 
 namespace tendon {
 
-/// Two-way talk with one peer process, on one link, after both said Hello: notices, which are one
-/// way, and requests, which are answered exactly once.
+/// A two-way connection with one peer process, over one link. After the handshake it carries
+/// notices (one way) and requests, each of which gets exactly one reply.
 ///
-/// A body may have kMaxBodySize. What is too large for one piece is sent in parts, between which
-/// other messages pass, unless they are of the same lane.
+/// A body has at most kMaxBodySize bytes. A message that is too large for one piece is sent in
+/// parts. Messages of other lanes pass between the parts; those of the same lane wait.
 ///
-/// A channel lives until it is closed, by either end, or its middleware is destroyed. Thread-safe.
+/// A channel lives until either end closes it or its middleware is destroyed. Thread-safe.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
 
  public:
-  /// Opens a link and shakes hands; blocks for at most `timeout`. Errors are those of
+  /// Opens a link and does the handshake; blocks for at most `timeout`. Errors are those of
   /// Middleware::Open() and the peer's refusals: kIncompatible (protocol versions), kDenied
-  /// (cookie). Never from a thread of the middleware.
+  /// (cookie). Must not be called in a thread of the middleware.
   static Result<std::shared_ptr<Channel>> Open(Middleware& middleware, const std::string& address,
                                                const Hello& mine,
                                                std::shared_ptr<ChannelHandler> handler,
                                                std::chrono::milliseconds timeout);
 
-  /// For Middleware::Listen(): makes a channel of every link; `choose` gives its handler, or null
-  /// to refuse it. Peers on this machine must know the cookie in `mine`; allowed strangers need
-  /// none.
+  /// For Middleware::Listen(): makes a channel of every link. `choose` returns its handler, or null
+  /// to refuse the link. Peers on this machine must know the cookie in `mine`, unless `strangers`
+  /// admits them without it.
   static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
                              Strangers strangers = Strangers::kRefused);
 
-  /// One way; never blocks. Refusals as of Link::Send().
+  /// Sends a notice; never blocks. Fails as Link::Send() does.
   Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                 Lane lane = kCommonLane);
   template <Message T>
   Status Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane = kCommonLane);
 
-  /// One that nobody else has, for messages of this end.
+  /// A new lane, unique at this end, for messages from this end.
   [[nodiscard]] Lane NewLane();
 
   using ReplyHandler = PendingRequests::Handler;
 
-  /// Asks; never blocks. The handler is called exactly once, in a thread of the middleware, that of
-  /// Expire() or, when nothing could be sent, this one: with the reply, the refusal, kTimeout
-  /// (outcome unknown) or kUnreachable (closed before an answer).
+  /// Sends a request; never blocks. Calls the handler exactly once, in a thread of the middleware,
+  /// in Expire(), or in this call if nothing could be sent. The handler gets the reply, the peer's
+  /// refusal, kTimeout (outcome unknown) or kUnreachable (closed before an answer).
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
-  /// The same, but of what cannot be sent now the handler is not called. Refusals as of
-  /// Link::Send().
+  /// Like Request(), but does not call the handler if the request cannot be sent now. Fails as
+  /// Link::Send() does.
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
                     Lane lane = kCommonLane);
@@ -80,57 +80,57 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
                Lane lane = kCommonLane);
 
-  /// TryRequest() for what is answered at once, as far as the peer can, to a caller that waits: by
-  /// Link::Ask().
+  /// TryRequest() by way of Link::Ask(): for a caller that waits for an answer that the peer can
+  /// give at once.
   Status TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                 std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
 
-  /// Whether this thread is inside a call from a middleware: it must not wait for an answer.
+  /// Whether the caller is inside a call from a middleware, where it must not wait for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
-  /// Asks and waits. Refused in a thread of the middleware, which would wait for itself.
+  /// Sends a request and waits for the reply. Refused in a thread of the middleware.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
-  /// The same for what is answered at once. A large answer is where it has arrived.
+  /// Call() for what the peer can answer at once. A large answer is not copied.
   Result<Answer> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
   template <Payload Reply, Message T>
   Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
                      std::chrono::milliseconds timeout);
 
-  /// Ends the requests whose time has come, and the channel where the peer began a large message
-  /// and does not go on with it; the owner calls it now and then, as WatchOver() and KeepExpiring()
-  /// do. Call() needs none.
+  /// Ends requests that have timed out. Ends the channel if the peer has begun a large message and
+  /// does not continue it. The owner calls this regularly, as WatchOver() and KeepExpiring() do.
+  /// Call() does not depend on it.
   void Expire(SteadyTime now);
 
-  /// Idempotent; may be called from a handler, which hears OnClosed() later.
+  /// Idempotent; may be called from a handler. The handler hears OnClosed() later.
   void Close();
-  /// The same, for the peer cannot be believed or does not answer: `what` it did is part of the
+  /// Close() for a peer that misbehaves or does not answer; `what` it did becomes part of the
   /// reason.
   void CutOff(const std::string& what);
 
   /// Wait-free.
   [[nodiscard]] bool is_open() const { return is_open_.Get(); }
-  /// The version of all that is said here, which both ends speak: what only newer ones have is
-  /// kept from an older peer. Constant since it is open.
+  /// The protocol version that both ends speak. Do not send messages that only newer versions have.
+  /// Constant once the channel is open.
   [[nodiscard]] std::uint16_t protocol_version() const { return version_; }
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
-  /// When a part of a large message last arrived, or was last said to have been taken: whatever
-  /// else is sent waits behind parts, and a peer that takes them, or handles what they make, lives.
+  /// When a part of a large message last arrived, or the peer last acknowledged one. Other messages
+  /// wait behind parts, so a recent part shows that the peer is alive.
   [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
-  /// Answers that came after their requests had ended.
+  /// Number of answers that arrived after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
 
-  /// `link` is one that was accepted, or null.
+  /// `link` is an accepted link; null at the opener's end.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
           Strangers strangers);
 
  private:
   friend class GatheredReplies;
   friend class Responder;
-  /// How a frame goes to the link.
+  /// The function of Link that sends a frame: Send() or Ask().
   using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
@@ -182,28 +182,28 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
   const Hello mine_;
-  std::uint16_t version_;  // of our frames: the oldest until it is open
+  std::uint16_t version_;  // of the frames we send: the oldest until the channel is open
   const bool is_acceptor_;
-  std::shared_ptr<ChannelHandler> handler_;  // used in the middleware's thread only
-  std::optional<Handshake> handshake_;       // likewise, once there is a link
+  std::shared_ptr<ChannelHandler> handler_;  // only in the middleware's thread
+  std::optional<Handshake> handshake_;       // likewise; set once there is a link
   PartAssembly assembly_;                    // likewise
   PendingRequests requests_;
   PartSender parts_;
-  Published<std::uint64_t> taken_{0};  // bytes of parts
+  Published<std::uint64_t> taken_{0};  // bytes of parts received
   Published<std::uint64_t> told_taken_{0};
   Published<SteadyTime> last_part_;
-  Published<SteadyTime> given_up_{SteadyTime::max()};  // of the assembly_
+  Published<SteadyTime> given_up_{SteadyTime::max()};  // copy of assembly_.given_up()
   std::mutex telling_;
 
-  Flag is_open_;  // from the end of the handshake on, while there is no reason_
+  Flag is_open_;  // set from the end of the handshake until there is a reason_
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
-  Hello peer_;            // constant since it is open
+  Hello peer_;            // constant once the channel is open
   bool greeted_ = false;  // after OnOpen()
   Lane last_lane_ = kCommonLane;
-  std::optional<Error> reason_;  // why it is closed, or about to be
+  std::optional<Error> reason_;  // why the channel is closed, or about to be
 };
 
 template <Message T>

@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// What one end of a channel does with what arrives; called in a thread of the middleware, one at a
-/// time for a channel. Must not block. What it throws is logged, and the request refused.
+/// Receives what arrives on a channel. Called in a thread of the middleware, one call at a time for
+/// each channel. Must not block. An exception is logged, and the request is refused.
 class ChannelHandler {
  public:
   ChannelHandler() = default;
@@ -22,23 +22,23 @@ class ChannelHandler {
   ChannelHandler& operator=(const ChannelHandler&) = delete;
   virtual ~ChannelHandler() = default;
 
-  /// The peer's Hello was accepted; requests may follow. Before Channel::Open() returns.
+  /// The peer's Hello was accepted; requests may follow. Called before Channel::Open() returns.
   virtual void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer);
 
-  /// Unless overridden, refuses. The body is valid during the call.
+  /// Refuses unless overridden. The body is valid during the call.
   virtual void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                          std::span<const std::byte> body, Responder responder);
 
-  /// Unless overridden, does nothing. The body is valid during the call.
+  /// Does nothing unless overridden. The body is valid during the call.
   virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body);
 
-  /// Why a large message is refused that begins now, of which there is nothing but the header:
-  /// nothing of it is kept then, and a request is refused so. Unless overridden, all are taken.
+  /// Called with the header when a large message begins. An error refuses it: none of it is kept,
+  /// and a request gets the error. Unless overridden, accepts all.
   virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
 
-  /// Exactly once, last, also when the handshake failed: for every link that stood. The channel
-  /// forgets the handler afterwards.
+  /// Called exactly once, last, for every link that was opened, also if the handshake failed. The
+  /// channel then releases the handler.
   virtual void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
 };
 

@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// Warnings about what strangers do, of which there may be any number: counts all, logs one in ten
-/// seconds with the count. Thread-safe.
+/// A warning that peers can provoke any number of times. Counts all, logs one in ten seconds with
+/// the count. Thread-safe.
 class Complaints {
  public:
   explicit Complaints(std::string source) : source_(std::move(source)) {}

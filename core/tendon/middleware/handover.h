@@ -10,11 +10,11 @@
 
 namespace tendon {
 
-/// One value that one thread waits for and another brings, once. Thread-safe; held by both.
+/// Hands one value from one thread to another that waits for it, once. Thread-safe; both own it.
 template <typename T>
 class Handover {
  public:
-  /// False where there was a value before or nobody waits any more.
+  /// Returns false if a value was given before or nobody waits any more.
   bool Give(T value) {
     {
       const std::scoped_lock lock(mutex_);
@@ -27,7 +27,7 @@ class Handover {
     return true;
   }
 
-  /// Waits until `deadline`; nothing, and the value refused from then on, when it has passed.
+  /// Waits until `deadline`. Returns nothing if no value came; later values are refused.
   std::optional<T> WaitUntil(SteadyTime deadline) {
     wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);
     const std::scoped_lock lock(mutex_);

@@ -10,35 +10,34 @@
 
 namespace tendon {
 
-/// What a GCM calls itself, and what its certificate must say.
+/// The name of every GCM, also in its certificate.
 inline constexpr const char* kGcmName = "gcm";
 
-/// Who is at an end of a link, and what it knows; handshake/handshake.h says how the ends learn it.
+/// One end of a link: its identity and secrets. handshake/handshake.h describes the exchange.
 struct Hello {
-  /// The newest that this end speaks; as a peer's, the one that both speak.
+  /// The newest version that this end speaks; in a peer's Hello, the one that both speak.
   std::uint16_t protocol_version = FrameHeader::kProtocolVersion;
   std::uint16_t oldest_version = FrameHeader::kOldestVersion;  ///< that this end speaks
-  std::uint64_t instance = 0;  ///< of the process, new at each start
-  /// Of the process or program, for people: "robot", "gcm ls". As a peer's under TLS, that of its
-  /// certificate: "robot" is a process of this name and nobody else, others are "anna (gcm ls)".
+  std::uint64_t instance = 0;  ///< of the process; new at each start
+  /// Of the process or program, for people: "robot", "gcm ls". A peer's name under TLS comes from
+  /// its certificate: "robot" is surely that process; other programs are "anna (gcm ls)".
   std::string name;
-  /// Of a peer: by its certificate, or an operator, who knows the cookie.
+  /// A peer's role: from its certificate; operator without one.
   Role role = Role::kOperator;
-  std::string wanted;         ///< of an opener: who alone may be at the other end; empty for any
-  std::uint64_t session = 0;  ///< the token of a joined process, or 0
+  std::string wanted;         ///< an opener's: the only peer that it accepts; empty for any
+  std::uint64_t session = 0;  ///< the session token of a joined process, or 0
   std::uint64_t cookie = 0;   ///< LoopbackCookie(), which is never sent; 0 for none
 };
 
-/// The secret of this user on this machine: a file of mode 0600 in os::RuntimeFolder(), made by
-/// whoever needs it first. kDenied where it cannot be read or made.
+/// The secret of this user on this machine: a file of mode 0600 in os::RuntimeFolder(), created by
+/// the first process that needs it. kDenied if it cannot be read or created.
 Result<std::uint64_t> LoopbackCookie();
 
-/// Whom an acceptor lets in: those who know the cookie; in tests also those who show none; or, from
-/// addresses off this machine, where Exposure let them in, anyone. Who has shown a certificate is
-/// none.
+/// Which peers without a certificate an acceptor admits: only those that know the cookie; in tests
+/// also those that show none; or anyone, for addresses off this machine that Exposure allows.
 enum class Strangers { kRefused, kAllowed, kFromElsewhere };
 
-/// The body of a kRefusal as the reason, in words that print.
+/// Decodes the body of a kRefusal; the message is printable.
 [[nodiscard]] Error ReadRefusal(std::span<const std::byte> body, const std::string& peer);
 
 }  // namespace tendon

@@ -12,14 +12,14 @@ struct Door {
   std::shared_ptr<Courier> courier;
   std::string address;
   AcceptLink accept;
-  bool is_open = true;  // of the courier's thread
+  bool is_open = true;  // only in the courier's thread
 
   void Enter(const std::shared_ptr<End>& end);
-  /// Closes the links that entered; when it returns their handlers have heard it.
+  /// Closes the links that it accepted. Their handlers have heard OnClosed() when it returns.
   void Shut();
 };
 
-/// An answer, until it is passed on to the other end of `end`.
+/// A reply frame, until it is passed on to the other end of `end`.
 class LeftFrame final : public LeftAnswer {
  public:
   enum class When { kOnceAsked, kOnceLeft };
@@ -46,7 +46,7 @@ class LeftFrame final : public LeftAnswer {
   Bytes frame_;
 };
 
-/// One end of a link; the two know each other.
+/// One end of a link. The two ends know each other.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
   End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<Courier> courier, std::string local,
@@ -79,7 +79,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   [[nodiscard]] std::string local() const override { return local_name_; }
   [[nodiscard]] const Door* door() const { return door_; }
 
-  /// Those that wait for it are delivered.
+  /// Delivers the frames that were held.
   void Release() {
     const std::scoped_lock lock(mutex_);
     for (Late& late : late_) {
@@ -88,7 +88,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     Expect(SteadyClock().Now());
   }
 
-  /// Sends and delivers nothing more; the other end is told that it was closed.
+  /// Stops sending and delivering; the other end hears that the link is closed.
   void Crash() {
     {
       const std::scoped_lock lock(mutex_);
@@ -98,11 +98,11 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     TellOther();
   }
 
-  /// In the courier's thread, before anything else is.
+  /// In the courier's thread, before any other call there.
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
-  /// What a frame is to who gets it; a question's answer needs no room on the link.
+  /// What a frame is to its receiver. A reply to Ask() needs no room on the link.
   enum class Kind { kSent, kAsked, kAnswer };
 
   struct Late {
@@ -110,7 +110,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     Kind kind = Kind::kSent;
     SteadyTime due;
   };
-  /// That a peer may send that is known.
+  /// The largest frame that an admitted peer may send.
   static constexpr std::size_t MostOf(Kind kind) {
     return kind == Kind::kAnswer ? kMaxFrameSize : kMaxPieceSize;
   }
@@ -158,7 +158,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Expect(SteadyTime due) {
     courier_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
   }
-  /// In order: what is late holds up what comes behind it.
+  /// In order: a late frame holds up those behind it.
   void DeliverDue() {
     while (true) {
       Late late;
@@ -200,7 +200,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (answer.is_there()) answer.PassOn();
   }
 
-  /// After what was posted before, the handler hears OnClosed().
+  /// The handler hears OnClosed() after all that was posted before.
   void Finish(const Error& reason) {
     const std::scoped_lock lock(mutex_);
     if (std::exchange(has_ended_, true)) return;
@@ -214,17 +214,17 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   const std::shared_ptr<Courier> courier_;
   const std::string local_name_;
   const std::string peer_name_;
-  const Door* const door_;  // that accepted it, or null; never followed
+  const Door* const door_;  // the one that accepted it, or null; only compared, never dereferenced
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
   bool is_admitted_ = false;
-  std::size_t waiting_ = 0;  // bytes that were sent and not delivered
-  std::deque<Late> late_;    // the network has them still
-  bool is_deaf_ = false;     // closed from this end: delivers nothing more
+  std::size_t waiting_ = 0;  // bytes sent and not yet delivered
+  std::deque<Late> late_;    // still in the network
+  bool is_deaf_ = false;     // closed at this end: delivers nothing more
   bool is_dumb_ = false;     // crashed: sends nothing more
-  bool has_ended_ = false;   // closed from either end: takes nothing more
+  bool has_ended_ = false;   // closed at either end: accepts nothing more
 };
 
 void LeftFrame::PassOn() const { end_->Answer(frame_); }
@@ -234,8 +234,8 @@ void Courier::Stop() {
     is_closing_.Set(true);
     for (const auto& end : ends()) end->Close();
   });
-  Flush();  // closes them
-  Flush();  // and they hear it
+  Flush();  // closes the ends
+  Flush();  // their handlers hear OnClosed()
   {
     const std::scoped_lock lock(mutex_);
     stopped_ = true;
@@ -266,8 +266,8 @@ void Door::Shut() {
       if (end->door() == this) end->Close();
     }
   });
-  courier->Flush();  // closes them
-  courier->Flush();  // and they hear it
+  courier->Flush();  // closes the ends
+  courier->Flush();  // their handlers hear OnClosed()
 }
 
 }  // namespace loopback
@@ -310,7 +310,7 @@ bool LoopbackNetwork::Add(HostPort& address, const std::shared_ptr<loopback::Doo
   return true;
 }
 
-/// Unless somebody else has come there.
+/// Leaves the address alone if another door has taken it.
 void LoopbackNetwork::Remove(const loopback::Door& door) {
   const std::scoped_lock lock(mutex_);
   const auto found = doors_.find(door.address);

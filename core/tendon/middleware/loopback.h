@@ -21,7 +21,7 @@ class Courier;
 class End;
 struct Door;
 
-/// A frame on its way. An end of a link has the address of its listener, or one of its own.
+/// A frame on its way. The address of an end is that of its listener, or one of its own.
 struct Frame {
   std::span<const std::byte> bytes;
   std::string_view from;
@@ -30,24 +30,24 @@ struct Frame {
 
 enum class Fate { kPass, kDrop, kHold };
 
-/// What becomes of a frame. The sender does not notice, until there is no more room for what waits.
+/// What happens to a frame. The sender notices nothing until the link has no more room.
 struct Verdict {
   Fate fate = Fate::kPass;
-  std::chrono::nanoseconds delay{0};  ///< of what passes
+  std::chrono::nanoseconds delay{0};  ///< of a frame that passes
 };
 
 inline constexpr Verdict kPass{};
 inline constexpr Verdict kDrop{.fate = Fate::kDrop};
-/// Until ReleaseHeld(). As with every delay, what its link carries later waits behind it; what
-/// waits when the link is closed is lost.
+/// Holds the frame until ReleaseHeld(). As with every delay, later frames of the link wait behind
+/// it. Frames that wait when the link is closed are lost.
 inline constexpr Verdict kHold{.fate = Fate::kHold};
 }  // namespace loopback
 
-/// What the LoopbackMiddlewares of one process have in common: the addresses, and the faults that a
-/// test wants of the network. Thread-safe.
+/// The network that the LoopbackMiddlewares of one process share: their addresses, and the faults
+/// that a test injects. Thread-safe.
 class LoopbackNetwork {
  public:
-  /// Called in the sender's thread; null: everything passes.
+  /// Called in the sender's thread. Null lets everything pass.
   using Judge = std::function<loopback::Verdict(const loopback::Frame& frame)>;
   void SetJudge(Judge judge);
   void ReleaseHeld();
@@ -59,7 +59,7 @@ class LoopbackNetwork {
 
   loopback::Verdict Decide(const loopback::Frame& frame);
   void Remember(std::weak_ptr<loopback::End> holder);
-  /// Fills in port 0; false where the address is taken.
+  /// Fills in port 0. Returns false if the address is taken.
   bool Add(HostPort& address, const std::shared_ptr<loopback::Door>& door);
   void Remove(const loopback::Door& door);
   void RemoveAll(const loopback::Courier& courier);
@@ -68,13 +68,13 @@ class LoopbackNetwork {
 
   std::mutex mutex_;
   Judge judge_;
-  std::vector<std::weak_ptr<loopback::End>> holders_;  // of frames that are held
+  std::vector<std::weak_ptr<loopback::End>> holders_;  // ends that hold frames back
   std::uint32_t last_port_ = 49151;
   std::map<std::string, std::shared_ptr<loopback::Door>> doors_;
 };
 
-/// The reference of a middleware, within one process and without a socket. Each instance stands for
-/// a process: it has one thread, which delivers all that arrives in it.
+/// The reference implementation of Middleware, within one process and without a socket. Each
+/// instance stands for a process. It has one thread, which delivers all that arrives there.
 class LoopbackMiddleware final : public Middleware {
  public:
   explicit LoopbackMiddleware(std::shared_ptr<LoopbackNetwork> network);
@@ -86,8 +86,8 @@ class LoopbackMiddleware final : public Middleware {
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override;
 
-  /// As if its process was killed: the other ends of its links are told that they were closed, its
-  /// addresses are free, and nothing leaves it or arrives in it any more.
+  /// Acts as if its process was killed: its peers hear that their links are closed, its addresses
+  /// become free, and it sends and receives nothing more.
   void Crash();
 
  private:

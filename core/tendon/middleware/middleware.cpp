@@ -17,14 +17,14 @@ std::optional<unsigned> ParseNumber(std::string_view text, unsigned lowest, unsi
   return number;
 }
 
-/// One word that needs no quoting anywhere.
+/// A word that needs no quoting anywhere.
 bool IsHost(std::string_view host) {
   constexpr std::string_view kLetters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_:%";
   return !host.empty() && host.front() != '-' && host.find_first_not_of(kLetters) == host.npos;
 }
 
-/// Four decimal numbers, the first of them 127. By hand: "127.0.0.1.example" is a host elsewhere.
+/// Four decimal numbers, the first 127. Parsed by hand: "127.0.0.1.example" is a host elsewhere.
 bool IsLoopbackNumber(std::string_view host) {
   for (int part = 0; part < 4; ++part) {
     const auto dot = host.find('.');

@@ -21,13 +21,13 @@ using Watch = os::Poller::Watch;
 
 constexpr const char* kOutOfMemory = "out of memory (ulimit -v): ";
 
-/// Something with a socket, served in the loop's thread.
+/// The owner of a socket, served in the loop's thread.
 class Served {
  public:
   virtual ~Served() = default;
   virtual void OnReady(bool readable, bool writable) = 0;
   virtual void OnTick(SteadyTime now) = 0;
-  /// One of these has thrown std::bad_alloc.
+  /// A function of this object has thrown std::bad_alloc.
   virtual void OnOutOfMemory() = 0;
   virtual void Shut() = 0;
   /// The key of the listener that accepted it, or 0.
@@ -41,7 +41,7 @@ class Loop {
   Loop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
   [[nodiscard]] Complaints& complaints() { return complaints_; }
-  /// Of the loop's thread, for what is received.
+  /// Buffer for received bytes; only in the loop's thread.
   [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
 
   Key NewKey() {
@@ -62,7 +62,7 @@ class Loop {
     const std::scoped_lock lock(mutex_);
     return served_;
   }
-  /// Soon, in the loop's thread; false after Stop().
+  /// Executes `task` soon, in the loop's thread. Returns false after Stop().
   bool Post(std::function<void()> task) {
     const std::scoped_lock lock(mutex_);
     if (is_stopped_) return false;
@@ -71,7 +71,7 @@ class Loop {
     return true;
   }
 
-  /// In the loop's thread, and done when it returns; not at all after Stop().
+  /// Executes `task` in the loop's thread and waits for it. Does nothing after Stop().
   void Execute(const std::function<void()>& task) {
     assert(std::this_thread::get_id() != thread_.get_id());
     const auto done = std::make_shared<std::promise<void>>();
@@ -93,7 +93,7 @@ class Loop {
     thread_.join();
   }
 
-  /// What there is no memory for is left undone.
+  /// Returns false if memory is short; the rest of `function` is then not executed.
   template <typename Function>
   static bool Guarded(const Function& function) {
     try {
@@ -123,7 +123,7 @@ class Loop {
     }
   }
 
-  /// All others are served whatever memory this one needs.
+  /// If memory is short, only this object is affected.
   template <typename Function>
   static void Serve(Served& one, const Function& function) {
     if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
@@ -154,7 +154,7 @@ class Loop {
   bool is_stopped_ = false;
   std::vector<std::function<void()>> tasks_;
   std::map<Key, std::shared_ptr<Served>> served_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last, because it uses the others
 };
 
 class TcpLink final : public Link, public Served, public std::enable_shared_from_this<TcpLink> {
@@ -173,7 +173,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     loop_->Add(key_, shared_from_this(), socket_);
   }
 
-  /// In the loop's thread.
+  /// Only in the loop's thread.
   void BeginAccepted(const AcceptLink& accept) {
     Begin(nullptr);
     try {
@@ -263,7 +263,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
   [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
 
-  /// With the lock held: the peer must not take anything for the rest of what it has got half of.
+  /// With the lock held. The peer must not take later bytes for the rest of a partial frame.
   void BreakOff() {
     state_ = State::kClosing;
     deadline_ = SteadyTime::min();
@@ -274,7 +274,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     const std::scoped_lock lock(mutex_);
     if (state_ == State::kClosed) return;
     const auto size = os::SendSome(socket_, std::span(unsent_).subspan(sent_));
-    sent_ += size.value_or(0);  // a broken connection is seen by Read()
+    sent_ += size.value_or(0);  // Read() notices a broken connection
     if (sent_ == unsent_.size()) {
       unsent_ = {};
       sent_ = 0;
@@ -303,7 +303,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     }
   }
 
-  /// Delivers the frames at the front and returns the bytes that are not yet one.
+  /// Delivers the whole frames at the front and returns the remaining bytes.
   std::span<const std::byte> HandOn(std::span<const std::byte> bytes) {
     for (State now = state(); bytes.size() >= FrameHeader::kSize && now < State::kClosing;
          now = state()) {
@@ -334,7 +334,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     unsent_ = {};
     lock.unlock();
     const auto handler = std::exchange(handler_, nullptr);
-    if (handler) Loop::Guarded([&] { handler->OnClosed(reason); });  // others are to be closed yet
+    if (handler) Loop::Guarded([&] { handler->OnClosed(reason); });  // others must still be closed
   }
 
   const std::shared_ptr<Loop> loop_;
@@ -343,7 +343,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   const std::string peer_;
   const std::string local_;
 
-  // Of the loop's thread:
+  // Only in the loop's thread:
   std::shared_ptr<LinkHandler> handler_;
   Bytes rest_;  // the beginning of a frame
 
@@ -378,7 +378,7 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
   }
 
   void OnTick(SteadyTime /*now*/) override {
-    loop_->poller().Change(socket_, key_, Watch::kReads);  // it may have had to wait
+    loop_->poller().Change(socket_, key_, Watch::kReads);  // it may have been paused
   }
 
   void OnOutOfMemory() override {

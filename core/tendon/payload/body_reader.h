@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Reading a body by its schema. Bounded like Decode(): recursion by the depth of the schema, loops
-/// by the bytes that are there.
+/// Reads a body by its schema. Bounded like Decode(): recursion by the depth of the schema, loops
+/// by the number of bytes.
 namespace tendon::payload {
 
 /// Calls `visit(zero)` with a zero of the C++ type of a number, and returns what it returns.
@@ -44,10 +44,10 @@ auto WithNumber(Schema::Kind kind, Visitor&& visit) {
          duration.nanosec < 1'000'000'000;
 }
 
-/// Steps over `count` values in a row.
+/// Skips `count` values in a row.
 [[nodiscard]] bool SkipValues(const Schema& schema, std::size_t count, CdrReader& reader);
 
-/// Reads the number of elements of an array or a sequence; that of an array is not in the body.
+/// Reads the number of elements of an array or a sequence. For an array it is not in the body.
 [[nodiscard]] inline bool ReadElementCount(const Schema& list, CdrReader& reader,
                                            std::uint32_t& count) {
   if (list.kind() == Schema::Kind::kSequence) {

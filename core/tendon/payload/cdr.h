@@ -22,12 +22,12 @@ static_assert(std::endian::native == std::endian::little, "the codec copies numb
 
 constexpr std::size_t kMaxAlignment = 8;
 
-/// The alignment is a power of two.
+/// `alignment` is a power of two.
 constexpr std::size_t AlignUp(std::size_t position, std::size_t alignment) {
   return (position + alignment - 1) & ~(alignment - 1);
 }
 
-/// Writes into memory which the caller has made large enough.
+/// Writes into memory that the caller has made large enough.
 class CdrWriter {
  public:
   explicit CdrWriter(std::byte* body) : body_(body) {}
@@ -37,10 +37,10 @@ class CdrWriter {
     WritePlain(&value, sizeof(T), sizeof(T));
   }
 
-  /// Copies `size` bytes of numbers that are `alignment` bytes each; there is at least one.
+  /// Copies `size` bytes, at least one, of numbers that are `alignment` bytes each.
   void WritePlain(const void* numbers, std::size_t size, std::size_t alignment) {
     const std::size_t start = AlignUp(position_, alignment);
-    // One store of a constant size; what it writes beyond the padding is written again.
+    // One store of a constant size; bytes beyond the padding are overwritten below.
     if (start != position_) std::memset(body_ + position_, 0, alignment);
     std::memcpy(body_ + start, numbers, size);
     position_ = start + size;
@@ -51,14 +51,14 @@ class CdrWriter {
     WritePlain(text.c_str(), text.size() + 1, 1);
   }
 
-  /// A writer of its own for the next `size` bytes, for which this place is the start of the body.
-  /// Only where is_aligned().
+  /// A separate writer for the next `size` bytes, for which this place is the start of the body.
+  /// Only if is_aligned().
   CdrWriter Fork(std::size_t size) {
     position_ += size;
     return CdrWriter(body_ + position_ - size);
   }
 
-  /// Whether what follows is aligned as at the start of the body.
+  /// True if the next byte is aligned like the start of the body.
   [[nodiscard]] bool is_aligned() const { return position_ % kMaxAlignment == 0; }
   [[nodiscard]] std::size_t position() const { return position_; }
 
@@ -67,7 +67,7 @@ class CdrWriter {
   std::size_t position_ = 0;
 };
 
-/// Reads from bytes of any origin; says no, and reads nothing, where they do not suffice.
+/// Reads from untrusted bytes. Returns false, and reads nothing, if there are too few.
 class CdrReader {
  public:
   explicit CdrReader(std::span<const std::byte> body) : body_(body.data()), size_(body.size()) {}
@@ -91,7 +91,7 @@ class CdrReader {
     return true;
   }
 
-  /// Steps over `size` bytes of numbers that are `alignment` bytes each.
+  /// Skips `size` bytes of numbers that are `alignment` bytes each.
   [[nodiscard]] bool Skip(std::size_t size, std::size_t alignment) {
     const std::size_t start = AlignUp(position_, alignment);
     if (start > size_ || size_ - start < size) return false;
@@ -108,13 +108,13 @@ class CdrReader {
     return true;
   }
 
-  /// Reads the length of a sequence, and refuses one whose elements, of at least `minimum_size`
-  /// bytes each, cannot be there.
+  /// Reads the length of a sequence. Refuses it if the remaining bytes cannot hold so many elements
+  /// of at least `minimum_size` bytes each.
   [[nodiscard]] bool ReadLength(std::uint32_t& length, std::size_t minimum_size) {
     return Read(length) && length <= remaining() / minimum_size;
   }
 
-  /// Whether all has been read, but for the padding up to the next multiple of eight.
+  /// True if everything was read, apart from padding up to the next multiple of eight.
   [[nodiscard]] bool AtEnd() const { return size_ <= AlignUp(position_, kMaxAlignment); }
 
   [[nodiscard]] std::size_t remaining() const { return size_ - position_; }
@@ -131,7 +131,7 @@ struct CdrDuration {
   std::uint32_t nanosec = 0;  // below one billion
 };
 
-/// Rounded to nanoseconds; what exceeds 68 years becomes 68 years, not-a-number zero.
+/// Rounded to nanoseconds. More than 68 years become 68 years; not-a-number becomes zero.
 template <TimeSpan T>
 CdrDuration ToCdr(T value) {
   using std::chrono::nanoseconds;
@@ -152,8 +152,8 @@ CdrDuration ToCdr(T value) {
           static_cast<std::uint32_t>((exact - whole).count())};
 }
 
-/// Rounded towards zero to what T can count. Refuses a billion nanoseconds and more, and what T
-/// cannot hold.
+/// Rounded towards zero to the resolution of T. Refuses a billion nanoseconds and more, and values
+/// that T cannot hold.
 template <TimeSpan T>
 bool FromCdr(CdrDuration wire, T& value) {
   if (wire.nanosec >= 1'000'000'000) return false;

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Nothing for what has no place on an axis.
+/// Nothing if the value has no place on an axis.
 template <AxisNumber Number>
 std::optional<Number> NumberOf(const ChannelValue& value) {
   if constexpr (std::is_integral_v<Number>) {
@@ -50,7 +50,7 @@ ChannelAxis::ChannelAxis(const Schema& schema, std::span<const ChannelValue> val
   }
 }
 
-/// At the same distance from each other, whatever their numbers.
+/// Places the names at equal distances, whatever their numbers.
 void ChannelAxis::UseNames(const Schema& schema, std::span<const ChannelValue> values) {
   constexpr double kMiddle = 0.5;
   Names names;

@@ -14,9 +14,9 @@
 
 namespace tendon {
 
-/// An axis for values of one channel, whatever a payload can hold: how they stand above each other,
-/// and what is written beside them. Bools and enums have a place for each value, with its name;
-/// integers are exact and have whole steps; of floats the finite ones count.
+/// An axis for values of one channel, of any payload type: it places the values and their labels.
+/// Bools and enums have a place for each value, with its name; integers are exact and have whole
+/// steps; of floats, only the finite ones count.
 class ChannelAxis {
  public:
   /// A place on the axis: 0 is its low end, 1 its high end.
@@ -25,18 +25,18 @@ class ChannelAxis {
     std::string text;
   };
 
-  /// As long as the values need. Has no labels.
+  /// Just long enough for the values. Has no labels.
   static ChannelAxis Tight(const Schema& schema, std::span<const ChannelValue> values);
-  /// With round ends and about `most` labels, of which no two are alike.
+  /// With round ends and about `most` labels, all of them different.
   static ChannelAxis Fitted(const Schema& schema, std::span<const ChannelValue> values, int most);
 
-  /// From the low end to the high end; empty where no value has a place.
+  /// From the low end to the high end; empty if no value has a place.
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
-  /// From 0 to 1, of one of the values; nothing for infinities and what is not a number.
+  /// The place of a value, from 0 to 1; nothing for infinities and not-a-number.
   [[nodiscard]] std::optional<double> PartOf(const ChannelValue& value) const;
 
  private:
-  using Names = std::map<std::int64_t, double>;  // the parts of values
+  using Names = std::map<std::int64_t, double>;  // the places of values
 
   ChannelAxis(const Schema& schema, std::span<const ChannelValue> values,
               std::optional<int> most_labels);

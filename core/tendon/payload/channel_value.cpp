@@ -16,7 +16,7 @@ std::string Digits(T value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// A sign of not-a-number says nothing.
+/// The sign of not-a-number has no meaning.
 template <std::floating_point T>
 std::string RealText(T value) {
   return std::isnan(value) ? "nan" : Digits(value);
@@ -58,7 +58,7 @@ double ChannelValue::Minus(const ChannelValue& other) const {
   if (is_real() || kind_ != other.kind_) return real() - other.real();
   const bool is_unsigned = kind_ == Kind::kUnsigned;
   const bool is_below = is_unsigned ? bits_ < other.bits_ : integer() < other.integer();
-  // Of bits, so that it holds the distance from the lowest to the highest integer.
+  // Subtracts bits, to hold even the distance from the lowest to the highest integer.
   const auto distance = static_cast<double>(is_below ? other.bits_ - bits_ : bits_ - other.bits_);
   const double size = is_below ? -distance : distance;
   return kind_ == Kind::kDuration ? size / kPerSecond : size;

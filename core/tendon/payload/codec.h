@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-/// Values as bytes and back: CDR (XCDR1, little-endian) without an encapsulation header, the
-/// format of DDS and ROS 2. All functions are thread-safe; none throws but std::bad_alloc.
+/// Values as bytes and back: CDR (XCDR1, little-endian) without an encapsulation header, the format
+/// of DDS and ROS 2. All functions are thread-safe; they throw only std::bad_alloc.
 namespace tendon {
 
 namespace payload {
 
-/// Writes one of many values. Where it begins aligned, the places of all its numbers are constants.
+/// Writes one of many values. If it begins aligned, the places of all its numbers are constants.
 template <typename T>
 void WriteItem(CdrWriter& writer, const T& item);
 
@@ -75,7 +75,7 @@ void WriteSequence(CdrWriter& writer, const T& value) {
   }
 }
 
-/// Reads an int32; false when the enum has no such value.
+/// Reads an int32; false if the enum has no such value.
 template <Enum T>
 bool ReadEnum(CdrReader& reader, T& value) {
   std::int32_t number = 0;
@@ -158,8 +158,8 @@ bool ReadSequence(CdrReader& reader, T& value) {
 
 }  // namespace payload
 
-/// Writes `value` into the front of `out` and returns the number of bytes used, or 0 when `out` is
-/// too small; it is then unchanged. No allocation.
+/// Writes `value` into the front of `out` and returns the number of bytes used, or 0 if `out` is
+/// too small; then it is unchanged. No allocation.
 template <Payload T>
 std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   const std::size_t size = EncodedSize(value);
@@ -170,18 +170,18 @@ std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   return size;
 }
 
-/// Replaces the content of `out`. Allocates only when its capacity does not suffice.
+/// Replaces the content of `out`. Allocates only if its capacity is too small.
 template <Payload T>
 void Encode(const T& value, std::vector<std::byte>& out) {
   out.resize(EncodedSize(value));
   EncodeTo(value, std::span<std::byte>(out));
 }
 
-/// Reads a body of any origin. False when it is too short, goes on after the value (but for
-/// padding to a multiple of eight), or holds a bool other than 0 and 1, an enum's value without a
-/// name, a string without its end, a duration's second of a billion nanoseconds; `value` is then
-/// valid but unspecified. Never allocates more than a body of this size can fill, and nothing
-/// where the capacity of strings and vectors in `value` suffices.
+/// Reads an untrusted body. False if it is too short, continues after the value (apart from padding
+/// to a multiple of eight), or contains a bool other than 0 and 1, an enum value without a name, an
+/// unterminated string, or a billion nanoseconds in a duration; `value` is then valid but
+/// unspecified. Never allocates more than a body of this size can fill, and nothing if the capacity
+/// of the strings and vectors in `value` suffices.
 template <Payload T>
 [[nodiscard]] bool Decode(std::span<const std::byte> body, T& value) {
   payload::CdrReader reader(body);

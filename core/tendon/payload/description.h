@@ -12,7 +12,7 @@
 
 namespace tendon {
 
-/// The primary template of kPayload: nothing is known about the type.
+/// The primary template of kPayload: the type is not described.
 struct NotDescribed {};
 
 /// Describes a user's type once, beside the type; codec, fingerprint, schema, plot channels and
@@ -20,7 +20,7 @@ struct NotDescribed {};
 template <typename T>
 inline constexpr auto kPayload = NotDescribed{};
 
-/// The numbers which a field is meant to hold, both ends included; a duration counts in seconds.
+/// The numbers that a field is meant to hold, including both ends; a duration counts in seconds.
 struct Range {
   double lowest = 0;
   double highest = 0;
@@ -29,7 +29,7 @@ struct Range {
 };
 
 /// One named member of a structure. `unit` is part of the type: rad does not connect to deg. Help
-/// and range are not; they are for people, forms and JSON, and reach them with the schema:
+/// and range are not; they are for people, forms and JSON, and travel with the schema:
 ///
 ///     Field{"speed", &Goal::speed, "rad/s"}.Within(0, 2.5).Help("Of the fastest joint.")
 template <typename Owner, typename Member>
@@ -42,7 +42,7 @@ struct Field {
   std::string_view help = {};
   std::optional<Range> range = {};
 
-  /// For a number, a duration, or a list of such.
+  /// For a number, a duration, or a list of these.
   [[nodiscard]] constexpr Field Within(double lowest, double highest) const {
     return {name, member, unit, help, Range{lowest, highest}};
   }
@@ -70,7 +70,7 @@ struct Enumerator {
 template <typename Enum>
 Enumerator(std::string_view, Enum) -> Enumerator<Enum>;
 
-/// An enum: its name on the network and the only values it may take.
+/// An enum: its name on the network and the only values that it may have.
 template <typename Enum, std::size_t kCount>
 struct EnumDescription {
   std::string_view name;
@@ -87,7 +87,7 @@ constexpr std::size_t kMaxHelp = 200;
 constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Letters, digits and '_', beginning with no digit: fields and enumerators.
+/// Letters, digits and '_', not beginning with a digit: for fields and enumerators.
 constexpr bool IsIdentifier(std::string_view name) {
   if (name.empty() || name.size() > kMaxFieldName || IsDigit(name.front())) return false;
   return std::ranges::all_of(name, [](char c) { return IsLetter(c) || IsDigit(c) || c == '_'; });
@@ -112,7 +112,7 @@ constexpr bool IsLine(std::string_view text, std::size_t most) {
 }
 constexpr bool IsUnit(std::string_view unit) { return IsLine(unit, kMaxUnit); }
 constexpr bool IsHelp(std::string_view help) { return IsLine(help, kMaxHelp); }
-/// False for not-a-number, too.
+/// Also false for not-a-number.
 constexpr bool IsRange(const Range& range) { return range.lowest <= range.highest; }
 
 template <std::size_t kCount>
@@ -154,7 +154,7 @@ consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
   return Description<Field<Owner, Member>...>{name, {fields...}};
 }
 
-/// Describes an enum. On the wire it is an int32; a value without a name does not decode.
+/// Describes an enum. On the wire it is an int32; a value without a name cannot be decoded.
 template <typename Enum, typename... More>
 consteval auto DescribeEnum(std::string_view name, Enumerator<Enum> first, More... more) {
   using All = std::array<Enumerator<Enum>, 1 + sizeof...(more)>;

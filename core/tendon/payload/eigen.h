@@ -14,11 +14,11 @@
 #include <type_traits>
 #include <vector>
 
-/// Eigen types as payloads; link tendon::eigen. Decoding allocates only where a dynamic size
-/// changes. A default-constructed Eigen object holds whatever was in memory.
+/// Eigen types as payloads; link tendon::eigen. Decoding allocates only if a dynamic size changes.
+/// A default-constructed Eigen object is uninitialised.
 ///
 ///     Vector of fixed size     float64[6]
-///     Matrix of fixed size     float64[cols][rows]: rows one after the other, as one writes it
+///     Matrix of fixed size     float64[cols][rows]: row after row, as on paper
 ///     Vector of dynamic size   float64[]
 ///     Matrix of dynamic size   struct tendon.MatrixFloat64: rows, cols, data row after row
 ///     Quaternion, Isometry     robot::Quaternion (x y z w), robot::Transform, both of float64
@@ -69,7 +69,7 @@ struct SubstituteFor<Eigen::Matrix<Scalar, kRows, kCols, kOptions>> {
   }
 };
 
-/// The type on the wire of a matrix of dynamic size.
+/// The wire type of a matrix of dynamic size.
 template <typename Scalar>
 struct MatrixOnWire {
   std::uint32_t rows = 0;
@@ -158,7 +158,7 @@ struct SubstituteFor<Eigen::Transform<Scalar, 3, Eigen::Isometry, kOptions>> {
   static Type From(const Isometry& isometry) {
     return robot::ToTransform(isometry.template cast<double>());
   }
-  /// Normalises the rotation; refuses the quaternion of zeros, which is none.
+  /// Normalises the rotation; refuses a quaternion of zeros, which is no rotation.
   static bool Into(const Type& wire, Isometry& isometry) {
     if (robot::ToEigen(wire.rotation).squaredNorm() == 0) return false;
     isometry = robot::ToEigen(wire).template cast<Scalar>();

@@ -10,7 +10,7 @@ namespace tendon {
 
 namespace payload {
 
-/// Where a value of a fixed type ends that begins (before alignment) at `start`.
+/// The end of a value of a fixed type that begins (before alignment) at `start`.
 template <typename T>
 constexpr std::size_t EndOf(std::size_t start) {
   if constexpr (IsPlain<T>()) {
@@ -54,7 +54,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
       return AlignUp(start, PlainAlignment<Item>()) + length * sizeof(Item);
     } else {
       if constexpr (IsFixed<Item>()) {
-        // From the second item on, each begins where it would in a body of its own.
+        // From the second item on, each is aligned as in a body of its own.
         if (EndOf<Item>(0) % kMaxAlignment == 0) {
           return EndOf<Item>(start) + (length - 1) * EndOf<Item>(0);
         }
@@ -74,7 +74,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
   }
 }
 
-/// The fewest bytes a value can take; at least 1.
+/// The fewest bytes that a value can take; at least 1.
 template <typename T>
 consteval std::size_t MinimumSize() {
   if constexpr (Number<T>) {
@@ -95,11 +95,11 @@ consteval std::size_t MinimumSize() {
 
 }  // namespace payload
 
-/// Bytes of any value of a fixed type on the wire. A multiple of nothing in particular.
+/// Size in bytes of any value of a fixed type on the wire; not rounded up to a multiple.
 template <FixedPayload T>
 inline constexpr std::size_t kEncodedSize = payload::EndOf<T>(0);
 
-/// Bytes of `value` on the wire. Walks strings and sequences; constant for a fixed type.
+/// Size of `value` in bytes on the wire. Walks strings and sequences; constant for a fixed type.
 template <Payload T>
 [[nodiscard]] std::size_t EncodedSize(const T& value) {
   if constexpr (FixedPayload<T>) {

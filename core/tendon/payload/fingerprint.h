@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// Identifies a payload's type between processes: XXH3, 128 bits, of its canonical schema text.
+/// Identifies a payload's type between processes: 128-bit XXH3 of its canonical schema text.
 struct Fingerprint {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -29,7 +29,7 @@ inline constexpr auto kPayload<Fingerprint> = Describe("tendon.Fingerprint",
 [[nodiscard]] Fingerprint FingerprintOf(std::string_view canonical_schema_text);
 
 namespace payload {
-/// Returns its fingerprint; FindSchema() finds it from now on.
+/// Returns the fingerprint of `schema`, which FindSchema() finds from now on.
 Fingerprint Remember(const Schema& schema);
 }  // namespace payload
 
@@ -40,8 +40,8 @@ template <Payload T>
   return fingerprint;
 }
 
-/// The schema of any type whose FingerprintOf() this process has computed, or that it was told of
-/// by another process. Thread-safe.
+/// The schema of any type whose FingerprintOf() this process has computed, or that another process
+/// has sent. Thread-safe.
 [[nodiscard]] std::optional<Schema> FindSchema(Fingerprint fingerprint);
 
 }  // namespace tendon

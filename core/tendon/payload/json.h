@@ -14,19 +14,20 @@
 
 /// JSON for people and scripts, made from a schema alone. A structure is an object with its fields
 /// in order, an enum the name of its value, a duration a number of seconds, None is null. Numbers
-/// have the shortest form that reads back the same, integers all their digits, negative zero is
-/// -0.0; the numbers which JSON lacks are "nan", "inf" and "-inf".
+/// have the shortest form that reads back the same, integers all their digits; negative zero is
+/// -0.0. The numbers that JSON lacks are "nan", "inf" and "-inf".
 namespace tendon {
 
-/// The error says what is wrong with the body. An enum's value without a name is shown as a number,
-/// so that a viewer shows what is there.
+/// The error tells what is wrong with the body. An enum value without a name becomes a number, so
+/// that a viewer can show it.
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
 
-/// The same of one number: a bool, an integer, a float, an enum or a duration.
+/// The same for one number: a bool, an integer, a float, an enum or a duration.
 [[nodiscard]] std::string ToJson(const Schema& number, const ChannelValue& value);
 
-/// The body of a value: every field once, in its range; at most 16 MiB, 64 levels. The error says
-/// where, what was expected and found: "goal.position[3]: expected a number (rad), got string 'x'".
+/// The body of a value, which has every field once, in its range; at most 16 MiB, 64 levels. The
+/// error names the place and both sides: "goal.position[3]: expected a number (rad), got string
+/// 'x'".
 [[nodiscard]] Result<std::vector<std::byte>> FromJson(const Schema& schema,
                                                       std::string_view json_text);
 

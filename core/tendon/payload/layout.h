@@ -10,10 +10,9 @@
 
 namespace tendon {
 
-/// How a payload lies in memory, as one number: size, alignment, the place of every field, the C++
-/// types of what lies in it, and the library's binary interface. Two plug-ins whose type has one
-/// fingerprint and one layout may hand values over by pointer. 0 stands for "no layout": a proxy,
-/// which has only bytes.
+/// The memory layout of a payload, as one number: size, alignment, the place of every field, the
+/// C++ types in it, and the library's binary interface. Two plug-ins whose type has one fingerprint
+/// and one layout may pass values by pointer. 0 means "no layout": a proxy has only bytes.
 using Layout = std::uint64_t;
 
 namespace layout {
@@ -33,7 +32,7 @@ constexpr Layout Mix(Layout hash, std::string_view text) {
 template <Payload T>
 Layout Of(Layout hash) {
   hash = Mix(Mix(hash, sizeof(T)), alignof(T));
-  // Seconds and milliseconds, matrices by row and by column: one fingerprint, one size.
+  // Seconds and milliseconds, or row-major and column-major matrices, look the same without it.
   if constexpr (!payload::Structure<T>) hash = Mix(hash, std::string_view(typeid(T).name()));
   if constexpr (payload::Structure<T>) {
     const auto probe = std::make_unique<T>();
@@ -54,7 +53,7 @@ Layout Of(Layout hash) {
 
 }  // namespace layout
 
-/// Computed once a type; allocates one T.
+/// Computed once per type; allocates one T.
 template <Payload T>
 Layout LayoutOf() {
   static const Layout value = [] {

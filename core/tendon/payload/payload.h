@@ -8,37 +8,37 @@
 
 namespace tendon {
 
-/// Anything that can travel through a command, an event or a state table: bool, integers, float,
-/// double, enums, std::string, std::array, std::vector, std::chrono::duration and structures with
-/// a description, in any nesting. It has a default value and can be copied.
+/// Any type that can travel through a command, an event or a state table: bool, integers, float,
+/// double, enums, std::string, std::array, std::vector, std::chrono::duration and structures with a
+/// description, in any nesting. It has a default value and can be copied.
 template <typename T>
 concept Payload = std::same_as<T, std::remove_cvref_t<T>> &&
     payload::IsPayload<T>() && std::semiregular<T>;
 
-/// A structure or an enum with a kPayload of its own.
+/// A structure or an enum with its own kPayload.
 template <typename T>
 concept Described = !std::same_as<payload::DescriptionOf<T>, NotDescribed>;
 
-/// A payload of which every value takes the same number of bytes on the wire.
+/// A payload whose values all take the same number of bytes on the wire.
 template <typename T>
 concept FixedPayload = Payload<T> && payload::IsFixed<T>();
 
-/// `static_assert(RequirePayload<T>())` first in a template that an author names a payload to: one
-/// sentence instead of a failed constraint.
+/// `static_assert(RequirePayload<T>())` belongs first in a template to which an author passes a
+/// payload: it gives one sentence instead of a failed constraint.
 template <typename T>
 consteval bool RequirePayload() {
   static_assert(Payload<T>, "T is not described: write kPayload<T> beside it");
   return true;
 }
 
-/// Stands for no argument or no result. On the wire it is one zero byte, as in ROS 2.
+/// Means no argument or no result. On the wire it is one zero byte, as in ROS 2.
 struct None {
   bool operator==(const None&) const = default;
 };
 template <>
 inline constexpr auto kPayload<None> = Describe("tendon.None");
 
-/// The name of a described enum's value, or "?" when it has none.
+/// The name of a described enum's value; "?" if it has none.
 template <payload::NamedEnum T>
 [[nodiscard]] constexpr std::string_view NameOf(T value) {
   for (const auto& enumerator : kPayload<T>.enumerators) {

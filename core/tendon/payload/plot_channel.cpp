@@ -22,7 +22,7 @@ std::string UnitOf(const Schema& number, const std::string& unit) {
   return unit.empty() && number.kind() == Schema::Kind::kDuration ? "s" : unit;
 }
 
-/// Reads what is next as a number.
+/// Reads the next value as a number.
 std::optional<ChannelValue> ReadNumber(const Schema& schema, CdrReader& reader) {
   if (schema.kind() == Schema::Kind::kDuration) {
     payload::CdrDuration duration;
@@ -35,12 +35,12 @@ std::optional<ChannelValue> ReadNumber(const Schema& schema, CdrReader& reader) 
   });
 }
 
-/// Goes through a schema in wire order and notes each number; through a body too if there is one.
+/// Walks a schema, and a body if there is one, in wire order and lists each number.
 class Lister {
  public:
   Lister(const Schema& root, CdrReader* reader) : root_(root), reader_(reader) {}
 
-  /// False when the body does not decode.
+  /// False if the body cannot be decoded.
   bool Visit(const Schema& schema, const std::string& unit) {
     if (is_full()) return true;
     if (IsChannel(schema)) return VisitNumber(schema, unit);
@@ -93,7 +93,7 @@ class Lister {
           Inside("[" + std::to_string(i) + "]", i, [&] { return Visit(list.element(), unit); });
       if (!good) return false;
       if (reader_ == nullptr && channels_.size() == channels_before) {
-        // Nothing in any element; what keeps the place known are bytes of None alone.
+        // No element has a channel. The position stays known only if they are bytes of None alone.
         if (position_) *position_ += (count - 1) * list.element().minimum_size();
         break;
       }
@@ -191,7 +191,7 @@ class Finder {
   PlotChannel channel_;
 };
 
-/// Leads the reader to the value at the end of the route.
+/// Moves the reader to the value at the end of the route.
 bool Follow(const PlotChannel& channel, CdrReader& reader) {
   const Schema* schema = &channel.root;
   for (const std::uint32_t index : channel.route) {

@@ -18,7 +18,7 @@ namespace tendon {
 struct Fingerprint;
 
 /// A payload's type at run time, for programs that were built without it. Immutable; a copy costs
-/// one reference count; may be shared between threads.
+/// one reference count, and threads may share it.
 class Schema {
  public:
   enum class Kind : std::int32_t {
@@ -53,14 +53,14 @@ class Schema {
   Schema();
   /// A number, a string or a duration.
   explicit Schema(Kind simple);
-  /// Names, lengths and shapes are taken as they are; a text from outside goes through Parse().
+  /// Names, lengths and shapes are not checked; use Parse() for untrusted text.
   static Schema Enum(std::string name, std::vector<Enumerator> enumerators);
   static Schema Array(Schema element, std::uint32_t length);
   static Schema Sequence(Schema element);
   static Schema Structure(std::string name, std::vector<Field> fields);
 
   [[nodiscard]] Kind kind() const;
-  /// Of a structure or an enum, else empty.
+  /// The name of a structure or an enum, else empty.
   [[nodiscard]] const std::string& name() const;
   /// In wire order; empty unless a structure.
   [[nodiscard]] const std::vector<Field>& fields() const;
@@ -72,11 +72,11 @@ class Schema {
 
   /// bool, an integer, a float or a double.
   [[nodiscard]] bool is_number() const { return kind() <= Kind::kFloat64; }
-  /// A structure without fields: nothing to say, one byte on the wire.
+  /// A structure without fields: no content, one byte on the wire.
   [[nodiscard]] bool is_none() const { return kind() == Kind::kStructure && fields().empty(); }
-  /// The fewest bytes a value takes on the wire; at least 1.
+  /// The fewest bytes that a value takes on the wire; at least 1.
   [[nodiscard]] std::size_t minimum_size() const;
-  /// Whether a field of it can have a range: an integer, a float, a duration, or a list of such.
+  /// True if a field of it can have a range: integers, floats, durations, or lists of these.
   [[nodiscard]] bool holds_numbers() const;
   /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]". See TypeNameOf().
   [[nodiscard]] std::string TypeName() const;
@@ -90,20 +90,20 @@ class Schema {
   ///       }
   ///     }
   [[nodiscard]] std::string Text() const;
-  /// The same, and what only people and forms need, in lines before the field; it has the same
+  /// The same, plus lines before a field that only people and forms need; it has the same
   /// fingerprint when it is read.
   ///
   ///       # Of the fastest joint.
   ///       @ 0 to 2.5
   ///       speed: float64 in rad/s
   [[nodiscard]] std::string TextWithHelp() const;
-  /// Reads either text, of any origin: at most 1 MiB, 64 levels, values of at least at most 2 GiB.
+  /// Reads either text, even untrusted: at most 1 MiB, 64 levels, and a minimum_size() of 2 GiB.
   /// The error names line and column.
   static Result<Schema> Parse(std::string_view text);
-  /// Computed from the text each time; include fingerprint.h.
+  /// Computed from the text each time; needs fingerprint.h.
   [[nodiscard]] Fingerprint fingerprint() const;
 
-  /// Whether the canonical texts are equal.
+  /// True if the canonical texts are equal.
   bool operator==(const Schema& other) const;
 
  private:
@@ -113,8 +113,7 @@ class Schema {
   std::shared_ptr<const Node> node_;
 };
 
-/// `unit` is empty where the field has none; it holds for all numbers in `schema`, and so does
-/// `range`.
+/// `unit` is empty if the field has none. `unit` and `range` hold for all numbers in `schema`.
 struct Schema::Field {
   std::string name;
   std::string unit;
@@ -126,14 +125,14 @@ struct Schema::Field {
 /// "bool", "int8" ... "float64", "string", "duration", "enum", "array", "sequence", "struct".
 [[nodiscard]] std::string_view ToString(Schema::Kind kind);
 
-/// The definition as a ROS 2 message, nested ones appended as in MCAP; enums are int32 with
-/// constants. A schema that is no structure becomes a message with the field `data`.
+/// The definition as a ROS 2 message, with nested ones appended as in MCAP; enums are int32 with
+/// constants. A schema that is not a structure becomes a message with the field `data`.
 [[nodiscard]] std::string RosMessage(const Schema& schema);
 /// "arm/msg/JointState" for a structure, as RosMessage() calls it.
 [[nodiscard]] std::string RosTypeName(const Schema& schema);
 
-/// Where two types differ first, or nothing: "position of arm.JointState: float64[7] in rad needed,
-/// float64[7] in deg offered".
+/// The first difference of two types, or nothing: "position of arm.JointState: float64[7] in rad
+/// needed, float64[7] in deg offered".
 [[nodiscard]] std::optional<std::string> FirstDifference(const Schema& needed,
                                                          const Schema& offered);
 

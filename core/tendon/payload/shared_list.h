@@ -10,11 +10,11 @@
 
 namespace tendon {
 
-/// A list of which many copies may be held once: a std::vector, until Share() is called. From then
-/// on a copy costs a reference count, and whoever changes one has a list of its own again. As a
-/// payload it is a vector.
+/// A list whose copies can share its memory: a std::vector until Share() is called. From then on a
+/// copy costs one reference count, and a copy that is changed becomes a separate list. As a payload
+/// it is a vector.
 ///
-/// Thread safety: that of a vector; what copies share is never changed.
+/// Thread safety: that of a vector; shared content is never changed.
 template <typename T>
 class SharedList {
  public:
@@ -37,7 +37,7 @@ class SharedList {
   [[nodiscard]] const T& front() const { return items().front(); }
   [[nodiscard]] const T& back() const { return items().back(); }
 
-  // To change it.
+  // For changes.
   [[nodiscard]] T* data() { return Own().data(); }
   [[nodiscard]] iterator begin() { return Own().begin(); }
   [[nodiscard]] iterator end() { return Own().end(); }
@@ -48,11 +48,11 @@ class SharedList {
   void resize(std::size_t size) { Own().resize(size); }
   void clear() { *this = {}; }
 
-  /// Copies that are made from now on are the same list.
+  /// Copies from now on share this list.
   void Share() {
     if (!shared_) shared_ = std::make_shared<const std::vector<T>>(std::exchange(own_, {}));
   }
-  /// How many hold this list, at about this time; 1 before Share().
+  /// Number of copies that hold this list, approximately; 1 before Share().
   [[nodiscard]] long holders() const { return shared_ ? shared_.use_count() : 1; }
 
   friend bool operator==(const SharedList& a, const SharedList& b) {

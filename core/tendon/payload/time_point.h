@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdint>
 
-/// Points on the system clock as payloads; include it where one is a member. On the wire it is
-/// builtin_interfaces/Time of ROS 2. Points on the steady clock do not travel: they mean nothing on
-/// another machine.
+/// Points on the system clock as payloads; include it for such a member. On the wire it is
+/// builtin_interfaces/Time of ROS 2. Points on the steady clock cannot travel, because they mean
+/// nothing on another machine.
 namespace tendon {
 
 namespace payload {
@@ -19,7 +19,7 @@ struct TimeOnWire {
   std::uint32_t nanosec = 0;
 };
 
-/// Beyond 1901 and 2038 it becomes the nearest time that an int32 of seconds can tell.
+/// A time before 1901 or after 2038 becomes the nearest one that int32 seconds can hold.
 template <TimeSpan Span>
 struct SubstituteFor<std::chrono::sys_time<Span>> {
   using Type = TimeOnWire;

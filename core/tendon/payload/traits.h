@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-/// Sorts the types that can travel. Every type is at most one of: Number, Enum, Text, TimeSpan,
-/// Array, Sequence, Structure, Substituted.
+/// Classifies the types that can travel. Every type is at most one of: Number, Enum, Text,
+/// TimeSpan, Array, Sequence, Structure, Substituted.
 namespace tendon::payload {
 
 template <typename T>
@@ -45,8 +45,8 @@ struct IsTimeSpan<std::chrono::duration<Count, Period>>
 template <typename T>
 concept TimeSpan = IsTimeSpan<T>::value;
 
-/// A type that is always the same number of equal elements in a row. Specialise for a container
-/// with data().
+/// A type that is a fixed number of equal elements in a row. Specialise for a container with
+/// data().
 template <typename T>
 struct ArrayTraits {
   static constexpr std::size_t kLength = 0;
@@ -73,8 +73,8 @@ concept Sequence = requires {
 };
 
 /// A type that travels as another payload, `Type`. Specialise with `static Type From(const T&)` and
-/// `static bool Into(const Type&, T&)`, which says whether the value was acceptable; or, where
-/// `Type` would have to allocate, with Write, Read and EndOf as in codec.h.
+/// `static bool Into(const Type&, T&)`, which returns false for an invalid value; or, if `Type`
+/// would have to allocate, with Write, Read and EndOf as in codec.h.
 template <typename T>
 struct SubstituteFor {};
 template <typename T>
@@ -115,7 +115,7 @@ constexpr decltype(auto) WithFields(Visitor&& visit) {
   return std::apply(std::forward<Visitor>(visit), kPayload<T>.fields);
 }
 
-/// Whether T is a number, not bool, or a time span, or a list of such: what a range can be for.
+/// True if T is a number (not bool), a time span, or a list of these: it can have a range.
 template <typename T>
 consteval bool HoldsNumbers() {
   if constexpr (Array<T>) {
@@ -139,7 +139,7 @@ constexpr bool FieldIsPayload(bool has_range) {
   return true;
 }
 
-/// A structure with a field that cannot travel is a mistake, not merely no payload.
+/// A field that cannot travel is a mistake in its structure: it does not compile.
 template <typename T>
 consteval bool IsPayload() {
   if constexpr (Array<T>) {
@@ -157,7 +157,7 @@ consteval bool IsPayload() {
   }
 }
 
-/// Whether every value of T takes the same number of bytes.
+/// True if every value of T takes the same number of bytes.
 template <typename T>
 consteval bool IsFixed() {
   if constexpr (Array<T>) {
@@ -172,8 +172,8 @@ consteval bool IsFixed() {
   }
 }
 
-/// Whether T lies in memory exactly as on the wire, so that many are one memcpy. Not bool, which
-/// is checked on the way in.
+/// True if T has the same bytes in memory as on the wire, so that many are one memcpy. Not bool,
+/// which is checked when it is read.
 template <typename T>
 consteval bool IsPlain() {
   if constexpr (Array<T>) {

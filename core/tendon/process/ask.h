@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// Channel::Request() whose end comes in time: `timer` sees to Expire(). Only while the timer
+/// Channel::Request() whose timeout `timer` enforces by calling Expire(). Only while the timer
 /// lives.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,

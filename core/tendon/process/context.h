@@ -14,39 +14,39 @@
 
 namespace tendon {
 
-/// The components of a process as its network parts reach them.
+/// The components of a process, as its network parts see them.
 class ProcessHost {
  public:
   virtual ~ProcessHost() = default;
-  /// The manager's lock: held while components are looked up and connections made or broken.
+  /// The manager's lock. Hold it to look up components and to make or break connections.
   [[nodiscard]] virtual std::unique_lock<std::recursive_mutex> LockStructure() const = 0;
-  // With the lock held, and valid as long.
+  // Call these with the lock held; the results are valid as long as it is.
   [[nodiscard]] virtual Result<RequiredInterface*> LookUpRequired(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<ProvidedInterface*> LookUpProvided(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Component* LookUpComponent(const std::string& name) const = 0;
   virtual ConnectionId NewConnectionId() = 0;
   // Any thread.
-  /// Of one of this process, or of another one that is served here.
+  /// For a connection of this process, or of another process that is served here.
   [[nodiscard]] virtual Result<ConnectionCounts> LookUpCounts(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<MailboxFill> LookUpFill(const std::string& component) const = 0;
-  /// A connection has changed.
+  /// Call it when a connection has changed.
   virtual void StructureChanged() const = 0;
 };
 
-/// What the network parts of one process have in common. It outlives them.
+/// What the network parts of one process share. It outlives them.
 ///
-/// Threads: the structure (which connections there are, to what) is changed on the worker, or under
-/// the manager's lock by who removes a component or disconnects; threads of the middleware post to
-/// the worker what might block. It waits for no other process: links are opened by the openers,
-/// which post to the worker what has come of it.
+/// Threads: the connections are changed on the worker, or under the manager's lock by a thread that
+/// removes a component or disconnects. Threads of the middleware post everything that might block
+/// to the worker. The worker never waits for another process: the openers open links, and post the
+/// result to the worker.
 struct ProcessContext {
   std::string name;
   ProcessHost& host;
   std::shared_ptr<Middleware> middleware;
-  Hello hello;  ///< of channels that are opened; its session belongs to the worker
+  Hello hello;  ///< for channels that are opened here; only the worker changes its session
   std::shared_ptr<Worker> worker;
-  std::shared_ptr<Worker> opener;      ///< of links to peers
-  std::shared_ptr<Worker> gcm_opener;  ///< of that to the GCM, which no peer that hangs delays
+  std::shared_ptr<Worker> opener;      ///< opens links to peers
+  std::shared_ptr<Worker> gcm_opener;  ///< for the link to the GCM, which no peer may delay
   std::shared_ptr<NetworkThread> network;
   std::shared_ptr<SortsOfCalls> calls;
   ComponentProxies proxies;

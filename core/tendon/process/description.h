@@ -9,10 +9,10 @@
 
 namespace tendon {
 
-/// How a process is doing, as the GCM sees it.
+/// The state of a process, as the GCM sees it.
 enum class ProcessState : std::int32_t {
   kAlive,
-  kSuspect,   ///< has missed renewals of its lease
+  kSuspect,   ///< has missed lease renewals
   kLost,      ///< its connection broke or its lease ran out; its description is kept as a tombstone
   kLeft,      ///< said good-bye; kept as a tombstone too
   kStarting,  ///< the GCM has started its program, which has not joined yet
@@ -34,15 +34,15 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers reach it
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost; of one that is alive: who does not reach it
-  std::int64_t since = 0;  ///< when it entered `state`, ns since 1970 (for people, not for logic)
-  std::vector<PluginDescription> plugins{};  ///< in the order in which it has loaded them
+  std::string reason;      ///< why it is lost; while alive, from where it cannot be reached
+  std::int64_t since = 0;  ///< when it entered `state`, ns since 1970; for display only
+  std::vector<PluginDescription> plugins{};  ///< in the order of loading
 
   bool operator==(const ProcessDescription&) const = default;
 };
 
-/// One numbered step of the catalogue's history. Exactly one of the lists has one element (or the
-/// name says what is removed); the order of changes is the order of their revisions, without holes.
+/// One numbered change of the catalogue. Exactly one of the lists has one element, or a name says
+/// what is removed. Revisions have no gaps.
 struct CatalogChange {
   enum class Kind : std::int32_t {
     kProcess,  ///< added or changed; a new instance empties its components and connections
@@ -53,7 +53,7 @@ struct CatalogChange {
     kConnectionRemoved,
   };
 
-  std::uint64_t revision = 0;  ///< the catalogue's after this change
+  std::uint64_t revision = 0;  ///< of the catalogue after this change
   Kind kind = Kind::kProcess;
   std::string process;                             ///< which process it is about
   std::string component;                           ///< kComponentRemoved

@@ -7,22 +7,22 @@
 
 namespace tendon {
 
-/// Lets components whose interfaces or tables are equal hold them once: a thousand components of
-/// one class cost little more than one. Not thread-safe.
+/// Shares equal interfaces and tables between components, so that a thousand components of one
+/// class cost little more than one. Not thread-safe.
 class DescriptionPool {
  public:
   /// Costs about one look at each member.
   void Share(ComponentDescription& component);
 
-  /// Different lists that it knows.
+  /// The number of different lists.
   [[nodiscard]] std::size_t size() const;
 
  private:
-  /// By a hash of the content. Of several with one hash, one is known.
+  /// By a hash of the content. Of several lists with the same hash, only one is kept.
   template <typename T>
   struct Lists {
     std::unordered_map<std::size_t, SharedList<T>> by_hash;
-    std::size_t drop_at = 64;  // entries, when those go that nobody else holds
+    std::size_t drop_at = 64;  // at this many entries, drops the lists that are used nowhere else
 
     void Share(SharedList<T>& list);
   };

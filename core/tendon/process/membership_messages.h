@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What travels between a GCM and the LCMs that join it. Each struct is the body of a frame;
+/// The messages between a GCM and the LCMs that join it. Each struct is the body of a frame;
 /// requests are answered, notices are not.
 namespace tendon::message {
 
@@ -25,46 +25,46 @@ inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
 inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: Peers
 
-/// A process introduces itself with all it has: the GCM's state is rebuilt from these. One that
-/// joins again with the instance and the session (in its Hello) of its last membership takes that
-/// over, even when the GCM has not yet seen the old link break.
+/// The description of a joining process. The GCM rebuilds its state from these. A process that
+/// joins again with the same instance, and the last session in its Hello, continues its membership,
+/// even if the GCM has not yet noticed that the old link broke.
 struct Join {
-  ProcessDescription process;  ///< state, reason and since are the GCM's to say
+  ProcessDescription process;  ///< the GCM sets state, reason and since
   std::vector<ComponentDescription> components;
   std::vector<ConnectionDescription> connections;
 };
 
-/// The GCM's answer. A membership lasts while its channel stands and kRenew comes each 250 ms; it
-/// is over when a renewal is refused with kDenied: join again.
+/// The GCM's answer. A membership lasts while its channel is open and kRenew comes every 250 ms. It
+/// has ended when a renewal is refused with kDenied; join again then.
 struct Joined {
   std::uint64_t gcm_instance = 0;
   std::uint64_t session = 0;                  ///< token of this membership
-  std::vector<ProcessDescription> processes;  ///< that are there, this one among them
+  std::vector<ProcessDescription> processes;  ///< all present processes, also this one
 };
 
-/// What has changed in a process since it joined or last reported: steps as in CatalogChange, whose
-/// revisions are left 0. Of the process itself only address, host, pid and plug-ins can change.
+/// The changes in a process since it joined or last reported, as in CatalogChange with revisions of
+/// 0. Of the process itself only address, host, pid and plug-ins can change.
 struct Report {
   std::vector<CatalogChange> changes;
 };
 
-/// What a process takes of its machine, each second. It is no part of the catalogue.
+/// The resources that a process uses, sent every second. Not part of the catalogue.
 struct Health {
-  std::int64_t cpu_time = 0;  ///< ns, of all threads since the start of the process
-  std::uint64_t memory = 0;   ///< bytes that are resident
-  std::int64_t time = 0;      ///< ns on the steady clock of the process, when this was so
-  /// How far that clock is ahead of the GCM's, as far as earlier answers tell.
+  std::int64_t cpu_time = 0;  ///< ns, all threads, since the start of the process
+  std::uint64_t memory = 0;   ///< resident bytes
+  std::int64_t time = 0;      ///< when it was measured, ns on the steady clock of the process
+  /// How far that clock is ahead of the GCM's, estimated from earlier answers.
   std::chrono::nanoseconds clock_offset{0};
-  /// How far that may be off; below 0 where nothing is known yet.
+  /// The bound of the error of clock_offset; below 0 if nothing is known yet.
   std::chrono::nanoseconds clock_uncertainty{-1};
 };
 
-/// The GCM's steady clock while it answers.
+/// The GCM's steady clock at the time of its answer.
 struct GcmClock {
   std::int64_t time = 0;  ///< ns
 };
 
-/// Two ends to be connected; `provided` is empty for a disconnect.
+/// The two ends of a connection; `provided` is empty for a disconnect.
 struct Wire {
   InterfaceName required;
   InterfaceName provided;
@@ -72,16 +72,16 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
-/// The order to a required side's LCM: who, and where the provider's process is reached (empty when
-/// it is not there yet: the connection will be pending).
+/// The order to the required side's LCM: the two ends, and the address of the provider's process.
+/// The address is empty if that process is not there yet; the connection is pending then.
 struct Wiring {
   Wire wire;
   std::string address;
   std::uint64_t instance = 0;
 };
 
-/// All processes that are there, and where; sent at each change of processes, so that pending and
-/// broken connections are made again.
+/// All present processes and their addresses. Sent at each change, so that pending and broken
+/// connections are made again.
 struct Peers {
   std::vector<ProcessDescription> processes;
 };

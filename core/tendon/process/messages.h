@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// What viewers ask a process directly: schemas, calls, events, and the rows of state tables. Each
-/// struct is the body of a frame; requests are answered, notices are not.
+/// The requests that viewers send directly to a process: schemas, calls, events, and rows of state
+/// tables. Each struct is the body of a frame; requests are answered, notices are not.
 namespace tendon::message {
 
 // From a viewer.
@@ -29,58 +29,58 @@ inline constexpr auto kRows =
     static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
 inline constexpr auto kRowsEnded =
     static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
-// From a viewer that wants the newest row only: it has taken the last, the next may be sent.
+// From a viewer that wants the newest row only: it has taken the last row, so send the next.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
-// From a viewer: as kOpenInterface, but without functions. What follows is as in proxy/messages.h:
-// kTimedEvents, kEventsLost and kInterfaceClosed from the process, kCloseInterface from the viewer.
+// From a viewer: as kOpenInterface, but without functions. Afterwards as in proxy/messages.h: the
+// process sends kTimedEvents, kEventsLost and kInterfaceClosed, the viewer kCloseInterface.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> InterfaceOpened
 
-/// How a connection, whose required side is in the process, and the mailboxes of a component do.
+/// The counts of a connection with its required side in the process; the mailboxes of a component.
 inline constexpr auto kGetCounts =
     static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// By the interface's name, which is that of the required side. Asked of the process of the
-/// provided side it tells of that end alone: its capacity and its lost events.
+/// Names the required side. The process of the provided side also answers, with that end's capacity
+/// and lost events only.
 struct GetCounts {
   InterfaceName required;
 };
 
-/// By the component's name.
+/// Names the component.
 struct GetFill {
   std::string component;
 };
 
-/// Which payload types' schemas are wanted.
+/// The payload types whose schemas are wanted.
 struct GetSchemas {
   std::vector<Fingerprint> fingerprints;
 };
 
-/// Schema::Text() of each, in the order asked for; empty where the process does not know it.
+/// Schema::Text() of each type, in the order asked for; empty if the process does not know it.
 struct Schemas {
   std::vector<std::string> texts;
 };
 
-/// Executes a command. The columns of state tables are read commands too: interface "state" or
+/// Executes a command. Columns of state tables are read commands too: interface "state" or
 /// "state-NAME", member = column.
 struct CallMember {
   std::string component;
   std::string interface;
   std::string member;
-  std::vector<std::byte> argument;  ///< the argument's body; empty where the command takes none
-  std::chrono::nanoseconds timeout{2'000'000'000};  ///< of a command that its caller waits for
+  std::vector<std::byte> argument;  ///< the encoded argument; empty if the command takes none
+  std::chrono::nanoseconds timeout{2'000'000'000};  ///< for a command that its caller waits for
 };
 
-/// How a call has ended.
+/// The outcome of a call.
 struct Called {
   std::uint8_t status = 0;        ///< Status::Code
-  std::vector<std::byte> answer;  ///< the result's body; empty where there is none
+  std::vector<std::byte> answer;  ///< the encoded result; empty if there is none
 };
 
-/// Rows of one state table from now on, until kUnsubscribe or the channel's end. No column twice;
-/// how many there may be of these says TelemetryServer.
+/// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. Names no column
+/// twice. TelemetryServer documents the limits.
 struct Subscribe {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"
@@ -91,31 +91,31 @@ struct Subscribe {
 /// The answer to Subscribe.
 struct Subscribed {
   std::uint32_t handle = 0;  ///< of the frames of this subscription
-  std::uint64_t epoch = 0;   ///< StateTable::epoch(): ticks of another mean other rows
-  /// Of every row, that of the first which comes or is told of as lost; the newest only may be
-  /// older.
+  std::uint64_t epoch = 0;   ///< StateTable::epoch(): in another epoch ticks count anew
+  /// The first row that will come or be reported as lost. With the newest row only, the first row
+  /// may be older.
   std::uint64_t first_tick = 0;
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
 };
 
-/// The body of kRows, little-endian, so laid out that each cell is found by one addition:
+/// The body of kRows, little-endian. The layout lets a reader find each cell with one addition:
 ///
 ///     RowsHeader
-///     u32 x columns    bytes of a cell of that column, or 0 where they differ from row to row
+///     u32 x columns    bytes of a cell of that column, or 0 if they differ from row to row
 ///     padding to 8
 ///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then per column, at
-///                      the next multiple of 8: the cell's body; or, where its size is 0, u32
+///                      the next multiple of 8: the cell's body; or, if its size is 0, u32
 ///                      offset (from the start of the frame's body, a multiple of 8), u32 size
 ///     the cells whose sizes differ, each at a multiple of 8
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
 ///
-/// A viewer that was refused rows and hears of no others gets an empty batch, so that it can count.
+/// An empty batch reports rows that the link refused if no others follow.
 struct RowsHeader {
-  std::uint64_t rows_before = 0;  ///< sent before in this subscription: a hole is a loss on the way
-  /// Overwritten before they could be gathered, since the last batch.
+  std::uint64_t rows_before = 0;  ///< rows sent before in this subscription: a gap is a loss
+  /// Rows since the last batch that were overwritten before they were gathered.
   std::uint64_t lost_table = 0;
-  std::uint64_t next_tick = 0;  ///< up to it, all rows are in this batch or were before
+  std::uint64_t next_tick = 0;  ///< this and earlier batches have all rows below it
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
 };

@@ -18,7 +18,7 @@ namespace {
 
 InterfaceName WithoutProcess(const InterfaceName& name) { return {name.component, name.interface}; }
 
-/// A host alone means the port where a GCM usually is.
+/// A host alone gets the GCM's default port.
 std::string GcmAddress(const std::string& address) {
   const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
   return is_host ? address + ":" + std::to_string(kDefaultGcmPort) : address;
@@ -32,7 +32,7 @@ Hello MakeHello(const std::string& name) {
 
 }  // namespace
 
-/// Everything that has to do with the network.
+/// The network parts of a process.
 class Process::Parts final : public MembershipDelegate {
  public:
   Parts(Process& process, const std::string& name, const ProcessOptions& options)
@@ -58,7 +58,7 @@ class Process::Parts final : public MembershipDelegate {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Once the process knows its parts.
+  /// Call it once the process has its parts.
   void Open(const ProcessOptions& options) {
     Listen(options);
     if (options.gcm.empty()) return;
@@ -75,19 +75,19 @@ class Process::Parts final : public MembershipDelegate {
     life_.WatchPlugins([this] { OnChanged(); });
   }
 
-  /// From now on nobody else steers the components.
+  /// Refuses orders from the GCM from now on.
   void RefuseOrders() { life_.Close(); }
 
   [[nodiscard]] bool HasCallsUnderWay(const Component& client) const {
     return connections_.HasCallsUnderWay(client.name());
   }
 
-  /// While the process still knows them; drops what is still to be sent or executed at `deadline`.
+  /// Call it while the process still has its parts. Drops unfinished calls at `deadline`.
   void Close(SteadyTime deadline) {
-    life_.Stop();  // while the worker can do what it may wait for
+    life_.Stop();  // while the worker still serves what it may wait for
     context_.opener->Stop();
     context_.gcm_opener->Stop();
-    context_.worker->Stop();  // from now on the structure is changed here alone
+    context_.worker->Stop();  // from now on only this thread changes connections
     if (membership_) membership_->Leave();
     connections_.Close(deadline);
     listener_.reset();
@@ -117,7 +117,7 @@ class Process::Parts final : public MembershipDelegate {
     return promise->get_future().get();
   }
 
-  /// The connection where the GCM ordered it; from now on it is the program's.
+  /// If the GCM has ordered this connection, returns it; from now on it belongs to the program.
   [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::Wire& wire) {
     const auto lock = process_.Lock();
     const auto connection = ConnectionOf(wire.required);
@@ -227,7 +227,7 @@ class Process::Parts final : public MembershipDelegate {
     life_.ListClasses(OnWorker(std::move(done)));
   }
 
-  /// `done`, called there.
+  /// A function that calls `done` on the worker.
   template <typename T>
   LifeCycle::Done<T> OnWorker(std::function<void(const Result<T>&)> done) {
     return [&worker = *context_.worker, done = std::move(done)](const Result<T>& result) {
@@ -241,10 +241,10 @@ class Process::Parts final : public MembershipDelegate {
   Services services_;
   RemoteConnections connections_;
   LifeCycle life_;
-  // What the GCM ordered and the program has not asked for; under the manager's lock.
+  // Connections that only the GCM has asked for; under the manager's lock.
   std::vector<message::Wire> ordered_;
   mutable std::mutex address_mutex_;
-  std::string address_;  // as others are told it
+  std::string address_;  // as others are told
   std::unique_ptr<Membership> membership_;
   std::unique_ptr<Listener> listener_;
 };

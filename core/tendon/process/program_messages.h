@@ -6,17 +6,17 @@
 #include <cstdint>
 #include <string>
 
-/// What program it is that answers: an LCM or a GCM.
+/// The version of an LCM or a GCM.
 namespace tendon::message {
 
-// From a viewer. A program that is older than this message refuses it.
+// From a viewer. A program older than this message refuses it.
 inline constexpr auto kGetProgram =
     static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
 
 /// The answer to kGetProgram.
 struct ProgramVersion {
   std::string release;         ///< of Tendon: "0.4.0"
-  std::uint16_t protocol = 0;  ///< the newest that it speaks
+  std::uint16_t protocol = 0;  ///< the newest version that it speaks
 };
 
 }  // namespace tendon::message
@@ -28,7 +28,7 @@ inline constexpr auto tendon::kPayload<tendon::message::ProgramVersion> = tendon
 
 namespace tendon {
 
-/// Of the program that this is part of.
+/// The version of this program.
 [[nodiscard]] message::ProgramVersion OwnVersion();
 
 }  // namespace tendon

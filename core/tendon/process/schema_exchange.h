@@ -15,27 +15,27 @@
 
 namespace tendon {
 
-/// Answers kGetSchemas with what this process knows. Refuses a question for more than 1024.
+/// Answers kGetSchemas with the schemas that this process knows. Refuses more than 1024.
 void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
 
-/// The schemas in an answer of any origin, by their fingerprints: those that were asked for and
-/// whose texts are what the fingerprints say.
+/// The schemas in an untrusted answer, by fingerprint. Only those that were asked for and whose
+/// text matches the fingerprint.
 [[nodiscard]] std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
                                                         const message::Schemas& answer);
 
-/// What FindSchema() is told of types that peers know, for the life of the process. It keeps no
-/// more than it was allowed, whatever they say. Thread-safe.
+/// Adds the types that peers describe to FindSchema(), until the process ends. Bounded, whatever
+/// peers send. Thread-safe.
 class LearnedSchemas {
  public:
-  /// How much it keeps at most.
+  /// The bounds.
   struct Limits {
     std::size_t types = 4096;
-    std::size_t text = std::size_t{16} << 20U;  ///< bytes of all their texts
+    std::size_t text = std::size_t{16} << 20U;  ///< bytes of all texts
   };
 
   explicit LearnedSchemas(Limits limits) : limits_(limits) {}
 
-  /// FindSchema() knows it from now on. False when this would be too much, which is warned of once.
+  /// Adds a type for FindSchema(). Returns false if that would exceed the bounds; logs this once.
   bool Learn(const Schema& schema);
 
  private:
@@ -46,9 +46,9 @@ class LearnedSchemas {
   bool has_warned_ = false;
 };
 
-/// Asks the peer; FindSchema() knows from then on what it told, within LearnedSchemas's usual
-/// limits for all peers together. `done` is called once, whatever
-/// came. `timer` sees to that.
+/// Asks the peer for schemas and adds them for FindSchema(), within the default bounds of
+/// LearnedSchemas for all peers together. Calls `done` once, whatever the outcome; `timer` ends the
+/// wait.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,
                   std::function<void()> done);

@@ -17,58 +17,55 @@
 
 namespace tendon {
 
-/// Rows of one state table, in order, as they arrived in one batch. Valid during the call.
+/// Rows of one state table, in order, that arrived in one batch. Valid during the call.
 struct RowBatch {
-  std::uint64_t epoch = 0;  ///< new when the source was restarted; its ticks count from 0 again
-  /// Rows overwritten before they could be gathered, since the last batch.
+  std::uint64_t epoch = 0;  ///< changes when the source restarts; ticks then start at 0
+  /// Rows since the last batch that were overwritten before they were gathered.
   std::uint64_t lost_table = 0;
-  /// Rows of ours that were refused a place on the link, or written while there was none, since the
-  /// last batch.
+  /// Rows since the last batch that the link refused, or that were written while there was no link.
   std::uint64_t lost_network = 0;
-  std::size_t count = 0;                 ///< may be 0, where there is only a loss to be told
-  std::span<const std::uint64_t> ticks;  ///< of each row: of every row, grows by one without loss
+  std::size_t count = 0;                 ///< 0 if there is only a loss to report
+  std::span<const std::uint64_t> ticks;  ///< of each row; consecutive if all rows come
   std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
-  /// Taken off a row's time, it gives the time on this process' steady clock: so the rows of
-  /// several hosts fit on one axis. The same for all rows of a batch; from batch to batch it
-  /// follows the estimate by at most 500 ppm, and no row comes to lie before the last. 0 on one
-  /// host.
+  /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
+  /// several hosts share one axis. Constant within a batch. Between batches it follows the estimate
+  /// by at most 500 ppm, and rows never go back in time. 0 on one host.
   std::chrono::nanoseconds clock_offset{0};
-  /// How far the estimate may be off; the largest value before there is one.
+  /// The bound of its error; the largest value before the first estimate.
   std::chrono::nanoseconds clock_uncertainty = std::chrono::nanoseconds::max();
-  /// Column c of row r: its CDR body, as the column's schema says.
+  /// Column c of row r: its CDR body, in the format of the column's schema.
   std::function<std::span<const std::byte>(std::size_t row, std::size_t column)> cell;
 };
 
-/// What a subscriber hears, in a thread of the middleware; must not block.
+/// Receives a subscription's rows, in a thread of the middleware. Must not block.
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// The subscription stands; the columns' schemas in the order asked for. Again after healing.
+  /// The subscription is active; `columns` as asked for. Called again after each recovery.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
-  /// Returns how many rows, of these or of earlier ones, had to be dropped: lost in the viewer.
+  /// Returns how many rows, of this batch or earlier ones, the viewer had to drop.
   virtual std::size_t OnRows(const RowBatch& batch) = 0;
-  /// No rows for now: the process is gone or refused; the client keeps trying.
+  /// There are no rows for now: the process is absent or refused; the client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 
-/// Which rows of which columns of which table: "robot", "arm", "state", {"Joints"}.
+/// The columns and rows of one table: "robot", "arm", "state", {"Joints"}.
 struct TableSubscription {
   std::string process;
   std::string component;
-  std::string table;  ///< its interface's name: "state" or "state-NAME"
+  std::string table;  ///< the name of its interface: "state" or "state-NAME"
   std::vector<std::string> columns;
-  RowChoice rows = {};  ///< every row unless said otherwise
+  RowChoice rows = {};  ///< every row by default
 };
 
-/// What has become of the rows of a subscription since it was made. Of every row, received +
-/// lost_table + lost_network grows by the number that was written from the first on that was
-/// announced, also while the link was down, once the next batch has come. Where the source was
-/// restarted it goes on from there, without what was written before the subscription stood again.
-/// With a period, rows that were not chosen are not counted, but for those in lost_table, of which
-/// nobody knows, nor what was written while the link was down. With the newest row only, nothing is
-/// counted as lost_table.
+/// The number of rows of a subscription since it was made. If every row is wanted, received +
+/// lost_table + lost_network equals the number of rows written since the first announced one, also
+/// across a broken link, as soon as the next batch has come. After a restart of the source it
+/// continues, without rows written before the subscription was active again. With a period, it
+/// counts neither rows that were not chosen nor rows written while the link was down; lost_table
+/// cannot tell chosen rows from others. With the newest row only, lost_table stays 0.
 struct RowCounts {
-  std::uint64_t received = 0;  ///< handed to the sink, among them lost_viewer
+  std::uint64_t received = 0;  ///< given to the sink, including lost_viewer
   std::uint64_t lost_table = 0;
   std::uint64_t lost_network = 0;
   std::uint64_t lost_viewer = 0;
@@ -76,35 +73,35 @@ struct RowCounts {
   bool operator==(const RowCounts&) const = default;
 };
 
-/// Subscribes to state tables of any process; rows arrive in batches of 20 to 50 ms. Heals by
+/// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. Recovers by
 /// itself when a process comes back. Thread-safe.
 class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
-  /// A process gives each client at most 2048 subscriptions, and reads for it of one table at most
-  /// 32 times as many values as a row has; what is of the same columns and rows is read once. It
-  /// refuses what is more, and a column named twice, which the sink hears as OnStale().
+  /// A process allows each client at most 2048 subscriptions. For one client it reads at most 32
+  /// times as many values of a table as a row has; subscriptions to the same columns and rows are
+  /// read once. Anything above, and a column named twice, is refused; the sink hears OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
-  /// After it returns the sink hears nothing more. Not from a sink's function.
+  /// After it returns, the sink is not called any more. Must not be called from a sink.
   virtual void Unsubscribe(Id id) = 0;
-  /// The process has come back or moved: its subscriptions are tried again at once.
+  /// The process has come back or moved: tries its subscriptions again at once.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
-  /// Zeroes where there is no such subscription. Not from a sink's function.
+  /// Zeroes if there is no such subscription. Must not be called from a sink.
   [[nodiscard]] virtual RowCounts CountsOf(Id id) const = 0;
 };
 
-/// Where a process is reached now; the error says why it is not. Called off the middleware's
+/// Returns the current address of a process, or why there is none. Not called in the middleware's
 /// threads.
 using ResolveAddress = std::function<Result<std::string>(const std::string& process)>;
 
-/// Where the broker is by which processes reach many viewers at once, or why there is none. Called
-/// off the middleware's threads; may be null.
+/// Returns the address of the multicast broker, or why there is none. Not called in the
+/// middleware's threads; may be null.
 using FindFanOut = std::function<Result<std::string>()>;
 
-/// Opens channels to processes on demand and says `mine` there. Every row of a table comes by the
-/// broker, where there is one and the process and the middleware know the way; else, and where that
-/// brings nothing for some seconds, it comes directly, which the log says.
+/// Opens channels to processes on demand, with `mine` as its Hello. Subscriptions to every row use
+/// the broker if there is one and the process and the middleware support it. Otherwise, or if the
+/// broker delivers nothing for some seconds, rows come directly, and the log says so.
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
                                                      ResolveAddress resolve, Hello mine,
                                                      FindFanOut find_fan_out = nullptr);

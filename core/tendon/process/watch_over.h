@@ -10,26 +10,26 @@
 
 namespace tendon {
 
-/// After so long without a word the program at the other end is taken for one that hangs.
+/// A peer that is silent for this long counts as hanging.
 inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
 
-/// Whether a word may yet come that waits behind a large message, at either end.
+/// Whether a large message, at either end, may delay the peer's next message.
 [[nodiscard]] bool MayBeHeldUp(const Channel& channel, SteadyTime now,
                                std::chrono::milliseconds silence);
 
-/// Hears when a question was sent and its answer arrived, by our clock, and what the other process'
-/// steady clock showed in between. In a thread of the middleware.
+/// Called with the times of a request and its answer on our clock, and the peer's steady clock in
+/// between. In a thread of the middleware.
 using HearTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
 
-/// Asks the process at the other end twice a second whether it lives, as long as the channel is
-/// open, and closes the channel when there was no answer for 1.5 s: a process that hangs, or has
-/// been cut off, does not close it. Large messages that are on their way, or in hand, may hold the
-/// answer up: as long as they go on there is no hurry. `worker` sees to the time.
+/// Pings the process at the other end twice a second while the channel is open. Closes the channel
+/// after 1.5 s without an answer, since a process that hangs or is cut off does not close it. Waits
+/// longer while large messages are on their way or in hand, since they may delay the answer.
+/// `worker` provides the timer.
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                const HearTime& hear_time = nullptr);
 
-/// For who has accepted a channel and asks nothing on it: each second, on `worker`, what must end
-/// in time does (Channel::Expire()), as long as the channel is open.
+/// For the acceptor of a channel, which sends no requests of its own: calls Channel::Expire() every
+/// second on `worker`, while the channel is open.
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
 
 }  // namespace tendon

@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// The tasks, and who does them.
+/// The tasks, and the loop that executes them.
 class Worker::Queue {
  public:
   Queue(std::string name, std::string owner) : name_(std::move(name)), owner_(std::move(owner)) {}
@@ -35,7 +35,7 @@ class Worker::Queue {
     dropped.swap(tasks_);
   }
 
-  /// Until Stop().
+  /// Returns after Stop().
   void Run() {
     os::NameThisThread(name_);
     std::unique_lock lock(mutex_);

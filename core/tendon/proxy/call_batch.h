@@ -12,16 +12,15 @@
 
 namespace tendon {
 
-/// Several calls, or events, in the body of one frame: for each u32 handle, u32 size, so many
-/// bytes, little-endian, and padding to 8. What waits is sent together, so that a burst costs one
-/// frame.
+/// Several calls or events in the body of one frame, so that a burst costs one frame. For each
+/// call: u32 handle, u32 size, the argument, and padding to 8; little-endian.
 class CallBatch {
  public:
-  /// Bytes that a call takes beside its argument, at most.
+  /// The most bytes of a call beside its argument.
   static constexpr std::size_t kOverhead = 24;
 
   void Add(std::uint32_t handle, std::span<const std::byte> argument);
-  /// Behind the argument, and counted in its size, comes i64: `time` in ns on our steady clock.
+  /// Appends i64 `time` to the argument, in ns on our steady clock; `size` includes it.
   void AddTimed(std::uint32_t handle, std::span<const std::byte> argument, SteadyTime time);
   void Clear();
 
@@ -30,15 +29,15 @@ class CallBatch {
   [[nodiscard]] const Bytes& body() const { return body_; }
 
  private:
-  /// Room for an argument of that size.
+  /// Writes the head of a call; returns the room for its argument.
   std::byte* AddHead(std::uint32_t handle, std::size_t size);
 
   std::size_t calls_ = 0;
   Bytes body_;
 };
 
-/// Calls `visit(handle, argument)` for each call in a body of any origin; ends at the first that is
-/// not whole.
+/// Calls `visit(handle, argument)` for each call in `body`, which is untrusted. Stops at the first
+/// call that is not whole.
 template <typename Visitor>
 void ForEachCall(std::span<const std::byte> body, Visitor visit) {
   constexpr std::size_t kHead = 8;
@@ -55,8 +54,8 @@ void ForEachCall(std::span<const std::byte> body, Visitor visit) {
   }
 }
 
-/// The same for calls with times: `visit(handle, argument, time)`, on the other's steady clock.
-/// Those too short for one are left out.
+/// The same for calls with times, which are on the sender's steady clock: `visit(handle, argument,
+/// time)`. Skips calls too short for a time.
 template <typename Visitor>
 void ForEachTimedCall(std::span<const std::byte> body, Visitor visit) {
   ForEachCall(body, [&visit](std::uint32_t handle, std::span<const std::byte> timed) {

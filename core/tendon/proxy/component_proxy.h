@@ -12,9 +12,9 @@
 
 namespace tendon {
 
-/// Stands in, in this process, for a component of another one. It holds those of its interfaces to
-/// which there are connections here, one proxy a connection, and lives as long as there is one.
-/// Unlike a component it has no life of its own, and a manager does not list it.
+/// Represents, in this process, a component of another process. Holds one proxy for each connection
+/// between here and its interfaces, and exists as long as there is one. Unlike a component it has
+/// no life cycle, and no manager lists it.
 struct ComponentProxy {
   std::string process;
   std::string component;
@@ -22,23 +22,23 @@ struct ComponentProxy {
   std::vector<std::shared_ptr<RequiredInterfaceProxy>> required;
 };
 
-/// All component proxies of one process. Takes the interfaces' proxies in and has the network
-/// thread work for them, until they are removed. Thread-safe.
+/// All component proxies of one process. Adds the proxies of interfaces to the network thread as
+/// jobs, and removes them. Thread-safe.
 class ComponentProxies {
  public:
   explicit ComponentProxies(std::shared_ptr<NetworkThread> thread) : thread_(std::move(thread)) {}
   ComponentProxies(const ComponentProxies&) = delete;
   ComponentProxies& operator=(const ComponentProxies&) = delete;
 
-  /// `original` is the interface in the other process. Who hears what the proxy sends finds it in
-  /// all() already.
+  /// `original` is the interface in the other process. The proxy is in all() before it sends
+  /// anything.
   void Add(const InterfaceName& original, std::shared_ptr<ProvidedInterfaceProxy> proxy);
   void Add(const InterfaceName& original, std::shared_ptr<RequiredInterfaceProxy> proxy);
-  /// After it returns the network thread does not work for the proxy any more.
+  /// After it returns, the network thread does not use the proxy any more.
   void Remove(const InterfaceName& original, ProvidedInterfaceProxy& proxy);
   void Remove(const InterfaceName& original, RequiredInterfaceProxy& proxy);
 
-  /// As they are now, by name.
+  /// The current ones, by name.
   [[nodiscard]] std::vector<ComponentProxy> all() const;
 
  private:

@@ -16,7 +16,7 @@ namespace tendon {
 /// An event of another process, raised here with encoded values.
 class EventProxy final : public EventBase {
  public:
-  /// From one thread at a time. A handler that refuses the value is counted in lost().
+  /// One thread at a time. A handler that refuses the value counts in lost().
   void Raise(std::span<const std::byte> value) {
     CountLost();
     const std::uint64_t before = lost();
@@ -27,33 +27,32 @@ class EventProxy final : public EventBase {
     lost_here_.Add(lost() - before);
   }
 
-  /// By whom raises it, or one other thread: the other process could not send so many, ever since.
-  /// They have not reached the handlers, and are counted as that by CountLost().
+  /// Call it in the thread of Raise() or one other thread. `lost` is the total that the other
+  /// process could not send; CountLost() counts these for the handlers.
   void SetLostThere(std::uint64_t lost) {
     const std::uint64_t before = lost_there_.Get();
     const std::uint64_t most = counted_there_.value() + message::EventsLost::kMostAtOnce;
     lost_there_.Set(std::clamp(lost, before, std::max(before, most)));
   }
-  /// Likewise: one that has arrived is not raised.
+  /// An event that arrived and is not raised. Same threads as SetLostThere().
   void Miss() noexcept { missed_.Add(); }
-  /// By whom raises it: tells the handlers of those that did not reach them, as soon as there are
-  /// any.
+  /// The thread of Raise(): counts the lost events for the handlers, as soon as there are handlers.
   void CountLost() {
     CountUpTo(lost_there_.Get(), counted_there_);
     CountUpTo(missed_.value(), counted_missed_);
   }
-  /// Any thread: how many have arrived here and have not reached a handler.
+  /// Any thread: events that arrived here and did not reach a handler.
   [[nodiscard]] std::uint64_t lost_here() const noexcept {
     return lost_here_.value() + missed_.value();
   }
 
-  /// Handlers are called by their encoded face.
+  /// Handlers are called with encoded values.
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*handler*/) const override {
     return nullptr;
   }
 
  private:
-  /// Those told of before there were handlers wait for what comes next.
+  /// Events lost before there were handlers are counted later.
   void CountUpTo(std::uint64_t lost_before, Counter<>& counted) {
     for (; counted.value() < lost_before; counted.Add()) {
       const std::uint64_t before = lost();
@@ -64,7 +63,7 @@ class EventProxy final : public EventBase {
 
   std::vector<std::byte> nothing_;
   Published<std::uint64_t> lost_there_;
-  Counter<> counted_there_;  // those of them that handlers know of
+  Counter<> counted_there_;  // of lost_there_, counted for the handlers
   Counter<> missed_;
   Counter<> counted_missed_;
   Counter<> lost_here_;

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// A function that was made at run time, from its description, and calls with encoded values: for
-/// another process, a console, a script.
+/// A function that is created at run time from its description and is called with encoded values:
+/// for another process, a console, a script.
 class FunctionProxy final : public Caller {
  public:
-  /// Adds itself to `interface`, which must live as long as it is called. ConfigurationError as for
-  /// any member.
+  /// Adds itself to `interface`, which must live as long as this object is called. Throws
+  /// ConfigurationError as for any member.
   FunctionProxy(RequiredInterface& interface, MemberDescription description)
       : kind_(description.signature.kind),
         index_(interface.AddCaller(*this, std::move(description))),
@@ -22,18 +22,18 @@ class FunctionProxy final : public Caller {
 
   [[nodiscard]] CommandKind kind() const { return kind_; }
 
-  /// By whom the interface allows. `out` is replaced.
+  /// In a thread that the interface allows. Replaces the content of `out`.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
     BytesSink sink(out);
     return Replacing(out, (*this)(in, sink));
   }
-  /// Likewise; `out` gets nothing where there was no call.
+  /// The same; writes nothing to `out` if there was no call.
   Status operator()(std::span<const std::byte> in, AnswerSink& out) {
     return CallMember(binding_, index_,
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
-  /// As BeginEncoded(); `command` is whose call it is, until the interface is disconnected.
+  /// As BeginEncoded(). `command`, valid until the interface is disconnected, executes the call.
   Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                CommandBase*& command, std::size_t& call) {
     return Replacing(out, CallMember(binding_, index_, [&](CommandBase& bound) {
@@ -42,14 +42,14 @@ class FunctionProxy final : public Caller {
                      }));
   }
 
-  /// Commands are called by their encoded face.
+  /// Commands are called with encoded values.
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*command*/) const override {
     return nullptr;
   }
 
  private:
-  /// A call that was made has replaced it. It is not emptied before, for what grows is filled with
-  /// zeroes first, and that may be much.
+  /// A successful call has replaced `out`. Emptying it before the call would cost time: a vector
+  /// that grows again fills itself with zeroes.
   static Status Replacing(std::vector<std::byte>& out, Status status) {
     if (!status) out.clear();
     return status;
@@ -60,12 +60,12 @@ class FunctionProxy final : public Caller {
   BindingGate& binding_;
 };
 
-/// Whether a call of it waits in a mailbox, and its caller need not.
+/// Whether a call waits in a mailbox while its caller goes on.
 [[nodiscard]] constexpr bool IsQueued(CommandKind kind) {
   return kind == CommandKind::kVoid || kind == CommandKind::kWrite;
 }
 
-/// Whether its caller may wait until it was executed, or must.
+/// Whether a caller can, or must, wait until the call was executed.
 [[nodiscard]] constexpr bool CanBeAwaited(CommandKind kind) {
   return IsQueued(kind) || WaitsForServer(kind);
 }

@@ -10,12 +10,12 @@
 
 namespace tendon {
 
-/// The numbers that one end of a channel has issued: each object has one, and one for each of its
-/// members behind it. Checked on arrival, never issued twice. Thread-safe.
+/// The handles that one end of a channel issues: one number for each object, followed by one for
+/// each of its members. Checked on arrival, never reused. Thread-safe.
 template <typename T>
 class HandleTable {
  public:
-  /// Issues the numbers of an object that is still to be made.
+  /// Issues the numbers of an object that does not exist yet.
   std::uint32_t Reserve(std::size_t members) {
     const std::scoped_lock lock(mutex_);
     const std::uint32_t handle = next_;
@@ -24,7 +24,7 @@ class HandleTable {
     return handle;
   }
 
-  /// Whose number it is. Nothing happens when it was removed meanwhile.
+  /// Sets the object of a number. Does nothing if the number was removed meanwhile.
   void Put(std::uint32_t handle, std::shared_ptr<T> object) {
     const std::scoped_lock lock(mutex_);
     const auto found = entries_.find(handle);
@@ -42,7 +42,7 @@ class HandleTable {
 
   /// What a number stands for.
   struct Found {
-    std::shared_ptr<T> object;  ///< null where the number is nobody's
+    std::shared_ptr<T> object;  ///< null if the number is not issued
     std::size_t offset = 0;     ///< 0 is the object's own number, i + 1 that of its member i
   };
   [[nodiscard]] Found Find(std::uint32_t handle) const {

@@ -7,86 +7,85 @@
 #include <string>
 #include <vector>
 
-/// What travels between two processes with a connection between them. The opener is the process of
-/// the required interface. Each struct is the body of a frame; requests are answered, notices are
-/// not. A connection has a number at each end, which that end has issued: it stands in the header's
-/// handle; that of its member i is the number + 1 + i.
+/// The messages between the two ends of a connection. The opener is the process of the required
+/// interface. Each struct is the body of a frame; requests are answered, notices are not. Each end
+/// issues a number for the connection, which the other end puts into the header's handle; member i
+/// has the number + 1 + i.
 namespace tendon::message {
 
 // From the opener.
 inline constexpr auto kOpenInterface =
     static_cast<MessageType>(0x100);  // request: OpenInterface -> InterfaceOpened
 inline constexpr auto kCloseInterface = static_cast<MessageType>(0x101);  // notice: empty
-// notice: calls of functions, as CallBatch puts them
+// notice: calls of functions, as a CallBatch
 inline constexpr auto kCommands = static_cast<MessageType>(0x102);
-// request, a function's handle: the argument -> the result, and behind it one byte of Status::Code
+// request to a function's handle: the argument -> the result, followed by one byte of Status::Code
 inline constexpr auto kRead = static_cast<MessageType>(0x103);
 inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> Pong
-// request, a function's handle: the argument, and behind it u64, for how many ns the caller waits
-// -> as kRead, once the component has executed it, or will not
+// request to a function's handle: the argument, followed by u64, how many ns the caller waits -> as
+// kRead, after the call was executed or refused
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
 inline constexpr auto kOpenMarked =
     static_cast<MessageType>(0x106);  // request: OpenMarked -> MarkedOpened
-// From the other.
-// notice: calls of event handlers, as CallBatch puts them
+// From the peer.
+// notice: calls of event handlers, as a CallBatch
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
-// The opener also takes it from the answer to a kWait that was executed: what it had sent before
-// has been, too.
+// The reply to an executed kWait also acts as a Credit: all calls sent before it were executed too.
 // notice: Error; the provided interface is gone
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
-// notice, to who listens from outside: as kEvents, each value as AddTimed() puts it
+// notice, to a listener without functions: as kEvents, each value with its time (AddTimed())
 inline constexpr auto kTimedEvents = static_cast<MessageType>(0x113);
-// From both.
+// From either end.
 inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
 
 /// The answer to kPing.
 struct Pong {
-  std::int64_t time = 0;  ///< when it was given, ns on the answering process' steady clock
+  std::int64_t time = 0;  ///< when the reply was made, ns on the peer's steady clock
 };
 
-/// A connection is wanted.
+/// Asks for a connection.
 struct OpenInterface {
   InterfaceName required;
   InterfaceName provided;
-  RequiredDescription description;  ///< of the required interface: what it calls and handles
+  RequiredDescription description;  ///< the required interface: what it calls and handles
   std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
-  std::uint32_t capacity = 0;       ///< calls, and events, that may wait
+  std::uint32_t capacity = 0;       ///< calls, and events, that may wait at a time
 };
 
-/// The connection stands.
+/// Confirms the connection.
 struct InterfaceOpened {
-  std::uint32_t handle = 0;  ///< the other's number; its members are the functions
+  std::uint32_t handle = 0;  ///< the peer's number; its members are the functions
   std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
   bool accepting = false;    ///< whether the component executes calls now
   ProvidedDescription description;
 };
 
-/// A connection is wanted. The names are of event handlers that keep the latest event only.
+/// Asks for a connection. `latest_only` names the event handlers that keep the latest event only.
 struct OpenMarked {
   OpenInterface open;
   std::vector<std::string> latest_only;
 };
 
-/// The connection stands. The names are of commands that keep the latest call only.
+/// Confirms the connection. `latest_only` names the commands that keep the latest call only.
 struct MarkedOpened {
   InterfaceOpened opened;
   std::vector<std::string> latest_only;
 };
 
-/// How far the component has come, and how it is; within 5 ms of each change.
+/// The progress and state of the component; sent within 5 ms of each change.
 struct Credit {
   std::uint64_t executed = 0;  ///< calls taken out of its mailbox since the connection was opened
   bool accepting = false;
-  std::string fault;  ///< why it is faulted, or empty
+  std::string fault;  ///< why it is faulted; else empty
 
   bool operator==(const Credit&) const = default;
 };
 
-/// How many events this end has lost, by event handler, since the connection was opened: the end
-/// that raises them, because they could not be sent; the one that handles them, on arrival.
+/// Events lost since the connection was opened, by event handler. The raising end reports those
+/// that it could not send; the handling end those that it lost on arrival.
 struct EventsLost {
-  /// A report counts at most so many more than the one before: who hears it counts each of them.
+  /// A report may exceed the one before by this much: its receiver counts each event in a loop.
   static constexpr std::uint64_t kMostAtOnce = 65536;
 
   std::vector<std::uint64_t> lost;

@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// Something that the network thread looks after.
+/// A job of the network thread.
 class NetworkJob {
  public:
   NetworkJob() = default;
@@ -19,46 +19,45 @@ class NetworkJob {
   NetworkJob& operator=(const NetworkJob&) = delete;
   virtual ~NetworkJob() = default;
 
-  /// Called in the network thread after each Notify(), and often besides; must not block. Returns
-  /// whether there may be more to do at once. Brings `next` forward to when it wants to be called
-  /// again at the latest.
+  /// Called in the network thread after each Notify(), and at other times; must not block. Returns
+  /// true if there may be more to do at once. Lowers `next` to the time of the next necessary call.
   virtual bool Work(SteadyTime now, SteadyTime& next) = 0;
 };
 
-/// The thread between the components of a process and its middleware: it sends what proxies have
-/// taken and gathers rows for viewers, so that no component's thread ever enters the middleware,
-/// but one that waits for an answer. Idle, it sleeps. Thread-safe.
+/// The thread between the components of a process and its middleware. It sends what proxies have
+/// queued and gathers rows for viewers, so that a component's thread enters the middleware only
+/// when it waits for an answer. Sleeps when idle. Thread-safe.
 class NetworkThread {
  public:
   explicit NetworkThread(std::string name = "network");
   NetworkThread(const NetworkThread&) = delete;
   NetworkThread& operator=(const NetworkThread&) = delete;
-  /// Waits for the round that is under way.
+  /// Waits for the current round.
   ~NetworkThread();
 
   void Add(NetworkJob& job);
-  /// After it returns the job is not called any more, nor being called. Not from a job.
+  /// After it returns, the job is neither running nor called again. Must not be called by a job.
   void Remove(NetworkJob& job);
 
-  /// There is something to do. As cheap as Wakeup::Notify().
+  /// There is work. Costs as much as Wakeup::Notify().
   void Notify() noexcept { wakeup_.Notify(); }
-  /// The same for what has time until `when`.
+  /// The same for work that has time until `when`.
   void NotifyBy(SteadyTime when) noexcept { wakeup_.NotifyBy(when); }
-  /// For inboxes which this thread empties.
+  /// For inboxes that this thread empties.
   [[nodiscard]] Wakeup<>& wakeup() { return wakeup_; }
 
  private:
   void Run();
-  /// Asks every job once.
+  /// Calls every job once.
   bool Round(SteadyTime& next);
 
   const std::string name_;
   Wakeup<> wakeup_;
   Flag stopping_;
-  std::mutex turn_;  // taken before mutex_, so that a round after the other locks nobody out
+  std::mutex turn_;  // taken before mutex_, so that consecutive rounds lock nobody out
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last, because it uses the others
 };
 
 }  // namespace tendon

@@ -12,7 +12,7 @@
 namespace tendon {
 namespace {
 
-/// No more calls are added to a batch of so many bytes.
+/// A batch of this many bytes takes no more calls.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
 static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
               "the largest argument fits behind a batch that is almost full");
@@ -69,7 +69,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   }
 
  private:
-  /// What a slot refers to when its caller waits.
+  /// The entry for calls whose callers wait.
   class Awaited final : public Mailbox::Entry {
    public:
     explicit Awaited(QueuedCommandProxy& command) : command_(command) {}
@@ -89,8 +89,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
-  /// Where nothing waits that must be sent before: the caller's thread sends its call itself, and
-  /// no other has to be woken for it. Else nothing has happened.
+  /// If nothing must be sent before, sends the call in the caller's thread, which wakes no other
+  /// thread. Else returns nothing, without an effect.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
     if (SteadyClock().Now() >= deadline) return {};
@@ -102,10 +102,10 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     std::uint64_t sent = 0;
     const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
       Outbox::Question question = QuestionOf(0, {});
-      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // for its time behind it
+      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
       question.argument.assign(in.begin(), in.end());
       call = question.call = callers_->Enter(*record, deadline);
-      (void)callers_->Start(*record);  // its caller, this one, has not left
+      (void)callers_->Start(*record);  // succeeds: the caller is this thread
       sent = outbox_.SendAtOnce(turn, std::move(question));
       return Status::kQueued;
     });
@@ -135,7 +135,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return claimed;
   }
 
-  /// kQueued, or why it could not be sent.
+  /// kQueued, or why the argument cannot be sent.
   Status Check(std::span<const std::byte> in) {
     if (!outbox_.is_open()) return Status::kNotConnected;
     if (in.size() <= kMaxPayload) return Status::kQueued;
@@ -143,7 +143,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return Status::kInvalid;
   }
 
-  /// kQueued, and room with the argument; or why not.
+  /// Sets `room` and copies the argument there. kQueued, or why not.
   Status Claim(std::span<const std::byte> in, std::byte*& room) {
     if (const Status can = Check(in); !can) return can;
     room = mailbox_.Claim();
@@ -192,7 +192,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
-  /// Buffers are kept up to a sum: that a call allocates nothing is not worth any amount of memory.
+  /// Buffers are kept up to a total: saving allocations is not worth unlimited memory.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
     if (grown_.value() - freed_.value() <= kMostKept) return;
@@ -208,12 +208,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   const std::shared_ptr<AwaitedCalls<>> callers_;
   Awaited awaited_{*this};
   SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
-  SharedCounter<> freed_;    // of those, freed again
-  std::vector<Bytes> pool_;  // of arguments, by slot; see FreeIfMany()
+  SharedCounter<> freed_;    // of those, bytes freed again
+  std::vector<Bytes> pool_;  // arguments, by slot; see FreeIfMany()
 };
 
-/// As a LatestCommand: a newer call replaces an older one that still waits to be sent, and at the
-/// other end one that waits there. Calls that are waited for are as any other's.
+/// Behaves as LatestCommand: a newer call replaces an older one that waits, here or at the other
+/// end. Calls whose callers wait are queued as usual.
 class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
  public:
   LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
@@ -257,7 +257,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   const std::uint32_t handle_;
   SharedCounter<>& refused_;  // of the offer
   QueuedCommandProxy queued_;
-  Bytes written_;  // of whoever posts
+  Bytes written_;  // only of the posting thread
   LatestValue<Bytes> newest_;
 };
 
@@ -334,7 +334,7 @@ std::uint64_t Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question que
   return 0;
 }
 
-/// And what waits in the inbox, if there is more that may be sent. Each is counted as it leaves.
+/// Continues with the inbox while `limit` allows. Counts each call as it is sent.
 std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
   const Status no_room = Status::kQueueFull;
   const std::uint64_t before = sent_;
@@ -371,8 +371,8 @@ void Outbox::Collect(std::size_t limit) {
   }
 }
 
-/// Its time counts from now on at the other end too, and is a little shorter there, so that what is
-/// not executed in time is said in time.
+/// The timeout at the other end starts now and is a little shorter, so that the report of a timeout
+/// arrives in time.
 Status Outbox::Ask(Question& question, Manner manner) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const SteadyTime now = SteadyClock().Now();
@@ -409,7 +409,7 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
-  constexpr std::size_t kTokens = 2;  // as many as a LatestCommand has at most
+  constexpr std::size_t kTokens = 2;  // the most that a LatestCommand posts
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 

@@ -22,64 +22,63 @@
 
 namespace tendon {
 
-/// How much may be on its way at a time.
+/// Limits of an Outbox.
 struct OutboxLimits {
-  std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();  ///< calls under way
-  /// Bytes of arguments that may wait here, but for one alone that may be larger; of calls for
-  /// whose end nobody waits.
+  std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();  ///< sent, not yet executed
+  /// Bytes of arguments that may wait here, or one larger argument. Does not count calls whose
+  /// callers wait.
   std::uint64_t waiting_bytes = Budget<>::kNoLimit;
 };
 
-/// Calls that wait to be sent on a channel: posted in the thread of a component, sent in order by
-/// the network thread, as many in one frame as wait, and those whose callers want an answer as
-/// requests between them. Who wants an answer while nothing waits sends its call itself. What finds
-/// the link full is kept, so that no call is lost; then the mailbox fills up, and its callers are
-/// told.
+/// The calls that wait to be sent on a channel. Component threads post them; the network thread
+/// sends them in order, many in one frame. A call whose caller waits is sent as a request, in the
+/// same order; if nothing is queued, its caller sends it directly. Nothing is lost if the link is
+/// full: calls are kept, and once the mailbox is full, callers get kQueueFull.
 class Outbox {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 
-  /// `interface` is whose members are called, for the log.
+  /// `interface` names the members' interface in the log.
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
          std::string interface, const OutboxLimits& limits = {});
 
-  /// Before the first call: each is sent with the time of the event that `source` handles by it.
+  /// Call it before the first call: each call is sent with the time of the event of `source`.
   void SendTimesOf(const RequiredInterface& source) { times_of_ = &source; }
 
-  /// Where the calls wait; it has one mailbox.
+  /// The queue of calls; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
 
-  /// Any thread: what is posted from now on is refused with kNotConnected, and nobody waits here.
+  /// Any thread: refuses later posts with kNotConnected and ends all waiting here.
   void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
-  /// In which calls are sent, in order: what else must keep it goes there as well.
+  /// The lane on which calls are sent. Messages that must stay in order with them use it too.
   [[nodiscard]] Lane lane() const { return lane_; }
 
-  /// Any thread, that of a caller too: a value of a member was refused, for it is too large.
+  /// Any thread, also a caller's: notes that a value of a member is too large to be sent.
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
-  /// Of the bytes that may wait here. Any thread.
+  /// The budget for the bytes that wait here. Any thread.
   [[nodiscard]] Budget<>& waiting_bytes() { return waiting_bytes_; }
 
-  /// Any thread: at least so many of the calls that were sent have been executed. A peer that says
-  /// so of more than were sent is cut off by the next Send().
+  /// Any thread: at least `calls` of the sent calls were executed. If that exceeds the number sent,
+  /// the next Send() cuts the peer off.
   void SetExecuted(std::uint64_t calls);
 
-  /// Any thread: whether calls were taken that are not sent, or sent and not known to be executed.
+  /// Any thread: whether calls are still to be sent, or are sent and not known to be executed.
   [[nodiscard]] bool HasCallsUnderWay() const;
 
-  /// The right to send, of a caller's thread: while it is held, nothing else is sent here.
+  /// A caller's right to send: nothing else is sent from here while it is held.
   using Turn = std::unique_lock<std::mutex>;
 
-  /// Network thread: sends what waits, at most `limit` calls and no more than may be under way;
-  /// returns how many it sent.
+  /// Network thread: sends what waits, within `limit` and the credit; returns how many calls it
+  /// sent.
   std::size_t Send(std::size_t limit = kAnyNumber);
-  /// Instead of the network thread, once that does no work here any more: sends what it has taken
-  /// and could not send, for at most `patience`.
+  /// Call it after the network thread has stopped working here: sends the calls that it took and
+  /// could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience);
-  /// Network thread: whether the link was full, or a caller is just sending; try again soon.
+  /// Network thread: whether the link was full or a caller is sending; try again soon.
   [[nodiscard]] bool is_held_up() const {
     if (has_waited_) return true;
     const Turn turn(sending_, std::try_to_lock);
@@ -91,20 +90,20 @@ class Outbox {
     std::uint32_t handle = 0;
     Bytes argument;
     std::shared_ptr<AwaitedCalls<>> callers;
-    std::uint64_t call = 0;  ///< its number there
+    std::uint64_t call = 0;  ///< its number in `callers`
   };
 
-  /// Nothing taken where that would make others wait, or overtake what was taken before.
+  /// Not held if other calls are taken already, credit is used up, or another thread is sending.
   [[nodiscard]] Turn TakeTurn();
-  /// Instead of the caller's mailbox, in which nothing waits: sends its call, or has the network
-  /// thread do so as soon as the link has room. Returns how many calls were sent then, the last
-  /// being this one, or 0 where it was not.
+  /// Sends a call without the mailbox, which must be empty, or has the network thread send it once
+  /// the link has room. Returns how many calls were sent in total, this one being the last, or 0 if
+  /// it was not sent yet.
   std::uint64_t SendAtOnce(const Turn& turn, Question question);
-  /// A caller's thread: the last of so many calls that were sent has been executed, so the others
-  /// have, which were before it in one mailbox. What waits in the caller's may have room now.
+  /// A caller's thread, after the last of `calls` sent calls was executed: the earlier ones were
+  /// too, since one mailbox keeps their order. Notifies if calls wait in the mailbox of `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
-  // Network thread, out of Send(): the next call.
+  // Network thread, called by Send(): takes the next call.
 
   void Take(std::uint32_t handle, std::span<const std::byte> argument) {
     if (times_of_ == nullptr) return batch_.Add(handle, argument);
@@ -113,7 +112,7 @@ class Outbox {
   void Take(Question question) { question_ = std::move(question); }
 
  private:
-  /// Channel::TryRequest(), or TryAsk().
+  /// Channel::TryRequest() or Channel::TryAsk().
   using Manner = decltype(&Channel::TryRequest);
 
   [[nodiscard]] bool has_taken() const { return !batch_.empty() || question_; }
@@ -132,25 +131,25 @@ class Outbox {
   Budget<> waiting_bytes_;
   Inbox inbox_;
   const std::uint64_t credit_;
-  std::mutex raising_;  // executed_, which never falls: who learns of less may come later
+  std::mutex raising_;  // for executed_, which never falls: reports may come out of order
   Published<std::uint64_t> executed_{0};
 
-  bool has_waited_ = false;  // of the network thread: its last Send() found somebody sending
+  bool has_waited_ = false;  // network thread: another thread held sending_ in its last Send()
 
-  mutable std::mutex sending_;  // of what follows
+  mutable std::mutex sending_;  // for all that follows
   std::uint64_t sent_ = 0;
   // Taken, but not sent.
   CallBatch batch_;
-  std::optional<Question> question_;  // comes behind the batch
+  std::optional<Question> question_;  // after the batch
 };
 
-/// That of a member, where these names are of those that keep the latest only.
+/// The overflow policy of `member`, given the members that keep the latest only.
 [[nodiscard]] Overflow OverflowOf(const std::vector<std::string>& latest_only,
                                   const std::string& member);
 
-/// A command of another process that its component's thread executes, or a handler of its events:
-/// what is called here is sent there. It takes encoded values alone; they are copied into buffers
-/// that keep their capacity. One that keeps the latest only does so on its way, too.
+/// A command of another process, or a handler of its events. Calls are sent to that process. Takes
+/// encoded values only, and copies them into buffers that keep their capacity. A member that keeps
+/// the latest only does so here as well.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
@@ -158,7 +157,7 @@ class QueuedOfferProxy final : public Offer {
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
-  /// How many calls were not accepted: no room, too large, or nobody to send them to.
+  /// Calls refused: no room, too large, or not connected.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
 
  private:

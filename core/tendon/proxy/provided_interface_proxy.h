@@ -21,12 +21,11 @@ namespace tendon {
 
 class Connection;
 
-/// Stands in for a provided interface of another process, for one connection: a required interface
-/// here is connected to it as to any other. Void and write commands wait here until the network
-/// thread sends them, as many as the other end has room for. Reads ask in the caller's thread,
-/// unless they are mirrored, and so do commands that are waited for, unless others must be sent
-/// before them. Events that arrive are raised in the middleware's thread, or, where handlers run in
-/// the thread that raises them, in a line of CallThreads.
+/// Stands in for a provided interface of another process, for one connection; a required interface
+/// here connects to it as usual. Void and write commands are queued until the network thread sends
+/// them, within the other end's credit. Reads ask in the caller's thread unless they are mirrored;
+/// so do awaited commands unless queued ones must be sent first. Events are raised in the
+/// middleware's thread, or in a line of CallThreads if a handler runs in the raising thread.
 class ProvidedInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
@@ -35,45 +34,44 @@ class ProvidedInterfaceProxy final : public NetworkJob,
     std::shared_ptr<Channel> channel;
     message::InterfaceOpened opened;
     InterfaceName name{};  ///< for the log
-    /// What is read from copies here, by the command's name.
+    /// Values that are read from copies here, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
-    std::shared_ptr<CallLine> line{};  ///< of its events; null where none of their handlers runs
-                                       ///< in the thread that raises it
+    std::shared_ptr<CallLine> line{};        ///< of its events; null unless one of their handlers
+                                             ///< runs in the raising thread
   };
-  /// Offers what `required` can use of the remote interface. ConfigurationError where its
-  /// description makes no sense.
+  /// Offers the part of the remote interface that `required` uses. Throws ConfigurationError if its
+  /// description is invalid.
   ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> thread, const Remote& remote,
                          const RequiredDescription& required,
                          std::chrono::milliseconds read_deadline);
 
   [[nodiscard]] ProvidedInterface& interface() { return interface_; }
-  /// Of the other end.
+  /// The number at the other end.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
-  /// In which calls are sent.
+  /// The lane on which calls are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
 
   // In threads of the middleware, one at a time.
 
-  /// `handler` is the event handler's place in the required interface.
+  /// `handler` is the index of the event handler in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
-  /// Those that were lost over there are lost here, too.
+  /// Events that the other end lost count as lost here too.
   void OnEventsLost(const message::EventsLost& events);
-  /// Whether the component over there has faulted, or is no longer.
+  /// Returns whether the remote component has become faulted, or is no longer.
   bool OnCredit(const message::Credit& credit);
 
-  /// Any thread: waits until those that have arrived are raised, at most until then.
+  /// Any thread: waits until all events that have arrived are raised, at most until `deadline`.
   void DrainEvents(SteadyTime deadline) const;
-  /// Any thread: why the component over there is faulted, or empty.
+  /// Any thread: why the remote component is faulted; else empty.
   [[nodiscard]] std::string fault() const;
-  /// Any thread: whether calls of `connection`, which is the one to this proxy, wait here or are
-  /// not executed over there yet, as far as that has told; none are while the component there
-  /// rests.
+  /// Any thread: whether calls of `connection`, the one to this proxy, are queued here or not known
+  /// to be executed. False while the remote component is stopped.
   [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
-  /// Once the network thread works for it no more: sends what that has taken and could not send,
-  /// for at most `patience`.
+  /// Call it after the network thread has stopped working for this proxy: sends the calls that it
+  /// took and could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
-  /// Any thread: the peer is gone; calls are refused with kNotConnected from now on.
+  /// Any thread: the peer is gone; refuses later calls with kNotConnected.
   void Sever();
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -92,8 +90,8 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;
   LossReport loss_report_;
-  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null where it has no event
-  Host host_{[](const auto& /*reason*/) {}};         // the component over there; runs nothing here
+  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null if it has no event
+  Host host_{[](const auto& /*reason*/) {}};         // the remote component; executes nothing here
   ProvidedInterface interface_;
 
   mutable std::mutex mutex_;

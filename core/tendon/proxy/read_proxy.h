@@ -13,11 +13,11 @@
 
 namespace tendon {
 
-/// Asks for the value in the caller's thread, which waits for at most `deadline`: kTimeout, or
-/// kNotConnected when the peer is gone.
+/// Reads the value from the peer in the caller's thread, which waits for at most `deadline`.
+/// Errors: kTimeout, or kNotConnected if the peer is gone.
 class ReadOfferProxy final : public Offer {
  public:
-  /// The command at the other end.
+  /// The remote command.
   struct Remote {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
@@ -33,15 +33,15 @@ class ReadOfferProxy final : public Offer {
   Remote remote_;
 };
 
-/// What a refusal of kRead or kWait means to the caller; nothing where the peer has not refused it.
+/// The caller's status for a refused kRead or kWait; nothing if `error` is no refusal by the peer.
 [[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
-/// Behind the value, in the body of the answer to kRead and kWait.
+/// The status follows the value in the reply to kRead and kWait.
 [[nodiscard]] inline std::byte CodeOf(Status status) {
   return static_cast<std::byte>(status.code());
 }
 void AppendStatus(Status status, Bytes& answer);
-/// Takes it off again; kInvalid where there is none, or one that says no end: kQueued.
+/// Removes the status and returns it; kInvalid if it is missing or kQueued.
 Status TakeStatus(std::span<const std::byte>& answer);
 Status TakeStatus(Bytes& answer);
 

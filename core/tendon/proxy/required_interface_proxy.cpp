@@ -12,21 +12,21 @@
 namespace tendon {
 namespace {
 
-/// In a line. How long its caller waits a read does not tell: 100 ms unless it was set.
+/// How long a read may wait in a line. Its caller's deadline, 100 ms by default, is not sent.
 constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 
-/// Of events that wait for a peer, which says how many may; beyond them they are lost, and counted.
+/// Bytes of events that may wait for a peer with a connection; more are lost, and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-/// The same for one that only listens, of which there may be many.
+/// The same for a peer that only listens, of which there may be many.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
-/// The answer to a read: written to where the link sends it from, where there is such a place, and
-/// the status behind it.
+/// The reply to a read, followed by the status. Written directly into the memory that the link
+/// sends, if the link has such memory.
 class ReadReply final : public AnswerSink {
  public:
-  /// `may_be` says whether an answer of some size may be sent; `spare` keeps what has no place.
+  /// `may_be` tells whether a value of that size may be sent; `spare` is the buffer otherwise.
   ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
       : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
 
@@ -35,11 +35,11 @@ class ReadReply final : public AnswerSink {
     return is_refused_ ? std::span<std::byte>() : Begin(size).first(size);
   }
 
-  /// Once; without an answer it is the status alone.
+  /// Call it once. Without a value, sends the status alone.
   void Finish(Status status) {
     if (reply_.empty()) Begin(0);
     if (is_refused_) status = Status::kFailed;
-    if (!status) std::ranges::fill(reply_, std::byte{0});  // what was not written is of others
+    if (!status) std::ranges::fill(reply_, std::byte{0});  // unwritten bytes may hold other data
     reply_.back() = CodeOf(status);
     if (is_in_place_) return responder_.EndReply();
     responder_.Reply(reply_, kOwnLane);
@@ -112,7 +112,7 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, SortsOfC
     if (!runs_component_[i]) continue;
     (CanBeAwaited(functions_[i]->kind()) ? has_commands : has_reads) = true;
   }
-  // As many as the peer may have under way, whatever their size, and one that is just done.
+  // As many as the peer's credit, of any size, and one that has just ended.
   if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(Callers::kManyThreads);
@@ -126,14 +126,14 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
   return told_.accepting;
 }
 
-/// By whoever executes: a task, or the threads that call, where the component has none.
+/// Asks the executing side: the task, or the component if it has no thread.
 bool RequiredInterfaceProxy::IsAccepting() const {
   if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
   const Host* host = server_.interface->host();
   return host == nullptr || host->accepting();
 }
 
-/// No longer than catalogues take it: an exception may say anything.
+/// An exception may say anything; Printable() shortens it to what catalogues accept.
 std::string RequiredInterfaceProxy::Fault() const {
   const Host* host = server_.interface->host();
   return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
@@ -162,11 +162,11 @@ bool RequiredInterfaceProxy::PostTo(CallLine& line, std::span<const std::byte> a
 
 class RequiredInterfaceProxy::PlaceInLine {
  public:
-  /// Before the command is counted.
+  /// Create it before the command is counted.
   explicit PlaceInLine(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
   PlaceInLine(const PlaceInLine&) = delete;
   PlaceInLine& operator=(const PlaceInLine&) = delete;
-  /// It was executed, waits in the mailbox, or never will be.
+  /// The command was executed, was moved to the mailbox, or is dropped.
   ~PlaceInLine() {
     const std::scoped_lock lock(proxy_.mutex_);
     --proxy_.waiting_in_line_;
@@ -182,7 +182,7 @@ void RequiredInterfaceProxy::LogRefused(std::size_t function) {
                   " wait already, or memory is short");
 }
 
-/// Of a command.
+/// For a command.
 bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
   if (!commands_ || runs_component_[function]) return commands_ != nullptr;
   const std::scoped_lock lock(mutex_);
@@ -203,11 +203,11 @@ void RequiredInterfaceProxy::WaitForRoom(std::size_t function, SteadyTime deadli
 
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
-  // A refused one counts as executed.
+  // A refused command counts as executed.
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
     if (status != Status(Status::kQueueFull)) return CountReceived(Watch::kClosely);
-    // An answer to what did not wait in the mailbox has told the peer that all before was executed.
+    // Not always the peer's fault: a reply has confirmed all calls before it, also queued ones.
     if (!commands_) {
       LogRefused(function);
       return CountReceived(Watch::kClosely);
@@ -242,7 +242,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   if (!runs_component_[function]) {
-    const LargeInHand mark;  // how large the answer is, is known once it is there
+    const LargeInHand mark;  // the size of the answer is not known before
     return Read(function, argument, std::move(responder), answer_);
   }
   responder.Defer();
@@ -257,7 +257,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
 }
 
-/// Of a read that has waited in the line since then: whether its caller has given up, most likely.
+/// Whether the caller of a read that waits since then has probably given up.
 bool RequiredInterfaceProxy::IsStale(SteadyTime since) const {
   const bool is_late = SteadyClock().Now() - since > kMostReadWait;
   return is_late || are_reads_dropped_.Get() || !channel_->is_open();
@@ -321,9 +321,9 @@ void RequiredInterfaceProxy::OnBegun(BegunCalls::Begun begun, Status status, Byt
   SteadyTime look = BegunCalls::FirstLook(begun);
   {
     const std::scoped_lock lock(mutex_);
-    // Closed meanwhile: it is executed, or it is dropped.
+    // Closed meanwhile: executed or dropped.
     if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, result);
-    // The network thread was told of that too soon to find it.
+    // The notification for this call came before Add().
     if (begun.command->HasEnded(begun.call)) look = begun.since;
     begun_.Add(std::move(begun));
   }
@@ -365,15 +365,14 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   return sent > 0;
 }
 
-/// Whether the peer must hear it now; what was executed may wait for more, unless that is half of
-/// what the peer may have under way, and no answers have told it.
+/// Whether to report now. Executed calls can wait for more, unless they reach half the peer's
+/// credit and no replies have reported them.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
   if (credit.accepting != told_.accepting || credit.fault != told_.fault) return true;
   return watch_ != Watch::kNowAndThen && 2 * (credit.executed - told_.executed) >= capacity_;
 }
 
-/// A peer whose caller has left has not learnt from the answer what that told; so it is told now
-/// and then all the same.
+/// Reports seldom even if replies have reported: a peer whose caller gave up ignores the reply.
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kLatest(4);
   constexpr std::chrono::milliseconds kLatestBehindAnswers(100);
@@ -382,7 +381,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   if (connection_ == nullptr) return;
   begun_.Answer(now, next);
   if (!channel_->is_open()) return;
-  // In this order: what is posted meanwhile makes it too small, never too large.
+  // In this order, so that a call posted meanwhile makes the result too small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();
   const std::uint64_t executed = received - std::min(waiting, received);

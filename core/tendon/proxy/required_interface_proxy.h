@@ -20,87 +20,86 @@
 
 namespace tendon {
 
-/// Stands in for a required interface of another process, for one connection: it is connected to a
-/// provided interface here as any other. Calls that arrive are made in the middleware's thread, or,
-/// where they run code of the component in their caller's thread, in a line of CallThreads; events
-/// wait here until the network thread sends them.
+/// Stands in for a required interface of another process, for one connection; it connects to a
+/// provided interface here as usual. Calls are made in the middleware's thread, or in a line of
+/// CallThreads if they run code of the component in the caller's thread. Events are queued until
+/// the network thread sends them.
 class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
                                      private BegunCalls::Owner {
  public:
-  /// Whether events are sent as kEvents or, with the time when they were raised, as kTimedEvents.
+  /// Whether events are sent as kEvents, or as kTimedEvents with the time when they were raised.
   enum class Events { kPlain, kTimed };
 
-  /// `latest_only` names handlers that keep the latest event only. ConfigurationError where the
-  /// description makes no sense.
+  /// `latest_only` names handlers that keep the latest event only. Throws ConfigurationError if the
+  /// description is invalid.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open, Events events = Events::kPlain,
                          const std::vector<std::string>& latest_only = {});
 
-  /// Before it is connected to `server`, and used: has calls made in lines where they run code of
-  /// the component in their caller's thread. What is queued waits there only behind such a call:
-  /// commands keep their order.
+  /// Call it before the proxy is connected to `server`. Makes lines for calls that run code of the
+  /// component in their caller's thread. A queued command waits in a line only behind such a call,
+  /// so that commands keep their order.
   void MakeLines(const ProvidedInterface& server, SortsOfCalls& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
-  /// Of the other end.
+  /// The number at the other end.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
-  /// In which events are sent.
+  /// The lane on which events are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
-  /// Any thread: how many events have not reached the handlers over there, whichever end has lost
-  /// them; of those the other end has lost, as many as it has told of.
+  /// Any thread: events that have not reached the remote handlers, whichever end lost them.
+  /// Includes those lost at the other end as far as it has reported them.
   [[nodiscard]] std::uint64_t lost_events() const;
-  /// Any thread: how many calls have arrived that the component is to execute, whatever became of
-  /// them. Reads are none.
+  /// Any thread: commands that have arrived, whatever became of them. Does not count reads.
   [[nodiscard]] std::uint64_t received() const;
 
-  /// The component that is connected here.
+  /// The connected component.
   struct Server {
     const ProvidedInterface* interface = nullptr;
     std::function<std::string()> fault;  ///< why it is faulted; any thread
   };
-  /// From now on the peer hears how far `connection`'s calls have come, and how the server is.
-  /// Returns whether it executes calls. All must live until EndCredit().
+  /// Reports from now on how far `connection`'s calls have come and how the server is. Returns
+  /// whether the server executes calls now. The arguments must live until EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
-  /// Waits for the commands that have arrived and are in the line, at most until then. False where
-  /// one is, or a read is: code of the component may run still, which must not be freed.
+  /// Waits until the commands in the line were executed, at most until `deadline`. Returns false if
+  /// a command or a read is left: component code may still run, so it must not be freed.
   [[nodiscard]] bool Drain(SteadyTime deadline) const;
   void EndCredit();
-  /// Any thread: the peer is gone; what is raised from now on is not sent.
+  /// Any thread: the peer is gone; later events are not sent.
   void Sever() { outbox_.Close(); }
-  /// Any thread: nobody waits any more for reads that are still in the line.
+  /// Any thread: the callers of reads in the line have stopped waiting.
   void DropReads() { are_reads_dropped_.Set(true); }
-  /// Likewise for commands; one that runs ends as it ends.
+  /// The same for commands; a running one continues.
   void DropCommands() { are_commands_dropped_.Set(true); }
 
-  // In threads of the middleware, one at a time. `function` is its place in the interface.
+  // In threads of the middleware, one at a time. `function` is the index in the interface.
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
-  /// Answers when the call was executed, or will not be.
+  /// Answers after the call was executed or refused.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
-  /// If not, that is logged: nobody hears the answer of a call that was executed.
+  /// Logs a value that is too large, since the caller of an executed call gets no result then.
   bool CanBeSent(std::size_t function, std::size_t size);
-  /// How closely the network thread looks for what the peer must be told: not at all; now and then,
-  /// for answers have told it most likely; or until it is told.
+  /// How often the network thread checks what it must report to the peer: never; seldom, since
+  /// replies have probably reported it; or often.
   enum class Watch { kNone, kNowAndThen, kClosely };
 
-  /// While it lives, a command that was counted waits in the line.
+  /// While it lives, its command counts as waiting in the line.
   class PlaceInLine;
 
-  /// Of a peer that sends more than it may have under way, or where memory is short.
+  /// For a peer that exceeds its credit, or if memory is short.
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
-  /// In the line: where `function` is queued and the mailbox is full, until it is not any more.
+  /// In the line: if `function` is queued and the mailbox is full, waits for room.
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
-  /// `call(*this, argument)` later, with a copy. False where too much waits there.
+  /// Posts `call(*this, argument)` with a copied argument. Returns false if too much waits.
   template <typename Call>
   bool PostTo(CallLine& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
@@ -124,23 +123,23 @@ class RequiredInterfaceProxy final : public NetworkJob,
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
-  std::vector<const QueuedOfferProxy*> handlers_;  // of events
+  std::vector<const QueuedOfferProxy*> handlers_;  // by event handler
   Complaints complaints_{"network"};
-  std::vector<bool> runs_component_;    // in the thread of its caller, by function
-  std::shared_ptr<CallLine> commands_;  // that do so, and what comes behind them; or null
-  std::shared_ptr<CallLine> reads_;     // likewise
+  std::vector<bool> runs_component_;    // by function: in its caller's thread
+  std::shared_ptr<CallLine> commands_;  // for commands that do, and those behind them; or null
+  std::shared_ptr<CallLine> reads_;     // the same for reads
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
-  Bytes answer_;  // of the middleware's thread
+  Bytes answer_;  // only in the middleware's thread
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // for all that follows
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
-  std::uint64_t waiting_in_line_ = 0;  // of them
+  std::uint64_t waiting_in_line_ = 0;  // received commands
   Watch watch_ = Watch::kNone;
   message::Credit told_;
-  SteadyTime owed_since_{};  // at the latest
+  SteadyTime owed_since_{};  // since when a report is owed, at the latest
   BegunCalls begun_{*this};
 };
 

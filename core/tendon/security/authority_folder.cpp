@@ -87,7 +87,7 @@ Result<void> WriteKey(const fs::path& file, const EVP_PKEY& key) {
   openssl::Wipe(text);
   if (!kept) return kept.error();
   openssl::Wipe(*kept);
-  if (is_ours) return os::AppendDurably(file, "");  // which waits for all that the file has
+  if (is_ours) return os::AppendDurably(file, "");  // waits for the whole content
   return Error{ErrorCode::kExists, file.string() + " is there already: it is not overwritten"};
 }
 

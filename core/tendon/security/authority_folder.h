@@ -9,7 +9,7 @@
 
 namespace tendon {
 
-/// Where a CA keeps what.
+/// The files of a CA in its folder.
 struct AuthorityFolder {
   std::filesystem::path path;
 
@@ -20,25 +20,25 @@ struct AuthorityFolder {
   [[nodiscard]] std::filesystem::path lock() const { return path / "lock"; }
 };
 
-/// All of a regular file of at most 1 MiB.
+/// The content of a regular file of at most 1 MiB.
 Result<std::string> ReadSmallFile(const std::filesystem::path& file);
 
-/// kDenied, with what to do, where others may read or write it.
+/// kDenied, with the remedy, if other users can read or write the file.
 Result<void> RequirePrivate(const std::filesystem::path& file);
 
-/// A folder of mode 0700; one that is there is left as it is.
+/// Creates a folder of mode 0700; leaves an existing one as it is.
 Result<void> MakePrivateFolder(const std::filesystem::path& folder);
 
-/// A file of mode 0600; atomic, and waits for the disk.
+/// Writes a file of mode 0600, atomically; waits for the disk.
 Result<void> WritePrivateFile(const std::filesystem::path& file, std::string_view text);
 
-/// The same of a private key, in a file that was not there; nobody else can read it at any moment.
+/// The same for a private key and a new file; other users can never read it.
 Result<void> WriteKey(const std::filesystem::path& file, const EVP_PKEY& key);
 
-// Those of a CA.
+// The files of a CA.
 Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder);
 Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder);
-/// A private key that nobody else can read.
+/// A private key that other users cannot read.
 Result<openssl::Key> ReadPrivateKey(const std::filesystem::path& file);
 
 }  // namespace tendon

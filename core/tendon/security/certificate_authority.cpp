@@ -23,7 +23,7 @@ sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// While it exists, nobody else changes a CA.
+/// Keeps other programs from changing the CA while it lives.
 class Lock {
  public:
   explicit Lock(const AuthorityFolder& folder) : file_(folder.lock()) {
@@ -54,7 +54,7 @@ class Lock {
   std::optional<Error> why_;
 };
 
-/// What a CA signs with.
+/// The certificate and key with which a CA signs.
 struct Authority {
   openssl::CertificateHandle certificate;
   openssl::Key key;
@@ -93,7 +93,7 @@ Result<void> Check(const CertificateAuthority::Request& request, sys_seconds las
   return {};
 }
 
-/// What is issued to somebody, in a folder.
+/// The files of an issued certificate.
 struct PersonalFiles {
   PersonalFiles(const std::string& name, const fs::path& folder)
       : certificate(folder / (name + ".crt")), key(folder / (name + ".key")) {}
@@ -110,7 +110,7 @@ Result<void> RequireFree(const fs::path& file) {
                                        "folder with --out, or remove it"};
 }
 
-/// The certificates of a name that were issued, and the names of all.
+/// The issued certificates of one name, and the names of all.
 struct Found {
   std::vector<openssl::CertificateHandle> certificates;
   std::vector<std::string> names;
@@ -128,7 +128,7 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   fs::directory_iterator copies(folder.issued(), reason);
   for (; copies != fs::directory_iterator(); copies.increment(reason)) {
     const fs::path& copy = copies->path();
-    if (copy.extension() != ".crt") continue;  // what a killed program left half-written
+    if (copy.extension() != ".crt") continue;  // a half-written file of a killed program
     const auto text = ReadSmallFile(copy);
     if (!text) return Unreadable(copy, text.error().message);
     auto certificate = openssl::ReadCertificate(*text);
@@ -142,8 +142,8 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   return found;
 }
 
-/// Of the certificates of a name, those that are not revoked: at least one, or the error says why
-/// there is none.
+/// The certificates of a name that are not revoked: at least one, or an error that says why there
+/// is none.
 Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
                                                           X509_CRL& revoked,
                                                           const std::string& name) {
@@ -250,7 +250,7 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
       openssl::MakeCertificate(request, *key, Now() + request.validity, authority->signer());
   const std::string text = openssl::PemOf(*certificate);
   const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
-  // The copy first: nothing leaves the CA that it could not revoke.
+  // The copy first, so that every issued certificate can be revoked.
   if (auto done = WritePrivateFile(copy, text); !done) return done.error();
   const PersonalFiles issued(request.name, out);
   if (auto done = WriteKey(issued.key, *key); !done) return done.error();

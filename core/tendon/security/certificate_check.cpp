@@ -16,7 +16,7 @@ using std::chrono::sys_seconds;
 
 constexpr const char* kIssueAnother = ": issue another with gcm cert issue";
 
-/// What X509_verify_cert() has against it, in our words.
+/// Translates the reason of X509_verify_cert().
 Error NotGood(const std::string& what, int reason, X509& certificate, const fs::path& authority) {
   const auto denied = [&what](const std::string& why) {
     return Error{ErrorCode::kDenied, what + " " + why};
@@ -48,7 +48,7 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
   }
 }
 
-/// 0, or why the chain up to the CA does not hold.
+/// 0, or why the chain up to the CA is not valid.
 int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   const openssl::Handle<X509_STORE_CTX, X509_STORE_CTX_free> context(X509_STORE_CTX_new());
   openssl::Require(
@@ -66,7 +66,7 @@ int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   return !holds && reason == X509_V_OK ? X509_V_ERR_UNSPECIFIED : reason;
 }
 
-/// `what` names it in errors.
+/// `what` is the certificate's name in errors.
 Result<Certificate> Check(const std::string& what, X509& certificate,
                           openssl::TrustedAuthority& authority, sys_seconds now) {
   const auto store = authority.Now();
@@ -78,7 +78,7 @@ Result<Certificate> Check(const std::string& what, X509& certificate,
   return described;
 }
 
-/// The private key beside a certificate: nothing where there is none.
+/// The private key beside a certificate; nothing if there is none.
 Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certificate) {
   fs::path key_file = file;
   key_file.replace_extension(".key");

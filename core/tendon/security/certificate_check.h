@@ -15,29 +15,29 @@ namespace openssl {
 class TrustedAuthority;
 }
 
-/// What is known of a certificate that was found good.
+/// A certificate that was found valid.
 struct CheckedCertificate {
   Certificate certificate;
-  std::optional<std::filesystem::path> key;  ///< its private key, where it lies beside it
-  std::string warning;                       ///< what will soon be wrong, or empty
+  std::optional<std::filesystem::path> key;  ///< its private key, if it is beside it
+  std::string warning;                       ///< what will be wrong soon, or empty
 };
 
-/// Warned of before a certificate expires.
+/// The warning starts this long before a certificate expires.
 inline constexpr std::chrono::days kExpiresSoon{30};
 
-/// Whether the certificate in `file` (PEM) is good at the time `now`: issued by the CA whose ca.crt
-/// and crl.pem are in the folder `authority`, neither expired nor revoked, with one of our roles.
-/// Its key, which is `file` with the extension .key, may be missing, but must belong to it and be
-/// readable by nobody else. The private key of the CA is not needed.
+/// Checks that the certificate in `file` (PEM) is valid at `now`: issued by the CA whose ca.crt and
+/// crl.pem are in the folder `authority`, neither expired nor revoked, with a known role. Its key
+/// is `file` with the extension .key; it may be missing, but must match and be readable by its user
+/// only. Does not need the private key of the CA.
 ///
-/// Errors: kDenied where it is not good, kNotFound where a file is missing, kInvalid where one is
-/// malformed. Reads files, and none of over 1 MiB.
+/// Errors: kDenied if it is not valid, kNotFound for a missing file, kInvalid for a malformed one.
+/// Reads files, each of at most 1 MiB.
 Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
                                             const std::filesystem::path& authority,
                                             std::chrono::sys_seconds now);
 
-/// The same of a certificate that a peer has shown (PEM), whose key it has proved to have. Errors
-/// begin with "the certificate of 'robot'".
+/// The same for a certificate (PEM) of a peer that has proved to own the key. Errors begin with
+/// "the certificate of 'robot'".
 Result<Certificate> CheckShownCertificate(std::string_view pem,
                                           openssl::TrustedAuthority& authority,
                                           std::chrono::sys_seconds now);

@@ -9,12 +9,11 @@
 
 namespace tendon {
 
-/// Which lines of the audit log a message leads to. Those that come with every cycle of a
-/// connection lead to none where they are allowed: that it stood up did, and its end, which tells
-/// how many calls came that are no reads.
+/// Which audit lines a message causes. Messages of every cycle of a connection cause none if they
+/// are allowed: the audit log has the connection's opening, and at its end the number of commands.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
-/// What it takes to send a message of one type to a process that serves others.
+/// What is required to send one type of message to a process that serves others.
 struct Right {
   std::uint16_t type;    ///< MessageType
   std::string_view act;  ///< for people
@@ -22,12 +21,12 @@ struct Right {
   Audit audit;
 };
 
-/// All there are, by type: what is not here is denied to everybody. The messages that a process
-/// gets on channels that it opened itself are none of these: it has chosen whom it listens to.
+/// All rights, by type. Types that are not here are denied to everybody. Messages that arrive on
+/// channels opened by this process need no right, because it chose its peer.
 inline constexpr auto kRights = std::to_array<Right>({
     // proxy/messages.h
-    {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // it has lines of its own
-    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // that it has opened itself
+    {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // logged separately
+    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // one opened by itself
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
@@ -47,7 +46,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // proxy/mirror/
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/program_messages.h
     // process/membership_messages.h
-    {0x300, "join", Role::kOperator, Audit::kRefusals},  // who may is written down
+    {0x300, "join", Role::kOperator, Audit::kRefusals},  // members are logged
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},
@@ -81,13 +80,13 @@ static_assert(std::ranges::is_sorted(kRights, std::ranges::less_equal{}, &Right:
                   std::ranges::adjacent_find(kRights, {}, &Right::type) == kRights.end(),
               "each type has one right, and is found by halving");
 
-/// Null for what nobody may do.
+/// Null for a type that is denied to everybody.
 [[nodiscard]] constexpr const Right* FindRight(std::uint16_t type) {
   const auto* const found = std::ranges::lower_bound(kRights, type, {}, &Right::type);
   return found != kRights.end() && found->type == type ? found : nullptr;
 }
 
-/// Whether the one role includes the other.
+/// Whether `role` includes `needed`.
 [[nodiscard]] constexpr bool Includes(Role role, Role needed) noexcept { return role >= needed; }
 
 }  // namespace tendon

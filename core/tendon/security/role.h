@@ -7,16 +7,16 @@
 
 namespace tendon {
 
-/// What the holder of a certificate may do; each role includes those before it.
+/// The rights of a certificate's holder; each role includes those before it.
 enum class Role : std::uint8_t {
-  kViewer,    ///< look: catalogue, values, rows, logs
+  kViewer,    ///< read: catalogue, values, rows, logs
   kOperator,  ///< change: connect, call commands, join as a process
 };
 
 /// "viewer", "operator".
 [[nodiscard]] std::string_view ToString(Role role) noexcept;
 
-/// Reads what ToString() writes; kInvalid names the roles there are.
+/// Reads the text of ToString(); kInvalid lists the roles.
 Result<Role> ParseRole(std::string_view text);
 
 }  // namespace tendon

@@ -20,7 +20,7 @@
 
 namespace tendon {
 
-/// Which row it is.
+/// Identifies a row.
 struct RowStamp {
   std::uint64_t tick = 0;
   SteadyTime time;
@@ -28,13 +28,13 @@ struct RowStamp {
   bool operator==(const RowStamp&) const = default;
 };
 
-/// The outcome as a real-time call gives it.
+/// Converts the outcome for a real-time call.
 constexpr Status ToStatus(RowResult result) noexcept {
   if (result == RowResult::kDone) return Status::kDone;
   return result == RowResult::kInvalid ? Status::kInvalid : Status::kNoSample;
 }
 
-/// What a table's column is, whatever its type. Immutable but for the count.
+/// A column of a table, whatever its type. Immutable except for the count.
 class ColumnBase {
  public:
   ColumnBase(std::string name, const CellLayout& layout, const Schema& schema,
@@ -47,15 +47,15 @@ class ColumnBase {
   [[nodiscard]] const CellLayout& layout() const noexcept { return layout_; }
   [[nodiscard]] const Schema& schema() const noexcept { return schema_; }
   [[nodiscard]] const Fingerprint& fingerprint() const noexcept { return fingerprint_; }
-  /// How many values did not fit into the column's capacity; their cells are absent.
+  /// Number of values that did not fit into the column's capacity; their cells are absent.
   [[nodiscard]] std::uint64_t absent() const noexcept { return absent_.value(); }
-  /// The column's part of a row copied with StateTable::CopyRow(): a CDR body, empty when absent.
+  /// The column's part of a row copied with StateTable::CopyRow(): a CDR body, empty if absent.
   [[nodiscard]] std::span<const std::byte> Cell(std::span<const std::uint64_t> row) const noexcept;
 
  private:
   friend class StateTable;
 
-  /// Writes the variable's value into `body` and returns its size; 0 when it does not fit.
+  /// Writes the variable's value into `body` and returns its size; 0 if it does not fit.
   virtual std::size_t EncodeVariable(std::span<std::byte> body) const noexcept = 0;
   [[nodiscard]] virtual const void* variable() const noexcept = 0;
   [[nodiscard]] virtual const std::type_info& type() const noexcept = 0;
@@ -71,10 +71,11 @@ class ColumnBase {
 
 /// The history of one variable.
 ///
-/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows, and
-/// where it does not return kDone it leaves `value` as it was (but for kInvalid: the variable held
-/// what no reader may see, as an enum's value without a name). Reads of a fixed type allocate
-/// nothing; those of a dynamic one only when `value`, or a thread's copy of a cell, grows.
+/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows.
+/// Unless it returns kDone, it leaves `value` unchanged, except for kInvalid: the variable held a
+/// value that no reader may see, such as an enum value without a name. Reads of a fixed type
+/// allocate nothing; reads of a dynamic type only when `value`, or a thread's copy of a cell,
+/// grows.
 template <Payload T>
 class Column final : public ColumnBase {
  public:
@@ -83,14 +84,14 @@ class Column final : public ColumnBase {
         rows_(rows),
         variable_(variable) {}
 
-  /// The newest value. kNoSample before the first row, and when the newest value did not fit into
-  /// the column. Some 4 ns for 64 bytes; wait-free unless the writer goes round the whole ring
+  /// The newest value. kNoSample before the first row, and if the newest value did not fit into the
+  /// column. About 4 ns for 64 bytes; wait-free unless the writer goes round the whole ring
   /// meanwhile.
   Status ReadNewest(T& value) const noexcept {
     std::uint64_t tick = 0;
     return ReadNewestCell(value, tick, [](const Word* /*row*/) {});
   }
-  /// The same, and which row it was.
+  /// The same, and tells which row it was.
   Status ReadNewest(T& value, RowStamp& stamp) const noexcept {
     return ReadNewestCell(value, stamp.tick, [&](const Word* row) { stamp.time = TimeOf(row); });
   }
@@ -100,29 +101,29 @@ class Column final : public ColumnBase {
     return ReadCellAt(tick, value, [](const Word* /*row*/) {});
   }
 
-  /// The value `rows` rows before the newest, which is 0.
+  /// The value `rows` rows before the newest; 0 is the newest row.
   RowResult ReadDelayed(std::size_t rows, T& value) const noexcept {
     const std::uint64_t next = rows_.next_tick();
     return rows < next ? ReadAt(next - 1 - rows, value) : RowResult::kNotYet;
   }
 
-  /// The value that held at `time`: that of the newest row not later. kNotYet when all rows are
-  /// later, kOvertaken when that row is lost. A binary search.
+  /// The value that was valid at `time`: that of the newest row not later. kNotYet if all rows are
+  /// later, kOvertaken if that row is lost. A binary search.
   RowResult ReadAtTime(SteadyTime time, T& value) const noexcept {
     std::uint64_t tick = 0;
     const RowResult found = rows_.Find(time.time_since_epoch().count(), tick);
     return found == RowResult::kDone ? ReadAt(tick, value) : found;
   }
 
-  /// Reads every row from `tick` on, in order, into `value` and calls `visit(stamp, value)`;
-  /// returns the tick to go on with. `lost` counts the rows that could not be read.
+  /// Reads every row from `tick` on, in order, into `value`, and calls `visit(stamp, value)`.
+  /// Returns the tick to continue with. `lost` counts the rows that could not be read.
   template <typename Visitor>
   std::uint64_t ReadSince(std::uint64_t tick, T& value, std::uint64_t& lost, Visitor visit) const {
     return ReadRange(tick, rows_.next_tick(), value, lost, visit);
   }
 
-  /// The same for the rows before `end`; those not written yet are left for the next call.
-  /// StateTable::FindRow() gives the ticks of a span of time.
+  /// The same for the rows before `end`; rows not written yet are left for the next call.
+  /// StateTable::FindRow() finds the ticks of a span of time.
   template <typename Visitor>
   std::uint64_t ReadRange(std::uint64_t tick, std::uint64_t end, T& value, std::uint64_t& lost,
                           Visitor visit) const {
@@ -154,7 +155,7 @@ class Column final : public ColumnBase {
     return SteadyTime(std::chrono::nanoseconds(RowRing<>::TimeOf(row)));
   }
 
-  /// Has `read` copy the cell of one row, and decodes it when it is known to be whole. `note` sees
+  /// `read` copies the cell of one row; it is decoded if the row proves to be complete. `note` sees
   /// the row as well.
   template <typename Read, typename Note>
   RowResult ReadCell(T& value, Read read, Note note) const {

@@ -15,7 +15,7 @@ class RowFilter {
   RowFilter& operator=(const RowFilter&) = delete;
   virtual ~RowFilter() = default;
 
-  /// In the writer's thread, before the row.
+  /// In the writer's thread, before each row.
   virtual void Apply() noexcept = 0;
 };
 

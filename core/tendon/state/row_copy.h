@@ -9,10 +9,10 @@
 
 namespace tendon {
 
-/// A reader's copy of a whole row of a table, whose columns all belong to one cycle.
+/// A reader's copy of a whole row of a table. All columns belong to one cycle.
 ///
-/// Made once the table has all its columns, which it must outlive; the reads allocate nothing. One
-/// thread at a time.
+/// Create it when the table has all its columns; the table must outlive it. Reads allocate nothing.
+/// Used by one thread at a time.
 class RowCopy {
  public:
   explicit RowCopy(const StateTable& table) : table_(table), words_(table.row_words()) {}
@@ -20,15 +20,15 @@ class RowCopy {
   /// kNoSample before the first row. Wait-free unless the writer goes round the whole ring
   /// meanwhile.
   Status ReadNewest();
-  /// Where it does not return kDone, the row copied before is gone.
+  /// Unless it returns kDone, the previous copy is lost.
   RowResult ReadAt(std::uint64_t tick);
   /// The newest row not later than `time`.
   RowResult ReadAtTime(SteadyTime time);
 
-  /// Which row it is.
+  /// Identifies the copied row.
   [[nodiscard]] const RowStamp& stamp() const noexcept { return stamp_; }
-  /// The value of a column of the table. kNotYet while there is no row, kAbsent when the value did
-  /// not fit into the column. Allocates at most what a dynamic `value` grows by.
+  /// The value of a column of the table. kNotYet if no row was copied, kAbsent if the value did not
+  /// fit into the column. Allocates only if a dynamic `value` grows.
   template <Payload T>
   RowResult Get(const Column<T>& column, T& value) const {
     if (!has_row_) return RowResult::kNotYet;
@@ -36,7 +36,7 @@ class RowCopy {
     if (body.empty()) return RowResult::kAbsent;
     return Decode(body, value) ? RowResult::kDone : RowResult::kInvalid;
   }
-  /// The CDR body of a column; empty when its value is absent.
+  /// The CDR body of a column; empty if its value is absent.
   [[nodiscard]] std::span<const std::byte> Cell(const ColumnBase& column) const noexcept;
 
  private:

@@ -12,33 +12,33 @@
 
 namespace tendon {
 
-/// What became of the attempt to read one row.
+/// The outcome of an attempt to read one row.
 enum class RowResult : std::uint8_t {
   kDone,
   kNotYet,     ///< not written yet
   kOvertaken,  ///< the writer has gone round the ring; the row is lost
-  kAbsent,     ///< the row is there, but its value did not fit into the column
-  kInvalid,    ///< the row is there, but its value is none of its type
+  kAbsent,     ///< the row exists, but its value did not fit into the column
+  kInvalid,    ///< the row exists, but its value is invalid for its type
 };
 
-/// The lock-free part of a state table: a ring of rows of 64-bit words, each with the tick that
-/// counts it and its time.
+/// The lock-free part of a state table: a ring of rows of 64-bit words. Each row has a tick, which
+/// numbers it, and a time.
 ///
-/// Thread safety: one thread writes (Begin, Store, Publish) and is never held up; any number of
-/// threads read. All words are atomic, so that a reader which the writer laps copies a mixture,
-/// never undefined bytes, and finds out:
-///  - the writer puts the new tick into a row before it changes any other word of it;
-///  - the reader looks at the row's tick after it has copied all words it wants. If any of them was
-///    of a later row, the fences make it see that row's tick.
+/// Thread safety: one thread writes (Begin, Store, Publish) and never waits; any number of threads
+/// read. All words are atomic: a reader that the writer laps copies a mixture, never undefined
+/// bytes, and detects it:
+/// - The writer stores the new tick of a row before it changes any other word of it.
+/// - The reader checks the row's tick after it has copied all the words it wants. If any of them
+///   was of a later row, the fences make it see the tick of that row.
 template <typename Atomics = StdAtomics>
 class RowRing {
  public:
   using Word = typename Atomics::template Atomic<std::uint64_t>;
 
-  /// Keeps at least `rows` rows of `row_words` words; their count is rounded up to a power of two,
-  /// above `rows` because one row is always being replaced. Before the first row only; all memory
-  /// is allocated and touched here. Where there is not enough, std::bad_alloc, and the ring is as
-  /// it was.
+  /// Keeps at least `rows` rows of `row_words` words. Their count is rounded up to a power of two
+  /// above `rows`, because one row is always being replaced. Only before the first row; allocates
+  /// and touches all memory. Throws std::bad_alloc if there is not enough, and then leaves the ring
+  /// as it was.
   void Allocate(std::size_t rows, std::size_t row_words) {
     assert(next_tick() == 0);
     const std::size_t count = std::bit_ceil(rows + 1);
@@ -52,7 +52,7 @@ class RowRing {
     void* first = memory_.get();
     rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));
   }
-  /// The most rows to allocate, at least one, so that they take no more than `words` words.
+  /// The largest number of rows, at least one, that takes no more than `words` words.
   [[nodiscard]] static std::size_t RowsWithin(std::size_t words, std::size_t row_words) noexcept {
     const std::size_t fit = words / StrideFor(row_words);
     return fit < 2 ? 1 : std::bit_floor(fit) - 1;
@@ -67,7 +67,7 @@ class RowRing {
     row_[kTime].store(static_cast<std::uint64_t>(time), std::memory_order_relaxed);
   }
 
-  /// Writer: sets words of the row, from `offset` on.
+  /// Writer: sets words of the row, starting at `offset`.
   void Store(std::size_t offset, std::span<const std::uint64_t> words) noexcept {
     assert(offset + words.size() <= row_words_);
     Word* const target = row_ + kHeaderWords + offset;
@@ -82,25 +82,25 @@ class RowRing {
     next_.store(tick + 1, std::memory_order_release);  // (B) publishes the row
   }
 
-  /// Rows ever written; the newest is the one before.
+  /// Number of rows ever written; the newest has the tick before.
   [[nodiscard]] std::uint64_t next_tick() const noexcept {
     return next_.load(std::memory_order_acquire);  // pairs with (B)
   }
-  /// The oldest row that can still be read if the writer stands still.
+  /// The oldest row that can still be read if the writer does not go on.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
     const std::uint64_t next = next_tick();
     return next > mask_ ? next - mask_ : 0;
   }
 
-  /// Reader: calls `copy(words)` with the words of a row, which it loads by relaxed loads alone,
-  /// and says whether what it has copied is that row.
+  /// Reader: calls `copy(words)`, which copies words of a row by relaxed loads alone. Returns kDone
+  /// if the copy is of that row.
   template <typename Copy>
   RowResult Read(std::uint64_t tick, Copy copy) const {
     return tick < next_tick() ? ReadWritten(tick, copy) : RowResult::kNotYet;
   }
 
-  /// Reader: the same for the newest row, whose tick it sets, or kNotYet. Tries again only if the
-  /// writer goes round the whole ring meanwhile.
+  /// Reader: the same for the newest row, whose tick it sets; kNotYet before the first. Retries
+  /// only if the writer goes round the whole ring meanwhile.
   template <typename Copy>
   RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
     while (true) {
@@ -116,8 +116,8 @@ class RowRing {
     return Read(tick, [&](const Word* words) { time = TimeOf(words); });
   }
 
-  /// Reader: the newest row that is not later than `time`. kNotYet when all are later,
-  /// kOvertaken when that row, if there was one, is lost.
+  /// Reader: the newest row that is not later than `time`. kNotYet if all are later, kOvertaken if
+  /// that row, if there was one, is lost.
   RowResult Find(std::int64_t time, std::uint64_t& tick) const noexcept {
     std::uint64_t low = oldest_tick();
     std::uint64_t high = next_tick();
@@ -135,7 +135,7 @@ class RowRing {
     return is_found ? RowResult::kDone : low == 0 ? RowResult::kNotYet : RowResult::kOvertaken;
   }
 
-  /// In `copy`: the time of the row whose words are given.
+  /// For use in `copy`: the time of the row whose words are given.
   static std::int64_t TimeOf(const Word* words) noexcept {
     return static_cast<std::int64_t>((words - kHeaderWords)[kTime].load(std::memory_order_relaxed));
   }
@@ -168,7 +168,7 @@ class RowRing {
   std::size_t mask_ = 0;
   std::size_t stride_ = 0;
   std::size_t row_words_ = 0;
-  Word* row_ = nullptr;  // of the writer: the row begun
+  Word* row_ = nullptr;  // the writer's: the row it has begun
   alignas(kSeparation) Word next_{0};
 };
 

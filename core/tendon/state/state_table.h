@@ -19,28 +19,28 @@
 
 namespace tendon {
 
-/// Publishes chosen variables of a task to other threads and keeps their history: each cycle all of
-/// them become one row, encoded, in a ring of rows.
+/// Publishes chosen variables of a task to other threads and keeps their history: each cycle
+/// encodes all of them into one row of a ring.
 ///
-/// Thread safety: whatever adds or sets, and Prepare(), before the first row; rows are written by
-/// one thread, which alone changes the variables; everything else by any thread, at any time.
-/// Writing is wait-free; a reader that the writer overtakes by a whole ring is told.
+/// Thread safety: functions that add or set, and Prepare(), are called before the first row. One
+/// thread writes rows, and it alone changes the variables. Any thread may call all other functions
+/// at any time. Writing is wait-free; a reader that the writer overtakes by a whole ring is told.
 class StateTable {
  public:
-  /// Rows kept where nobody has said how many, as far as kDefaultBytes hold them.
+  /// The fewest rows by default, as far as kDefaultBytes hold them.
   static constexpr std::size_t kMinimumLength = 256;
   static constexpr std::size_t kMaximumLength = std::size_t{1} << 24;
   static constexpr std::size_t kDefaultBytes = std::size_t{16} << 20;
-  /// The largest row: two of them are what a table is at least.
+  /// The largest row: a table holds at least two of them.
   static constexpr std::size_t kMaximumRowBytes = kDefaultBytes / 2;
 
   explicit StateTable(std::string name = "state");
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
 
-  /// Makes `variable`, which must outlive the table, a column. Throws ConfigurationError when the
-  /// name or the variable is a column already, when the table is prepared, or when a row would
-  /// exceed kMaximumRowBytes.
+  /// Makes `variable`, which must outlive the table, a column. Throws ConfigurationError if the
+  /// name or the variable is already a column, the table is prepared, or a row would exceed
+  /// kMaximumRowBytes.
   template <typename T>
   requires(FixedPayload<T> || !Payload<T>) void Add(const T& variable, std::string name) {
     static_assert(RequirePayload<T>());
@@ -54,9 +54,9 @@ class StateTable {
     AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
   }
 
-  /// Makes `output` a column that is computed from `input` just before each row:
-  /// `filter(input, output)`, noexcept, in the writer's thread. Filters run in the order they were
-  /// added, so one may go on with what another has computed. Arguments from `name` on as for Add().
+  /// Makes `output` a column that `filter(input, output)`, noexcept, computes from `input` just
+  /// before each row, in the writer's thread. Filters run in the order in which they were added, so
+  /// one may use the result of another. Arguments from `name` on are those of Add().
   template <typename In, typename Out, typename Filter, std::integral... Capacity>
   void AddFiltered(const In& input, Out& output, Filter filter, std::string name,
                    Capacity... capacity) {
@@ -66,23 +66,23 @@ class StateTable {
         std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
   }
 
-  /// How many rows can be read back at least, whatever memory they take. Throws ConfigurationError
-  /// when it is not 1 to kMaximumLength, or when rows have been written. Allocates them anew where
-  /// they are there already.
+  /// Number of rows that can be read back at least, whatever memory they take. Throws
+  /// ConfigurationError if it is not 1 to kMaximumLength, or if rows have been written. Reallocates
+  /// the rows if they exist.
   void SetLength(std::size_t rows);
-  /// The rows of one second, at least kMinimumLength, at most what kDefaultBytes hold.
+  /// The rows of one second: at least kMinimumLength, at most as many as kDefaultBytes hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
-  /// From now on no cycle writes a row; whoever fills the table calls Advance().
+  /// From now on no cycle writes a row; the code that fills the table calls Advance().
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
-  /// Cycles write no row sooner after the one before; 0, as it is at first: each writes one.
+  /// Shortest time between rows that cycles write. With 0, the default, each cycle writes one.
   void SetShortestInterval(std::chrono::nanoseconds interval) noexcept { interval_ = interval; }
   /// No column can be added from now on. Allocates the rows and touches their memory, so that the
   /// first cycle need not.
   void Prepare();
-  /// Encodes every variable into a new row and makes that the newest. Allocates nothing after
-  /// Prepare(), which it calls itself where nobody has.
+  /// Encodes every variable into a new row, which becomes the newest. Allocates nothing after
+  /// Prepare(), which it calls itself if needed.
   void Advance(SteadyTime now) noexcept;
-  /// The same for a task after its cycle: unless rows are written by hand, or the last is too
+  /// The same for a task after its cycle, unless rows are written by hand, or the last one is too
   /// young.
   void AdvanceAfterCycle(SteadyTime now) noexcept {
     if (is_by_hand_ || (interval_.count() > 0 && IsTooEarly(now))) return;
@@ -92,40 +92,40 @@ class StateTable {
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   /// As set; 0 before that.
   [[nodiscard]] std::size_t length() const noexcept { return length_; }
-  /// Random; tells this table's ticks from those of an earlier one of the same name.
+  /// Random; distinguishes this table's ticks from those of an earlier one of the same name.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
-  /// How many rows have been written: the newest has the tick before.
+  /// Number of rows written; the newest has the tick before.
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
   /// The oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }
-  /// The newest row not later than `time`. kNotYet when all are later, kOvertaken when that row is
+  /// The newest row not later than `time`. kNotYet if all rows are later, kOvertaken if that row is
   /// lost. A binary search.
   RowResult FindRow(SteadyTime time, std::uint64_t& tick) const noexcept {
     return rows_.Find(time.time_since_epoch().count(), tick);
   }
 
-  /// In the order they were added.
+  /// In the order in which they were added.
   [[nodiscard]] std::span<const std::unique_ptr<ColumnBase>> columns() const noexcept {
     return columns_;
   }
-  /// The column of a name; null when there is none.
+  /// The column of this name; null if there is none.
   [[nodiscard]] const ColumnBase* Find(std::string_view name) const noexcept;
-  /// The column made from `variable`. Throws ConfigurationError when it is none.
+  /// The column of `variable`. Throws ConfigurationError if there is none.
   template <Payload T>
   [[nodiscard]] const Column<T>& Find(const T& variable) const {
     return static_cast<const Column<T>&>(Find(&variable, typeid(T)));
   }
 
-  /// Copies all cells of a row; `words` has room for row_words(). The cells are what
-  /// ColumnBase::Cell() gives. Never kAbsent or kInvalid. RowCopy is the convenient way.
+  /// Copies all cells of a row, as ColumnBase::Cell() reads them; `words` has room for row_words().
+  /// Never returns kAbsent or kInvalid. RowCopy is more convenient.
   RowResult CopyRow(std::uint64_t tick, std::span<std::uint64_t> words,
                     std::int64_t& time_ns) const noexcept;
   /// The same for the newest row: kDone, or kNotYet before the first.
   RowResult CopyNewestRow(std::uint64_t& tick, std::span<std::uint64_t> words,
                           std::int64_t& time_ns) const noexcept;
-  /// The cells of one row, in words of 64 bits.
+  /// Size of all cells of a row, in 64-bit words.
   [[nodiscard]] std::size_t row_words() const noexcept { return row_words_; }
-  /// A column's CDR body in a row copied by CopyRow(); empty when its value was absent.
+  /// A column's CDR body in a row copied by CopyRow(); empty if its value was absent.
   [[nodiscard]] std::span<const std::byte> cell(std::span<const std::uint64_t> words,
                                                 std::size_t column) const noexcept {
     return columns_[column]->Cell(words);
@@ -155,7 +155,7 @@ class StateTable {
   bool is_prepared_ = false;
   bool is_by_hand_ = false;
   std::chrono::nanoseconds interval_{0};
-  SteadyTime last_;  // of the newest row, in the writer's thread
+  SteadyTime last_;  // time of the newest row, in the writer's thread
   RowRing<> rows_;
 };
 

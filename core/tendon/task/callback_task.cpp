@@ -27,7 +27,7 @@ void CallbackTask::ServeWaiting() {
   const std::unique_lock lock(driving_, std::try_to_lock);
   if (!lock || !has_orders()) return;
   ObeyOrders();
-  TaskLife::Unbind(*this);  // this thread waits for a state; the cycles are made by the driver's
+  TaskLife::Unbind(*this);  // this thread waits for a state; the driver's makes the cycles
 }
 
 }  // namespace tendon

@@ -7,24 +7,23 @@
 
 namespace tendon {
 
-/// A task whose cycles are made by a thread of somebody else: the callback of a driver, a loop of
-/// the program.
+/// A task whose cycles run in a foreign thread: a callback of a driver, or a loop of the program.
 ///
-/// Startup() and Cleanup() run in the thread that starts and stops it, or in the driver's if that
-/// comes first, and never during a cycle: the driver is usually told of the callback in the one and
-/// forgets it in the other.
+/// Startup() and Cleanup() run in the thread that starts or stops the task, or in the driver's
+/// thread if that comes first, but never during a cycle. Usually Startup() registers the callback
+/// with the driver, and Cleanup() removes it.
 class CallbackTask : public Task {
  public:
-  /// Makes a cycle, in the calling thread; false, and nothing has happened, where the task is not
-  /// active. One thread at a time: another one that comes meanwhile is turned away. Never waits.
+  /// Makes a cycle in the calling thread. Returns false without effect if the task is not active,
+  /// or while another thread makes a cycle. Never waits.
   bool Cycle() { return CycleDue(SteadyTime::min()); }
 
  protected:
   explicit CallbackTask(std::string name) : Task(std::move(name)) {}
 
-  /// The same for a cycle that was due at `due`.
+  /// Makes a cycle that was due at `due`.
   bool CycleDue(SteadyTime due);
-  /// Cycles that its driver has skipped. In the thread that makes the cycles.
+  /// Counts cycles that the driver has skipped. In the thread that makes the cycles.
   void SkipCycles(std::uint64_t cycles);
 
   Result<void> Launch() override;

@@ -22,7 +22,7 @@ bool IsReserved(const std::string& name) { return name == "state" || name.starts
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// What the request does now, or why it is refused. `mutex` is that of changes of the state.
+/// Finds the transition of the request, or why it is refused. `mutex` guards state changes.
 Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
                                  LifeRequest request) {
   const std::scoped_lock lock(mutex);  // the state and the flag change together
@@ -127,7 +127,7 @@ Result<void> Component::Start(Patience patience, const std::function<bool()>& pr
   }
   if ((*transition)->configures_first) {
     if (!RunGuarded("Configure", [this] { Configure(); })) {
-      return WaitFor(ComponentState::kReady, kNoWait);  // says why not
+      return WaitFor(ComponentState::kReady, kNoWait);  // returns the reason
     }
     {
       const std::scoped_lock lock(mutex_);
@@ -156,7 +156,7 @@ Result<void> Component::Stop(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kStop);
   if (!transition) return transition.error();
   {
-    const std::scoped_lock lock(mutex_);  // unless it has ended by itself
+    const std::scoped_lock lock(mutex_);  // it may have ended by itself meanwhile
     is_stopping_.Set(is_starting() || IsRunning(state()));
   }
   Halt();
@@ -235,7 +235,7 @@ ProvidedInterface& Component::AddProvidedInterface(PlacedName name) {
 
 ProvidedInterface& Component::AddReservedInterface(PlacedName name) {
   RequireNew("provided interface", name, *this, sealed_, added_at_);
-  // What a table has recorded is worth reading after a fault most of all.
+  // State tables stay readable after a fault, when their records matter most.
   const Host* const host = IsReserved(name.text) ? nullptr : &host_;
   provided_.push_back(
       std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), host));
@@ -262,7 +262,7 @@ Result<void> Component::Resume() {
 }
 
 void Component::Halt() {
-  host_.SetAccepting(false);  // before what calls need is given up
+  host_.SetAccepting(false);  // before Cleanup() releases data that calls use
   const PatientCalls get_through;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
@@ -281,10 +281,10 @@ bool Component::TellOfPeers(RequiredInterface& interface) {
     if (!interface.TakePeer()) return true;
     if (!is_told_first) interface.AdmitPeer();
     if (!RunGuarded("OnConnected", [&] { OnConnected(interface); })) {
-      if (inbox_) interface.ForgetPeer();  // it is told again when it is started anew
+      if (inbox_) interface.ForgetPeer();  // it is told again at the next start
       return false;
     }
-    // Whoever has no thread is connected by who has called this.
+    // For a component without a thread, the caller of this function admits the peer.
     if (is_told_first && inbox_) interface.AdmitPeer();
   }
 }
@@ -300,7 +300,7 @@ bool Component::TellOfGoneClient(const GoneClient& client) {
 
 bool Component::TellOfConnections() {
   for (const auto& one : required_) {
-    // Who has no thread is told by those that change the connection, who may do so right now.
+    // A component without a thread is told by the threads that change its connections.
     if (inbox_ && !TellOfPeers(*one)) return false;
   }
   bool is_good = true;
@@ -347,7 +347,7 @@ void Component::KeepGoneClient(GoneClient client) {
   const auto is_same = [&client](const GoneClient& one) {
     return one.provided == client.provided && one.name == client.name;
   };
-  // One that is suspended hears of each client once, however often it has come and gone.
+  // A suspended component hears of each client once, however often that came and went.
   if (state() == ComponentState::kSuspended && gone_clients_.HasUnread(is_same)) return;
   gone_clients_.Send(std::move(client));
 }
@@ -382,7 +382,7 @@ void Component::SetState(ComponentState state) {
     const std::scoped_lock lock(mutex_);
     is_starting_.Set(false);
     if (!IsRunning(state)) is_stopping_.Set(false);
-    // A fault that another thread has brought about ends with a start, not with what goes on here.
+    // A fault that another thread has caused ends with the next start, not with this change.
     if (host_.is_faulted()) state = ComponentState::kFaulted;
     host_.SetAccepting(state == ComponentState::kActive);
     state_.Set(state);

@@ -26,22 +26,22 @@
 
 namespace tendon {
 
-/// How long a request waits for the state it leads to.
+/// How long a request waits for its target state.
 using Patience = std::chrono::nanoseconds;
 inline constexpr Patience kPatience = std::chrono::seconds(10);
-/// Only asks: the state follows when the component's thread gets to it.
+/// Only requests: the state changes when the component's thread gets to it.
 inline constexpr Patience kNoWait{0};
 
-/// A named object with interfaces and a life cycle, and no thread of its own: its commands and
-/// event handlers run in the threads that call them, as long as it is active. A Task adds a thread.
+/// A named object with interfaces and a life cycle, but without a thread of its own: while it is
+/// active, its commands and event handlers run in the threads that call them. A Task adds a thread.
 ///
-/// An exception in one of the author's functions faults the component and nothing else. Its peers'
-/// calls, reads too, return kNotActive from then on, their waits end, and nobody misses its events
-/// for ever: waiters are told. Its connections stay, and work again once it was started anew; what
-/// waited is dropped. Its tables stay readable through its `state` interfaces.
+/// An exception in one of the author's functions faults the component and nothing else. From then
+/// on, calls of its peers, even reads, return kNotActive. Waiting calls end, and threads that wait
+/// for its events are told. Its connections stay and work again after a restart; queued calls are
+/// dropped. Its tables stay readable through its `state` interfaces.
 ///
-/// The constructor of a derived class adds the interfaces; a manager owns the component and drives
-/// its life. Functions below "for managers" are called by one thread at a time.
+/// The constructor of a derived class adds the interfaces. A manager owns the component and drives
+/// its life cycle. One thread at a time calls the functions below "For managers".
 class Component {
  public:
   explicit Component(std::string name);
@@ -52,125 +52,125 @@ class Component {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// Any thread.
   [[nodiscard]] ComponentState state() const noexcept { return state_.Get(); }
-  /// Why it is faulted: the exception's message and where it was thrown. Any thread; allocates.
+  /// The reason of the fault: the exception's message and its place. Any thread; allocates.
   [[nodiscard]] std::string fault() const;
-  /// When it faulted, by the wall clock; 1970 where it has not. Any thread.
+  /// Wall-clock time of the fault; 1970 if there is none. Any thread.
   [[nodiscard]] std::chrono::system_clock::time_point fault_time() const;
-  /// s between two cycles, 0 where it has none.
+  /// Seconds between two cycles; 0 without a period.
   [[nodiscard]] virtual double period() const { return 0.0; }
   /// Empty unless it is a task.
   [[nodiscard]] virtual std::vector<const StateTable*> tables() const { return {}; }
 
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] ProvidedInterface* FindProvided(const std::string& name) const;
   [[nodiscard]] RequiredInterface* FindRequired(const std::string& name) const;
   [[nodiscard]] std::vector<ProvidedDescription> provided() const;
   [[nodiscard]] std::vector<RequiredDescription> required() const;
 
-  /// Returns once it is in that state: kTimeout when it is not within `patience`, kFailed when it
-  /// is faulted meanwhile. Any thread but the component's own.
+  /// Returns when it is in that state. kTimeout: not within `patience`; kFailed: it is faulted. Any
+  /// thread but the component's own.
   Result<void> WaitFor(ComponentState state, Patience patience);
 
   // For managers.
 
-  /// Ends the construction: from now on no interface and no member can be added.
+  /// Ends the construction: no interface and no member can be added from now on.
   virtual void Seal();
-  /// Each does what the table of transitions says, and waits for the state it leads to as
-  /// WaitFor() does; what is illegal is refused with kFailed. Start() configures in the calling
-  /// thread where needed. Stop() is legal while it is starting, too: it ends without having run, or
-  /// as soon as its Startup() has returned.
-  /// Where there is a `proceed`, it is asked before the author's Configure() and after it; where it
-  /// says no, the component is not started, which is kFailed.
+  /// Each request follows the table of transitions and waits for its target state like WaitFor().
+  /// An illegal request fails with kFailed. Start() first calls Configure(), in the calling thread,
+  /// if needed. Stop() is also legal during a start: the component ends without having run, or as
+  /// soon as its Startup() has returned.
+  /// If `proceed` is given, it is asked before and after Configure(). If it returns false, the
+  /// component is not started, and Start() fails with kFailed.
   Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
   Result<void> Suspend(Patience patience = kPatience);
   Result<void> Stop(Patience patience = kPatience);
-  /// As WaitFor(), once it was asked for the state; kFailed when it is stopped instead.
+  /// Like WaitFor(), after the state was requested; kFailed if it is stopped instead.
   Result<void> WaitForEffect(ComponentState state, Patience patience);
-  /// Whether it was asked to start, and is neither active nor faulted yet.
+  /// True if it was asked to start, and is neither active nor faulted yet.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
-  /// Whether it was asked to stop, and still runs: until it has ended, nothing else is asked of it.
+  /// True if it was asked to stop and still runs. Until it has ended, it accepts no other request.
   [[nodiscard]] bool is_stopping() const noexcept { return is_stopping_.Get(); }
-  /// Neither active nor suspended, nor on the way: none of its functions runs.
+  /// True if it is neither active nor suspended, nor starting: none of its functions runs.
   [[nodiscard]] bool is_at_rest() const;
-  /// Stops it where it runs, and waits for that as long as it takes: it can be destroyed then.
+  /// Stops it if it runs, and waits for the end without a limit; then it can be destroyed.
   void End();
-  /// How full the fullest of its mailboxes is; 0 of 0 where it has none. Any thread; locks.
+  /// The fill of its fullest mailbox; 0 of 0 if it has none. Any thread; locks.
   [[nodiscard]] Inbox::Fill mailbox_fill() const;
-  /// Called after each change of the state, in the thread that made it; must not call back.
+  /// `observer` runs after each state change, in the thread that made it. It must not call back.
   void SetStateObserver(std::function<void()> observer);
 
  protected:
-  /// For components whose calls wait in an inbox until somebody executes them.
+  /// For components whose calls wait in an inbox until a thread executes them.
   Component(std::string name, std::unique_ptr<Inbox> inbox);
 
-  /// A second interface of one name, a bad name, or a sealed component: ConfigurationError. The
-  /// names `state` and `state-...` are reserved for state tables.
+  /// Throws ConfigurationError for a duplicate or invalid name, or after Seal(). The names `state`
+  /// and `state-...` are reserved for state tables.
   ProvidedInterface& AddProvidedInterface(PlacedName name);
   RequiredInterface& AddRequiredInterface(PlacedName name, Need need = Need::kRequired);
 
-  /// Before the first start, and again before a restart after a fault. May throw.
+  /// Called before the first start, and before a restart after a fault. May throw.
   virtual void Configure() {}
-  /// Before the first cycle, in the component's thread if it has one. May throw.
+  /// Called before the first cycle, in the component's thread if it has one. May throw.
   virtual void Startup() {}
-  /// After the last cycle, in the component's thread if it has one. Its connections stand: what it
-  /// sends arrives. May throw.
+  /// Called after the last cycle, in the component's thread if it has one. Its connections still
+  /// work: the commands it sends arrive. May throw.
   virtual void Cleanup() {}
 
-  // What changes around it while it lives, told before its next Run(), in its own thread. They may
-  // throw, cost nothing in a cycle in which nothing changes, and what is called by them must keep
-  // to the cycle's time. What changes while it does not run it hears before Startup(), and while it
-  // is suspended, before OnResume().
+  // Notifications of changes, in the component's thread before its next Run(). They may throw, and
+  // must return within the cycle's time. A cycle without a change pays nothing for them. Changes
+  // while the component does not run are told before Startup(); changes while it is suspended,
+  // before OnResume().
 
-  /// `interface` has another peer: anything may be otherwise than with the last one, such as where
-  /// the robot stands. No call has reached it before; from here on calls do. (Where threads of
-  /// others call as well, from the return on. A component without a thread hears of it in the
-  /// thread that connects, whatever its state.)
+  /// `interface` has a new peer. Anything may differ from the last peer, such as the position of
+  /// the robot. Calls reach the new peer from here on, not earlier. (If other threads call too:
+  /// from the return on. A component without a thread is told in the thread that connects, in any
+  /// state.)
   virtual void OnConnected(RequiredInterface& /*interface*/) {}
-  /// The peer is gone, and so are its events: calls return kNotConnected until the next
-  /// OnConnected(). Who has no thread hears of it in the thread that disconnects, where its calls
-  /// reach the peer still, if that is there.
+  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). A
+  /// component without a thread is told in the thread that disconnects; there, its calls still
+  /// reach the peer, if it exists.
   virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
-  /// It was suspended, for how long it may, and goes on: the world is not what it was.
+  /// It was suspended, perhaps for long, and continues: the world may have changed.
   virtual void OnResume() {}
-  /// A client that could call `interface` is disconnected or lost, and nothing that it has sent is
-  /// executed any more; told while it runs, or once it is resumed. `client` is named as its manager
-  /// knows it: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in another one.
-  /// A component without a thread is told at once, in the thread that disconnects. Consoles and
-  /// windows that call commands by name are no clients.
+  /// A client that could call `interface` is disconnected or lost; none of its calls will be
+  /// executed any more. Called while the component runs, or after it has resumed. `client` is its
+  /// name for the manager: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in
+  /// another one. A component without a thread is told at once, in the thread that disconnects.
+  /// Consoles and windows that call commands by name are not clients.
   virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
-  // What the requests do, once they are known to be legal. They need not wait for their effect.
+  // How the requests work, once they are known to be legal. They need not wait for their effect.
 
-  /// Lets the component run until Halt(); a task starts its thread.
+  /// Lets the component run until Halt(). A task starts its thread.
   virtual Result<void> Launch();
   virtual void Pause();
   virtual Result<void> Resume();
   virtual void Halt();
-  /// Called now and then in a thread that waits for a state: for what no thread of its own does.
+  /// Called now and then in a thread that waits for a state: for work without a thread of its own.
   virtual void ServeWaiting() {}
 
-  // For kinds of components, in the thread that runs the author's functions. False where one has
-  // thrown: it is faulted.
+  // For kinds of components, in the thread that runs the author's functions. False if one of these
+  // has thrown: the component is faulted.
 
-  /// Tells of the peers that have come and gone, and of the clients that have gone.
+  /// Tells of new and lost peers, and of lost clients.
   bool TellOfConnections();
-  /// Tells that it goes on, after what else there is to tell.
+  /// Tells of the resumption, after everything else.
   bool TellOfResume();
-  /// What has changed before a start only the peers are told of: what clients had set going ended
-  /// when it did.
+  /// Tells of the peers that have changed before a start. Lost clients are not told: the effects of
+  /// their calls ended with the last run.
   bool TellBeforeStartup();
-  /// Runs what takes the place of commands that were not renewed by `now`.
+  /// Ends the effects of commands that were not renewed by `now`.
   void EndExpired(SteadyTime now);
-  /// When the next one must be renewed; the largest time where none must.
+  /// The time by which the next command must be renewed; the largest time if there is none.
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
-  /// In the thread of a manager: there is something to tell.
+  /// In a manager's thread: there is something to tell.
   virtual void HearOfPeer(RequiredInterface& interface);
   virtual void HearOfGoneClient(GoneClient client);
   void KeepGoneClient(GoneClient client);
 
-  /// Runs one of the author's functions; an exception faults the component, named after `where`,
-  /// which is looked at then.
+  /// Runs one of the author's functions. An exception faults the component; `where` is read then,
+  /// and names the place.
   template <typename Body>
   bool RunGuarded(const char* const& where, Body body) {
     try {
@@ -182,10 +182,10 @@ class Component {
     }
   }
   void EnterFault(const char* where, const std::string& reason);
-  /// Where a fault is that a command or event handler has thrown.
+  /// The place of a fault if a command or event handler has thrown.
   static constexpr const char* kInHandler = "a command or event handler";
-  /// One of its handlers has thrown in a thread of somebody else: this one. Only said in the log
-  /// where it is not running.
+  /// One of its handlers has thrown in a foreign thread, the calling one. Only logged if the
+  /// component does not run.
   virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
@@ -193,7 +193,7 @@ class Component {
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  // Beside the functions above a base class has no names that an author's own could mean.
+  // Apart from the functions above, a base class has no names that an author might use.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
   bool TellOfPeers(RequiredInterface& interface);
@@ -214,7 +214,7 @@ class Component {
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
   Flag is_stopping_;
-  mutable std::mutex mutex_;  // of fault_, its time and observer_, and of changes of the state
+  mutable std::mutex mutex_;  // guards fault_, its time, observer_, and state changes
   std::condition_variable changed_;
   std::string fault_;
   std::chrono::system_clock::time_point fault_time_;

@@ -9,14 +9,14 @@
 
 namespace tendon {
 
-/// Where a component is in its life.
+/// The life-cycle states of a component.
 enum class ComponentState : std::int32_t {
   kConstructed,
   kReady,  ///< configured
   kActive,
-  kSuspended,  ///< its cycles rest, nothing is lost but time; goes on with a start
+  kSuspended,  ///< its cycles pause, and only time is lost; a start resumes it
   kFinished,
-  kFaulted,  ///< one of its functions threw; a start configures it anew
+  kFaulted,  ///< one of its functions threw; a start configures it again
 };
 
 template <>
@@ -32,24 +32,24 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// Whether it has something to do that a fault or an end could interrupt.
+/// True if there is work that a fault or an end could interrupt.
 [[nodiscard]] constexpr bool IsRunning(ComponentState state) noexcept {
   return state == ComponentState::kActive || state == ComponentState::kSuspended;
 }
 
-/// What managers ask of a component.
+/// The requests of managers to a component.
 enum class LifeRequest : std::uint16_t { kStart, kSuspend, kStop };
 
-/// What a request does in a state.
+/// The effect of a request in one state.
 struct Transition {
   ComponentState from;
   LifeRequest request;
-  ComponentState to;           ///< `from` where it is refused
-  std::string_view refusal{};  ///< what follows "component 'arm' is active"; empty where legal
+  ComponentState to;           ///< `from` if it is refused
+  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if it is legal
   bool configures_first = false;
 };
 
-/// Every request in every state. Beside these, an exception in one of the author's functions leads
+/// Every request in every state. In addition, an exception in one of the author's functions leads
 /// from any state to faulted.
 inline constexpr std::array kTransitions = [] {
   using enum ComponentState;

@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// A task whose next cycle begins when the last has ended: for a Run() that waits for something
-/// itself, or that never has enough time. Its tables get a row at most once a millisecond, unless
-/// they are told otherwise.
+/// A task whose next cycle begins when the last one has ended: for a Run() that waits by itself, or
+/// that needs all the time it can get. Its tables get a row at most once a millisecond, unless set
+/// otherwise.
 class ContinuousTask : public ThreadedTask {
  protected:
   explicit ContinuousTask(std::string name);

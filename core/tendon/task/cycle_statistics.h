@@ -6,16 +6,16 @@
 
 namespace tendon {
 
-/// How the last cycle of a task went; the column `Cycle` of its default state table.
+/// Statistics of a task's last cycle; the column `Cycle` of its default state table.
 struct CycleStatistics {
-  double period = 0.0;         ///< s from the cycle before to this one; 0 in the first
+  double period = 0.0;         ///< s from the previous cycle to this one; 0 in the first
   double lateness = 0.0;       ///< s after the time it was due
-  double compute = 0.0;        ///< s that the cycle before has computed
-  double load = 0.0;           ///< compute / wanted period; 0 where it has none
+  double compute = 0.0;        ///< s that the previous cycle computed
+  double load = 0.0;           ///< compute / wanted period; 0 without a period
   std::uint64_t overruns = 0;  ///< cycles skipped since the start because one took too long
 };
 
-/// How a time was spread over some cycles. The percentiles are right to 3 %.
+/// Distribution of a time over some cycles. The percentiles are accurate to 3 %.
 struct TimeStatistics {
   double mean = 0.0;       ///< s
   double deviation = 0.0;  ///< s; of the sample, so 0 for a single cycle
@@ -25,7 +25,7 @@ struct TimeStatistics {
   double p99 = 0.0;        ///< s
 };
 
-/// How the cycles of a whole second went, of ten at least: replaced each time such a window is
+/// Statistics over a window of one second and at least ten cycles, replaced when the next window is
 /// full. The column `CycleSummary` of a task's default state table.
 struct CycleSummary {
   std::uint64_t cycles = 0;  ///< in the window; 0 until the first is full

@@ -8,12 +8,12 @@
 
 namespace tendon {
 
-/// A task whose cycle is due at equal distances on the steady clock, by absolute times: it does not
-/// drift. A cycle that takes longer than the period makes it skip to the next time on the grid;
-/// skipped ones are counted as overruns, never caught up in a burst.
+/// A task whose cycles are due at equally spaced, absolute times on the steady clock, so that it
+/// does not drift. If a cycle takes longer than the period, the task skips to the next time on the
+/// grid. Skipped cycles count as overruns and are never made up in a burst.
 class PeriodicTask : public ThreadedTask {
  protected:
-  /// `period` is 10 µs to 3600 s, else ConfigurationError.
+  /// `period` is 10 µs to 3600 s; otherwise throws ConfigurationError.
   PeriodicTask(std::string name, std::chrono::nanoseconds period);
   ~PeriodicTask() override;
 

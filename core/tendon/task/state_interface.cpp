@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Reads the newest cell of one column as it lies in the table: a CDR body.
+/// Reads the newest cell of one column as it is stored in the table: a CDR body.
 class ColumnReadCommand final : public CommandBase {
  public:
   ColumnReadCommand(const StateTable& table, std::size_t column)

@@ -5,8 +5,9 @@
 
 namespace tendon {
 
-/// Adds one read command a column to `interface`, by which others see the table. The commands read
-/// encoded rows, so a caller with the column's type converts. `table` must outlive `interface`.
+/// Adds one read command per column to `interface`, which lets others see the table. They read
+/// encoded values, which a caller with the column's type converts. `table` must outlive
+/// `interface`.
 void AddColumnReads(const StateTable& table, ProvidedInterface& interface);
 
 }  // namespace tendon

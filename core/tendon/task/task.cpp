@@ -76,7 +76,7 @@ std::size_t Task::ProcessQueuedCommands() {
   return executed;
 }
 
-/// Behind the commands that have arrived: what they renew goes on.
+/// After the commands that have arrived: the effects that they renew go on.
 void Task::EndExpiredNow() {
   if (next_expiry() == SteadyTime::max()) return;
   EndExpired(SteadyClock().Now());
@@ -130,7 +130,7 @@ void Task::EndFollowers() {
 
 void Task::PrepareStart() {
   has_failed_outside_.Set(false);
-  // What waited when the task ended was meant for the world as it was then.
+  // Calls that waited when the task ended were meant for the world of that time.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
         std::to_string(stale) + " calls that waited when it ended were dropped");
@@ -166,7 +166,7 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
 
 void Task::HearOfPeer(RequiredInterface& interface) {
   TaskLife::CallThread(*this);
-  // Behind the call: a start that comes before it is seen here, one that comes after it tells.
+  // After CallThread(): a start before it is seen here, and a start after it tells of the peer.
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 

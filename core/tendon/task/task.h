@@ -19,7 +19,7 @@ class CycleLog;
 class Task;
 class TaskLife;
 
-/// What a post does to the thread that makes the cycles.
+/// The effect of a post on the thread that makes the cycles.
 enum class Posts {
   kWait,  ///< the post waits until a cycle executes it
   kWake,  ///< it wakes a thread that sleeps on Task::wakeup()
@@ -27,21 +27,20 @@ enum class Posts {
 
 using TaskFollowers = std::vector<Task*>;
 
-/// What managers ask of a task.
+/// A manager's order to a task.
 struct alignas(8) TaskOrder {  // one word, so that it is published without a lock
   std::uint32_t number = 0;
   LifeRequest request = LifeRequest::kStop;
-  bool ends_start = false;  ///< a stop that also ends a start which is under way
+  bool ends_start = false;  ///< a stop that also ends a start in progress
 };
 
-/// A component with cycles, a state table and mailboxes: commands and events that others send wait
+/// A component with cycles, a state table and mailboxes. Commands and events that others send wait
 /// until its Run() calls ProcessQueuedCommands().
 ///
-/// What makes a cycle due is up to the kinds of tasks, which derive from this class. Tasks with a
-/// thread of their own may run after another task instead, in its thread and its cycles.
+/// The derived kinds of tasks decide when a cycle is due. A task with a thread of its own may run
+/// after another task instead, in the thread and the cycles of that task.
 ///
-/// What managers ask for is an order; the thread that makes the cycles obeys it between two of
-/// them.
+/// Managers give orders. The thread that makes the cycles obeys them between two cycles.
 class Task : public Component {
  public:
   [[nodiscard]] std::vector<const StateTable*> tables() const override;
@@ -49,12 +48,12 @@ class Task : public Component {
 
   /// The task after which it runs, or null. For managers.
   [[nodiscard]] const Task* leader() const { return leader_.Get(); }
-  /// For managers: it runs after nobody any more. kTimeout where the leader's cycle has not ended
-  /// by `deadline`; nothing has changed then. It must be at rest.
+  /// For managers: it no longer runs after another task. kTimeout if the leader's cycle has not
+  /// ended by `deadline`; then nothing has changed. It must be at rest.
   Result<void> LeaveLeader(SteadyTime deadline);
-  /// How long ago its last cycle began; 0 while it is not active. Any thread.
+  /// Time since its last cycle began; 0 while it is not active. Any thread.
   [[nodiscard]] std::chrono::nanoseconds SinceLastCycle(SteadyTime now) const noexcept;
-  /// What period() was at the last start. Any thread.
+  /// The period() at the last start. Any thread.
   [[nodiscard]] std::chrono::duration<double> started_period() const noexcept {
     return started_period_.Get();
   }
@@ -65,55 +64,55 @@ class Task : public Component {
 
   /// The table `state`: variables added to it are recorded once a cycle, after Run().
   StateTable& state_table() { return *tables_.front(); }
-  /// A further table, seen by others as the interface `state-NAME`, also recorded once a cycle.
+  /// Adds a table, which others see as the interface `state-NAME`; also recorded once a cycle.
   StateTable& AddStateTable(const std::string& name);
 
-  /// All its tables get a row no sooner after the last; for constructors, before others are added.
+  /// The shortest time between two rows of its tables; for constructors, before tables are added.
   void SetShortestInterval(std::chrono::nanoseconds interval);
 
-  /// One cycle of the author's work, in the task's thread. An exception faults the task. What is
-  /// logged here is put aside (CycleLog).
+  /// One cycle of the author's work, in the task's thread. An exception faults the task. Log
+  /// records are queued (CycleLog).
   virtual void Run() = 0;
 
-  /// Executes the commands and events that have arrived, in the calling thread, which is the
-  /// task's; how many they were. Called by the author in Run(): when is a control decision.
+  /// Executes the queued commands and events in the calling thread, which must be the task's, and
+  /// returns their number. The author calls it in Run(): the moment is a control decision.
   std::size_t ProcessQueuedCommands();
 
   // For kinds of tasks, in the thread that makes the cycles.
 
-  /// Obeys what has been asked of this task and of those that run after it.
+  /// Obeys the orders given to this task and to those that run after it.
   void ObeyOrders();
-  /// Whether there is something to obey.
+  /// True if there are orders to obey.
   [[nodiscard]] bool has_orders() const noexcept { return orders_.Get() != orders_seen_; }
-  /// Run(), a row of every table, and the cycles of the tasks that run after this one. False once
-  /// this one is faulted.
+  /// Runs Run(), adds a row to every table, and makes the cycles of the tasks that run after this
+  /// one. False if this task is now faulted.
   bool DoCycle(SteadyTime begin, SteadyTime due);
   bool DoCycle(SteadyTime now) { return DoCycle(now, now); }
-  /// When the last cycle, with those of the tasks that run after this one, has ended.
+  /// End of the last cycle, including the cycles of the tasks that run after this one.
   [[nodiscard]] SteadyTime cycle_end() const { return cycle_end_; }
-  /// Cycles that were skipped because one took too long, here and in those that run after it.
+  /// Counts cycles skipped because one took too long, here and in the tasks that run after it.
   void AddOverruns(std::uint64_t cycles);
-  /// Ends the tasks that run after this one: for a thread that makes no cycles any more.
+  /// Ends the tasks that run after this one, for a thread that makes no more cycles.
   void EndFollowers();
-  /// Called when it has become active, at a start as well as after a rest.
+  /// Called when it has become active, at a start and at a resumption.
   virtual void OnActive() {}
 
-  /// Notified of orders, and of posts where they wake.
+  /// Notified of orders, and of posts with Posts::kWake.
   Wakeup<>& wakeup() { return wakeup_; }
-  /// The time between two rows, by which tables get their length: about a second of rows.
+  /// Time between two rows; tables get about one second of rows.
   [[nodiscard]] virtual std::chrono::nanoseconds row_period() const;
 
   // For managers.
 
-  /// What a start needs before its order: drops what waited when the task ended.
+  /// Prepares a start, before its order: drops the calls that waited when the task ended.
   void PrepareStart();
-  /// Has the thread that makes the cycles obey; where there is none now, this one.
+  /// Makes the thread of the cycles obey; if there is none now, the calling thread does.
   void GiveOrder(LifeRequest request, bool ends_start = false);
   void Pause() override { GiveOrder(LifeRequest::kSuspend); }
   Result<void> Resume() override;
   void Halt() override { GiveOrder(LifeRequest::kStop, is_starting()); }
-  /// From now on it runs after `leader`, and not after its former one. Both must live, and this one
-  /// must be at rest. Errors are those of LeaveLeader().
+  /// Runs after `leader` from now on, not after its former leader. Both tasks must exist, and this
+  /// one must be at rest. Errors are those of LeaveLeader().
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
@@ -121,7 +120,7 @@ class Task : public Component {
   void HearOfGoneClient(GoneClient client) override;
 
  private:
-  friend TaskLife;  // the rest of its work, under names that are not in an author's way
+  friend TaskLife;  // the rest of its work; its names are not in an author's way
 
   void EndExpiredNow();
 
@@ -130,7 +129,7 @@ class Task : public Component {
   std::chrono::nanoseconds shortest_interval_{0};
   CycleMeter meter_;
   Wakeup<> wakeup_;
-  const char* doing_ = "Run";  // which of the author's functions runs in a cycle
+  const char* doing_ = "Run";  // the author's function that runs in a cycle
   bool rests_with_leader_ = false;
   SteadyTime cycle_end_{};
   Published<SteadyTime> last_begin_;
@@ -138,12 +137,12 @@ class Task : public Component {
 
   Published<TaskOrder> order_;
   std::uint32_t obeyed_ = 0;
-  Published<std::uint64_t> orders_;  // of all tasks in this thread, and what has failed outside;
-                                     // counted in the first of them
+  Published<std::uint64_t> orders_;  // orders of all tasks in this thread, and faults from outside;
+                                     // counted in the first task
   std::uint64_t orders_seen_ = 0;
 
   Flag has_failed_outside_;
-  std::mutex outside_mutex_;  // of the next
+  std::mutex outside_mutex_;  // guards outside_reason_
   std::string outside_reason_;
 
   Published<Task*> leader_;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr qsizetype kLongestArgument = 24;
 
-/// "arm · MoveTo", and the argument where it is short.
+/// "arm · MoveTo", and the argument if it is short.
 QString TitleOf(const Favourite& favourite) {
   const QString member = favourite.path.section('.', -1);
   QString title = favourite.path.section('/', 1, 1) + QStringLiteral(" · ") + member;
@@ -99,7 +99,7 @@ void FavouriteBar::show(const Button& one) {
 }
 
 void FavouriteBar::call(const Favourite& favourite) {
-  // What comes of it is in the activity list.
+  // The activity list shows the result.
   calls_.callCommand(favourite.path.toStdString(), favourite.argument.toStdString(),
                      [](const auto& /*answer*/, double /*seconds*/) {});
 }

@@ -11,8 +11,8 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// An operator's panel: a button for each favourite command. One whose component is gone waits for
-/// it, grey; one that can set something in motion has to be held. Not there without favourites.
+/// A tool bar with a button for each favourite command. A button is grey while its component is
+/// gone, and must be held if the command can set something in motion. Hidden without favourites.
 class FavouriteBar : public QToolBar {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class FavouriteBar : public QToolBar {
                QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// One sentence about what a button did not do.
+  /// A sentence about why a button did nothing.
   void notice(const QString& text);
   void pathChosen(const QString& path);
 

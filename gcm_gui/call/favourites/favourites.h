@@ -6,7 +6,7 @@
 
 namespace tendon::gui {
 
-/// A command with its argument, at hand for the next time.
+/// A command with its argument, kept for later calls.
 struct Favourite {
   QString path;      ///< "robot/arm/Control.MoveTo"
   QString argument;  ///< JSON; empty for none
@@ -14,23 +14,22 @@ struct Favourite {
   bool operator==(const Favourite&) const = default;
 };
 
-/// The commands an operator wants at hand, by path, whether they are there now or not. Kept in a
-/// file, where there is one.
+/// The favourite commands by path, whether they exist now or not. Kept in a file, if there is one.
 class Favourites : public QObject {
   Q_OBJECT
 
  public:
-  /// An empty file name keeps nothing.
+  /// With an empty file name nothing is kept.
   explicit Favourites(const QString& file, QObject* parent = nullptr);
 
   [[nodiscard]] const QList<Favourite>& all() const { return all_; }
-  /// The same once more changes nothing.
+  /// A duplicate changes nothing.
   void add(const Favourite& favourite);
   void remove(const Favourite& favourite);
 
  Q_SIGNALS:
   void changed();
-  /// One sentence for the user, where they could not be kept.
+  /// A sentence for the user when the file could not be written.
   void notice(const QString& text);
 
  private:

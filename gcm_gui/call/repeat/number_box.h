@@ -7,9 +7,8 @@
 
 namespace tendon::gui {
 
-/// A spin box that takes a number as it is typed, in every locale alike, and keeps what is none
-/// until it is mended: letters that were swallowed would leave another number, and so would the
-/// value from before.
+/// A spin box that keeps the number as typed, in every locale, and keeps an invalid text until it
+/// is corrected: dropping letters or restoring the old value would silently give another number.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -18,11 +17,11 @@ class NumberBox : public QDoubleSpinBox {
 
   explicit NumberBox(Numbers numbers, QWidget* parent = nullptr);
 
-  /// What is wrong with what stands there, and what to write; empty where nothing is.
+  /// What is wrong with the text, and what to write; empty if it is valid.
   [[nodiscard]] QString refusal() const;
 
  Q_SIGNALS:
-  /// Of its text, by anyone.
+  /// The text has changed, by the user or by code.
   void edited();
 
  protected:
@@ -33,7 +32,7 @@ class NumberBox : public QDoubleSpinBox {
   [[nodiscard]] QString textFromValue(double value) const override;
 
  private:
-  /// Without prefix and suffix.
+  /// Removes prefix and suffix.
   [[nodiscard]] QString bareText(const QString& text) const;
   [[nodiscard]] QString refusalOf(const QString& text) const;
 

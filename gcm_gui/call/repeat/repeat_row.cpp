@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kHighestRate = 50;  // Hz; what is faster belongs into a component
+constexpr double kHighestRate = 50;  // Hz; faster calls belong into a component
 constexpr int kMostTimes = 100000;
 constexpr double kCallsUntilItExpires = 2;  // one may be late
 

@@ -13,29 +13,29 @@ namespace tendon::gui {
 
 class NumberBox;
 
-/// How often and how many times a command is called, and a button that begins and ends that. Where
-/// a call can set something in motion, it goes on only as long as the button is held down.
+/// The rate and number of repeated calls, and a button that starts and stops them. If a call can
+/// set something in motion, the calls go on only while the button is held down.
 class RepeatRow : public QWidget {
   Q_OBJECT
 
  public:
-  /// `argument` says what would be said now.
+  /// `argument` returns the present argument.
   RepeatRow(CommandCalls& calls, std::function<std::string()> argument, QWidget* parent = nullptr);
 
-  /// Ends what runs. Suggests to call it often enough to renew one that expires after so many
-  /// seconds, and else once a second.
+  /// Stops the calls. Suggests a rate that renews a command which expires after `expires_after`
+  /// seconds, or else 1 Hz.
   void setCommand(const QString& path, double expires_after = 0);
   void setCareful(bool careful);
-  /// False ends what runs.
+  /// False stops the calls.
   void setCallable(bool callable);
   [[nodiscard]] const Repeater& repeater() const { return repeater_; }
 
  Q_SIGNALS:
-  /// "12 calls", and what became of them; `is_bad` when it ended with a refusal.
+  /// "12 calls" and their outcome; `is_bad` if a refusal ended them.
   void told(const QString& text, bool is_bad);
 
  protected:
-  /// The button is left, by the pointer or the keys.
+  /// Watches for the pointer or the focus leaving the button.
   bool eventFilter(QObject* watched, QEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
@@ -50,10 +50,10 @@ class RepeatRow : public QWidget {
   std::function<std::string()> argument_;
   QString path_;
   bool careful_ = false;
-  QTimer hold_;  // until it begins, where that must be held
+  QTimer hold_;  // until the calls start, if the button must be held
 
   bool is_callable_ = true;
-  bool is_refused_ = false;  // a number of the row, as it is typed
+  bool is_refused_ = false;  // a typed number is invalid
   NumberBox* rate_;
   NumberBox* times_;
   QPushButton* button_;

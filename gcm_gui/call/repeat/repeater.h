@@ -10,18 +10,18 @@
 
 namespace tendon::gui {
 
-/// Calls one command again and again. No more than one call is under way: what is due before the
-/// last one is answered is left out, also where that is of an earlier start(). Ends after so many,
-/// at the first refusal, or when it is told to; what is under way then is not taken back.
+/// Calls one command repeatedly, with at most one call under way: a call that is due before the
+/// last answer is skipped, even across a new start(). Ends after a number of calls, at the first
+/// refusal, or on stop(); a call under way is not taken back.
 class Repeater : public QObject {
   Q_OBJECT
 
  public:
   explicit Repeater(CommandCalls& calls, QObject* parent = nullptr);
 
-  /// `rate` in Hz, above 0; `times` 0 for no end. The first call is due at once.
+  /// `rate` in Hz, above 0; `times` 0 means no end. The first call is due at once.
   void start(const QString& path, const std::string& argument, double rate, int times);
-  /// Nothing where it does not run.
+  /// Does nothing if it is not running.
   void stop();
 
   [[nodiscard]] bool isRunning() const { return timer_.isActive(); }
@@ -30,7 +30,7 @@ class Repeater : public QObject {
 
  Q_SIGNALS:
   void progressed();
-  /// With why, where a call was refused.
+  /// With the reason if a call was refused.
   void stopped(const QString& refusal);
 
  private:
@@ -46,7 +46,7 @@ class Repeater : public QObject {
   int called_ = 0;
   int left_out_ = 0;
   bool under_way_ = false;
-  std::uint64_t run_ = 0;  // answers of an earlier one tell nothing
+  std::uint64_t run_ = 0;  // answers to an earlier run are ignored
 };
 
 }  // namespace tendon::gui

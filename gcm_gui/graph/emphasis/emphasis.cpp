@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFade = 140;                  // ms
 constexpr std::size_t kMostThatFade = 300;  // components; each step of a fade draws all of them
-constexpr double kAround = 2;               // scene units, of what the veil covers
+constexpr double kAround = 2;               // scene units, margin of the veil
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void Emphasis::refresh() {
 
 void Emphasis::raise() {
   veil_->cover(scene_.contents().adjusted(-kAround, -kAround, kAround, kAround));
-  // What stood out does so until the veil is gone, or it would be dimmed for a moment.
+  // Keeps the last part raised until the veil is gone; it would be dimmed otherwise.
   if (!names().empty() || veil() == 0) raised_ = names();
   for (const auto& [path, item] : scene_.components()) {
     item->setRaised(raised_.components.contains(path));

@@ -10,8 +10,8 @@ namespace tendon::gui {
 class GraphScene;
 class VeilItem;
 
-/// Lets a part of the graph stand out: all else is dimmed by one veil over it, which comes and goes
-/// gently in a graph of usual size. GUI thread; each change costs a look at all items.
+/// Highlights a part of the graph by a veil that dims all the rest; the veil fades in and out in a
+/// graph of moderate size. GUI thread; each change visits all items.
 class Emphasis : public QObject {
   Q_OBJECT
 
@@ -27,17 +27,17 @@ class Emphasis : public QObject {
   /// The scene owns it.
   explicit Emphasis(GraphScene& scene);
 
-  /// What the pointer is on; before what is found.
+  /// The part under the pointer; takes precedence over the found part.
   void setPointed(Names names);
-  /// What is looked for.
+  /// The part that a search has found.
   void setFound(Names names);
 
-  /// Without the veil for a moment, for who draws the graph elsewhere.
+  /// Hides the veil temporarily, for code that draws the graph elsewhere.
   void lift(bool lifted);
 
-  /// What stands out, or is to as soon as the veil is there; nothing where all is as usual.
+  /// The highlighted part, also while the veil fades in; empty if nothing is highlighted.
   [[nodiscard]] const Names& names() const { return pointed_.empty() ? found_ : pointed_; }
-  /// How much all else is dimmed, from 0 to 1.
+  /// How much the rest is dimmed, from 0 to 1.
   [[nodiscard]] double veil() const;
 
  private:
@@ -49,7 +49,7 @@ class Emphasis : public QObject {
   QVariantAnimation fade_;
   Names pointed_;
   Names found_;
-  Names raised_;  // the last ones, until the veil is gone
+  Names raised_;  // the last part, kept until the veil is gone
 };
 
 }  // namespace tendon::gui

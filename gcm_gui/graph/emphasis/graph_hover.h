@@ -14,8 +14,8 @@ class CardItem;
 class EdgeItem;
 class GraphScene;
 
-/// What the pointer rests on stands out with all that it is connected to, and a connection tells on
-/// a card how it does. Not while a connection is made, which has its own marks.
+/// Highlights the item under the pointer with everything connected to it, and shows the health of a
+/// connection on a card. Inactive in connect mode, which has its own marks.
 class GraphHover : public QObject {
   Q_OBJECT
 
@@ -27,16 +27,16 @@ class GraphHover : public QObject {
   [[nodiscard]] const CardItem* card() const { return card_; }
 
  public Q_SLOTS:
-  /// The pointer is on this component, interface, or connection (of this required interface);
-  /// empty for none of them. The first one stands out once the pointer has rested for a moment.
+  /// The pointer is on this component, interface or connection (given by its required interface);
+  /// empty for none. The first item is highlighted after the pointer has rested for a moment.
   void point(const QString& path);
-  /// The same at once, for who walks by keys.
+  /// The same without delay, for keyboard navigation.
   void pointNow(const QString& path);
-  /// How the connection of this required interface does, in lines; shown if it is pointed at.
+  /// Shows the health of this required interface's connection, if the pointer is on it.
   void showReadout(const tendon::InterfaceName& required, const QStringList& lines);
 
  Q_SIGNALS:
-  /// Somebody wants to know how the connection of this required interface does; empty: no longer.
+  /// Asks for the health of this required interface's connection; empty ends the request.
   void connectionPointed(const QString& required);
 
  private:
@@ -51,7 +51,7 @@ class GraphHover : public QObject {
   const ConnectMode& mode_;
   QTimer soon_;
   QString pointed_;
-  QString asked_;  // about which a readout is wanted
+  QString asked_;  // the connection whose readout was requested
   CardItem* card_ = nullptr;
   QStringList lines_;
 };

@@ -5,19 +5,19 @@
 
 namespace tendon::gui {
 
-/// A sheet in the colour of the ground, through which what lies below can still be made out.
+/// A translucent sheet in the background colour that dims the items below it.
 class VeilItem : public QGraphicsItem {
  public:
   VeilItem();
 
-  /// What it covers, in the scene.
+  /// The covered area, in scene coordinates.
   void cover(const QRectF& rect);
-  /// From 0, which is nothing, to 1.
+  /// 0 is invisible, 1 the strongest.
   void setStrength(double strength);
   [[nodiscard]] double strength() const { return strength_; }
 
   [[nodiscard]] QRectF boundingRect() const override { return rect_; }
-  /// Empty: it is never in the way of a click.
+  /// Empty, so that it never takes a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

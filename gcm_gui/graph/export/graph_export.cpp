@@ -28,10 +28,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kAroundExport = 16;  // scene units
-constexpr double kDots = 2;           // pixels to a scene unit
-constexpr double kMostPixels = 4e7;   // of an image; a larger graph has fewer to a unit
+constexpr double kDots = 2;           // pixels per scene unit
+constexpr double kMostPixels = 4e7;   // of an image; a larger graph gets a lower resolution
 
-/// The graph as strokes and texts, which another thread can make an image of.
+/// The graph as strokes and texts, from which another thread can make an image.
 struct Drawing {
   QPicture strokes;
   QSize size;  // pixels
@@ -52,7 +52,7 @@ Drawing DrawingOf(GraphScene& scene) {
   return drawing;
 }
 
-/// Where everything stands in the window; empty where the user has put nothing anywhere.
+/// The positions in the window; empty if the user has placed nothing.
 console::Places PlacesIn(const GraphScene& scene) {
   const auto& by_hand = scene.places().all();
   const auto& components = scene.components();

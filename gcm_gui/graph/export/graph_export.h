@@ -15,30 +15,29 @@ namespace tendon::gui {
 
 class GraphScene;
 
-/// All of the graph as a file: SVG and DOT as `gcm graph` draws them, but arranged as in the window
-/// where the user has put something somewhere; PNG as the window draws it. GUI thread; files are
-/// drawn and written by the FileWriter, the picture for the clipboard is drawn in a thread of its
-/// own.
+/// Exports the whole graph: SVG and DOT as `gcm graph` draws them, but with the window's
+/// arrangement if the user has moved something; PNG as the window draws it. GUI thread. The
+/// FileWriter draws and writes files; a separate thread draws the picture for the clipboard.
 class GraphExport : public QObject {
   Q_OBJECT
 
  public:
-  /// Dialogs belong to `window`.
+  /// `window` is the parent of dialogs.
   GraphExport(const CatalogueStore& store, GraphScene& scene, QWidget& window);
-  /// Waits for what is being drawn for the clipboard, though not for ever.
+  /// Waits, for a limited time, for the picture that is being drawn for the clipboard.
   ~GraphExport() override;
 
-  /// What the file is, its name's end tells: .svg, .png, .dot or .gv.
+  /// The suffix of the name selects the format: .svg, .png, .dot or .gv.
   void save(const QString& file);
 
  public Q_SLOTS:
-  /// For the name of the file.
+  /// Asks for the name of the file.
   void ask();
-  /// The picture, to the clipboard.
+  /// Copies the picture to the clipboard.
   void copy();
 
  Q_SIGNALS:
-  /// One sentence for the user: what was saved, or why not.
+  /// A sentence for the user: the saved file, or the reason of the failure.
   void notice(const QString& text);
 
  private:

@@ -52,7 +52,7 @@ void CardItem::place(const QPointF& corner, const QPointF& point) {
 }
 
 QPainterPath CardItem::lineToPort() const {
-  // From beside the port to the nearest edge of the card, leaving both at right angles.
+  // From beside the port to the nearest edge of the card, at right angles to both.
   const QPointF beside(port_.x() < 0 ? kBend : -kBend, 0);
   const bool above = port_.y() < 0;
   const bool below = port_.y() > size_.height();

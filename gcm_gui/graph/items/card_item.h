@@ -8,15 +8,15 @@
 
 namespace tendon::gui {
 
-/// A small card about a point of the graph, such as a port that does not fit, with a thin line from
-/// there.
+/// A small card about a point of the graph, such as a port that does not fit, with a thin line to
+/// that point.
 class CardItem : public QGraphicsItem {
  public:
   CardItem();
 
-  /// Lines are wrapped at `widest`.
+  /// Wraps lines at `widest`.
   void setTexts(const QString& title, const QStringList& lines, double widest);
-  /// Its top left corner in the scene, and what it speaks of.
+  /// The card's top left corner and the point it is about, in scene coordinates.
   void place(const QPointF& corner, const QPointF& point);
 
   [[nodiscard]] QSizeF size() const { return size_; }
@@ -24,7 +24,7 @@ class CardItem : public QGraphicsItem {
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
   [[nodiscard]] QRectF boundingRect() const override;
-  /// Empty: it is never in the way of a click.
+  /// Empty, so that it never takes a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
@@ -34,7 +34,7 @@ class CardItem : public QGraphicsItem {
 
   QString title_;
   QStringList lines_;
-  std::vector<double> heights_;  // of the lines, each of which may be wrapped
+  std::vector<double> heights_;  // of the lines, after wrapping
   QSizeF size_;
   QPointF port_;
 };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBar = 3;
 constexpr double kStaleOpacity = 0.5;
-constexpr double kUsual = 2;  // of the order in depth
+constexpr double kUsual = 2;  // the normal z value
 
 }  // namespace
 

@@ -9,24 +9,24 @@
 
 namespace tendon::gui {
 
-/// A component: its name, the bar that tells its state, and its ports, which are children.
+/// A component: its name, its state bar, and its ports, which are child items.
 class ComponentItem : public QGraphicsItem {
  public:
   enum { Type = UserType + 2 };
 
   ComponentItem();
 
-  /// `rect` in the scene; `stale` when it is shown as it was. Whether anything of it has changed.
+  /// `rect` is in the scene; `stale` means an outdated state. Returns true if it has changed.
   bool show(const NodePicture& picture, const QRectF& rect, bool stale);
   void setSelected(bool selected);
-  /// Above what dims the rest.
+  /// Raises it above the veil.
   void setRaised(bool raised);
 
   [[nodiscard]] const QString& path() const { return picture_.path; }
   [[nodiscard]] const std::vector<PortItem*>& ports() const { return ports_; }
   [[nodiscard]] QRectF sceneRect() const { return QRectF(pos(), size_); }
   [[nodiscard]] bool isStale() const { return stale_; }
-  /// The colour of its state.
+  /// The colour of the component's state.
   [[nodiscard]] Token token() const;
 
   [[nodiscard]] int type() const override { return Type; }

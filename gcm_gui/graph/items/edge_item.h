@@ -12,19 +12,19 @@ namespace tendon::gui {
 /// A connection, drawn from the provided port to the required one.
 class EdgeItem : public QGraphicsItem {
  public:
-  /// kPreview: not asked for yet.
+  /// kPreview: not requested yet.
   enum class Look { kActive, kPending, kFailed, kStale, kPreview };
   enum { Type = UserType + 4 };
 
   EdgeItem();
 
   void show(const QPointF& from, const QPointF& to, Look look, const QString& reason = {});
-  /// Named by its required end.
+  /// The name of the edge is its required end.
   void setEnds(const InterfaceName& required, const InterfaceName& provided);
   void setSelected(bool selected);
-  /// What is wrong with it although it stands; empty where nothing is.
+  /// The flaw of a working connection; empty if there is none.
   void setWarning(const QString& warning);
-  /// Above what dims the rest.
+  /// Raises it above the veil.
   void setRaised(bool raised);
 
   [[nodiscard]] const QString& required() const { return required_; }
@@ -33,7 +33,7 @@ class EdgeItem : public QGraphicsItem {
   [[nodiscard]] Look look() const { return look_; }
   [[nodiscard]] const QString& warning() const { return warning_; }
   [[nodiscard]] const QPainterPath& path() const { return path_; }
-  /// It was tried, and does not work: there is a reason to be told.
+  /// True if a connection attempt did not succeed (yet), so that there is a reason to show.
   [[nodiscard]] bool isBroken() const { return look_ == Look::kFailed || look_ == Look::kPending; }
 
   [[nodiscard]] int type() const override { return Type; }
@@ -47,7 +47,7 @@ class EdgeItem : public QGraphicsItem {
   void showTip();
   void paintReason(QPainter& painter) const;
 
-  InterfaceName name_;  // of the required end
+  InterfaceName name_;  // the required end
   QString required_;
   QString provided_;
   QPointF from_;

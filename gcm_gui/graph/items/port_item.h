@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// One interface of a component: a disc on the node's edge, filled when it is connected, and its
-/// name inside the node. Its position is the middle of the disc; all of it can be clicked.
+/// One interface of a component: a disc on the node's edge, filled if connected, and its name
+/// inside. The item's position is the centre of the disc; the whole item takes clicks.
 class PortItem : public QGraphicsItem {
  public:
   enum class Role { kPlain, kChosen, kCandidate, kUnfit };
@@ -17,7 +17,7 @@ class PortItem : public QGraphicsItem {
   explicit PortItem(QGraphicsItem* parent);
 
   void show(const PortPicture& picture, double node_width, bool stale);
-  /// In connect mode; `number` is the digit that picks it, 0 for none.
+  /// The role in connect mode; `number` is the digit that picks the port, 0 for none.
   void setRole(Role role, int number = 0);
 
   [[nodiscard]] const PortName& port() const { return picture_.port; }

@@ -17,7 +17,7 @@ namespace tendon::gui {
 
 namespace {
 
-// Of the name seen from far away, in pixels.
+// Sizes of the title at a small scale, in pixels.
 constexpr double kFarTitle = 20;
 constexpr double kLeastFarTitle = 64;
 
@@ -96,7 +96,7 @@ void ProcessItem::draw(QPainter* painter) {
                            kRadius + 2);
   const double scale =
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
-  if (scale < kFarAway) return;  // its title lies above its components then
+  if (scale < kFarAway) return;  // paintFarTitle() draws it then
   painter->setFont(theme.strong());
   painter->setPen(titleColor());
   const QRectF head(kNodeInset, 3, size_.width() - 2 * kNodeInset, 22);

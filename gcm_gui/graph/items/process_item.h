@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// The box of a process behind its components; dashed when the process is lost.
+/// The box around the components of a process; dashed if the process is lost.
 class ProcessItem : public QGraphicsItem {
  public:
   enum { Type = UserType + 3 };
@@ -15,14 +15,14 @@ class ProcessItem : public QGraphicsItem {
   ProcessItem();
 
   void show(const ProcessPicture& picture, const QRectF& rect);
-  /// The time, ns since 1970, for "lost 12 s".
+  /// The present time, ns since 1970, for "lost 12 s".
   void setNow(std::int64_t now);
   void setSelected(bool selected);
 
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] QString title() const;
-  /// From so far away that the title in the box could not be read: over the box's upper edge, in
-  /// its usual size on the screen. `painter` is in scene coordinates.
+  /// Draws the title over the upper edge of the box, in its normal size on the screen, when the
+  /// scale makes the title inside unreadable. `painter` uses scene coordinates.
   void paintFarTitle(QPainter& painter, double scale) const;
 
   [[nodiscard]] int type() const override { return Type; }

@@ -10,14 +10,14 @@
 namespace tendon::gui {
 namespace {
 
-/// More fitting providers than this say nothing about where a client belongs.
+/// With more matching providers, they say nothing about a client's place.
 constexpr std::size_t kMostProviders = 3;
 
 QString ComponentPath(const InterfaceName& name) {
   return ToQString(name.process + '/' + name.component);
 }
 
-/// Provided interfaces by one of their members: finds the few that are worth a comparison.
+/// An index of provided interfaces by member, which finds the few worth comparing.
 class ProviderIndex {
  public:
   void Add(const InterfaceName& name, const ProvidedDescription& provided) {
@@ -26,7 +26,7 @@ class ProviderIndex {
     for (const auto& event : provided.events) by_member_[Key(event)].push_back({name, &provided});
   }
 
-  /// Those that fill `required`. None for one that needs nothing: everything would.
+  /// The interfaces that fill `required`; none if it needs nothing, because everything would match.
   [[nodiscard]] std::vector<InterfaceName> Fitting(const RequiredDescription& required) const {
     std::vector<InterfaceName> fitting;
     const MemberDescription* needed = FirstNeeded(required);

@@ -7,11 +7,11 @@
 
 namespace tendon::gui {
 
-/// Between components that could be connected: depends on their interfaces alone. Linear in
-/// members, and in the pairs of interfaces that share their first member.
+/// The affinities between components that could be connected, from their interfaces alone. Linear
+/// in the members, and in the pairs of interfaces that share their first member.
 [[nodiscard]] std::set<Affinity> FittingOf(const Catalog& catalogue);
 
-/// Between components that are connected (`edges`) or could be. Sorted.
+/// Adds the affinities of connected components (`edges`) to `fitting`. Sorted.
 [[nodiscard]] std::vector<Affinity> AffinitiesOf(std::set<Affinity> fitting,
                                                  const std::vector<ConnectionDescription>& edges);
 

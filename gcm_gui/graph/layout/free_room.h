@@ -6,15 +6,15 @@
 
 namespace tendon::gui {
 
-/// What is taken of the ground, so that what may stand anywhere is put beside it.
+/// Keeps track of occupied space and finds free places beside it.
 class FreeRoom {
  public:
-  /// `between` is left around each.
+  /// Keeps a gap of `between` around each rectangle.
   explicit FreeRoom(const QSizeF& between) : between_(between) {}
 
   void Take(const QRectF& rect) { taken_.push_back(rect); }
-  /// Where a rectangle that would like to stand there can: there, or moved right or down by as
-  /// little as it takes. Linear in what is taken, for each thing that is in the way.
+  /// Moves `wanted` right or down, one obstacle at a time, until it overlaps nothing. Each obstacle
+  /// costs a pass over all occupied rectangles.
   [[nodiscard]] QRectF Beside(QRectF wanted) const;
 
  private:

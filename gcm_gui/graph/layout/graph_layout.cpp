@@ -29,7 +29,7 @@ Indices IndicesOf(const std::vector<ColumnLayout::Block>& blocks) {
   return indices;
 }
 
-/// From thing to thing, each once, none from one to itself.
+/// Collects edges without duplicates and loops.
 class EdgeCollector {
  public:
   void Add(const Indices& indices, const QString& provider, const QString& client) {

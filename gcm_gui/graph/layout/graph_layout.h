@@ -12,23 +12,23 @@
 
 namespace tendon::gui {
 
-/// Where everything of a graph stands.
+/// The positions of all items of a graph.
 struct Arrangement {
   QHash<QString, QRectF> boxes;  ///< of processes, by name
   QHash<QString, QRectF> nodes;  ///< of components, by path; in the same coordinates
 };
 
-/// Where everything stands: processes in columns, and in each its components in columns, except for
-/// those that the user has put somewhere. Stable: an update moves only what it is about, and what
-/// the user has put somewhere stays there; what is in its way steps aside.
+/// Arranges processes in columns, and the components of each process in columns, except for those
+/// that the user has placed. Stable: an update moves only the items it concerns; a component placed
+/// by the user stays there, and others make room for it.
 class GraphLayout {
  public:
   GraphLayout();
 
-  /// Whether anything stands elsewhere than before.
+  /// Returns true if any position has changed.
   bool update(const GraphPicture& picture);
-  /// The left upper corners of components that stand where the user has put them, by path; from the
-  /// next update() on.
+  /// The top left corners of the components that the user has placed, by path. Takes effect at the
+  /// next update().
   void setPlaces(std::map<QString, QPointF> places);
 
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
@@ -49,9 +49,9 @@ class GraphLayout {
   std::map<QString, QPointF> places_;  // by hand
   bool other_places_ = false;          // since the last update
   Arrangement arrangement_;
-  std::vector<Affinity> affinities_;                 // the last ones, and sorted by process:
-  std::map<QString, std::vector<Affinity>> inside_;  // between components of one
-  std::vector<Affinity> across_;                     // between two
+  std::vector<Affinity> affinities_;                 // the last ones, sorted by process below
+  std::map<QString, std::vector<Affinity>> inside_;  // within one process
+  std::vector<Affinity> across_;                     // between two processes
 };
 
 }  // namespace tendon::gui

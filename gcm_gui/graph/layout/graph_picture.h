@@ -13,7 +13,7 @@ namespace tendon::gui {
 
 enum class Side { kRequired, kProvided };
 
-/// One end of an interface, or of a connection.
+/// The name of an interface together with its side.
 struct PortName {
   Side side = Side::kRequired;
   InterfaceName name;
@@ -32,10 +32,10 @@ struct NodePicture {
   QString path;
   QString name;
   ComponentState state = ComponentState::kConstructed;
-  std::vector<UnmetNeed> waits{};  ///< what keeps it from its work, though it runs
+  std::vector<UnmetNeed> waits{};  ///< the needs that keep a running component from its work
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
-  QSizeF size;  ///< what it needs, with the theme's fonts
+  QSizeF size;  ///< the size it needs in the theme's fonts
 
   bool operator==(const NodePicture&) const = default;
 };
@@ -45,10 +45,10 @@ struct ProcessPicture {
   ProcessState state = ProcessState::kAlive;
   std::int64_t since = 0;
   std::vector<NodePicture> nodes;
-  double title_width = 0;  ///< what its title needs, with the theme's fonts
+  double title_width = 0;  ///< the width its title needs in the theme's fonts
 };
 
-/// Data can run from a provided interface of one component to a required one of the other.
+/// Data can flow from a provided interface of one component to a required one of another.
 struct Affinity {
   QString provider;  ///< paths of components
   QString client;
@@ -59,11 +59,11 @@ struct Affinity {
   }
 };
 
-/// What the graph shows of a catalogue, before anything is placed.
+/// The contents of the graph, before anything is placed.
 struct GraphPicture {
   std::vector<ProcessPicture> processes;
   std::vector<ConnectionDescription> edges;
-  /// Of what is connected and of what could be, so that connecting moves nothing. Sorted.
+  /// For present and possible connections alike, so that connecting moves nothing. Sorted.
   std::vector<Affinity> affinities;
 };
 

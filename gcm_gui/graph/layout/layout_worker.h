@@ -13,7 +13,7 @@
 
 namespace tendon::gui {
 
-/// Lets a GraphLayout find places in a thread of its own. GUI thread.
+/// Runs a GraphLayout in a thread of its own. GUI thread.
 class LayoutWorker : public QObject {
   Q_OBJECT
 
@@ -25,19 +25,19 @@ class LayoutWorker : public QObject {
   LayoutWorker& operator=(const LayoutWorker&) = delete;
   ~LayoutWorker() override;
 
-  /// Finds places for all of it; `places` are those the user has chosen. arranged() tells when.
-  /// Of what comes while the thread works the newest alone is done.
+  /// Arranges the whole picture; `places` are those chosen by the user. arranged() follows. Of the
+  /// requests that arrive while the thread works, only the newest is done.
   void arrange(const GraphPicture& picture, const Places& places);
-  /// The same where only `places` differ from the last time, which takes no time.
+  /// The same if only `places` have changed since the last call; takes little time.
   void move(const GraphPicture& picture, const Places& places);
 
-  /// Of what was arranged last. What has come since has no place.
+  /// The latest result; items added since have no place in it.
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
-  /// What was asked for last is yet to come.
+  /// True while the last request is not finished.
   [[nodiscard]] bool isAtWork() const { return is_at_work_; }
 
  Q_SIGNALS:
-  /// `moved`: something stands elsewhere than before.
+  /// `moved` is true if any position has changed.
   void arranged(bool moved);
 
  private:
@@ -50,7 +50,7 @@ class LayoutWorker : public QObject {
   void doInThread(Order order);
   void finish(bool moved, const Arrangement& arrangement);
 
-  std::shared_ptr<GraphLayout> layout_;  // of the thread while it is at work
+  std::shared_ptr<GraphLayout> layout_;  // used by the thread while it works
   std::shared_ptr<Courier> courier_;
   Arrangement arrangement_;
   bool is_at_work_ = false;

@@ -8,32 +8,32 @@
 
 namespace tendon::gui {
 
-// Measures of the graph, in scene units, which are pixels at 100 %.
+// Sizes in the graph in scene units, which are pixels at 100 %.
 inline constexpr double kPortPitch = 20;
 inline constexpr double kPortRadius = 5;
-inline constexpr double kNodeHead = 28;  ///< from a node's top to the room of its ports
+inline constexpr double kNodeHead = 28;  ///< from a node's top to its ports
 inline constexpr double kNodeTail = 6;
 inline constexpr double kNodeInset = 12;
-inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name, past its rings
+inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name, behind rings
 inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
 inline constexpr double kProcessInset = 14;
 
-/// Below this scale names cannot be read: less is drawn.
+/// Names are unreadable below this scale, so less is drawn.
 inline constexpr double kFarAway = 0.35;
 
-// What lies above the veil that dims all else of the graph.
+// The z values of the veil that dims the graph, and of the items above it.
 inline constexpr double kVeil = 5;
 inline constexpr double kRaisedEdge = 6;
 inline constexpr double kRaisedNode = 7;
 inline constexpr double kReadout = 8;
 
-/// What a node needs with the fonts of the theme.
+/// The size a node needs in the theme's fonts.
 [[nodiscard]] QSizeF SizeOf(const NodePicture& node);
 
-/// What the title of a process box needs, however long it has been lost.
+/// The width that the title of a process box needs, for any length of "lost" time.
 [[nodiscard]] double WidthOfTitle(const QString& process);
 
-/// The middle of a port's disc. `index` counts the ports of its side from above.
+/// The centre of a port's disc. `index` counts the ports of its side from the top.
 [[nodiscard]] QPointF PortCentre(const QRectF& node, Side side, int index);
 
 }  // namespace tendon::gui

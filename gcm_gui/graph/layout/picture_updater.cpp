@@ -34,7 +34,7 @@ NodePicture NodeOf(const ConnectionIndex& connections, const ProcessEntry& entry
   return node;
 }
 
-/// Where the thing of that name stands among those sorted by theirs, or belongs.
+/// The position of the name in a list sorted by name, existing or to be inserted.
 template <typename Things>
 auto PlaceOf(Things& things, const std::string& name) {
   return std::lower_bound(things.begin(), things.end(), name,
@@ -114,7 +114,7 @@ bool PictureUpdater::takeInterfaces(const Catalog& catalogue, const TouchedPart&
     return entry == nullptr ? nullptr : catalogue.FindComponent(part.process, name);
   };
   bool changed = false;
-  // Those known before, of which some may have gone; then those there are now.
+  // First the known interfaces, of which some may be gone; then the present ones.
   for (auto it = interfaces_.lower_bound(part);
        it != interfaces_.end() && it->first.process == part.process;) {
     if (!part.component.empty() && it->first.component != part.component) break;

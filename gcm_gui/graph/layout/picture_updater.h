@@ -11,12 +11,12 @@ namespace tendon::gui {
 
 class ConnectionIndex;
 
-/// Keeps the picture of a catalogue, and makes anew what a change has touched: the picture of a
-/// thousand components takes longer than the window may stand still.
+/// Keeps the picture of a catalogue and rebuilds only the parts that a change has touched: to
+/// rebuild a picture of a thousand components would freeze the window too long.
 class PictureUpdater {
  public:
-  /// The picture as PictureOf() would make it. `touched` are all parts that differ from the last
-  /// time.
+  /// Returns the same picture as PictureOf(). `touched` must name all parts that have changed since
+  /// the last call.
   const GraphPicture& update(const Catalog& catalogue, const Touched& touched);
 
   [[nodiscard]] const GraphPicture& picture() const { return picture_; }
@@ -31,13 +31,13 @@ class PictureUpdater {
 
   void updatePart(const Catalog& catalogue, const ConnectionIndex& connections,
                   const TouchedPart& part);
-  /// Whether the interfaces of a part are others than before, and remembers them.
+  /// Stores the interfaces of a part; returns true if they have changed.
   bool takeInterfaces(const Catalog& catalogue, const TouchedPart& part);
-  /// Whether what is connected has changed, whatever its state.
+  /// Returns true if the set of connections has changed; their states do not matter.
   bool takeEdges(const Catalog& catalogue);
 
   GraphPicture picture_;
-  std::set<Affinity> fitting_;  // what could be connected
+  std::set<Affinity> fitting_;  // possible connections
   std::map<TouchedPart, Interfaces> interfaces_;
 };
 

@@ -15,10 +15,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr QSize kLargest{200, 140};
-constexpr int kInside = 6;        // from its border to the graph
-constexpr double kLeastNode = 2;  // pixels, so that each component can be made out
-constexpr int kLeastView = 160;   // below it hides more than it shows
-constexpr double kSlack = 1;      // scene units by which the graph may be cut off
+constexpr int kInside = 6;        // from its border to its graph
+constexpr double kLeastNode = 2;  // pixels, so that each component is visible
+constexpr int kLeastView = 160;   // a smaller view would be hidden by the map
+constexpr double kSlack = 1;      // scene units that may be outside the view
 
 }  // namespace
 
@@ -60,7 +60,7 @@ void GraphMap::follow() {
       all.size().scaled(most - QSize(2 * kInside, 2 * kInside), Qt::KeepAspectRatio);
   const QSize size(std::max(static_cast<int>(wanted.width()), kRowHeight) + 2 * kInside,
                    std::max(static_cast<int>(wanted.height()), kRowHeight) + 2 * kInside);
-  const int below = kRowHeight + 2 * kGrid;  // the buttons for zooming
+  const int below = kRowHeight + 2 * kGrid;  // the zoom buttons
   setGeometry(QRect(
       room.bottomRight() - QPoint(size.width() + 2 * kGrid, size.height() + 2 * kGrid + below),
       size));
@@ -126,7 +126,7 @@ void GraphMap::paintEvent(QPaintEvent*) {
 void GraphMap::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QRectF seen = frame();
-  // Taken where it is held; elsewhere it comes to the pointer.
+  // Inside the frame, keeps the grab point; elsewhere centres the frame at the pointer.
   held_ = seen.contains(event->position()) ? event->position() - seen.center() : QPointF();
   mouseMoveEvent(event);
 }

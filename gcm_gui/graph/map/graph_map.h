@@ -10,19 +10,19 @@ namespace tendon::gui {
 
 class GraphView;
 
-/// All of the graph, small, in its lower right corner, with a frame around what is seen: a click
-/// or a drag shows another part. Only there while the graph is larger than its view.
+/// A small map of the whole graph in the lower right corner, with a frame around the visible part;
+/// a click or a drag moves the view. Hidden while the whole graph is visible.
 class GraphMap : public QWidget {
   Q_OBJECT
 
  public:
   explicit GraphMap(GraphView& graph);
 
-  /// Whether it comes when there is more than can be seen; it does at first.
+  /// True, the default, if the map may appear when the graph is larger than its view.
   [[nodiscard]] bool isWanted() const { return wanted_; }
-  /// Of what is seen, on this widget.
+  /// The frame around the visible part, in coordinates of this widget.
   [[nodiscard]] QRectF frame() const;
-  /// Where a point of the graph is, on this widget.
+  /// Maps a point of the graph to this widget.
   [[nodiscard]] QPointF fromScene(const QPointF& point) const;
 
  public Q_SLOTS:
@@ -43,9 +43,9 @@ class GraphMap : public QWidget {
 
   GraphView& graph_;
   bool wanted_ = true;
-  QPixmap contents_;  // drawn anew when it is needed
+  QPixmap contents_;  // redrawn on demand
   bool is_old_ = true;
-  std::optional<QPointF> held_;  // from the middle of the frame, while the mouse has it
+  std::optional<QPointF> held_;  // the grab's offset from the frame's centre, during a drag
 };
 
 }  // namespace tendon::gui

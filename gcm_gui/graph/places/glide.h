@@ -7,9 +7,9 @@
 
 namespace tendon::gui {
 
-/// What stands in the graph on its way to where it is to stand, so that the eye can follow: for
-/// 150 ms. What was not there before is at its place at once; so is all where the application's
-/// property kStill is true. GUI thread.
+/// Moves the items of the graph to their new positions in 150 ms, so that the eye can follow. New
+/// items appear at their position at once; if the application's property kStill is true, so do all.
+/// GUI thread.
 class Glide : public QObject {
   Q_OBJECT
 
@@ -18,9 +18,9 @@ class Glide : public QObject {
 
   explicit Glide(QObject* parent = nullptr);
 
-  /// From where all is now.
+  /// Starts from the present positions.
   void goTo(const Arrangement& arrangement);
-  /// Without a way.
+  /// Moves everything at once.
   void putAt(const Arrangement& arrangement);
   [[nodiscard]] const Arrangement& now() const { return now_; }
   [[nodiscard]] bool isOver() const { return way_.state() != QAbstractAnimation::Running; }

@@ -15,8 +15,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kMostSteps = 50;
-constexpr std::size_t kMostPlaces = 20000;  // of systems that were seen once, too
-constexpr double kFurthest = 1e6;           // what lies further off is a mistake in the file
+constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
+constexpr double kFurthest = 1e6;           // farther away is a mistake in the file
 
 QByteArray TextOf(const GraphPlaces::Map& places) {
   QJsonObject all;

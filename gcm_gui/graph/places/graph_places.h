@@ -8,12 +8,12 @@
 
 namespace tendon::gui {
 
-/// Whether something can stand there; what lies further off is a mistake in a file.
+/// True for a plausible position; one farther away is a mistake in a file.
 [[nodiscard]] bool IsPlace(const QPointF& place);
 
-/// Where the user has put components in the graph: the left upper corner of each by its path, in
-/// the graph's own coordinates. Kept in a file for the next time, also of those that are gone; the
-/// last fifty steps can be taken back. GUI thread; the FileWriter writes the file.
+/// The positions that the user has given to components: the top left corner by path, in scene
+/// coordinates. Saved in a file, also for components that are gone; the last fifty steps can be
+/// undone. GUI thread; the FileWriter writes the file.
 class GraphPlaces : public QObject {
   Q_OBJECT
 
@@ -22,28 +22,28 @@ class GraphPlaces : public QObject {
 
   using QObject::QObject;
 
-  /// Takes what the file has, if it can be read, and keeps it there from now on.
+  /// Loads the file if it can be read, and saves to it from now on.
   void keepIn(const QString& file);
 
   [[nodiscard]] const Map& all() const { return all_; }
   [[nodiscard]] bool canUndo() const { return !steps_.empty(); }
-  /// The last thing that was done was a move, not something with the system.
+  /// True if the user's last action was a move here and not an action on the system.
   [[nodiscard]] bool isNewest() const { return is_newest_ && canUndo(); }
 
  public Q_SLOTS:
-  /// One step for all of them. With the `key` of the step before, it is a part of that step: many
-  /// small moves by keys are taken back at once.
+  /// Moves all of them in one step. The same `key` as in the previous step extends that step, so
+  /// that many small moves by keys are undone at once.
   void move(const std::map<QString, QPointF>& moved, const QString& key = {});
-  /// All stand where the layout puts them.
+  /// Returns all components to their automatic positions.
   void reset();
-  /// Takes back the last step.
+  /// Undoes the last step.
   void undo();
-  /// Something else was done since.
+  /// The user has done something else since.
   void grow() { is_newest_ = false; }
 
  Q_SIGNALS:
   void changed();
-  /// For the user: the places could not be kept.
+  /// Tells the user that the positions could not be saved.
   void notice(const QString& text);
 
  private:

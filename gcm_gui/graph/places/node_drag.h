@@ -8,19 +8,19 @@ namespace tendon::gui {
 
 class GraphScene;
 
-/// A component on its way to another place under the hand, or a process with all that it has.
+/// A drag of a component, or of a process with all its components.
 class NodeDrag {
  public:
-  /// Nothing is carried where `path` is neither.
+  /// Drags nothing if `path` is neither.
   NodeDrag(GraphScene& scene, const QString& path, const QPointF& from);
 
-  /// As the pointer is here now, in the scene; on the grid.
+  /// Follows the pointer, which is now at `point` in the scene; snaps to the grid.
   void moveTo(const QPointF& point);
-  /// By so much from where it began.
+  /// Moves by this offset from the start.
   void moveBy(const QPointF& way);
-  /// It stays there; one step to take back, see GraphPlaces::move().
+  /// Ends the drag as one step to undo; see GraphPlaces::move().
   void drop(const QString& key = {});
-  /// Back to where it was.
+  /// Returns everything to its original position.
   void cancel();
 
  private:
@@ -28,7 +28,7 @@ class NodeDrag {
 
   GraphScene& scene_;
   QPointF from_;
-  std::map<QString, QPointF> places_;  // before, by path
+  std::map<QString, QPointF> places_;  // original positions, by path
   QPointF way_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// Places as a system file has them, and back.
+/// Converts between positions of the graph and those of a system file.
 [[nodiscard]] std::map<std::string, SystemFile::Position> LayoutOf(const GraphPlaces& places);
 [[nodiscard]] GraphPlaces::Map PlacesOf(const SystemFile& file);
 

@@ -21,7 +21,7 @@ namespace {
 constexpr int kFieldWidth = 200;
 constexpr int kCountWidth = 88;
 
-/// All that a component can be found by.
+/// The searchable text of a component.
 QString TextOf(const ComponentItem& item) {
   QString text = item.path();
   for (const PortItem* port : item.ports()) text += ' ' + ToQString(port->port().name.interface);

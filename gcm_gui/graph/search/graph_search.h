@@ -12,31 +12,31 @@ namespace tendon::gui {
 
 class GraphView;
 
-/// Finds components in the graph by words that are all in their path or in the names of their
-/// interfaces: those stand out, Enter goes from one to the next, Shift+Enter back, Escape ends it.
-/// A line over the upper edge of the graph.
+/// A search line over the upper edge of the graph. It highlights the components whose path or
+/// interface names contain all the words. Enter goes to the next one, Shift+Enter back, Escape ends
+/// it.
 class GraphSearch : public QFrame {
   Q_OBJECT
 
  public:
   explicit GraphSearch(GraphView& graph);
 
-  /// The paths of what fits, sorted.
+  /// The paths of the matches, sorted.
   [[nodiscard]] const QStringList& found() const { return found_; }
   [[nodiscard]] QLineEdit& field() const { return *field_; }
   /// "2 of 14".
   [[nodiscard]] QString told() const;
-  /// Ends the search, if there is one; false where there is none.
+  /// Ends the search; returns false if there is none.
   bool leave();
 
  public Q_SLOTS:
-  /// With what was looked for the last time, to be typed over.
+  /// Opens with the last words selected, ready to be overwritten.
   void open();
   void next() { go(1); }
   void previous() { go(-1); }
 
  Q_SIGNALS:
-  /// Of what was found, this is to be seen.
+  /// The user moved to this match.
   void chosen(const QString& path);
 
  protected:
@@ -53,7 +53,7 @@ class GraphSearch : public QFrame {
   QLineEdit* field_;
   QLabel* count_;
   QStringList found_;
-  qsizetype current_ = -1;  // of what was found; -1 before the first
+  qsizetype current_ = -1;  // index into found_; -1 before the first
 };
 
 }  // namespace tendon::gui

@@ -6,7 +6,7 @@ namespace tendon::gui {
 
 void ColumnArrivals::hear(const QString& column, const ColumnValues& values) {
   Arrival& arrival = all_[column];
-  // Meanwhile its subscription may have ended, and its rows be counted anew.
+  // The subscription may have ended meanwhile, so that its rows are counted from 0 again.
   if (isLeft(column, arrival)) arrival = {};
   arrival.rate.hear(values);
   arrival.written = values.time;

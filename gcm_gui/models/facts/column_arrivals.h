@@ -13,33 +13,33 @@
 
 namespace tendon::gui {
 
-/// How the rows of columns arrive, of those that somebody looks at: who else looks is not known
-/// here, so one that is not watched and stays silent is no longer known. GUI thread.
+/// Tracks how the rows of columns arrive. Forgets a silent column unless it is watched, because its
+/// subscription may have ended. GUI thread.
 class ColumnArrivals {
  public:
-  /// So long what is not watched may be silent.
+  /// How long a column that is not watched may be silent.
   static constexpr std::chrono::seconds kSilence{2};
 
   explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
   void hear(const QString& column, const ColumnValues& values);
-  /// From now on these are listened to for certain: their silence means something.
+  /// Names the columns with a sure subscription; silence means something only for those.
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
-  /// Forgets what is silent and not watched; the columns that are left.
+  /// Forgets silent columns that are not watched; returns the remaining ones.
   QStringList dropSilent();
 
-  /// Rows a second, Hz; nothing where it is not known, or where they no longer come.
+  /// Rows per second; nothing if unknown or if rows have stopped.
   [[nodiscard]] std::optional<double> rate(const QString& column) const;
-  /// The same, also where they no longer come; 0 where it is not known.
+  /// The last known rate in Hz, even if rows have stopped; 0 if unknown.
   [[nodiscard]] double usualRate(const QString& column) const;
-  /// Since the newest row was written, ns.
+  /// The time in ns since the newest row was written.
   [[nodiscard]] std::optional<std::int64_t> age(const QString& column) const;
 
  private:
   struct Arrival {
     RowRate rate;
-    std::int64_t written = 0;  // ns on the steady clock; 0 before a row
+    std::int64_t written = 0;  // ns on the steady clock; 0 before the first row
     SteadyTime heard;
   };
   [[nodiscard]] bool isLeft(const QString& column, const Arrival& arrival) const;

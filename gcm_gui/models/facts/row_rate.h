@@ -6,17 +6,17 @@
 
 namespace tendon::gui {
 
-/// How many rows of one column come in a second, by the times they were written; measured over a
-/// second at least. O(1).
+/// The number of rows of one column per second, from their write times over at least one second.
+/// O(1).
 class RowRate {
  public:
-  /// Its newest row. One of a new start of the source begins anew.
+  /// Takes the newest row. A restart of the source restarts the measurement.
   void hear(const ColumnValues& values);
-  /// 0 while it is not known.
+  /// 0 while unknown.
   [[nodiscard]] double hz() const { return hz_; }
 
  private:
-  // At the beginning of what is measured.
+  // The row count and time at the start of the measurement.
   std::uint64_t rows_ = 0;
   std::int64_t time_ = 0;
   double hz_ = 0;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTypingPause{120};
 
-/// Null above a process.
+/// The parent; null for a process.
 const CatalogueItem* Above(const CatalogueItem& item) {
   return item.parent->parent == nullptr ? nullptr : item.parent;
 }
@@ -60,10 +60,10 @@ void CatalogueFilter::hearChange(const QModelIndex& first, const QModelIndex& la
                                  const QList<int>& roles) {
   if (!active()) return Q_EMIT dataChanged(mapFromSource(first), mapFromSource(last), roles);
   for (int row = first.row(); row <= last.row(); ++row) {
-    // Where roles are named it is a value that has changed, which no filter looks at.
+    // Named roles mean a changed value, and no filter depends on values.
     if (roles.isEmpty()) recheck(*model_.item(first.siblingAtRow(row).siblingAtColumn(0)));
   }
-  // One signal, as from the model: those of the rows that are shown stand in one piece.
+  // One signal suffices, as in the model: the visible rows are adjacent.
   QModelIndex from;
   QModelIndex to;
   for (int row = first.row(); row <= last.row(); ++row) {
@@ -136,7 +136,7 @@ bool CatalogueFilter::collect(const CatalogueItem& item, Shown& shown, int& mean
   return true;
 }
 
-/// One that has come, and what is above it as far as it was not shown before.
+/// Shows a new item that matches, and those of its parents that are not yet shown.
 void CatalogueFilter::takeIn(const CatalogueItem& item) {
   int meant = 0;
   if (!collect(item, shown_, meant)) return;
@@ -155,7 +155,7 @@ void CatalogueFilter::takeIn(const CatalogueItem& item) {
   endInsertRows();
 }
 
-/// One that goes, and what is above it as far as it is shown for its sake alone.
+/// Hides an item that goes, and its parents that are only shown for it.
 void CatalogueFilter::takeOut(const CatalogueItem& item) {
   if (!isShown(item)) return;
   const CatalogueItem* top = &item;
@@ -181,7 +181,7 @@ void CatalogueFilter::drop(const CatalogueItem& item) {
   for (const CatalogueItem* row : rows) drop(*row);
 }
 
-/// One that may mean something else to the filter now, and all below it with it.
+/// Checks an item again that may match differently now, with everything below it.
 void CatalogueFilter::recheck(const CatalogueItem& item) {
   matches_.reset();
   Shown now;
@@ -263,7 +263,7 @@ QModelIndex CatalogueFilter::mapToSource(const QModelIndex& index) const {
 QModelIndex CatalogueFilter::mapFromSource(const QModelIndex& index) const {
   const CatalogueItem* here = model_.item(index);
   if (here == nullptr) return {};
-  // Only where all above it is shown, too.
+  // Only if all its parents are shown, too.
   for (const CatalogueItem* above = here; above != nullptr; above = Above(*above)) {
     if (!isShown(*above)) return {};
   }

@@ -12,8 +12,8 @@
 
 namespace tendon::gui {
 
-/// The rows of a CatalogueModel that a filter means, and those above them. A new filter costs one
-/// look at each row of the model and is a reset; without a filter the rows are the model's own.
+/// Shows the rows of a CatalogueModel that match a filter, and their parents. A new filter visits
+/// every row of the model once and resets this model; without a filter it passes all rows through.
 class CatalogueFilter : public QAbstractProxyModel {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class CatalogueFilter : public QAbstractProxyModel {
 
   [[nodiscard]] CatalogueModel& catalogue() const { return model_; }
   [[nodiscard]] bool active() const { return !expression_.empty(); }
-  /// Rows that are meant themselves; all of the model's without a filter.
+  /// The number of matching rows; without a filter all rows of the model.
   [[nodiscard]] int matchCount() const;
   [[nodiscard]] QModelIndex indexOf(const QString& path) const;
   [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
@@ -38,9 +38,9 @@ class CatalogueFilter : public QAbstractProxyModel {
                                     int role) const override;
 
  public Q_SLOTS:
-  /// Takes effect when nothing more has been typed for 120 ms.
+  /// Takes effect after 120 ms without another call.
   void setText(const QString& text);
-  /// At once.
+  /// Takes effect at once.
   void applyText(const QString& text);
 
  Q_SIGNALS:
@@ -48,12 +48,12 @@ class CatalogueFilter : public QAbstractProxyModel {
 
  private:
   using Rows = std::vector<const CatalogueItem*>;
-  /// The rows that are shown below others, by these; null stands above the processes.
+  /// The shown child rows by parent; the null key holds the processes.
   using Shown = std::unordered_map<const CatalogueItem*, Rows>;
 
   void connectModel();
-  /// Enters what is shown at and below `item`, and adds how many rows are meant; false where that
-  /// is nothing.
+  /// Adds the shown rows at and below `item` to `shown`, and the number of matches to `meant`.
+  /// Returns false if there are none.
   bool collect(const CatalogueItem& item, Shown& shown, int& meant) const;
   void collectAll();
   void takeIn(const CatalogueItem& item);
@@ -61,7 +61,7 @@ class CatalogueFilter : public QAbstractProxyModel {
   void drop(const CatalogueItem& item);
   void recheck(const CatalogueItem& item);
   void hearChange(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles);
-  /// How many rows at and below it have rows below them.
+  /// The number of rows with children at and below `item`.
   [[nodiscard]] std::size_t parentsIn(const CatalogueItem& item) const;
   [[nodiscard]] bool isShown(const CatalogueItem& item) const;
   [[nodiscard]] const Rows& below(const CatalogueItem* item) const;
@@ -71,7 +71,7 @@ class CatalogueFilter : public QAbstractProxyModel {
   CatalogueModel& model_;
   FilterExpression expression_;
   Shown shown_;                 // of an active filter
-  std::optional<int> matches_;  // of an active filter; nothing once the model has changed
+  std::optional<int> matches_;  // of an active filter; unset after the model has changed
   QString pending_;
   QTimer typing_;
 };

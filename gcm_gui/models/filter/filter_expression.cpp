@@ -6,21 +6,21 @@
 namespace tendon::gui {
 namespace {
 
-/// Whether `text` is the item's kind, or for commands and functions its way of execution.
+/// True if `text` is the item's kind, or the execution kind of a command or function.
 bool IsOfType(const CatalogueItem& item, const QString& text) {
   const CatalogueItem* it = &item;
   for (; it != nullptr && it->parent != nullptr; it = it->parent) {
     if (KindWord(it->kind).startsWith(text)) return true;
     const bool has_way = it->kind == ItemKind::kCommand || it->kind == ItemKind::kFunction;
     if (has_way && it->value.startsWith(text)) return true;
-    // A process or component holds all kinds: it is meant only by its own.
+    // Processes and components contain all kinds, so only their own kind counts.
     if (it->kind <= ItemKind::kComponent) return false;
     if (it->parent->kind <= ItemKind::kComponent) return false;
   }
   return false;
 }
 
-/// The state of the nearest row upwards that has one.
+/// Compares with the state of the nearest row upwards that has one.
 bool IsInState(const CatalogueItem& item, const QString& text) {
   const CatalogueItem* it = &item;
   while (it != nullptr && it->state.isEmpty()) it = it->parent;

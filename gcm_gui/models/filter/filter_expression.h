@@ -8,18 +8,17 @@
 
 namespace tendon::gui {
 
-/// What a user types to find rows: words that must all be in the path, in any order. `-word` must
-/// not be; `type:command` and `state:active` look at what it is and how it is (or what it belongs
-/// to), `proc:arm*` at its process, `host:robot1` at where that runs; `-` and, after the colon, `!`
-/// turn each around. `/expression/` is a regular expression that the path has to have, whatever its
-/// case.
+/// A filter as the user types it. Every word must occur in the path, in any order; `-word` must
+/// not. `type:command` and `state:active` test the kind and state of a row or of its parents,
+/// `proc:arm*` its process, `host:robot1` the host of the process; `-`, or `!` after the colon,
+/// negates a test. `/expression/` is a regular expression that the path must match, ignoring case.
 class FilterExpression {
  public:
   FilterExpression() = default;
   explicit FilterExpression(const QString& text);
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
-  /// Whether the row itself is meant, whatever is above and below it.
+  /// True if the row itself matches, whatever its parents and children do.
   [[nodiscard]] bool Matches(const CatalogueItem& item) const;
 
  private:

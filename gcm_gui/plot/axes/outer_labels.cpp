@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSpacing = 8;  // from the canvas, or the column before, to the labels
+constexpr int kSpacing = 8;  // from the canvas, or the previous column, to the labels
 
 }  // namespace
 

@@ -12,23 +12,23 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// The labels of the axes for which QwtPlot has no place: columns side by side, from the right edge
-/// of its own axis outwards, each in the colour of its curve. GUI thread.
+/// The labels of the axes for which QwtPlot has no place: columns side by side to the right of its
+/// own axis, each in the colour of its curve. GUI thread.
 class OuterLabels {
  public:
-  /// Returns whether anything is to be painted anew.
+  /// Returns true if a repaint is needed.
   bool show(const std::vector<UnitAxis>& axes, ValueScale scale);
-  /// Of all columns, in pixels. Only grows while the units stay.
+  /// The width of all columns in pixels. Never shrinks while the units are the same.
   [[nodiscard]] int width() const;
-  /// `rows` is the height of the canvas, and where the first column begins.
+  /// `rows` gives the height of the canvas and the left edge of the first column.
   void paint(QPainter& painter, const QRect& rows) const;
-  /// Above the columns, as the units of the others are.
+  /// Paints the units above the columns, like those of the other axes.
   void paintUnits(QPainter& painter, int left, int height) const;
 
  private:
   struct Column {
     QString unit;
-    QString head;  // the unit and the base
+    QString head;  // the unit and the base of the labels
     AxisRange range;
     ValueTicks ticks;
     QColor color;
@@ -38,7 +38,7 @@ class OuterLabels {
   std::vector<Column> columns_;
 };
 
-/// In the colour of its curve, where a plot has several axes and this one has one curve; dim else.
+/// The colour of the only curve of an axis if the plot has several axes; else dim.
 [[nodiscard]] QColor AxisColor(const std::vector<UnitAxis>& axes, std::size_t index);
 
 }  // namespace tendon::gui

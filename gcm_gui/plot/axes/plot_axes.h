@@ -20,33 +20,33 @@ struct SideRoom {
   bool operator==(const SideRoom&) const = default;
 };
 
-/// The axes of a plot: time below, the first unit at the left, up to three more at the right. What
-/// they say takes as much room at every moment, so that the canvas stays where it is. GUI thread.
+/// The axes of a plot: time at the bottom, the first unit on the left, up to three more on the
+/// right. Their labels take constant room, so the canvas does not move. GUI thread.
 class PlotAxes {
  public:
   static constexpr int kTop = 14;           ///< pixels above the canvas, for the units
-  static constexpr int kSide = 46;          ///< labels of an axis, and the empty side without one
-  static constexpr int kValueSteps = 7;     ///< from label to label, at most
-  static constexpr std::size_t kMost = 4;   ///< units that have an axis
-  static constexpr std::size_t kOfQwt = 2;  ///< of them at QwtPlot's own places
+  static constexpr int kSide = 46;          ///< labels of an axis, or the empty side without one
+  static constexpr int kValueSteps = 7;     ///< maximum number of label steps
+  static constexpr std::size_t kMost = 4;   ///< the maximum number of units with an axis
+  static constexpr std::size_t kOfQwt = 2;  ///< of these, the axes that QwtPlot itself has
 
   /// Sets up the axes of `plot`, which must outlive this.
   explicit PlotAxes(QwtPlot& plot);
 
   void takeTheme();
-  /// None where there is nothing to show.
+  /// False hides the axes of a plot with nothing to show.
   void setVisible(bool visible);
   void showTime(const TimeWindow& window);
   void showValues(const std::vector<UnitAxis>& axes, ValueScale scale);
-  /// The room that labels take, without what setRoom() asked for.
+  /// The room that the labels need, without the minimum of setRoom().
   [[nodiscard]] SideRoom wantedRoom() const;
-  /// Takes at least so much, so that the canvases of several plots stand below each other. Room
-  /// that is not needed stays empty.
+  /// Sets the minimum room, so that the canvases of several plots are aligned. Unused room stays
+  /// empty.
   void setRoom(const SideRoom& least);
-  /// What Qwt has no place for: the units above the axes, and the outer axes, on the plot itself.
+  /// Paints the parts that Qwt cannot: the units above the axes, and the outer axes.
   void paint(const std::vector<UnitAxis>& axes) const;
 
-  /// From one label of the time axis to the next, in s.
+  /// The distance between two labels of the time axis, in s.
   [[nodiscard]] static double timeStep(const TimeWindow& window);
 
  private:
@@ -54,7 +54,7 @@ class PlotAxes {
 
   QwtPlot& plot_;
   OuterLabels outer_;
-  QStringList heads_;  // above the axes
+  QStringList heads_;  // the texts above the axes
   SideRoom least_;
 };
 

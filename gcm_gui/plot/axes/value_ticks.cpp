@@ -8,16 +8,16 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kFewDecades = 2.5;  // where 2 and 5 have room between powers of ten
+constexpr double kFewDecades = 2.5;  // below, 2 and 5 fit between powers of ten
 constexpr double kTolerance = 1e-9;
-constexpr double kHuge = 1e6;  // numbers from here on, and steps below the next, get an exponent
+constexpr double kHuge = 1e6;  // larger numbers, and steps below the next, get an exponent
 constexpr double kTiny = 1e-5;
-constexpr int kPlainDecades = 5;  // on either side of 1
+constexpr int kPlainDecades = 5;  // in both directions from 1
 constexpr std::size_t kMostNames = 14;
 
 int DecadeOf(double value) { return static_cast<int>(std::floor(std::log10(value) + kTolerance)); }
 
-// "1.5e+308": as QString writes it.
+// "1.5e+308", like QString.
 QString WithExponent(QString mantissa, int exponent) {
   if (mantissa.contains('.')) {
     while (mantissa.endsWith('0')) mantissa.chop(1);
@@ -39,8 +39,8 @@ void Add(ValueTicks& ticks, double place, const QString& text) {
   ticks.texts.push_back(text);
 }
 
-// Of less than a decade: the values themselves are evenly spaced. They are counted from a power of
-// ten, for near the ends of all doubles they might not be finite.
+// For less than a decade, where round values are evenly spaced. Calculates relative to a power of
+// ten, because values near the limits of doubles may not be finite.
 ValueTicks WithinADecade(const AxisRange& range, int most) {
   ValueTicks ticks;
   const double decade = std::floor(range.low);
@@ -78,9 +78,9 @@ ValueTicks LogarithmicTicks(const AxisRange& wanted, int most) {
   return ticks;
 }
 
-// As many as there is room for, so long that they differ.
+// As many as fit. Shortens long names only if they stay different.
 ValueTicks NamedTicks(const UnitAxis& axis) {
-  constexpr qsizetype kLongest = 20;  // letters
+  constexpr qsizetype kLongest = 20;  // characters
   ValueTicks ticks;
   std::vector<const ValueNames::One*> seen;
   for (const ValueNames::One& one : axis.names->all) {

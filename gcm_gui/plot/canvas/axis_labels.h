@@ -9,18 +9,18 @@
 
 namespace tendon::gui {
 
-/// Labels alone, without a line or ticks: the grid is enough. At least as wide as the widest label
-/// so far, so that the canvas does not move when numbers change.
+/// Labels without line or ticks, because there is a grid. The width never shrinks, so the canvas
+/// does not move when numbers change.
 class AxisLabels : public QwtScaleDraw {
  public:
   AxisLabels();
 
-  /// The distance between two labels; decides how many digits they have.
+  /// Sets the distance between two labels, which decides the number of digits.
   void setStep(double step);
-  /// What the labels say at these places; at others the place itself. Returns whether they were
-  /// others before; then the axis is to be painted anew.
+  /// Sets the texts of the labels; a place without a text shows the number. Returns true if
+  /// something changed and the axis needs a repaint.
   bool setTicks(const ValueTicks& ticks);
-  /// Returns whether it was another one before; then the axis is to be painted anew.
+  /// Returns true if the colour changed and the axis needs a repaint.
   bool setColor(const QColor& color);
   [[nodiscard]] const QColor& color() const { return color_; }
 
@@ -41,7 +41,7 @@ class AxisLabels : public QwtScaleDraw {
 /// "-25 s", "-2 min", and "now" at 0 while the plot is live.
 class TimeLabels final : public AxisLabels {
  public:
-  /// Returns whether it was otherwise before.
+  /// Returns true if it changed.
   bool setLive(bool live);
 
  protected:

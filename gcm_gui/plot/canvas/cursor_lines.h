@@ -12,11 +12,11 @@
 
 namespace tendon::gui {
 
-/// The cursors A and B over the curves, and beside B how far they are apart: in time, and the value
-/// of each curve.
+/// Draws the cursors A and B and, beside B, their differences in time and in the value of each
+/// curve.
 class CursorLines final : public QwtPlotItem {
  public:
-  /// All must outlive this item.
+  /// All arguments must outlive this item.
   CursorLines(const CurveSet& curves, const TimeWindow& window, const Cursors& cursors);
 
   [[nodiscard]] int rtti() const override { return kPlacesItself; }
@@ -27,7 +27,7 @@ class CursorLines final : public QwtPlotItem {
     QString text;
     QColor color;
   };
-  /// What stands beside B; empty without both cursors.
+  /// The texts beside B; empty without both cursors.
   [[nodiscard]] std::vector<Line> lines() const;
 
  private:

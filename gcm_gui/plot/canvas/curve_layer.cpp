@@ -17,9 +17,9 @@ constexpr double kCurveLayer = 20;  // above grid and gaps
 constexpr double kThickness = 2;    // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
-constexpr double kNearest = 3;  // pixels between samples that have a dot each
-constexpr double kFar = 8;      // between those whose dots are of full size
-constexpr double kBeyond = 64;  // pixels beyond the canvas at which values are cut off
+constexpr double kNearest = 3;  // pixels between samples; closer ones have no visible dots
+constexpr double kFar = 8;      // pixels between samples whose dots have full size
+constexpr double kBeyond = 64;  // pixels beyond the canvas at which lines are cut off
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
@@ -81,7 +81,7 @@ double CurveLayer::rowOf(double distance, const AxisFrame& frame, const QwtScale
   return std::clamp(map.transform(place), rect.top() - kBeyond, rect.bottom() + kBeyond);
 }
 
-// For pictures that can be scaled: from each slice's lowest value to its highest.
+// For scalable pictures: a line from the minimum to the maximum of each slice.
 void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
                            const QwtScaleMap& map, const AxisFrame& frame,
                            const QRectF& rect) const {
@@ -108,8 +108,8 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
   painter.restore();
 }
 
-// As thick as the line where samples are as near as dots can be told apart, and thicker the farther
-// they are: so no dot appears or vanishes at once when one sample more is seen.
+// Dots grow with the distance between samples, starting with the width of the line. So no dot
+// appears or vanishes suddenly when one sample more is visible.
 double CurveLayer::DotRadius(double distance) {
   const double part = (distance - kNearest) / (kFar - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);

@@ -7,13 +7,13 @@
 
 namespace tendon::gui {
 
-/// All curves of a plot, as one item. Draws what `window` shows of them, each on its unit's axis.
+/// Draws all curves of a plot as one item: the part within `window`, each on the axis of its unit.
 class CurveLayer final : public QwtPlotItem {
  public:
-  /// Both must outlive this item.
+  /// Both arguments must outlive this item.
   CurveLayer(const CurveSet& curves, const TimeWindow& window);
 
-  /// The slices in which the curves are drawn on a canvas of `rect` at `device_pixel_ratio`.
+  /// The time slices for drawing on a canvas of `rect` at `device_pixel_ratio`.
   [[nodiscard]] TimeSlices slicesOf(const QwtScaleMap& x_map, const QRectF& rect,
                                     double device_pixel_ratio) const;
 
@@ -27,8 +27,8 @@ class CurveLayer final : public QwtPlotItem {
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
 
-  /// Where a value is drawn that is `distance` from the base: at the foot where it has no place on
-  /// the axis, and just outside of the canvas where that is far away.
+  /// The row of a value at this `distance` from the base. A value without a place on the axis is at
+  /// the foot; one far outside is just off the canvas.
   [[nodiscard]] double rowOf(double distance, const AxisFrame& frame, const QwtScaleMap& map,
                              const QRectF& rect) const;
 

@@ -62,7 +62,7 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
   }
 }
 
-// Those that would touch each other are drawn as one.
+// Bands that would touch each other are merged.
 std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScaleMap& x_map,
                                               const QRectF& rect) const {
   const auto x_of = [&](std::int64_t time_ns) {
@@ -70,7 +70,7 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   };
   std::vector<Band> bands;
   for (const Gap& gap : curve.samples().gaps()) {
-    if (gap.cause == Gap::Cause::kNoValue) continue;  // rows came: the line ends, and that is all
+    if (gap.cause == Gap::Cause::kNoValue) continue;  // rows came: the line just ends
     Band band{.left = x_of(gap.from_ns),
               .right = x_of(gap.to_ns),
               .lost = gap.lost,
@@ -89,7 +89,7 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   return bands;
 }
 
-// Labels that would overlap become one, with the sum.
+// Overlapping labels are merged, with the sum.
 void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
                           const QRectF& rect) const {
   std::vector<Band> labels;

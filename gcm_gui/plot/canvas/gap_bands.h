@@ -8,11 +8,11 @@
 
 namespace tendon::gui {
 
-/// Where rows are missing: a tint over the whole height with the number of rows lost, another one
-/// where a source was restarted, stood still or has fallen silent.
+/// Marks missing rows: a tint over the whole height with the number of lost rows, another tint
+/// where a source was restarted, stood still or has become silent.
 class GapBands final : public QwtPlotItem {
  public:
-  /// Both must outlive this item.
+  /// Both arguments must outlive this item.
   GapBands(const CurveSet& curves, const TimeWindow& window);
 
   void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,
@@ -22,7 +22,7 @@ class GapBands final : public QwtPlotItem {
   struct Band {
     double left;
     double right;
-    std::uint64_t lost;  // 0: not known
+    std::uint64_t lost;  // 0: unknown
     bool is_standstill;  // no rows were lost
   };
 

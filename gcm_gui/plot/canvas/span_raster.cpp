@@ -11,12 +11,12 @@ namespace tendon::gui {
 namespace {
 
 constexpr auto kSlices = SpanRaster::kSlicesPerColumn;
-constexpr int kFullBand = 64;  // a band that covers a row
+constexpr int kFullBand = 64;  // the value of a band that covers a row
 constexpr int kFullPixel = kFullBand * static_cast<int>(kSlices);
-constexpr float kNowhere = 1e9F;  // top of an empty band; its bottom is the negative
+constexpr float kNowhere = 1e9F;  // top of an empty band; its bottom is -kNowhere
 constexpr double kOutside = 64;   // rows beyond the picture at which values are cut off
 
-// `color` over `below`, both premultiplied, as much as `coverage` of 256 says.
+// Blends `color` over `below`, both premultiplied, by `coverage` / 256.
 std::uint32_t Blend(std::uint32_t below, std::uint32_t color, std::uint32_t coverage) {
   constexpr std::uint32_t kPairs = 0x00ff00ff;
   const std::uint32_t rest = 256 - coverage;
@@ -25,11 +25,11 @@ std::uint32_t Blend(std::uint32_t below, std::uint32_t color, std::uint32_t cove
   return (even & kPairs) | (odd & ~kPairs);
 }
 
-// Bands are widened by the block, of which the compiler takes several at once.
+// Bands are widened in blocks, which the compiler can vectorise.
 constexpr std::size_t kBlock = 64;
 
-// A block of bottoms, for `direction` 1; of tops, which are the bottoms of the picture upside down,
-// for -1. Of `thin` it needs the whole pen more than a block.
+// Widens a block of bottoms (`direction` 1), or of tops (-1), which are bottoms of the picture
+// upside down. Reads a block plus the width of the pen from `thin`.
 void Widen(const float* thin, const std::vector<float>& reach, float direction, float* wide) {
   std::array<float, kBlock> lowest;
   lowest.fill(-kNowhere);
@@ -47,8 +47,8 @@ void Widen(const float* thin, const std::vector<float>& reach, float direction, 
 void SpanRaster::begin(QSize size) {
   if (size != size_) {
     size_ = size;
-    // Rows an odd number of cache lines apart: columns are drawn downwards, and a power of two
-    // would put all their pixels into the same few sets of the cache.
+    // The row distance is an odd number of cache lines: columns are drawn downwards, and with a
+    // power of two all their pixels would share a few cache sets.
     constexpr std::size_t kLine = 16;
     stride_ = ((static_cast<std::size_t>(size.width()) + kLine - 1) / kLine | 1) * kLine;
     pixels_.assign(stride_ * static_cast<std::size_t>(size.height()), 0);
@@ -102,8 +102,8 @@ void SpanRaster::mapBands(const Envelope& envelope, const RowScale& rows) {
   }
 }
 
-// What a disc covers whose centre goes along the bands: seen from a band, the highest of what its
-// neighbours reach, of which each reaches less the farther it is.
+// Draws a round pen along the bands. The new end of a band is the farthest that any neighbour
+// reaches there; a neighbour reaches less the farther away it is.
 void SpanRaster::widenBands(double radius) {
   reach_.clear();
   for (std::size_t k = 0; k <= 2 * margin_; ++k) {
@@ -120,8 +120,8 @@ void SpanRaster::widenBands(double radius) {
   }
 }
 
-// Each end of a band changes by how much the rows below it are covered, in 64ths of a band: the sum
-// from above is how much of 256 a pixel is covered.
+// Each end of a band changes the coverage of the rows below it, in 64ths of a band. The running sum
+// from the top is the coverage of a pixel, of 256.
 void SpanRaster::drawColumn(int x, std::uint32_t color) {
   const float* tops = wide_.tops.data() + static_cast<std::size_t>(x) * kSlices;
   const float* bottoms = wide_.bottoms.data() + static_cast<std::size_t>(x) * kSlices;
@@ -160,7 +160,7 @@ void SpanRaster::paint(QPainter& painter, const QPointF& top_left,
   if (first_row_ >= end_row_) return;
   const QRect rows(0, first_row_, size_.width(), end_row_ - first_row_);
   painter.save();
-  // Pixel on pixel, so that nothing is scaled.
+  // Pixel by pixel, without scaling.
   painter.scale(1 / device_pixel_ratio, 1 / device_pixel_ratio);
   painter.drawImage(top_left * device_pixel_ratio + rows.topLeft(), image(), rows);
   painter.restore();

@@ -15,11 +15,11 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// From a value to a row of pixels: row = (place - low) * scale + offset, of its place on the axis,
-/// value * factor or its logarithm. A value that has no place is drawn along the lowest row.
+/// Maps a value to a pixel row: row = (place - low) * scale + offset. The place on the axis is
+/// value * factor, or its logarithm. A value without a place is drawn at the lowest row.
 ///
-/// The place at which the axis begins is subtracted first: the row at place 0 may be so far outside
-/// that a double cannot tell it from its neighbours.
+/// The lower end of the axis is subtracted first: the row of place 0 may be so far away that a
+/// double cannot tell it from its neighbours.
 struct RowScale {
   double low = 0;
   double scale = 1;
@@ -28,28 +28,27 @@ struct RowScale {
   ValueScale values = ValueScale::kLinear;
 };
 
-/// Draws envelopes as smooth lines into a picture of its own, which is painted in one go.
+/// Draws envelopes as smooth lines into its own image, which is then painted at once.
 ///
-/// A pen stroke of Qt costs by the point and much more when it is thick or smooth; here a curve
-/// costs by the column. Each pixel column has kSlicesPerColumn slices; a slice is the band between
-/// its lowest and highest value, widened by a round pen, and a pixel is as opaque as bands cover
-/// it.
+/// Qt's pen strokes cost per point, and much more if thick or antialiased; here a curve costs per
+/// pixel column. Each column has kSlicesPerColumn slices. A slice is the band between its lowest
+/// and highest value, widened by a round pen; the opacity of a pixel is the share that bands cover.
 class SpanRaster {
  public:
   static constexpr std::size_t kSlicesPerColumn = 4;
 
-  /// An empty picture of so many device pixels.
+  /// Starts with an empty image of this size in device pixels.
   void begin(QSize size);
-  /// Above what was drawn before. The envelope has kSlicesPerColumn slices a column; `radius` in
-  /// device pixels is half the thickness of the line.
+  /// Draws on top of the image. The envelope must have kSlicesPerColumn slices per column; `radius`
+  /// is half the line width in device pixels.
   void draw(const Envelope& envelope, const RowScale& rows, double radius, const QColor& color);
-  /// In logical pixels. Touches only the rows that were drawn on.
+  /// Paints the rows that were drawn on; `top_left` is in logical pixels.
   void paint(QPainter& painter, const QPointF& top_left, double device_pixel_ratio) const;
   /// For tests; shares the memory of this object.
   [[nodiscard]] QImage image() const;
 
  private:
-  // Tops and bottoms, in rows; apart from each other so that the compiler can widen many at once.
+  // Tops and bottoms in rows, in separate arrays so that the compiler can vectorise the widening.
   struct Bands {
     std::vector<float> tops;
     std::vector<float> bottoms;
@@ -62,15 +61,15 @@ class SpanRaster {
   void drawColumn(int x, std::uint32_t color);
 
   QSize size_;
-  std::size_t stride_ = 0;  // pixels from row to row
+  std::size_t stride_ = 0;  // pixels per row
   std::vector<std::uint32_t> pixels_;
-  int first_row_ = 0;  // drawn on
+  int first_row_ = 0;  // of the rows drawn on
   int end_row_ = 0;
   std::size_t margin_ = 0;  // empty bands at both ends, as wide as the pen
   Bands thin_;
   Bands wide_;
   std::vector<float> reach_;
-  std::vector<int> changes_;  // of the coverage from row to row; all 0 between two columns
+  std::vector<int> changes_;  // of the coverage from row to row; all 0 between columns
 };
 
 }  // namespace tendon::gui

@@ -11,12 +11,11 @@ class QwtScaleMap;
 
 namespace tendon::gui {
 
-/// For QwtPlotItem::rtti() of items that know by themselves where a sweeping window shows a time.
+/// The QwtPlotItem::rtti() of items that handle a sweeping window themselves.
 inline constexpr int kPlacesItself = QwtPlotItem::Rtti_PlotUserItem + 1;
 
-/// Draws the items of `plot` as a sweeping `window` shows them: what has come since left of the
-/// head, what was there a length ago right of it, and an empty bar between. `maps` are those of
-/// QwtPlot::drawItems().
+/// Draws the items of `plot` for a sweeping `window`: the present sweep left of the head, the
+/// previous one right of it, and an empty bar between. `maps` are those of QwtPlot::drawItems().
 void DrawSweep(const QwtPlot& plot, const TimeWindow& window, QPainter& painter,
                const QRectF& canvas_rect, const QwtScaleMap* maps);
 

@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// Writes tables to files, in the thread of the FileWriter. GUI thread.
+/// Writes tables to files in the FileWriter's thread. GUI thread.
 class CsvExport : public QObject {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class CsvExport : public QObject {
   void save(CsvTable table, const QString& file);
 
  Q_SIGNALS:
-  /// One sentence for the user: what was saved, or why not.
+  /// A sentence for the user: the saved file, or the reason of the failure.
   void finished(const QString& sentence);
 };
 

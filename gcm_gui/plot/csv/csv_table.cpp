@@ -30,14 +30,14 @@ void AppendNumber(QByteArray& line, Number number) {
   line.append(digits.data(), end - digits.data());
 }
 
-/// Whole seconds in front, so many digits behind.
+/// The seconds before the decimal point; the digits after it follow.
 std::int64_t SecondsOf(std::int64_t ns) { return ns / kSecond - (ns % kSecond < 0 ? 1 : 0); }
 
 void AppendFraction(QByteArray& line, std::int64_t fraction, int digits) {
   line.append('.').append(QByteArray::number(qlonglong{fraction}).rightJustified(digits, '0'));
 }
 
-/// Writes the lines of a table, from its first moment to its last.
+/// Writes the lines of a table in time order.
 class Writer {
  public:
   Writer(const CsvTable& table, QIODevice& device)
@@ -60,7 +60,7 @@ class Writer {
   }
 
  private:
-  struct Before {  // of one source, right before a line
+  struct Before {  // of one source, just before a line
     std::uint64_t lost = 0;
     bool restart = false;
   };
@@ -154,8 +154,8 @@ class Writer {
   const CsvTable& table_;
   QIODevice& device_;
   QStringList sources_;
-  std::vector<std::size_t> source_of_;  // of each curve
-  std::vector<std::size_t> next_;       // sample of each curve
+  std::vector<std::size_t> source_of_;  // by curve
+  std::vector<std::size_t> next_;       // the next sample of each curve
   std::vector<std::size_t> next_gap_;
   QByteArray text_;
   QByteArray second_text_;

@@ -14,25 +14,25 @@ class QIODevice;
 
 namespace tendon::gui {
 
-/// The samples of some curves over a part of time, copied, so that another thread can write them.
+/// A copy of some curves' samples in a time span, for writing in another thread.
 struct CsvTable {
   struct Curve {
     QString path;
     QString unit;
-    Scaling plotted = {};             ///< how the plot shows it; here it is as it came
+    Scaling plotted = {};             ///< the scaling in the plot; the table is unscaled
     std::vector<std::int64_t> times;  ///< ns, on the source's steady clock
     ExactNumber::Kind kind = ExactNumber::Kind::kReal;
-    std::vector<std::uint64_t> words;  ///< of this kind: see ExactNumber
-    ValueNamesPointer names = {};      ///< of states, which are written by them
-    std::vector<Gap> gaps;  ///< `index` counts in `times`: the gap is right before that sample
+    std::vector<std::uint64_t> words;  ///< of `kind`: see ExactNumber
+    ValueNamesPointer names = {};      ///< of states, which are written by name
+    std::vector<Gap> gaps;  ///< `index` is an index into `times`; the gap is just before it
   };
   std::vector<Curve> curves;
-  std::int64_t utc_offset_ns = 0;  ///< what makes a source's time one since 1970
+  std::int64_t utc_offset_ns = 0;  ///< converts the source's time to a time since 1970
 
   [[nodiscard]] bool empty() const;
 };
 
-/// Of the curves that are not hidden, the samples in [from_ns, to_ns].
+/// The samples of the visible curves in [from_ns, to_ns].
 [[nodiscard]] CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t to_ns,
                                   std::int64_t utc_offset_ns);
 
@@ -41,11 +41,10 @@ struct CsvFigures {
   std::uint64_t lost = 0;  ///< of all sources
 };
 
-/// One line for each moment at which there is a sample, in the order of time: seconds of the
-/// source's clock, UTC, the curves (empty where one has no sample then), and for each state table
-/// how many of its rows were lost right before, or "restart". Numbers are exact and as they came;
-/// states are written by their names. The head says where a plot showed them scaled. Nothing when
-/// the device refuses.
+/// Writes one line per time with a sample, in time order: seconds of the source's clock, UTC, the
+/// curves (empty without a sample at that time), and for each state table the number of rows lost
+/// just before, or "restart". Numbers are exact and unscaled; states are written by name. The head
+/// mentions the scaling in the plot. Returns nothing if the device fails.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

@@ -9,8 +9,8 @@
 
 namespace tendon::gui {
 
-/// A signal as it is remembered when there is no room for its samples any more: the lowest and the
-/// highest value of each 100 ms. One thread.
+/// The older part of a signal whose samples no longer fit into memory: the minimum and maximum of
+/// each 100 ms. One thread.
 class CoarseHistory {
  public:
   static constexpr std::int64_t kWidthNs = 100'000'000;
@@ -18,14 +18,14 @@ class CoarseHistory {
   struct Bucket {
     std::int64_t from_ns = 0;  ///< a multiple of kWidthNs
     std::uint64_t low = 0;     ///< word of kind()
-    std::uint64_t high = 0;    ///< the same
+    std::uint64_t high = 0;    ///< likewise
   };
   static constexpr std::size_t kBytesPerBucket = sizeof(Bucket);
 
-  /// O(samples). Values that are not finite are left out. A clock that was set back by more than a
-  /// second makes it start over, and so do numbers of another kind.
+  /// O(samples). Ignores values that are not finite. Starts over if the clock is set back by more
+  /// than a second, or if the kind of number changes.
   void append(std::span<const Sample> samples);
-  /// At most so many buckets; the oldest ones go.
+  /// Sets the maximum number of buckets; drops the oldest ones.
   void setLimit(std::size_t buckets);
   /// Oldest first.
   [[nodiscard]] const std::deque<Bucket>& buckets() const { return buckets_; }

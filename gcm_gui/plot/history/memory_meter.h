@@ -5,15 +5,15 @@
 
 namespace tendon::gui {
 
-/// How much of the memory for samples is in use, as a bar of a few pixels; in words where the mouse
-/// rests.
+/// Shows how much of the sample memory is used, as a bar of a few pixels; the tool tip says it in
+/// words.
 class MemoryMeter : public QWidget {
   Q_OBJECT
 
  public:
   explicit MemoryMeter(QWidget* parent = nullptr);
 
-  /// In bytes. `is_thinned`: the oldest part is kept as extremes.
+  /// In bytes. `is_thinned`: the oldest part is kept as minima and maxima only.
   void setFigures(std::size_t used, std::size_t budget, bool is_thinned);
   [[nodiscard]] QSize sizeHint() const override { return {36, 16}; }
 

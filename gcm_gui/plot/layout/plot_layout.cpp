@@ -34,7 +34,7 @@ struct PlotLayout {
   std::vector<CurveLayout> curves;
 };
 
-// What is as usual is left out.
+// Omits default values.
 QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   QJsonArray curves;
   for (const auto& curve : view.curves().curves()) {
@@ -55,13 +55,13 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   return plot;
 }
 
-/// Nothing where it is none.
+/// `usual` if it is missing; nothing if it is not a number.
 std::optional<double> NumberOf(const QJsonValue& json, double usual) {
   if (json.isUndefined()) return usual;
   return json.isDouble() ? std::optional(json.toDouble()) : std::nullopt;
 }
 
-/// What is wrong with it, else empty.
+/// Returns what is wrong with a curve, else an empty text.
 QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   curve.key = {json["path"].toString(), json["unit"].toString()};
   curve.is_hidden = json["hidden"].toBool();
@@ -79,7 +79,7 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   return refusal ? curve.key.path + QStringLiteral(": ") + *refusal : QString();
 }
 
-/// The same of a plot.
+/// The same for a plot.
 QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
   if (!json.isObject() || !json["curves"].isArray()) return Words::tr("it has no curves");
   const double seconds = json["window"].toDouble();

@@ -23,11 +23,11 @@ constexpr int kLegendRowHeight = 18;
 constexpr int kSwatchWidth = 12;
 constexpr int kSwatchHeight = 3;
 constexpr int kSpace = 8;
-constexpr int kBetween = 12;  // two rows side by side
+constexpr int kBetween = 12;  // between two rows side by side
 constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
 
-// Laid out once and painted many times: the legend is painted with each frame of the plot.
+// Lays a text out once, because the legend paints it in each frame of the plot.
 void SetText(QStaticText& text, const QString& content, const QFont& font) {
   if (text.text() == content) return;
   text.setTextFormat(Qt::PlainText);
@@ -52,7 +52,7 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
   setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
   const QFontMetrics metrics(Theme::instance().small());
-  // "arm.position[0] · suspended · 5 s old": names that differ at their ends alone must do so here.
+  // "arm.position[0] · suspended · 5 s old": elide the middle, so that ends remain different.
   const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
   QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
   if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
@@ -95,7 +95,7 @@ bool LegendRow::event(QEvent* event) {
       update();
       break;
     case QEvent::ShortcutOverride:
-      // Its keys are meant for it, even if the window has a shortcut of the same key.
+      // The row's keys take precedence over the window's shortcuts.
       if (isOwnKey(static_cast<QKeyEvent*>(event)->key())) event->accept();
       break;
     default:
@@ -107,7 +107,7 @@ bool LegendRow::event(QEvent* event) {
 void LegendRow::paintMark(QPainter& painter) const {
   const Theme& theme = Theme::instance();
   if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
-  // What is old is still drawn in the curve's colour.
+  // Old values keep the colour of their curve.
   const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
   painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
 }
@@ -203,7 +203,7 @@ Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
   grid_->setHorizontalSpacing(kBetween);
   grid_->setSizeConstraint(QLayout::SetFixedSize);
   hide();
-  // Its fonts may be others: the next entries make the rows anew.
+  // The fonts may have changed: the next entries rebuild the rows.
   connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
 }
 

@@ -15,26 +15,25 @@ class QGridLayout;
 
 namespace tendon::gui {
 
-/// What one row of a legend says.
+/// The content of one row of a legend.
 struct LegendEntry {
   QString path;
   QString name;
-  QString value;  ///< already in digits
+  QString value;  ///< already formatted
   QString unit;
   int color_index = 0;
-  bool stale = false;  ///< then `name` says also what is waited for, in grey
-  bool old = false;    ///< its component stands still: all of it is grey, `name` says why
+  bool stale = false;  ///< waits for its source: grey, and `name` says for what
+  bool old = false;    ///< its component stands still: grey, and `name` says why
   bool shown = true;   ///< the curve is visible
-  QString figures;     ///< of the visible range, behind all; empty when they are not asked for
+  QString figures;     ///< of the visible range, at the end; empty if not wanted
 
   bool operator==(const LegendEntry&) const = default;
 };
 
-/// One curve: colour, name, value, unit, and a cross to remove it, which appears under the mouse
-/// and with the focus. A click or Space hides and shows the curve, Delete removes it, and dragging
-/// it takes the signal elsewhere. One that is
-/// waited for offers "remap…" in place of its value; the key is R. Enter asks for its scale, offset
-/// and axis; all of it is also in a menu.
+/// One curve: colour, name, value, unit, and a cross to remove it, visible under the mouse and with
+/// the focus. A click or Space hides and shows the curve, Delete removes it, Enter opens scale,
+/// offset and axis, and dragging moves the signal elsewhere. A curve that waits for its source
+/// offers "remap…" (R) in place of its value. A menu has all of this, too.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -46,15 +45,15 @@ class LegendRow : public QWidget {
   [[nodiscard]] int nameWidth() const;
   [[nodiscard]] int valueWidth() const;
   [[nodiscard]] int unitWidth() const;
-  /// All rows of a legend have the same columns.
+  /// Sets the column widths, which are the same in all rows of a legend.
   void setColumns(int name_width, int value_width, int unit_width);
 
  Q_SIGNALS:
   void toggled(const QString& path);
   void removeRequested(const QString& path);
-  /// Another signal is to be shown in its place.
+  /// The user wants to show another signal in its place.
   void remapRequested(const QString& path);
-  /// Its scale, offset or axis is to be another.
+  /// The user wants to change its scale, offset or axis.
   void lookRequested(const QString& path);
   void dragRequested(const QString& path);
 
@@ -86,16 +85,16 @@ class LegendRow : public QWidget {
   int unit_width_ = 0;
 };
 
-/// The curves of a plot with their present values: a row each, from left to right and down.
+/// The curves of a plot with their present values: one row each, from left to right and downwards.
 class Legend : public QFrame {
   Q_OBJECT
 
  public:
   explicit Legend(QWidget* parent);
 
-  /// Cheap when only values change.
+  /// Cheap if only values change.
   void setEntries(const std::vector<LegendEntry>& entries);
-  /// So many pixels across are there: the rows stand side by side as far as they fit.
+  /// The available width in pixels; as many rows as fit stand side by side.
   void setRoom(int width);
   [[nodiscard]] const std::vector<LegendRow*>& rows() const { return rows_; }
 
@@ -114,13 +113,13 @@ class Legend : public QFrame {
 
   QGridLayout* grid_;
   int room_ = 0;    // pixels across
-  int across_ = 0;  // rows side by side
+  int across_ = 0;  // the number of rows side by side
   std::size_t arranged_ = 0;
   std::vector<LegendRow*> rows_;
-  int value_width_ = 0;  // only grows, so that the legend does not tremble
+  int value_width_ = 0;  // only grows, so that the legend does not jitter
 };
 
-/// `value` with two digits more than the labels of an axis that shows `range`.
+/// Formats `value` with two digits more than the labels of an axis that shows `range`.
 [[nodiscard]] QString LegendValue(double value, const AxisRange& range);
 
 }  // namespace tendon::gui

@@ -11,8 +11,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kOneRow = 18;
-constexpr int kLeastPlot = 110;   // with its axis: a low plot has a lower legend
-constexpr double kHighest = 0.4;  // of the plot
+constexpr int kLeastPlot = 110;   // with its axis; a low plot gets a lower legend
+constexpr double kHighest = 0.4;  // fraction of the plot
 constexpr int kEdge = kInset;
 
 }  // namespace

@@ -8,18 +8,18 @@ class QwtPlot;
 
 namespace tendon::gui {
 
-/// Where the legend of a plot has its place: below the canvas, so that it covers no curve. Scrolls
-/// when there are more curves than room.
+/// Holds a plot's legend below the canvas, so that it covers no curve. Scrolls if there are more
+/// curves than room.
 class LegendArea : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Sets the contents margins of `plot`, whose child it is, anew whenever the legend or the plot
-  /// has another size.
+  /// A child of `plot`. Sets the plot's contents margins whenever the legend or the plot changes
+  /// its size.
   explicit LegendArea(QwtPlot& plot);
 
   [[nodiscard]] Legend& legend() { return *legend_; }
-  /// To be called when the plot has another size.
+  /// Call it when the size of the plot has changed.
   void place();
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -12,7 +12,7 @@ namespace {
 constexpr int kFigure = 8;  // characters of a number of the statistics
 constexpr int kLogarithmicDigits = 5;
 
-// Of states: how many of the samples are in each.
+// For states: the share of samples in each state.
 QString SharesOf(const Curve& curve, const TimeSpan& span, const Statistics& all) {
   constexpr double kPercent = 100;
   QStringList shares;
@@ -43,7 +43,7 @@ QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& sp
 QString NumberOf(const ExactNumber& number, const Curve& curve, const CurveSet& curves) {
   if (curve.names() != nullptr) return curve.names()->textOf(number);
   if (number.isInteger()) return number.text();
-  // On a logarithmic axis digits count from the first one, whatever the size.
+  // On a logarithmic axis, significant digits count.
   if (curves.scale() == ValueScale::kLogarithmic) {
     return QString::number(number.nearest(), 'g', kLogarithmicDigits);
   }

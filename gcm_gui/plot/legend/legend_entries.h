@@ -9,19 +9,19 @@
 
 namespace tendon::gui {
 
-/// A part of time, both ends in it, in ns.
+/// A time span in ns, both ends included.
 struct TimeSpan {
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
 };
 
-/// A number of a curve as people read it: the name of a state, an integer with all its digits, a
-/// real with two digits more than its axis has.
+/// A curve's number as text: the name of a state, an integer with all digits, a real with two
+/// digits more than its axis.
 [[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
                                const CurveSet& curves);
 
-/// What a legend says of the curves: their values at `at_ns`, or their present ones, and the
-/// statistics of a part of time where they are asked for. O(curves), and O(samples) of that part.
+/// The legend of the curves: their values at `at_ns`, or their present ones; also the statistics of
+/// a time span, if requested. O(curves), and O(samples) of that span.
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,
                                                        std::optional<std::int64_t> at_ns,
                                                        std::optional<TimeSpan> statistics);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr auto kCloseName = "closePlot";
 
-// Above the right end of the canvas, where no unit is written.
+// Above the right end of the canvas, where there is no unit.
 void PlaceClose(PlotView& view) {
   auto* close = view.findChild<QToolButton*>(kCloseName);
   const QRect canvas = view.canvas()->geometry();
@@ -53,7 +53,7 @@ PlotView& PlotPage::insert(int place) {
   close->setIconSize({PlotAxes::kTop - kGrid, PlotAxes::kTop - kGrid});
   close->setFocusPolicy(Qt::TabFocus);
   SetRole(*close, "dim");
-  close->setStyleSheet("QToolButton { padding: 0; }");  // it is as small as the strip it lies in
+  close->setStyleSheet("QToolButton { padding: 0; }");  // as small as its strip
   connect(close, &QToolButton::clicked, this, [this, view] { Q_EMIT closeRequested(view); });
   view->canvas()->installEventFilter(this);
   connect(view, &PlotView::sideRoomChanged, this, &PlotPage::align);
@@ -65,7 +65,7 @@ PlotView& PlotPage::split() {
   PlotView& view = insert(place);
   QList<int> heights;
   for (std::size_t i = 0; i < views_.size(); ++i) heights << std::max(1, height());
-  rows_->setSizes(heights);  // as parts of what there is: equal ones
+  rows_->setSizes(heights);  // relative sizes: equal
   setCurrent(view);
   align();
   return view;
@@ -102,7 +102,7 @@ void PlotPage::tellOrder() {
   }
 }
 
-// One alone is the current one without a sign of it, and has nothing to be closed for.
+// A single plot needs neither a mark nor a close button.
 void PlotPage::markCurrent() {
   const bool are_several = views_.size() > 1;
   for (PlotView* view : views_) {

@@ -13,26 +13,25 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// Plots below each other, which show the same time: what is done to the time of one is done to
-/// all, and their canvases begin and end at the same columns. One of them is the current one: the
-/// last that was clicked or had the focus. The first that shows anything has the button that makes
-/// them all live again. GUI thread.
+/// Plots below each other with a common time: a change of time applies to all of them, and their
+/// canvases are aligned. The current plot is the last that was clicked or had the focus. The first
+/// plot with curves has the button that makes all plots live again. GUI thread.
 class PlotPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// With one plot.
+  /// Starts with one plot.
   explicit PlotPage(QWidget* parent = nullptr);
 
-  /// An empty plot below the current one; it becomes the current one.
+  /// Adds an empty plot below the current one and makes it current.
   PlotView& split();
-  /// `view` is deleted later. Not the last one.
+  /// Deletes `view` later. It must not be the last one.
   void close(PlotView& view);
   [[nodiscard]] const std::vector<PlotView*>& views() const { return views_; }
   [[nodiscard]] bool holds(const PlotView& view) const;
   [[nodiscard]] PlotView& current() const { return *current_; }
   void setCurrent(PlotView& view);
-  /// As the user has named it; empty while it goes by what it shows.
+  /// The name given by the user; empty while the name follows the content.
   [[nodiscard]] const QString& name() const { return name_; }
   void setName(const QString& name) { name_ = name; }
 
@@ -50,7 +49,7 @@ class PlotPage : public QWidget {
 
   std::shared_ptr<TimeLink> link_;
   QSplitter* rows_;
-  std::vector<PlotView*> views_;  // from above
+  std::vector<PlotView*> views_;  // from the top
   PlotView* current_ = nullptr;
   QString name_;
 };

@@ -5,7 +5,7 @@
 namespace tendon::gui {
 namespace {
 
-// Of units that are there no more, nothing is taken over.
+// Ignores units that no longer exist.
 void TakeOver(std::vector<UnitAxis>& axes, const std::vector<UnitAxis>& former) {
   for (UnitAxis& axis : axes) {
     for (const UnitAxis& there : former) {

@@ -13,42 +13,42 @@
 
 namespace tendon::gui {
 
-/// What plots that lie below each other have in common: which time they show, the present of their
-/// sources, the cursors, the column under the mouse, and the way back to what was shown before.
+/// The state that plots of one page share: the visible time, the sources' present time, the
+/// cursors, the column under the mouse, and the history of views.
 ///
-/// Who changes anything says so by touch(); who shows it compares revision(). GUI thread.
+/// A plot that changes something calls touch(); the others compare revision(). GUI thread.
 class TimeLink {
  public:
-  /// Steps that are remembered.
+  /// The maximum number of steps in the history.
   static constexpr std::size_t kMostSteps = 64;
 
   enum class Gesture {
     kOnce,      ///< a step of its own
-    kZoomTime,  ///< these are one step until another gesture, or endRun(), comes between
+    kZoomTime,  ///< successive ones are a single step until another gesture or endRun()
     kZoomValues,
     kMove,
   };
 
-  /// Its axes are part of what is remembered, until it leaves.
+  /// Includes the curves' axes in the history, until leave().
   void join(CurveSet& curves);
   void leave(CurveSet& curves);
-  /// All axes follow the data.
+  /// Lets all axes follow the data.
   void fitAll();
 
   [[nodiscard]] TimeWindow& window() { return window_; }
   [[nodiscard]] Cursors& cursors() { return cursors_; }
   [[nodiscard]] LiveClock& clock() { return clock_; }
   [[nodiscard]] std::optional<int> hover() const { return hover_; }
-  /// Returns whether it was elsewhere.
+  /// Returns true if it has changed.
   bool setHover(std::optional<int> column);
 
   void touch() { ++revision_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// To be called before `gesture` changes what is shown.
+  /// Call it before `gesture` changes the view.
   void remember(Gesture gesture);
   void endRun() { last_gesture_ = Gesture::kOnce; }
-  // Nothing happens at the end of the way.
+  // Both do nothing at the end of the history.
   void goBack() { go(former_, later_); }
   void goForward() { go(later_, former_); }
   [[nodiscard]] bool hasFormer() const { return !former_.empty(); }

@@ -16,8 +16,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kFlagLayer = 30;  // above the curves, below the cursors
-constexpr double kGrab = 4;        // pixels left of a stroke
-constexpr double kStroke = 2;      // wide
+constexpr double kGrab = 4;        // pixels to the left of a line
+constexpr double kStroke = 2;      // width of a line
 constexpr double kHeight = 16;
 constexpr int kIconSize = 12;
 constexpr double kFlagSpace = 3;
@@ -52,7 +52,7 @@ Token TokenOf(const Mark& mark) {
   return Token::kOk;
 }
 
-/// The one that a flag of several shows: something bad, or the first.
+/// The mark that a flag of several shows: the first bad one, else the first.
 const Mark& FaceOf(const MarkFlags::Flag& flag) {
   const auto bad = std::find_if(flag.marks.begin(), flag.marks.end(),
                                 [](const Mark* mark) { return mark->is_bad; });

@@ -10,11 +10,11 @@
 
 namespace tendon::gui {
 
-/// Marks at the foot of a plot: a stroke at the moment, a sign for what kind it is, and its label.
-/// Where labels would overlap, one says how many there are.
+/// Draws marks at the foot of a plot: a line at the time, a symbol for the kind, and a label.
+/// Overlapping labels become one with their number.
 class MarkFlags final : public QwtPlotItem {
  public:
-  /// What is drawn as one.
+  /// One or several marks that are drawn as one.
   struct Flag {
     double x = 0;  ///< on the canvas
     std::vector<const Mark*> marks;
@@ -22,15 +22,15 @@ class MarkFlags final : public QwtPlotItem {
     double end = 0;  ///< of the label
   };
 
-  /// Both must outlive this item.
+  /// Both arguments must outlive this item.
   MarkFlags(const MarkTrack& track, const TimeWindow& window);
 
   /// From left to right.
   [[nodiscard]] std::vector<Flag> flags(const QwtScaleMap& x_map, const QRectF& canvas_rect) const;
-  /// All of those of the flag at `x`, a line each; empty where there is none.
+  /// The texts of all marks of the flag at `x`, one per line; empty if there is none.
   [[nodiscard]] QString textAt(double x, const QwtScaleMap& x_map, const QRectF& canvas_rect) const;
 
-  /// The newest of those in [from_ns, to_ns], a line each.
+  /// The texts of the newest marks in [from_ns, to_ns], one per line.
   [[nodiscard]] QString textBetween(std::int64_t from_ns, std::int64_t to_ns) const;
 
   void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& y_map,

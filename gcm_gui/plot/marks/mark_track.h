@@ -8,14 +8,14 @@
 
 namespace tendon::gui {
 
-/// Something that happened, at a moment on the axis of all plots.
+/// An event at one time, shown in all plots.
 struct Mark {
   enum class Kind { kCommand, kEvent, kState, kConnection };
 
   Kind kind = Kind::kEvent;
-  std::int64_t time_ns = 0;  ///< on this process' steady clock, as samples have it
+  std::int64_t time_ns = 0;  ///< on this process's steady clock, like samples
   QString label;             ///< short, at the foot of the plot: "MoveTo"
-  QString text;              ///< all of it: "call robot/arm/Control.MoveTo {…}"
+  QString text;              ///< the whole: "call robot/arm/Control.MoveTo {…}"
   bool is_bad = false;       ///< refused, faulted, lost
 
   bool operator==(const Mark&) const = default;
@@ -28,9 +28,9 @@ class MarkTrack {
 
   using Iterator = std::deque<Mark>::const_iterator;
 
-  /// May come out of order. O(1) for the newest.
+  /// May be called out of order. O(1) for the newest mark.
   void add(Mark mark);
-  /// Those in [from_ns, to_ns].
+  /// The marks in [from_ns, to_ns].
   [[nodiscard]] std::pair<Iterator, Iterator> between(std::int64_t from_ns,
                                                       std::int64_t to_ns) const;
   [[nodiscard]] const std::deque<Mark>& all() const { return marks_; }

@@ -26,7 +26,7 @@ QByteArray SvgOf(PlotView& view) {
   generator.setViewBox(view.rect());
   generator.setTitle(view.accessibleName());
   auto& canvas = static_cast<QwtPlotCanvas&>(*view.canvas());
-  canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // which is an image
+  canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // the backing store is an image
   QPainter painter(&generator);
   painter.fillRect(view.rect(), Theme::instance().color(Token::kPanel));
   view.render(&painter);

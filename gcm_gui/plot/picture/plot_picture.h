@@ -9,12 +9,12 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// To the clipboard, as it is seen.
+/// Copies the plot to the clipboard as it looks now.
 void CopyPicture(PlotView& view);
 
-/// As SVG where the file is named so, with curves as lines that can be scaled; else as an image of
-/// twice the points. As it is seen now; it is encoded and written in a thread of its own, and then
-/// `told`, unless `context` is gone, hears a sentence for the user: what was saved, or why not.
+/// Saves the plot as it looks now: as SVG with scalable curves if `file` ends so, else as an image
+/// at double resolution. Another thread encodes and writes it; then calls `told`, unless `context`
+/// is gone, with a sentence for the user: the saved file, or the reason of the failure.
 void SavePicture(PlotView& view, const QString& file, const QObject* context,
                  const std::function<void(const QString& sentence)>& told);
 

@@ -57,7 +57,7 @@ void CurveEditor::build(const QString& name) {
   axis_->setObjectName("curveEditor.axis");
   axis_->setEditable(true);
   axis_->setInsertPolicy(QComboBox::NoInsert);
-  axis_->lineEdit()->installEventFilter(this);  // a combo box keeps Enter and Escape to itself
+  axis_->lineEdit()->installEventFilter(this);  // a combo box does not pass on Enter and Escape
   axis_->setToolTip(Words::tr("Curves with the same axis share it; a name of your own makes one"));
   status_->setObjectName("curveEditor.status");
   status_->setWordWrap(true);

@@ -13,14 +13,14 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// Scale, offset and axis of one curve, in a small card over the window: Enter takes them, Escape
-/// and a click elsewhere leave all as it was. What cannot be shown is refused where it is typed,
-/// and why. Deletes itself when it is closed.
+/// Edits scale, offset and axis of one curve on a small card over the window. Enter applies; Escape
+/// or a click elsewhere cancels. Invalid input is refused at its field, with the reason. Deletes
+/// itself when closed.
 class CurveEditor : public QFrame {
   Q_OBJECT
 
  public:
-  /// `axes` are the names of those there are.
+  /// `axes` are the names of the existing axes.
   CurveEditor(const QString& name, const QString& unit, const CurveLook& look,
               const QStringList& axes, QWidget* parent);
 
@@ -37,7 +37,7 @@ class CurveEditor : public QFrame {
   void check();
   void accept();
   bool takesKey(int key);
-  /// Empty where `look` holds what was typed.
+  /// Fills `look` with the input; returns why it is invalid, or an empty text.
   [[nodiscard]] QString read(CurveLook& look) const;
 
   const QString unit_;

@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// What a plot shows of a value: factor * value + offset. The samples stay as they came.
+/// The shown value is factor * value + offset. Samples are stored unscaled.
 struct Scaling {
   double factor = 1;  ///< never 0
   double offset = 0;
@@ -15,8 +15,8 @@ struct Scaling {
   bool operator==(const Scaling&) const = default;
 };
 
-/// How a curve is to be shown: scaled, and on which axis. Curves with the same axis share it; an
-/// empty one stands for that of the unit.
+/// The look of a curve: its scaling, and its axis. Curves with the same axis name share an axis; an
+/// empty name means the axis of the unit.
 struct CurveLook {
   Scaling scaling;
   QString axis;
@@ -24,20 +24,20 @@ struct CurveLook {
   bool operator==(const CurveLook&) const = default;
 };
 
-inline constexpr qsizetype kLongestAxis = 40;  ///< letters of its name
+inline constexpr qsizetype kLongestAxis = 40;  ///< characters
 
-/// A number with all the digits that it takes to be read as the same.
+/// A number with enough digits to read back the same value.
 [[nodiscard]] QString ExactText(double value);
 
-/// "×1000 +2", "×-1", "-0.5"; empty where nothing is scaled.
+/// "×1000 +2", "×-1", "-0.5"; empty without scaling.
 [[nodiscard]] QString TextOf(const Scaling& scaling);
-/// "rad ×1000 +2": what stands behind a scaled number.
+/// "rad ×1000 +2": the unit of a scaled number.
 [[nodiscard]] QString UnitOf(const QString& unit, const Scaling& scaling);
 
-/// Why a plot cannot show this, a sentence; nothing where it can.
+/// Why a plot cannot show this, as a sentence; nothing if it can.
 [[nodiscard]] std::optional<QString> RefusalOf(const CurveLook& look);
 
-/// What a person has typed, with a decimal point; nothing where it is no number.
+/// Parses input with a decimal point; nothing if it is not a number.
 [[nodiscard]] std::optional<double> NumberIn(const QString& text);
 
 }  // namespace tendon::gui

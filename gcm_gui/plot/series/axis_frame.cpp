@@ -7,13 +7,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kHuge = 1e290;              // from here on distances may be infinite
-constexpr double kFar = 2e4;                 // spans from 0, where labels would be long
-constexpr double kNear = kFar / 4;           // where they are short again
-constexpr double kExact = 4503599627370496;  // 2^52: half the integers that a double tells apart
+constexpr double kHuge = 1e290;              // larger distances may be infinite
+constexpr double kFar = 2e4;                 // distance from 0 in spans at which labels become long
+constexpr double kNear = kFar / 4;           // distance at which they are short again
+constexpr double kExact = 4503599627370496;  // 2^52: half the integers that a double distinguishes
 
-// Near the middle of the data, and round: labels get a digit more for it. A whole one is not
-// farther from 0 than the middle, where there may be no integers any more.
+// A round number near the middle of the data, at the price of one more digit in the labels. A whole
+// base is not farther from 0 than the middle, because integers may end there.
 double RoundBase(double middle, double span, NumberKind numbers) {
   const double digits = std::ceil(std::log10(span)) + 1;
   const double power = std::pow(10, std::abs(digits));
@@ -24,18 +24,18 @@ double RoundBase(double middle, double span, NumberKind numbers) {
   return std::round(middle * power) / power;
 }
 
-// Whether labels this far from each other need no more digits. A live axis begins with few samples,
-// near which no round number may be.
+// True if labels at this distance need no more digits. A live axis begins with few samples, and
+// there may be no round number near them.
 bool IsRound(double base, double span) {
   const double steps = base / std::pow(10, std::ceil(std::log10(span)) - 1);
   const double tolerance = 1e-3 + std::abs(steps) * 1e-15;
   return std::abs(steps - std::round(steps)) <= tolerance;
 }
 
-// Whole numbers that one reads digit by digit; else as short as a double can be written.
+// Readable integers with all digits; other numbers as short as possible.
 QString TextOf(double base) {
   constexpr int kMostZeros = 4;
-  constexpr double kIntegers = 1e20;  // beyond all of 64 bits
+  constexpr double kIntegers = 1e20;  // larger than any 64-bit integer
   if (base != std::floor(base) || std::abs(base) >= kIntegers) {
     return QString::number(base, 'g', QLocale::FloatingPointShortest);
   }
@@ -71,7 +71,7 @@ AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances, NumberK
   if (size >= kHuge || reach >= kHuge) return {.exponent = AxisFrame::kExponent};
   const double span = distances.span();
   if (IsFlat(distances, current.base, numbers)) {
-    // Integers are told apart near a base alone, flat as they seem from afar.
+    // From afar integers look flat, but near a base they differ.
     if (numbers != NumberKind::kWhole || size < kExact) return {};
     return reach < kExact ? current : AxisFrame{.base = current.base + distances.low};
   }

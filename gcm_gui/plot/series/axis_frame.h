@@ -6,19 +6,19 @@
 
 namespace tendon::gui {
 
-/// How values become places on an axis: a place is (value - base) / 10^exponent, of which a
-/// logarithmic axis takes the logarithm. So the range of an axis is one of ordinary numbers,
-/// whatever its values are: near each other and far from 0, or near the largest doubles.
+/// Maps values to places on an axis: place = (value - base) / 10^exponent; a logarithmic axis takes
+/// the logarithm of that. This keeps the range of an axis in ordinary numbers, even if its values
+/// are close together and far from 0, or near the largest doubles.
 struct AxisFrame {
-  double base = 0;   ///< a round number near the values, written beside the unit; else 0
-  int exponent = 0;  ///< not 0 for values whose distances do not fit a double
+  double base = 0;   ///< a round number near the values, shown beside the unit; else 0
+  int exponent = 0;  ///< not 0 if the distances between values do not fit a double
 
-  /// Of a value that is `distance` from the base.
+  /// The place of a value at this distance from the base.
   [[nodiscard]] double placeOf(double distance, ValueScale scale) const {
     return PlaceOf(distance * factor(), scale);
   }
   [[nodiscard]] double factor() const { return exponent == 0 ? 1 : kOfExponent; }
-  /// What is added to each label, "+9e9"; empty where that is nothing.
+  /// The number to add to each label, "+9e9"; empty if the base is 0.
   [[nodiscard]] QString baseText() const;
   bool operator==(const AxisFrame&) const = default;
 
@@ -26,11 +26,11 @@ struct AxisFrame {
   static constexpr double kOfExponent = 1e-300;
 };
 
-/// The same values in another frame.
+/// Converts the same values to another frame.
 [[nodiscard]] AxisRange Moved(const AxisRange& range, const AxisFrame& from, const AxisFrame& to);
 
-/// A frame for values from base + low to base + high, which are distances from the base of
-/// `current`; that one as long as it serves.
+/// A frame for the values of `distances`, which count from the base of `current`. Keeps `current`
+/// as long as it is suitable.
 [[nodiscard]] AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances,
                                  NumberKind numbers);
 

@@ -9,21 +9,21 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSteps = 6;      // of a fitted axis, at most
-constexpr double kAir = 0.06;  // of the data's span, above and below
+constexpr int kSteps = 6;      // maximum, of a fitted axis
+constexpr double kAir = 0.06;  // fraction of the data's span, above and below
 constexpr double kEnoughFill = 0.5;
 constexpr double kTolerance = 1e-9;
 
-// As in tendon/base/axis_ticks.h, which this library does without: a test holds them together.
-constexpr double kAtRest = 1e-12;     // sums of numbers of about 1 leave less behind
-constexpr double kRounding = 5e-14;   // of a number; a 13th digit is more
-constexpr double kLeastSpan = 1e-12;  // of an axis, in its size
+// The same as in tendon/base/axis_ticks.h, which this library does not use; a test compares them.
+constexpr double kAtRest = 1e-12;     // sums of numbers near 1 have smaller rounding errors
+constexpr double kRounding = 5e-14;   // relative; a change of the 13th digit is larger
+constexpr double kLeastSpan = 1e-12;  // of an axis, relative to its size
 constexpr double kFlatDecades = 1e-6;
-constexpr AxisRange kDecades{.low = -324, .high = 309};  // of all doubles
+constexpr AxisRange kDecades{.low = -324, .high = 309};  // the range of doubles
 
 constexpr double kLeastStep = 1e-300;
 constexpr double kMostPlace = 1e290;
-constexpr double kExactSteps = 562949953421312;  // 2^49: steps of some last digits
+constexpr double kExactSteps = 562949953421312;  // 2^49: leaves some digits for steps
 constexpr std::size_t kMostTicks = 1000;
 
 AxisRange WithAir(const AxisRange& data) {
@@ -31,7 +31,7 @@ AxisRange WithAir(const AxisRange& data) {
   return {.low = data.low - air, .high = data.high + air};
 }
 
-// One value has no span: give it one of its own size.
+// A single value gets a span relative to its size.
 AxisRange Widened(const AxisRange& data, NumberKind numbers, double base) {
   if (!IsFlat(data, base, numbers)) return WithAir(data);
   const double size = SizeOf(data, base);

@@ -4,7 +4,7 @@
 
 namespace tendon::gui {
 
-/// From the lower to the upper end of an axis.
+/// The range of an axis.
 struct AxisRange {
   double low = 0;
   double high = 1;
@@ -16,46 +16,46 @@ struct AxisRange {
   bool operator==(const AxisRange&) const = default;
 };
 
-/// How values are spread over an axis.
+/// The scale of a value axis.
 enum class ValueScale { kLinear, kLogarithmic };
 
-/// Whole ones differ by 1 at least, and so do the labels of their axis.
+/// Whole numbers, and the labels of their axis, differ by at least 1.
 enum class NumberKind { kReal, kWhole };
 
-/// Where a value stands on an axis, whose range is one of such places: itself, or its decimal
-/// logarithm; minus infinity for a value that has none, because it is 0 or less.
+/// The place of a value on an axis: the value itself, or its decimal logarithm. Minus infinity if a
+/// logarithmic axis has no place for it, because it is 0 or less.
 [[nodiscard]] double PlaceOf(double value, ValueScale scale);
 
-/// The largest distance from 0 of values from base + low to base + high.
+/// The largest absolute value from base + low to base + high.
 [[nodiscard]] double SizeOf(const AxisRange& data, double base);
 
-/// 1, 2 or 5 times a power of ten, so that at most `most` steps fit into `span`.
+/// 1, 2 or 5 times a power of ten, such that at most `most` steps fit into `span`.
 [[nodiscard]] double NiceStep(double span, int most);
-/// The same in seconds, and in minutes and hours beyond 30 s.
+/// The same in seconds; beyond 30 s round numbers of minutes and hours.
 [[nodiscard]] double NiceTimeStep(double span_s, int most);
 
-/// Whether values from base + low to base + high differ by no more than what sums of doubles leave
-/// behind. Those are not magnified; real ones near 0 are at rest there.
+/// True if the values from base + low to base + high differ only by rounding errors, which are not
+/// magnified. Real values very close to 0 count as equal to 0.
 [[nodiscard]] bool IsFlat(const AxisRange& data, double base, NumberKind numbers);
 
-/// An axis for `data`, with a little air and round ends. `current` is kept while the data has its
-/// air there and fills half of it, so that a live axis rests. Data that IsFlat() gets room of a
-/// tenth of its size on either side. All are distances from `base`, finite and not huge.
+/// An axis for `data`, with a margin and round ends. Keeps `current` while the data fits with its
+/// margin and fills half of it, so that a live axis is steady. The margin of flat data (IsFlat())
+/// is a tenth of its size. All are distances from `base`, finite and not huge.
 [[nodiscard]] AxisRange FittedRange(const AxisRange& current, const AxisRange& data,
                                     NumberKind numbers = NumberKind::kReal, double base = 0);
-/// The same of logarithms.
+/// The same for logarithms.
 [[nodiscard]] AxisRange FittedDecades(const AxisRange& current, const AxisRange& data);
-/// From one of so many states to another: `data` with half a state's room.
+/// An axis for states by number: `data` with a margin of 0.3 states or more.
 [[nodiscard]] AxisRange FittedStates(const AxisRange& data);
 
-/// Whether an axis of this range can be drawn and written: both ends finite, not huge, and so far
-/// apart that doubles between them differ.
+/// True if an axis of this range can be drawn and labelled: both ends finite, not huge, and far
+/// enough apart to distinguish doubles between them.
 [[nodiscard]] bool IsShowable(const AxisRange& range);
 
-/// The multiples of `step` within `range`, as far as doubles tell them apart.
+/// The multiples of `step` within `range`; none if doubles cannot distinguish them.
 [[nodiscard]] std::vector<double> TicksOf(const AxisRange& range, double step);
 
-/// How many digits behind the point tell multiples of `step` apart; at most 12.
+/// The number of decimals that distinguish multiples of `step`; at most 12.
 [[nodiscard]] int DecimalsOf(double step);
 
 }  // namespace tendon::gui

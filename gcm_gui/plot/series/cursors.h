@@ -10,8 +10,8 @@ namespace tendon::gui {
 enum class Cursor { kA, kB };
 inline constexpr std::array kCursors{Cursor::kA, Cursor::kB};
 
-/// Two moments that a user has marked in a plot, to measure between them. They are times of the
-/// source and stay with its samples while the window moves on.
+/// Two times that the user has marked in a plot, to measure between them. They are times of the
+/// source, so they move with the samples while the window moves on.
 class Cursors {
  public:
   void set(Cursor cursor, std::int64_t time_ns) { at(cursor) = time_ns; }
@@ -22,7 +22,7 @@ class Cursors {
   }
   [[nodiscard]] bool any() const { return time(Cursor::kA) || time(Cursor::kB); }
   [[nodiscard]] bool both() const { return time(Cursor::kA) && time(Cursor::kB); }
-  /// From A to B, in s; 0 without both.
+  /// The time from A to B in s; 0 without both.
   [[nodiscard]] double span() const {
     return both() ? static_cast<double>(*time(Cursor::kB) - *time(Cursor::kA)) / 1e9 : 0;
   }

@@ -13,7 +13,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr AxisRange kNothing{.low = kInfinity, .high = -kInfinity};
 constexpr double kDecadesAboveZero = 6;
 
-// Of curves on one axis: one that is beyond both is left out.
+// A curve beyond both limits is left out of the fit of its axis.
 constexpr double kOrdinary = 1e12;
 constexpr double kMostTimes = 1e6;
 
@@ -27,7 +27,7 @@ UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
   return found == axes.end() ? nullptr : &*found;
 }
 
-// Few states are all shown, whether they occur or not, so that the axis rests.
+// If there are few states, shows all of them, so that the axis is steady.
 AxisRange WithAllStates(const AxisRange& data, const ValueNames& names) {
   constexpr double kFew = 12;
   if (names.all.empty()) return data;
@@ -138,7 +138,7 @@ void CurveSet::setFrame(UnitAxis& axis, const AxisFrame& frame) {
   showBases();
 }
 
-// The first colour no curve has; with more curves than colours they begin anew.
+// The first free colour; colours repeat if there are more curves.
 int CurveSet::freeColor() const {
   int color = 0;
   const auto taken = [&](const auto& curve) { return curve->colorIndex() == color; };
@@ -171,7 +171,7 @@ QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
   return names;
 }
 
-// Of the curves that show anything there.
+// Only curves with values in the slices.
 std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
                                                      std::span<const SeenSlices> seen) const {
   std::vector<Extremes> all;
@@ -211,7 +211,7 @@ AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const
     data.low = std::min(data.low, PlaceOf(low, scale_));
     data.high = std::max(data.high, PlaceOf(high, scale_));
   }
-  // A line on its way to 0 and below comes as near to it as one likes.
+  // A line towards 0 or below has no lower limit on a logarithmic axis.
   if (!all_have_places) data.low = std::max(data.low, data.high - kDecadesAboveZero);
   return data;
 }
@@ -230,11 +230,11 @@ void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
   }
 }
 
-// What the axis is to show, as distances from the base of its frame, which is chosen for it; low >
-// high when there is nothing.
+// Chooses the frame of the axis and returns the data range as distances from its base; low > high
+// if there is nothing.
 AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
-  // Distances get exact near their base, which shows whether it is the right one.
+  // Distances are exact only near the base, so a new base may need another try.
   constexpr int kMostFrames = 3;
   for (int i = 0;; ++i) {
     const std::vector<Extremes> all = extremesOn(axis, seen);
@@ -260,7 +260,7 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
   }
 }
 
-// With what the axis keeps showing, as distances, too.
+// Includes the range that the axis must keep, also as distances.
 AxisRange CurveSet::withGrown(const AxisRange& data, const UnitAxis& axis) const {
   if (fit_ != Fit::kGrow || !axis.has_grown) return data;
   const double factor = axis.frame.factor();

@@ -18,57 +18,57 @@ namespace tendon::gui {
 enum class Fit {
   kClose,      ///< as narrow as the data
   kGrow,       ///< never narrower than before
-  kSymmetric,  ///< 0 in the middle
+  kSymmetric,  ///< 0 is in the middle
 };
 
-/// The Y axis of all curves of one unit that are scaled alike, or for which it was chosen.
+/// The Y axis of all curves with the same unit and scaling, or with the same chosen axis.
 struct UnitAxis {
-  QString unit;        ///< or the name of a chosen one: see Curve::axis()
-  AxisFrame frame;     ///< how values become places
+  QString unit;        ///< or the name of a chosen axis: see Curve::axis()
+  AxisFrame frame;     ///< maps values to places
   AxisRange range;     ///< of places
-  bool fitted = true;  ///< follows the visible data; else the user's choice
-  AxisRange grown{};   ///< the places it was fitted to, of all time with Fit::kGrow
+  bool fitted = true;  ///< follows the visible data; false: chosen by the user
+  AxisRange grown{};   ///< the data range it was fitted to; of all time with Fit::kGrow
   bool has_grown = false;
-  int color_index = -1;                    ///< of its only curve; -1 when it has several
-  ValueNamesPointer names;                 ///< of all its curves; else null
-  NumberKind numbers = NumberKind::kReal;  ///< whole, where all its curves are
+  int color_index = -1;                    ///< of its only curve; -1 if it has several
+  ValueNamesPointer names;                 ///< common to all its curves; else null
+  NumberKind numbers = NumberKind::kReal;  ///< whole if all its curves are whole
 };
 
-/// Slices of which those before `first` are hidden.
+/// Slices of a pass; those before `first` are hidden.
 struct SeenSlices {
   TimeSlices slices;
   Pass pass = Pass::kPresent;
   std::size_t first = 0;
 };
 
-/// How one state table's rows arrive.
+/// The arrival of one state table's rows.
 struct SourceFigures {
   QString source;
   double rate = 0;  ///< Hz
   std::uint64_t lost = 0;
   std::uint64_t repeated = 0;
-  QString path = {};             ///< of the curve that has lost most
-  RowLosses losses_before = {};  ///< of its source, when that curve began
-  RowLosses losses = {};         ///< since then, as far as they are known
+  QString path = {};             ///< of the curve with the most losses
+  RowLosses losses_before = {};  ///< of its source, before that curve was added
+  RowLosses losses = {};         ///< since then, as far as known
 };
 
-/// The curves of one plot, in the order of their coming, and an axis for each unit among them. The
-/// axes of the first four are written, see PlotAxes; the curves of others fill the height.
+/// The curves of one plot in order of addition, and an axis for each unit. Only the first four axes
+/// have labels, see PlotAxes; curves of further axes fill the height.
 class CurveSet {
  public:
-  /// The one there is, when it is there already.
+  /// Returns the existing curve if there is one.
   Curve& add(const CurveKey& key);
-  /// Returns whether there was one.
+  /// Returns true if it existed.
   bool remove(const QString& path);
-  /// With its samples, for adopt() of another set; nullptr when there is none.
+  /// Removes the curve with its samples, for adopt() of another set; nullptr if there is none.
   [[nodiscard]] std::unique_ptr<Curve> take(const QString& path);
-  /// In a colour that is free here. Its path must not be here yet.
+  /// Adds the curve in a free colour. Its path must not be here yet.
   Curve& adopt(std::unique_ptr<Curve> curve);
-  /// Its axis is fitted anew.
+  /// Also refits the curve's axis.
   void setLook(Curve& curve, const CurveLook& look);
-  /// Where its axis is another one then, that is fitted anew.
+  /// Also refits the curve's axis if it changes.
   void setNames(Curve& curve, ValueNamesPointer names);
-  /// nullptr when there is none. Stays where it is until it is removed.
+  /// nullptr if there is none. The pointer is valid until the curve is removed.
   [[nodiscard]] Curve* find(const QString& path) const;
 
   [[nodiscard]] const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
@@ -77,30 +77,30 @@ class CurveSet {
   [[nodiscard]] const std::vector<UnitAxis>& axes() const { return axes_; }
   [[nodiscard]] const UnitAxis& axisOf(const Curve& curve) const;
 
-  /// Of all axes.
+  /// For all axes.
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return fit_; }
-  /// Of all axes, which are fitted anew. A logarithmic one cannot be symmetric: it is kClose then.
+  /// For all axes, which are then refitted. A logarithmic axis uses kClose for kSymmetric.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return scale_; }
-  /// Names of the curves that have values in the slices which a logarithmic axis has no place for:
-  /// 0 and less. Empty on a linear one.
+  /// The names of the curves with values of 0 or less in the slices, which have no place on a
+  /// logarithmic axis. Empty on a linear one.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
-  /// Fits the axes that follow the data to what the slices show. A curve whose values are more than
-  /// a million times those of the others on its axis, and beyond 1e12, would make flat lines of
-  /// them: it is left out, and named by beyondAxes().
+  /// Fits the axes that follow the data to the values in the slices. Leaves out a curve whose
+  /// values are more than a million times those of the others on its axis and beyond 1e12, because
+  /// it would flatten them; beyondAxes() names it.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
-  /// Time of the newest sample of all; INT64_MIN without any.
+  /// The time of the newest sample of all curves; INT64_MIN without any.
   [[nodiscard]] std::int64_t newestTime() const;
-  /// A source of which several columns are plotted counts once. One that is silent since a second
-  /// before `now_ns`, and two of its periods, has rate 0.
+  /// One entry per source, even if several of its columns are plotted. The rate is 0 if the last
+  /// row is older than a second and two periods at `now_ns`.
   [[nodiscard]] std::vector<SourceFigures> figures(std::int64_t now_ns) const;
 
  private:
   struct Extremes {
     const Curve* curve = nullptr;
-    AxisRange data;  // distances from the base; logarithms on such an axis
+    AxisRange data;  // distances from the base, or their logarithms
     bool is_beyond = false;
   };
 
@@ -109,7 +109,7 @@ class CurveSet {
   [[nodiscard]] AxisRange chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen);
   [[nodiscard]] AxisRange withGrown(const AxisRange& data, const UnitAxis& axis) const;
   void setFrame(UnitAxis& axis, const AxisFrame& frame);
-  /// It has the names of states.
+  /// True if the axis has the names of states.
   [[nodiscard]] bool hasStates(const UnitAxis& axis) const;
   void showBases();
   [[nodiscard]] std::vector<Extremes> extremesOn(const UnitAxis& axis,

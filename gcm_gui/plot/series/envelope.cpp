@@ -14,7 +14,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
-// How words are read while they are drawn. The first is that of almost all plots, and costs
+// Converts words to values while drawing. The first reader serves almost all plots, and costs
 // nothing.
 struct Real {
   static constexpr bool kSteps = false;
@@ -33,12 +33,12 @@ struct IntegerFromBase {
   double operator()(std::uint64_t word) const { return distance(word); }
 };
 
-// Between two points whose distance is more than a double holds.
+// For two points whose distance does not fit a double.
 double FarBetween(double from, double to, double part) { return from * (1 - part) + to * part; }
 
 }  // namespace
 
-// Where the line has come to, and what it has met in the present slice.
+// The end of the line so far, and the extremes in the present slice.
 struct Envelope::Pen {
   bool down = false;
   std::int64_t time_ns = 0;
@@ -97,11 +97,11 @@ void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling, double 
 void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   low_.assign(slices.count + 2, kEndless);
   high_.assign(slices.count + 2, -kEndless);
-  // One sample before: the line enters between two samples.
+  // Start one sample earlier: the line may enter between two samples.
   next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
 }
 
-// Keeps what was drawn, moved to the left. Returns false when all is to be drawn anew.
+// Shifts the drawn slices to the left. Returns false if everything must be drawn again.
 bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
   constexpr std::int64_t kRoundingNs = 2;
   const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
@@ -112,7 +112,7 @@ bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
                        std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRoundingNs;
   const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRoundingNs;
   if (!as_wide || !by_whole_ones || by < 0 || by >= static_cast<double>(slices.count)) return false;
-  // The last line that was drawn may have ended behind the slices: it is drawn again.
+  // The last line may have ended after the slices: draw it again.
   if (next_ < ring.firstIndex() + 2) return false;
   const bool shown_samples_left = ring.firstIndex() != ring_first_ &&
                                   (ring.empty() || ring.time(ring.firstIndex()) > slices.from_ns);
@@ -137,7 +137,7 @@ void Envelope::placeEnds(const TimeSlices& slices) {
   ends_.push_back(std::numeric_limits<std::int64_t>::max());
 }
 
-// One sample more: the line leaves between two samples.
+// Draw one sample more: the line may leave between two samples.
 void Envelope::drawUntil(const SampleRing& ring, std::int64_t time_ns) {
   const std::uint64_t to = std::min(ring.lowerBound(time_ns) + 1, ring.endIndex());
   const auto& gaps = ring.gaps();
@@ -187,7 +187,7 @@ void Envelope::draw(SampleRing::Stretch stretch, const Reader& read, Pen& pen) {
     } else {
       lineTo(pen, times[i], first);
     }
-    // All but the first of many samples in a slice pass here: by fours, then one by one.
+    // The fast path for further samples in the same slice: four at a time, then one by one.
     double low = pen.low;
     double high = pen.high;
     const std::int64_t end = ends_[pen.slice];
@@ -222,7 +222,7 @@ void Envelope::moveTo(Pen& pen, std::int64_t time_ns, double value) {
   pen.value = value;
 }
 
-// Through all slices on the way; what happens at a border belongs to both its slices.
+// Passes through all slices on the way; a border belongs to both its slices.
 void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   if (time_ns >= ends_[pen.slice]) {
     const auto span_ns = static_cast<double>(time_ns - pen.time_ns);
@@ -233,7 +233,7 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
       const auto way_ns = static_cast<double>(ends_[pen.slice] - pen.time_ns);
       const double there = IsFinite(slope) ? pen.value + slope * way_ns
                                            : FarBetween(pen.value, value, way_ns / span_ns);
-      const double border = std::clamp(there, least, most);  // whatever rounding does
+      const double border = std::clamp(there, least, most);  // against rounding errors
       pen.low = std::min(pen.low, border);
       pen.high = std::max(pen.high, border);
       leave(pen);
@@ -246,7 +246,7 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   pen.value = value;
 }
 
-// Level through all slices on the way, then up or down in the last one.
+// Horizontal through all slices on the way, then vertical in the last one.
 void Envelope::stepTo(Pen& pen, std::int64_t time_ns, double value) {
   while (time_ns >= ends_[pen.slice]) {
     leave(pen);

@@ -10,7 +10,7 @@
 
 namespace tendon::gui {
 
-/// Equally wide slices of the time [from_ns, to_ns).
+/// A division of the time [from_ns, to_ns) into slices of equal width.
 struct TimeSlices {
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
@@ -19,32 +19,31 @@ struct TimeSlices {
   bool operator==(const TimeSlices&) const = default;
 };
 
-/// A curve as a screen can show it: in each slice of time the lowest and the highest value that the
-/// line through the samples has there. Reals are joined by straight lines; integers hold their
-/// value until the next sample, and step to it.
+/// A curve as a screen shows it: the minimum and maximum in each time slice of the line through the
+/// samples. Straight lines join real numbers; integers hold their value until the next sample.
 ///
-/// No extreme of a sample is left out. The line ends at gaps and at values that are not finite.
-/// All values are distances from a base, as doubles cannot tell large integers apart.
+/// No extreme value of a sample is lost. The line ends at gaps and at values that are not finite.
+/// All values are distances from a base, because doubles cannot distinguish large integers.
 class Envelope {
  public:
-  /// Always with the same ring. O(samples in the slices + slices); where the slices have moved on
-  /// by whole ones since the last time, as they do in a live plot, O(new samples + slices).
-  /// Another base than the last time draws all anew.
+  /// Always pass the same ring. O(samples in the slices + slices). If the slices have moved by a
+  /// whole number of slices, as in a live plot, O(new samples + slices). Starts over if the base
+  /// has changed.
   void build(const SampleRing& ring, const TimeSlices& slices, double base = 0);
 
-  /// What is known of [from_ns, to_ns) without its samples is shown, too, until the next build()
-  /// at least. O(slices there).
+  /// Adds a known minimum and maximum of [from_ns, to_ns), whose samples are gone. Lasts at least
+  /// until the next build(). O(slices in that span).
   void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
 
-  /// Is that of the scaled curve until the next call; never build() the same one. What has no
-  /// finite value then is empty. `plain` has the base 0, this one `base`. O(slices).
+  /// Becomes the scaled `plain`, which must have base 0; this one gets `base`. Never call build()
+  /// on it. A slice without a finite result is empty. O(slices).
   void takeScaled(const Envelope& plain, const Scaling& scaling, double base);
 
   [[nodiscard]] std::span<const double> low() const { return shown(low_); }
-  /// Lower than low() where a slice is empty.
+  /// Lower than low() in an empty slice.
   [[nodiscard]] std::span<const double> high() const { return shown(high_); }
 
-  // Of all slices; lowest() > highest() when all are empty.
+  // Over all slices; lowest() > highest() if all are empty.
   [[nodiscard]] double lowest() const { return lowest_; }
   [[nodiscard]] double highest() const { return highest_; }
 
@@ -67,18 +66,18 @@ class Envelope {
     return all.empty() ? std::span<const double>() : std::span(all).subspan(1, all.size() - 2);
   }
 
-  // With one slice more at either side, which is not shown: all time before, and all behind.
+  // With one hidden slice more at either side, for all earlier and all later time.
   std::vector<std::int64_t> ends_;
   std::vector<double> low_;
   std::vector<double> high_;
   double lowest_ = 0;
   double highest_ = 0;
 
-  // What has been drawn.
+  // The state of the last build().
   TimeSlices slices_;
   double base_ = 0;
   std::uint64_t ring_first_ = 0;
-  std::uint64_t next_ = 0;  // sample
+  std::uint64_t next_ = 0;  // index of the next sample
 };
 
 }  // namespace tendon::gui

@@ -7,17 +7,17 @@
 
 namespace tendon::gui {
 
-/// One number as its source wrote it: a double, or an integer with all its 64 bits.
+/// A number as its source wrote it: a double, or an integer with all 64 bits.
 ///
-/// Doubles cannot tell neighbouring integers apart from 2^53 on, which counters of nanoseconds are
-/// far beyond. Samples therefore keep the number itself, and what is drawn is its distance from a
-/// base nearby, which a double holds exactly.
+/// Beyond 2^53 doubles cannot distinguish neighbouring integers, and nanosecond counters are far
+/// beyond. So samples keep the number itself, and drawing uses its distance from a nearby base,
+/// which a double holds exactly.
 class ExactNumber {
  public:
   enum class Kind : std::uint8_t { kReal, kSigned, kUnsigned };
 
   constexpr ExactNumber() = default;
-  // Implicit, because a double is a number with nothing lost.
+  // Implicit, because a double converts without loss.
   constexpr ExactNumber(double real)  // NOLINT(google-explicit-constructor)
       : word_(std::bit_cast<std::uint64_t>(real)) {}
   constexpr ExactNumber(Kind kind, std::uint64_t word) : word_(word), kind_(kind) {}
@@ -29,7 +29,7 @@ class ExactNumber {
   }
 
   [[nodiscard]] constexpr Kind kind() const { return kind_; }
-  /// Its 64 bits, as the kind means them.
+  /// The 64 bits, encoded as the kind requires.
   [[nodiscard]] constexpr std::uint64_t word() const { return word_; }
   [[nodiscard]] constexpr bool isInteger() const { return kind_ != Kind::kReal; }
   /// The nearest double.
@@ -44,27 +44,27 @@ class ExactNumber {
     }
   }
   [[nodiscard]] bool isFinite() const { return isInteger() || std::isfinite(nearest()); }
-  /// Whether it is less than another of the same kind.
+  /// True if it is less than another of the same kind.
   [[nodiscard]] constexpr bool isBelow(const ExactNumber& other) const {
     if (kind_ == Kind::kUnsigned) return word_ < other.word_;
     if (kind_ == Kind::kReal) return nearest() < other.nearest();
     return static_cast<std::int64_t>(word_) < static_cast<std::int64_t>(other.word_);
   }
-  /// All its digits, so that it is read as the same.
+  /// All digits, so that reading it back gives the same number.
   [[nodiscard]] QString text() const;
 
   bool operator==(const ExactNumber&) const = default;
 
  private:
-  std::uint64_t word_ = 0;  // of 0.0, too
+  std::uint64_t word_ = 0;  // also that of 0.0
   Kind kind_ = Kind::kReal;
 };
 
 /// The difference of two integers of one kind, exactly: "-3", "18446744073709551615".
 [[nodiscard]] QString DifferenceText(const ExactNumber& from, const ExactNumber& to);
 
-/// How far the words of one kind are from a base, which is a whole number where they are integers.
-/// Exact where the distance fits a double.
+/// The distance of words of one kind from a base; the base of integers must be a whole number.
+/// Exact if the distance fits a double.
 class DistanceFrom {
  public:
   DistanceFrom(ExactNumber::Kind kind, double base);
@@ -88,7 +88,7 @@ class DistanceFrom {
   double base_;
   std::uint64_t whole_base_ = 0;
   bool is_exact_ = false;   // integers on both sides
-  bool is_beyond_ = false;  // the base is the one above all integers: the largest ones round to it
+  bool is_beyond_ = false;  // the base is 2^63 or 2^64, to which the largest integers round
 };
 
 }  // namespace tendon::gui

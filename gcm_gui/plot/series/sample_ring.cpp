@@ -9,11 +9,11 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
-// A signal of which every other row is lost must not fill the memory with gaps.
+// Limits the memory for gaps, for example of a signal that loses every other row.
 constexpr std::size_t kMostGaps = 16384;
-// Of slow sources samples are that far apart while they run.
+// The samples of a slow running source may be this far apart.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
-// A clock may be corrected by so much between two epochs; the ring then waits for it.
+// A clock may be corrected by this much between two runs; the ring then waits for it.
 constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
@@ -33,12 +33,12 @@ void SampleRing::append(std::span<const Sample> samples) {
   }
 }
 
-// Whether there is a number to keep.
+// True if the sample has a number to keep.
 bool SampleRing::takeKind(const Sample& sample) {
   const ExactNumber::Kind kind = sample.value.kind();
   if (kind == kind_) return true;
   if (!sample.value.isFinite() && kind_ != ExactNumber::Kind::kReal) {
-    // Its tick is not lost, though those before it may be.
+    // Its own tick is not lost, though earlier ones may be.
     if (!empty() && sample.tick > last_tick_) {
       lost_before_ += sample.tick - last_tick_ - 1;
       last_tick_ = sample.tick;
@@ -51,7 +51,7 @@ bool SampleRing::takeKind(const Sample& sample) {
   return true;
 }
 
-// Whether the sample belongs at the end. Notes the gap before it.
+// True if the sample belongs at the end. Records the gap before it.
 bool SampleRing::continues(const Sample& sample) {
   const bool has_no_value = std::exchange(has_no_value_, false);
   const std::uint64_t lost_before = std::exchange(lost_before_, 0);

@@ -13,17 +13,17 @@ namespace tendon::gui {
 /// The value of one signal in one row of its state table.
 struct Sample {
   std::int64_t time_ns = 0;  ///< when the row was written, on the source's steady clock
-  std::uint64_t tick = 0;    ///< the number of the row: grows by one from row to row
+  std::uint64_t tick = 0;    ///< the number of the row; the next row has the next number
   ExactNumber value;
 };
 
-/// An interruption: nothing is known between the samples before and after it.
+/// An interruption between two samples, with unknown values.
 struct Gap {
   enum class Cause {
     kLost,
     kRestart,
     kStandstill,
-    kNoValue,  ///< rows came, but without this element
+    kNoValue,  ///< rows came without this element
   };
 
   Cause cause = Cause::kLost;
@@ -34,11 +34,11 @@ struct Gap {
   std::int64_t to_ns = 0;
 };
 
-/// The latest samples of one signal, oldest first, and where some are missing.
+/// The latest samples of one signal, oldest first, and the gaps between them.
 ///
-/// A sample is named by its index, which counts from the very first one and stays the same when
-/// older ones make room. Times never decrease. All numbers are of one kind. Memory grows with the
-/// samples up to a limit, 16 bytes each. One thread.
+/// The index of a sample counts from the very first one and stays the same when older samples are
+/// dropped. Times never decrease. All numbers are of one kind. Memory grows with the samples up to
+/// a limit, 16 bytes each. One thread.
 class SampleRing {
  public:
   static constexpr std::size_t kBytesPerSample = sizeof(std::int64_t) + sizeof(std::uint64_t);
@@ -52,20 +52,19 @@ class SampleRing {
 
   explicit SampleRing(std::size_t limit = kDefaultLimit);
 
-  /// Amortised O(1) a sample. One that skips ticks makes a gap; one whose tick was there already
-  /// is counted and left out; a lower tick at a later time means that the source was restarted.
-  /// Numbers of another kind than before begin a new ring; among integers NaN stands for no value,
-  /// and makes a gap.
+  /// Amortised O(1) per sample. Skipped ticks make a gap; a tick that was there already is counted
+  /// as repeated and dropped; a lower tick at a later time means that the source was restarted. A
+  /// change of the number kind clears the ring. Among integers NaN means no value and makes a gap.
   void append(std::span<const Sample> samples);
-  /// The source was restarted: its ticks begin anew with the next sample, behind a gap. A clock
-  /// that was set back makes the ring start over, as the old samples can no longer be placed.
+  /// The source was restarted: its ticks start again with the next sample, after a gap. If its
+  /// clock was set back, the ring is cleared, because the old samples can no longer be placed.
   void beginEpoch() { epoch_begins_ = true; }
-  /// The source stands still, or did: the next sample comes behind a gap, also where no tick is
-  /// left out. Nothing happens where the next one follows at once, as those do that were under way.
+  /// The source stands still, or did: the next sample comes after a gap even if no tick is missing.
+  /// A sample that follows at once makes no gap: it was already under way.
   void noteStandstill() { stands_still_ = true; }
-  /// It runs again: what comes from now on is behind the gap.
+  /// The source runs again: samples from now on come after the gap.
   void endStandstill() { standstill_ends_ = stands_still_; }
-  /// At most so many samples, rounded down to a power of two; the oldest ones go.
+  /// The maximum number of samples, rounded down to a power of two; drops the oldest ones.
   void setLimit(std::size_t samples);
 
   [[nodiscard]] std::size_t bytes() const { return times_.size() * kBytesPerSample; }
@@ -77,14 +76,14 @@ class SampleRing {
   [[nodiscard]] ExactNumber number(std::uint64_t index) const {
     return {kind_, words_[index & mask()]};
   }
-  /// The double nearest to the number.
+  /// The nearest double.
   [[nodiscard]] double value(std::uint64_t index) const { return number(index).nearest(); }
   [[nodiscard]] std::uint64_t tick(std::uint64_t index) const;
-  /// Index of the first sample at `time_ns` or later; endIndex() when there is none. O(log n).
+  /// The index of the first sample at `time_ns` or later; endIndex() if there is none. O(log n).
   [[nodiscard]] std::uint64_t lowerBound(std::int64_t time_ns) const;
   /// The longest contiguous part of [from, to) that begins at `from`.
   [[nodiscard]] Stretch stretch(std::uint64_t from, std::uint64_t to) const;
-  /// By index. Gaps older than the oldest sample are forgotten.
+  /// By index; without gaps older than the oldest sample.
   [[nodiscard]] const std::deque<Gap>& gaps() const { return gaps_; }
 
   // Since the very first sample.
@@ -107,16 +106,16 @@ class SampleRing {
   std::size_t limit_;
   std::uint64_t first_ = 0;
   std::uint64_t end_ = 0;
-  std::uint64_t base_index_ = 0;  // a sample at or before the oldest, from which ticks run unbroken
-  std::uint64_t base_tick_ = 0;   // its tick
+  std::uint64_t base_index_ = 0;  // at or before the oldest; ticks are continuous from here on
+  std::uint64_t base_tick_ = 0;   // the tick of that sample
   std::uint64_t last_tick_ = 0;
   std::uint64_t lost_ = 0;
   std::uint64_t repeated_ = 0;
   bool epoch_begins_ = false;
   bool stands_still_ = false;
   bool standstill_ends_ = false;
-  bool has_no_value_ = false;      // since the newest sample
-  std::uint64_t lost_before_ = 0;  // since then, before rows without a value
+  bool has_no_value_ = false;      // a row without a value came after the newest sample
+  std::uint64_t lost_before_ = 0;  // rows lost since then, before rows without a value
 };
 
 }  // namespace tendon::gui

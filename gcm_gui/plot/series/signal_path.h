@@ -7,7 +7,7 @@ class QMimeData;
 
 namespace tendon::gui {
 
-/// What a curve shows: a path such as `robot/arm/state.Joints.position[0]`, and its unit.
+/// The signal of a curve: a path such as `robot/arm/state.Joints.position[0]`, and its unit.
 struct CurveKey {
   QString path;
   QString unit;
@@ -15,19 +15,19 @@ struct CurveKey {
   bool operator==(const CurveKey&) const = default;
 };
 
-/// The state table whose rows a signal comes with: `robot/arm/state`.
+/// The state table of a signal: `robot/arm/state`.
 [[nodiscard]] QString SourceOf(const QString& path);
-/// What a legend needs: `arm.Joints.position[0]`.
+/// The name in a legend: `arm.Joints.position[0]`.
 [[nodiscard]] QString ShortName(const QString& path);
-/// The column: `Joints`.
+/// The column of a signal: `Joints`.
 [[nodiscard]] QString ColumnOf(const QString& path);
 
-/// Dragged values: one a line, path and unit separated by a tabulator.
+/// The MIME type of dragged values: one per line, path and unit separated by a tab.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
-/// With them, when they are dragged out of a plot: its id, in digits.
+/// The MIME type of the source plot's id in digits, added when they are dragged out of a plot.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
-/// Empty when there are none. Lines without a path are left out.
+/// Empty if there are none. Skips lines without a path.
 [[nodiscard]] QList<CurveKey> PathsIn(const QMimeData& data);
 
 }  // namespace tendon::gui

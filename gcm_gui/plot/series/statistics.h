@@ -10,28 +10,28 @@
 
 namespace tendon::gui {
 
-/// Of the samples of a part of time; those that are not finite are left out.
+/// Statistics of the samples in a time span, without those that are not finite.
 struct Statistics {
   std::uint64_t count = 0;
   ExactNumber lowest;
   ExactNumber highest;
-  ExactNumber mean;      ///< an integer where doubles cannot tell it from its neighbours
+  ExactNumber mean;      ///< rounded to an integer if doubles cannot distinguish its neighbours
   double deviation = 0;  ///< standard deviation of the population
   double rms = 0;
-  double rate = 0;  ///< samples a second; 0 with less than two
+  double rate = 0;  ///< samples per second; 0 with less than two
 
-  /// Of the same samples, scaled.
+  /// The statistics of the same samples, scaled.
   [[nodiscard]] Statistics scaled(const Scaling& scaling) const;
-  /// From the lowest to the highest. Infinite where it does not fit a double.
+  /// Maximum minus minimum. Infinite if it does not fit a double.
   [[nodiscard]] ExactNumber span() const;
 };
 
-/// Of the samples in [from_ns, to_ns]; nothing when there are none. O(samples there).
+/// For the samples in [from_ns, to_ns]; nothing if there are none. O(samples in that span).
 [[nodiscard]] std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
                                                      std::int64_t to_ns);
 
-/// How often each value occurs among them, for states: numbers that are signed integers. Of more
-/// than 64 different ones, the first 64. O(samples there).
+/// Counts how often each value occurs among them, for states (signed integers). Counts at most the
+/// first 64 different values. O(samples in that span).
 [[nodiscard]] std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring,
                                                                   std::int64_t from_ns,
                                                                   std::int64_t to_ns);

@@ -6,7 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kShortest = 1e-4;      // s; beyond it the nanoseconds would show
+constexpr double kShortest = 1e-4;      // s; below it nanoseconds would be visible
 constexpr double kLongest = 48 * 3600;  // s
 constexpr double kNanoseconds = 1e9;
 
@@ -31,7 +31,7 @@ void TimeWindow::setMotion(Motion motion) {
   if (live_) rewind();
 }
 
-// To where a live one begins.
+// Returns to the start of a live window.
 void TimeWindow::rewind() {
   is_unfolded_ = false;
   from_s_ = motion_ == Motion::kSweep ? 0 : -lengthInSeconds();
@@ -59,7 +59,7 @@ void TimeWindow::goLive() {
   rewind();
 }
 
-// Time goes on from left to right again: up to the head.
+// Makes time run from left to right again, up to the head.
 void TimeWindow::unfold() {
   live_ = false;
   const bool was_sweeping = isSweeping();

@@ -5,40 +5,40 @@
 
 namespace tendon::gui {
 
-/// Which part of time a plot shows. Live: the last so many seconds, and now at the right edge.
-/// Held: what the user has chosen, while samples go on arriving unseen.
+/// The part of time that a plot shows. Live: the last seconds, with now at the right edge. Held: a
+/// part chosen by the user, while samples go on arriving.
 ///
-/// Seconds count from origin(): now when live, the moment of holding when held.
+/// Seconds count from origin(): now when live, the time of holding when held.
 ///
-/// Sweeping, as an oscilloscope does, the axis rests: it begins at origin(), and a head moves over
-/// it from left to right. Left of the head is what came since; right of it what was there a length
-/// ago, until the head has passed over it. Zooming and moving leave that picture for one in which
-/// time goes on from left to right.
+/// A sweeping window, as on an oscilloscope, has an axis at rest that begins at origin(), and a
+/// head that moves from left to right. Left of the head is the present pass; right of it the
+/// previous pass, until the head overwrites it. Zooming or moving returns to a window whose time
+/// runs from left to right.
 class TimeWindow {
  public:
   enum class Motion { kScroll, kSweep };
 
   [[nodiscard]] bool isLive() const { return live_; }
   [[nodiscard]] std::chrono::nanoseconds length() const { return length_; }
-  /// The right edge stays; so does a held window held.
+  /// Keeps the right edge; a held window stays held.
   void setLength(std::chrono::nanoseconds length);
 
-  /// How it moves while it is live.
+  /// How it moves while live.
   void setMotion(Motion motion);
   [[nodiscard]] Motion motion() const { return motion_; }
-  /// Live, or held as it was when it swept.
+  /// True if it sweeps live, or is held in the middle of a sweep.
   [[nodiscard]] bool isSweeping() const { return motion_ == Motion::kSweep && !is_unfolded_; }
-  /// Of a sweeping window, the point of the axis up to which it has come.
+  /// The axis position of a sweeping window's head.
   [[nodiscard]] double head() const { return secondsAt(head_ns_); }
 
-  /// Moves a live window until now is at its right edge, by whole columns of a canvas that is
-  /// `columns` wide: then each column keeps its samples, and the curve glides without flicker.
-  /// Returns whether it has moved. A held window stays.
+  /// Moves a live window by whole columns of a canvas that is `columns` wide, until now is at the
+  /// right edge: each column keeps its samples, so the curve does not flicker. Returns true if it
+  /// has moved. A held window stays.
   bool follow(std::int64_t now_ns, double columns);
   void hold() { live_ = false; }
   void goLive();
 
-  // These hold the window. `at_s` stays where it is on the canvas.
+  // These hold the window. `at_s` keeps its place on the canvas.
   void zoom(double factor, double at_s);
   void pan(double by_s);
   void show(double from_s, double to_s);
@@ -46,17 +46,17 @@ class TimeWindow {
   [[nodiscard]] std::int64_t origin() const { return origin_ns_; }  ///< ns
   [[nodiscard]] double from() const { return from_s_; }
   [[nodiscard]] double to() const { return to_s_; }
-  /// Time of a point of the axis.
+  /// The time of an axis position.
   [[nodiscard]] std::int64_t timeAt(double seconds) const;
-  /// The point of the axis at a time.
+  /// The axis position of a time.
   [[nodiscard]] double secondsAt(std::int64_t time_ns) const;
 
-  /// Time of what is shown at a point of the axis: right of the head of a sweeping window that is a
-  /// length before timeAt().
+  /// The time that is visible at an axis position. Right of the head of a sweeping window it is one
+  /// window length before timeAt().
   [[nodiscard]] std::int64_t shownAt(double seconds) const;
-  /// The point of the axis at which a time is shown.
+  /// The axis position at which a time is visible.
   [[nodiscard]] double pointOf(std::int64_t time_ns) const;
-  // All it shows lies between them.
+  // The earliest and latest time that it shows.
   [[nodiscard]] std::int64_t firstTime() const;
   [[nodiscard]] std::int64_t lastTime() const;
 

@@ -22,15 +22,15 @@ struct ValueNames {
   QString type;          ///< "arm.Mode", "bool"
   std::vector<One> all;  ///< by value
 
-  /// Its name; its digits where it has none.
+  /// The name of a number; its digits if it has no name.
   [[nodiscard]] QString textOf(const ExactNumber& number) const;
-  /// Nothing for a value that has none.
+  /// Nothing for a value without a name.
   [[nodiscard]] std::optional<QString> nameOf(std::int64_t value) const;
 
   bool operator==(const ValueNames&) const = default;
 };
 
-/// Null for a signal whose values are numbers.
+/// Null for a signal with plain numbers.
 using ValueNamesPointer = std::shared_ptr<const ValueNames>;
 
 }  // namespace tendon::gui

@@ -20,9 +20,9 @@ namespace {
 
 using Model = CatalogueModel;
 
-constexpr int kLeastName = 176;       // pixels; with less room the columns are scrolled
-constexpr int kNarrowestColumn = 24;  // of what was kept
-constexpr int kWidestColumn = 2000;   // likewise
+constexpr int kLeastName = 176;       // pixels; with less room the columns scroll
+constexpr int kNarrowestColumn = 24;  // limits of saved widths
+constexpr int kWidestColumn = 2000;   // limits of saved widths
 constexpr quint32 kStateVersion = 1;
 
 struct Usual {
@@ -30,7 +30,7 @@ struct Usual {
   int width;
   bool is_shown;
 };
-// From the second column on.
+// Without the first column.
 constexpr std::array<Usual, Model::kColumnCount - 1> kUsual{
     {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 96, true},
      {QT_TRANSLATE_NOOP("Words", "Column: rate"), 76, false},
@@ -85,7 +85,7 @@ void CatalogueColumns::arrange() {
   tree_.viewport()->update();
 }
 
-/// The name has the room that is left.
+/// The name gets the remaining width.
 void CatalogueColumns::fitName() {
   if (fitting_) return;
   const QScopedValueRollback guard(fitting_, true);

@@ -10,26 +10,26 @@ namespace tendon::gui {
 
 class RowView;
 
-/// Which columns of the catalogue are seen. Name and value alone are one line without a header, in
-/// which a name has what it needs; with any other column each has its own place under a header.
-/// GUI thread.
+/// Chooses the visible columns of the catalogue. Name and value alone share one line without a
+/// header, and the name gets the room it needs; with further columns each has its own place under a
+/// header. GUI thread.
 class CatalogueColumns : public QObject {
   Q_OBJECT
 
  public:
-  /// `tree` shows a CatalogueFilter, and outlives this.
+  /// `tree` must show a CatalogueFilter and outlive this object.
   explicit CatalogueColumns(RowView& tree);
 
-  /// One for each column but the name, which is always seen: for menus.
+  /// For menus: one action per column except the name, which is always visible.
   [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
   void setShown(int column, bool shown);
   [[nodiscard]] bool isShown(int column) const;
 
-  /// Which, and how wide, for the next time.
+  /// The visible columns and their widths, to be restored later.
   [[nodiscard]] QByteArray state() const;
-  /// What is no state changes nothing.
+  /// Ignores an invalid state.
   void restore(const QByteArray& state);
-  /// As at the first start.
+  /// Restores the defaults.
   void reset();
 
  protected:
@@ -37,7 +37,7 @@ class CatalogueColumns : public QObject {
 
  private:
   struct Look {
-    int width = 0;  // pixels, also while it is hidden
+    int width = 0;  // in pixels, kept while hidden
     bool is_shown = false;
   };
 
@@ -48,7 +48,7 @@ class CatalogueColumns : public QObject {
   [[nodiscard]] bool isTable() const;
 
   RowView& tree_;
-  // From the second column on.
+  // Without the first column.
   QList<QAction*> actions_;
   QList<int> widths_;
   bool fitting_ = false;

@@ -4,7 +4,7 @@ class QAbstractScrollArea;
 
 namespace tendon::gui {
 
-/// Keeps the end of what grows in sight, as long as it is in sight; who scrolls up stays there.
+/// Keeps the end of growing contents visible, unless the user has scrolled up.
 void FollowEnd(QAbstractScrollArea& view);
 
 }  // namespace tendon::gui

@@ -8,12 +8,12 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// A row of tools above a list: the first at the left, the last of them as wide as there is room;
-/// the second at the right edge. Takes ownership.
+/// Makes a row of tools above a list: `left` at the left, its last tool as wide as possible, and
+/// `right` at the right edge. Takes ownership.
 [[nodiscard]] QWidget* MakeToolRow(std::initializer_list<QWidget*> left,
                                    std::initializer_list<QWidget*> right);
 
-/// A dim remark in such a row.
+/// Makes a dim remark for such a row.
 [[nodiscard]] QLabel* MakeNote(const QString& name);
 
 }  // namespace tendon::gui

@@ -17,7 +17,7 @@ LostBanner::LostBanner(const GcmLink& link, QWidget* parent)
   setAutoFillBackground(true);
   setFixedHeight(kHeadHeight);
   SetRole(*meaning_, QStringLiteral("dim"));
-  // Narrower than its words rather than make the window wider.
+  // May be narrower than its text, so that it does not widen the window.
   meaning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   meaning_->setText(Words::tr("Values and plots come straight from their processes and go on."));
   meaning_->setToolTip(meaning_->text());

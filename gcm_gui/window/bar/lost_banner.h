@@ -10,8 +10,8 @@ namespace tendon::gui {
 
 class StateLabel;
 
-/// A line across the window while its GCM cannot be reached: how old what is shown is, and what
-/// goes on nevertheless.
+/// A line across the window while its GCM is unreachable: the age of the shown state, and the
+/// things that still work.
 class LostBanner : public QFrame {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class LostBanner : public QFrame {
   [[nodiscard]] QString text() const;
 
  public Q_SLOTS:
-  /// The time, ns since 1970.
+  /// The present time, ns since 1970.
   void setNow(qint64 now);
 
  private:

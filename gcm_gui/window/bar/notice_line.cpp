@@ -66,7 +66,7 @@ void NoticeLine::hear(const Action& finished) {
       return tell(
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
     case Action::Verb::kApply:
-      return;  // its page tells
+      return;  // shown on its own page
   }
 }
 

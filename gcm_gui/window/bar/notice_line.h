@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// One line above the graph: what the connect mode waits for, else what has just happened.
+/// One line above the graph: the instruction of the connect mode, else the latest notice.
 class NoticeLine : public QWidget {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class NoticeLine : public QWidget {
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  public Q_SLOTS:
-  /// For some seconds.
+  /// Shows the text for some seconds.
   void tell(const QString& text);
 
  protected:
@@ -35,7 +35,7 @@ class NoticeLine : public QWidget {
   const ConnectMode& mode_;
   QString notice_;
   QTimer fade_;
-  // What is shown: a path between words.
+  // The shown text: a path between two texts.
   QString before_;
   QString path_;
   QString after_;

@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A raised field of the top bar: a mark, strong words, and dim ones behind them, of which as many
-/// are shown as there is room for. May be clicked.
+/// A raised field of the top bar: a mark, strong words, and as many of the dim words as fit. May be
+/// clicked.
 class Pill : public QAbstractButton {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kLogo = 20;
 
-/// Of what is there: the catalogue remembers what is gone.
+/// Counts only what is present: the catalogue also remembers what is gone.
 QString Counts(const Catalog& catalogue) {
   std::int64_t processes = 0;
   std::int64_t components = 0;

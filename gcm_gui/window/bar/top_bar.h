@@ -11,7 +11,7 @@ namespace tendon::gui {
 
 class Pill;
 
-/// The top of the window: how the GCM is and what it knows, how many problems there are, and the
+/// The top of the window: the state and knowledge of the GCM, the number of problems, and the
 /// window's own switches.
 class TopBar : public QFrame {
   Q_OBJECT
@@ -19,17 +19,17 @@ class TopBar : public QFrame {
  public:
   TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent = nullptr);
 
-  /// The whole sentence about the GCM, as it is shown.
+  /// The whole sentence about the GCM.
   [[nodiscard]] QString linkText() const;
-  /// Right of the logo; takes ownership.
+  /// To the right of the logo; takes ownership.
   void addMenus(QWidget* menus);
-  /// The one at the right end, from which the Tab key leaves the bar.
+  /// The rightmost button, the last one in the tab order of the bar.
   [[nodiscard]] QPushButton& lastButton() const { return *theme_; }
 
  public Q_SLOTS:
   void showProblemCount(int count);
   void showPaused(bool paused);
-  /// The time, ns since 1970, for "lost 12 s".
+  /// The present time, ns since 1970, for "lost 12 s".
   void setNow(qint64 now);
 
  Q_SIGNALS:

@@ -102,7 +102,7 @@ bool CommandPalette::press(int key) {
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // it leaves the palette before it means anything to the window
+    event->accept();  // closes the palette before the window can use the key
     return true;
   }
   if (event->type() == QEvent::KeyPress && press(static_cast<QKeyEvent*>(event)->key())) {

@@ -11,9 +11,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// A field over the window (Ctrl+K): typed words find what can be done and what there is; Enter
-/// does it, or goes there. Stands in nobody's way: it leaves with Escape, and when anything else is
-/// clicked.
+/// A search field over the window (Ctrl+K) for commands and objects; Enter runs the command or goes
+/// to the object. Closes on Escape and when the user clicks anything else.
 class CommandPalette : public QFrame {
   Q_OBJECT
 
@@ -37,7 +36,7 @@ class CommandPalette : public QFrame {
   PaletteModel model_;
   QLineEdit* field_;
   RowView* list_;
-  QPointer<QWidget> before_;  // had the focus
+  QPointer<QWidget> before_;  // had the focus before
 };
 
 }  // namespace tendon::gui

@@ -12,7 +12,7 @@ Commands::Commands(QWidget& window)
     : QObject(&window), window_(window), bar_(new QMenuBar(&window)) {
   bar_->setObjectName(QStringLiteral("menus"));
   bar_->setNativeMenuBar(false);
-  bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // the last menus would go first
+  bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // else the last menus vanish first
   menus_ = {bar_->addMenu(Words::tr("&System")), bar_->addMenu(Words::tr("&Plot")),
             bar_->addMenu(Words::tr("&Graph")), bar_->addMenu(Words::tr("&View")),
             bar_->addMenu(Words::tr("&Help"))};
@@ -24,7 +24,7 @@ QAction& Commands::add(Menu menu, const QString& text, const QKeySequence& key,
   action->setShortcut(key);
   action->setObjectName(PlainText(*action));
   connect(action, &QAction::triggered, this, std::move(what));
-  window_.addAction(action);  // the key works while the menu is closed
+  window_.addAction(action);  // so that the key works while the menu is closed
   return *action;
 }
 

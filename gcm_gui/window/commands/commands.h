@@ -14,23 +14,22 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// All that can be done with the window, in menus, by key, and from the palette: whoever finds one
-/// of the three finds the other two.
+/// All commands of the window. Each is in a menu and in the palette, and both show its key.
 class Commands : public QObject {
   Q_OBJECT
 
  public:
   enum class Menu { kSystem, kPlot, kGraph, kView, kHelp };
 
-  /// Keys work anywhere in `window`.
+  /// Keys work everywhere in `window`.
   explicit Commands(QWidget& window);
 
-  /// `text` may have a letter for the menu (&). Its object name is the text without it.
+  /// `text` may mark a letter for the menu (&). The object name is the text without the mark.
   QAction& add(Menu menu, const QString& text, const QKeySequence& key, std::function<void()> what);
   [[nodiscard]] QMenu& menu(Menu menu) const { return *menus_[static_cast<std::size_t>(menu)]; }
-  /// To be placed by the caller.
+  /// The caller places it.
   [[nodiscard]] QMenuBar& bar() const { return *bar_; }
-  /// From the left.
+  /// From left to right.
   [[nodiscard]] const std::array<QMenu*, 5>& menus() const { return menus_; }
   /// In the order of the menus.
   [[nodiscard]] QList<QAction*> actions() const;
@@ -41,7 +40,7 @@ class Commands : public QObject {
   std::array<QMenu*, 5> menus_{};
 };
 
-/// The text of an action as it is read: without the menu's letter and dots.
+/// The text of an action without the menu's mark and dots.
 [[nodiscard]] QString PlainText(const QAction& action);
 
 }  // namespace tendon::gui

@@ -15,9 +15,9 @@ bool HasAll(const QString& folded, const QStringList& words) {
                      [&](const QString& word) { return folded.contains(word); });
 }
 
-constexpr qsizetype kWidest = 3;  // so many times as long as the word letters may lie apart
+constexpr qsizetype kWidest = 3;  // the letters may span this many times the word's length
 
-/// Whether the letters of `word` come in their order, not far from each other.
+/// True if the letters of `word` occur in order and close together.
 bool IsScattered(const QString& folded, const QString& word) {
   for (qsizetype first = folded.indexOf(word[0]); first >= 0;
        first = folded.indexOf(word[0], first + 1)) {
@@ -31,7 +31,7 @@ bool IsScattered(const QString& folded, const QString& word) {
 
 enum class Likeness { kNone, kNearly, kWholly };
 
-/// Nearly: letters are left out of at least one word.
+/// kNearly: at least one word only matches by its letters.
 Likeness LikenessOf(const QString& folded, const QStringList& words) {
   if (HasAll(folded, words)) return Likeness::kWholly;
   const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {
@@ -47,7 +47,7 @@ struct Found {
   [[nodiscard]] auto key() const { return std::tuple(rank, item->folded.size(), item->folded); }
 };
 
-/// The name itself is better than its beginning, and that than any other place.
+/// The name itself is best, then its beginning, then any other place.
 int RankOf(const CatalogueItem& item, const QStringList& words) {
   const QStringView name =
       QStringView(item.folded).last(std::min(item.name.size(), item.folded.size()));
@@ -55,7 +55,7 @@ int RankOf(const CatalogueItem& item, const QStringList& words) {
   return name.startsWith(words.last()) ? 1 : 2;
 }
 
-/// What fits equally well.
+/// Matches of equal quality.
 struct Finds {
   std::vector<QAction*> actions;
   std::vector<Found> things;
@@ -63,12 +63,12 @@ struct Finds {
   [[nodiscard]] bool isEmpty() const { return actions.empty() && things.empty(); }
 };
 
-/// Both kinds, found at one go.
+/// Both qualities, found in one pass.
 struct AllFinds {
   Finds wholly;
   Finds nearly;
 
-  /// Null for what does not fit.
+  /// Null if there is no match.
   [[nodiscard]] Finds* of(Likeness likeness) {
     if (likeness == Likeness::kNone) return nullptr;
     return likeness == Likeness::kWholly ? &wholly : &nearly;

@@ -10,18 +10,18 @@ class QAction;
 
 namespace tendon::gui {
 
-/// Something that can be done, or a thing of the catalogue to go to.
+/// A command, or an object of the catalogue to go to.
 struct PaletteRow {
   QAction* action = nullptr;
-  QString text;   ///< of a thing its path
-  QString trail;  ///< the key, or what kind of thing it is
+  QString text;   ///< for an object its path
+  QString trail;  ///< the key, or the kind of object
 
   bool operator==(const PaletteRow&) const = default;
 };
 
-/// What fits some typed words: commands first, then the things whose name fits best. Only where
-/// nothing has the words themselves, what has their letters in their order, with few others
-/// between. Without words all commands.
+/// The matches of some typed words: commands first, then objects, best match first. If nothing
+/// contains the words, matches their letters in order, with few letters between. Without words all
+/// commands.
 class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class PaletteModel : public RowListModel<PaletteRow> {
 
   PaletteModel(QList<QAction*> actions, const CatalogueModel& catalogue, QObject* parent = nullptr);
 
-  /// Whatever the case. Finds things as they are now.
+  /// Ignores case. Searches the present objects.
   void find(const QString& words);
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

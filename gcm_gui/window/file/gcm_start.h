@@ -7,13 +7,12 @@
 
 namespace tendon::gui {
 
-/// Starts a GCM where the window looks for one. It is a program of its own, and goes on when the
-/// window has ended.
+/// Starts a GCM at the window's address, as a program of its own that outlives the window.
 class GcmStart : public QObject {
   Q_OBJECT
 
  public:
-  /// `command` is `gcm` with the options of how the window talks.
+  /// `command` is `gcm` with the network options of the window.
   GcmStart(QStringList command, const GcmLink& link, QObject* parent);
 
   void start();

@@ -11,18 +11,18 @@ namespace tendon::gui {
 
 class GcmLink;
 
-/// Goes over to a GCM at another address: with a window of its own, in place of this one. A window
-/// that hosts its GCM stays, for others may use that.
+/// Shows a GCM at another address in a new window that replaces this one. A window that hosts its
+/// GCM stays open, since others may use that GCM.
 class OtherGcm : public QObject {
   Q_OBJECT
 
  public:
-  /// Starts this program with these arguments; false where it does not.
+  /// Starts this program with these arguments; returns false on failure.
   using Launch = std::function<bool(const QStringList& arguments)>;
 
   OtherGcm(QWidget& window, const GcmLink& link, Launch launch = &OtherGcm::startProgram);
 
-  /// Asks for the address.
+  /// Asks the user for the address.
   void ask();
 
  Q_SIGNALS:
@@ -38,8 +38,8 @@ class OtherGcm : public QObject {
   Launch launch_;
 };
 
-/// Those of a program that is to show the GCM at `address` as this one shows its own; without the
-/// system file that this one was to bring up there.
+/// The arguments for a program that shows the GCM at `address` with the same options as this one;
+/// without this program's system file.
 [[nodiscard]] QStringList ArgumentsFor(const QStringList& mine, const QString& address);
 
 }  // namespace tendon::gui

@@ -11,8 +11,8 @@ namespace tendon::gui {
 class Restore;
 class SystemDocument;
 
-/// Notes each plan that is carried out among what was done, as one action: the line that does the
-/// same is that of its file. GUI thread; all outlive this.
+/// Records each executed plan in the activity list as one action, with the shell command for its
+/// file. GUI thread; all arguments must outlive this.
 class PlanActivity : public QObject {
   Q_OBJECT
 

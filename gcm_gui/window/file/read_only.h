@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Keeps all buttons of the application disabled that would change the system, and says why. They
-/// have the property "changesSystem".
+/// Disables all buttons of the application with the property "changesSystem", and gives the reason
+/// as their tool tip.
 class ReadOnly : public QObject {
   Q_OBJECT
 

@@ -65,7 +65,7 @@ void SystemFiles::bringUp(const QString& path) {
   document_.open(path);
 }
 
-/// Again whenever something joins, until the user takes it or leaves it.
+/// Updates the plan whenever a process joins, until the user executes or dismisses it.
 void SystemFiles::previewBringUp() {
   if (brings_up_ && link_.state() == GcmLink::State::kConnected) panel_->previewAll();
 }
@@ -97,7 +97,7 @@ void SystemFiles::carryOutDemo(SystemFile demo) {
   restore_.preview(demo, NameOfDemo());
 }
 
-/// As soon as there is a plan for it, which nobody has put another in the place of.
+/// Executes the demo's plan as soon as it is ready, unless another plan has replaced it.
 void SystemFiles::carryOutDemoPlan() {
   const Plan& plan = restore_.plan();
   if (!plan.steps.empty()) return restore_.execute(AfterError::kStop);
@@ -124,7 +124,7 @@ void SystemFiles::showDemo() {
   starts_demo_ = false;
   if (restore_.phase() != Restore::Phase::kDone) return;
   if (const auto& error = restore_.outcome().error) {
-    showTab();  // which step it was, and what was done before it
+    showTab();  // shows the failed step and those before it
     return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));
   }
   Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then one that lights up"));
@@ -155,7 +155,7 @@ void SystemFiles::importFile() {
   dialog->open();
 }
 
-/// Such a file is of one process, whose name it does not know.
+/// Such a file describes one process without naming it.
 void SystemFiles::askForProcess(const QString& file) {
   QStringList names;
   for (const auto& [name, entry] : document_.catalogue().processes()) {

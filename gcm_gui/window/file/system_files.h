@@ -17,7 +17,7 @@ class Commands;
 class DiffPanel;
 class TabPanel;
 
-/// The system file of a window: what is in the menus and on keys for it, and its tab in the middle.
+/// The window's handling of its system file: menus, keys, and the tab in the middle.
 class SystemFiles : public QObject {
   Q_OBJECT
 
@@ -28,9 +28,9 @@ class SystemFiles : public QObject {
   [[nodiscard]] SystemDocument& document() { return document_; }
   [[nodiscard]] Restore& restore() { return restore_; }
 
-  /// Opens a system file and shows the plan for it, which waits for the user.
+  /// Opens a system file and shows its plan; the user must confirm it.
   void bringUp(const QString& path);
-  /// Starts the system that shows what Tendon is, on the GCM's host.
+  /// Starts the demo system on the GCM's host.
   void startDemo();
 
  Q_SIGNALS:
@@ -64,7 +64,7 @@ class SystemFiles : public QObject {
   int page_;
   QString demo_;
   bool starts_demo_ = false;
-  bool brings_up_ = false;  // the plan for the file follows what joins
+  bool brings_up_ = false;  // show the plan of the file as processes join
 };
 
 }  // namespace tendon::gui

@@ -18,9 +18,9 @@ class GraphView;
 class Selection;
 class SystemDocument;
 
-/// What can be done with the graph besides connecting: its map, a search, where components stand,
-/// and pictures of it. In the menu "Graph", on keys, in the palette, and in the menu of the graph
-/// itself.
+/// The commands of the graph besides connecting: its map, a search, the positions of components,
+/// and pictures. They are in the menu "Graph", on keys, in the palette, and in the graph's own
+/// menu.
 class GraphCommands : public QObject {
   Q_OBJECT
 
@@ -28,12 +28,12 @@ class GraphCommands : public QObject {
   GraphCommands(const WindowParts& parts, GraphView& graph, QWidget& window);
 
   void addCommands(Commands& commands);
-  /// Where components were put is kept for the next time, and saved with the system file; one that
-  /// is opened puts them where it says.
+  /// Keeps the user's positions for the next run and saves them with the system file; opening a
+  /// system file applies its positions.
   void keepPlaces(const WindowParts& parts, SystemDocument& document);
-  /// Where the mouse is on a component it is selected, and has this menu.
+  /// The menu for a component under the mouse, which is also selected.
   void setComponentMenu(QMenu& menu, Selection& selection);
-  /// Takes back the last move of a component, if nothing else was done since; false otherwise.
+  /// Undoes the last move of a component; false if there is none or the user has acted since.
   bool undoMove();
   [[nodiscard]] GraphMap& map() const { return *map_; }
   [[nodiscard]] GraphSearch& search() const { return *search_; }

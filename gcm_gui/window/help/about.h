@@ -4,7 +4,7 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// What this program is and the versions it is made of, in a window that waits for nobody.
+/// Shows the program and the versions of its parts, in a window that is not modal.
 void ShowAbout(QWidget& window);
 
 }  // namespace tendon::gui

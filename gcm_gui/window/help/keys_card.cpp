@@ -27,7 +27,7 @@ struct Key {
 struct Group {
   QString title;
   std::vector<Key> keys;
-  const char* part = nullptr;  // the name of the widget it is of; null: of all
+  const char* part = nullptr;  // the name of the widget with these keys; null: everywhere
 };
 
 QString KeysOf(const QAction& action) {
@@ -43,7 +43,7 @@ Group OfMenu(const QMenu& menu) {
   return group;
 }
 
-/// Keys that no action has: each view hears its own.
+/// Keys without an action, which views handle themselves.
 std::vector<Group> OfViews() {
   return {{Words::tr("Everywhere"),
            {{Words::tr("Tab, Shift+Tab"), Words::tr("To the next, the last part")},
@@ -78,7 +78,7 @@ std::vector<Group> OfViews() {
            "consolePage"}};
 }
 
-/// How many steps above `widget` the part is that the group is of; nothing where it is not.
+/// How many levels above `widget` the group's widget is; nothing if it is not above.
 std::optional<int> StepsTo(const Group& group, const QWidget* widget) {
   if (group.part == nullptr) return std::nullopt;
   for (int steps = 0; widget != nullptr; widget = widget->parentWidget(), ++steps) {
@@ -87,7 +87,7 @@ std::optional<int> StepsTo(const Group& group, const QWidget* widget) {
   return std::nullopt;
 }
 
-/// Of the smallest part that the widget is in.
+/// The group of the innermost part around the widget.
 std::optional<Group> OfPart(const QWidget* widget) {
   std::optional<Group> nearest;
   int fewest = std::numeric_limits<int>::max();

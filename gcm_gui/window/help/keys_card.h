@@ -8,18 +8,18 @@ namespace tendon::gui {
 
 class Commands;
 
-/// All keys on one card (F1): those of the menus, as they are now, and those that mean something
-/// where the focus is; or these alone (?).
+/// Shows all keys on a card (F1): the present keys of the menus, and those of the widgets with
+/// their own keys; or only those of the focused widget (?).
 class KeysCard : public OverlayCard {
   Q_OBJECT
 
  public:
-  /// Over `place`, a part of the window that `commands` are of.
+  /// Covers a part of `place`, which belongs to the window of `commands`.
   KeysCard(QWidget& place, const Commands& commands);
 
-  /// Opens it; closes it where it is open.
+  /// Opens or closes the card.
   void toggle();
-  /// The same with the keys of the part alone that has the focus, where it has some of its own.
+  /// The same, with only the keys of the focused part if it has its own keys.
   void toggleOf(const QWidget* focused);
 
  private:

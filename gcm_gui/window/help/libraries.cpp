@@ -8,7 +8,7 @@
 #include <QGuiApplication>
 #include <QSysInfo>
 
-// A static library's resources are linked only where somebody asks; not in a namespace.
+// Links the resources of a static library; the macro must be outside namespaces.
 static void LoadLicences() { Q_INIT_RESOURCE(licences); }
 
 namespace tendon::gui {

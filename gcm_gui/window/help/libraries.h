@@ -6,21 +6,21 @@
 
 namespace tendon::gui {
 
-/// Something this program is made of, and the terms under which it is.
+/// A library that this program uses, and its licence.
 struct Library {
   QString name;
-  QString version;  ///< empty where it does not say
-  QString licence;  ///< its short name
+  QString version;  ///< empty if unknown
+  QString licence;  ///< the short name
   QStringList texts;
 
-  /// All its terms, one text after the other.
+  /// The texts of all its terms.
   [[nodiscard]] QString terms() const;
 };
 
-/// Tendon itself first.
+/// Begins with Tendon itself.
 [[nodiscard]] std::vector<Library> LibrariesInUse();
 
-/// A line each: what somebody who helps wants to know.
+/// One version per line, for support requests.
 [[nodiscard]] QString VersionsText();
 
 }  // namespace tendon::gui

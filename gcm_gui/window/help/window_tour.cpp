@@ -15,7 +15,7 @@ TourStep Step(const QString& title, const QString& text, std::function<QWidget*(
   return {title, text, std::move(target)};
 }
 
-/// Once the panel that it is in is open.
+/// Opens the panel of the widget.
 QWidget* Revealed(MainWindow& window, QWidget& widget) {
   window.panels().reveal(widget);
   return &widget;

@@ -8,8 +8,7 @@ namespace tendon::gui {
 
 class MainWindow;
 
-/// What a newcomer is shown of the window, in that order. The steps are of use as long as the
-/// window is there.
+/// The steps of the tour for new users. They are valid as long as the window exists.
 [[nodiscard]] std::vector<TourStep> WindowTour(MainWindow& window);
 
 }  // namespace tendon::gui

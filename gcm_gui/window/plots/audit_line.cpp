@@ -10,8 +10,8 @@ const QString kRefused = QStringLiteral(": refused");
 
 }  // namespace
 
-// "desk (operator, 10.0.0.7:40112): call a command arm/Control.MoveTo: allowed". The last of these
-// words count, as a program may have any name.
+// "desk (operator, 10.0.0.7:40112): call a command arm/Control.MoveTo: allowed". Parses from the
+// end, because a program may have any name.
 std::optional<SentCommand> SentCommandOf(const message::LogRecord& record) {
   if (record.source != "audit") return std::nullopt;
   const QString text = ToQString(record.text);

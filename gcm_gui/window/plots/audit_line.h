@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// A command that some program has sent to a component, as the component's process has noted it.
+/// A command from some program to a component, as logged by the component's process.
 struct SentCommand {
   QString path;  ///< "robot/arm/Control.MoveTo"
   QString who;   ///< name, role and address of the program
@@ -16,7 +16,7 @@ struct SentCommand {
   bool operator==(const SentCommand&) const = default;
 };
 
-/// Nothing for a record that tells of something else.
+/// Nothing for any other record.
 [[nodiscard]] std::optional<SentCommand> SentCommandOf(const message::LogRecord& record);
 
 }  // namespace tendon::gui

@@ -15,17 +15,17 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::int64_t kLatestLog = 2'000'000'000;  // ns on the way from a process to here
-constexpr int kOwnCalls = 32;                       // newest actions that are looked at
+constexpr std::int64_t kLatestLog = 2'000'000'000;  // ns; the maximum delay from a process to here
+constexpr int kOwnCalls = 32;                       // number of newest actions to check
 
 std::int64_t SteadyNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// On the steady clock, of `when`, ns since 1970.
+/// Converts `when`, ns since 1970, to the steady clock.
 std::int64_t SteadyTimeOf(std::int64_t when) { return SteadyNow() - (WallClock() - when); }
 
-/// "robot/arm" of a path of one of its signals or events.
+/// "robot/arm" of the path of a signal or event.
 QString ComponentOf(const QString& path) { return path.section('/', 0, 1); }
 
 QString LastPart(const QString& path) { return path.section('.', -1).section('/', -1); }
@@ -76,7 +76,7 @@ void MarkBinding::follow() {
   if (!patterns.isEmpty() && !std::exchange(watches_log_, true)) reports_.watchLog();
 }
 
-// What others listen to arrives here, too.
+// Events that only others listen to arrive here, too.
 void MarkBinding::markEvent(const HeardEvent& event) {
   if (!components_plotted_.contains(ComponentOf(event.path))) return;
   Marked& marked = events_[event.path];
@@ -95,8 +95,8 @@ void MarkBinding::markEvent(const HeardEvent& event) {
                   .text = text});
 }
 
-// The commands of other programs, which the processes note that they go to. What was noted before
-// this window watched is left out.
+// Marks the commands of other programs, from the audit log of their target processes. Ignores
+// records from before this window watched.
 void MarkBinding::markLog(const LogBatch& batch) {
   const bool is_new = std::exchange(log_is_current_, log_is_current_ || batch.is_current);
   if (!is_new) return;
@@ -104,7 +104,7 @@ void MarkBinding::markLog(const LogBatch& batch) {
     const auto sent = SentCommandOf(record);
     if (!sent || isRead(sent->path) || isOwnCall(sent->path)) continue;
     const std::int64_t now = WallClock();
-    // The clock of another host may be anywhere.
+    // The clock of another host may be wrong.
     const bool is_near = record.time <= now && now - record.time < kLatestLog;
     panel_.addMark({.kind = Mark::Kind::kCommand,
                     .time_ns = SteadyTimeOf(is_near ? record.time : now),
@@ -115,8 +115,8 @@ void MarkBinding::markLog(const LogBatch& batch) {
   }
 }
 
-// It changes nothing, and who sends it may be no person: a form asks what to begin with, a script
-// where an arm is.
+// Reads change nothing and may be automatic: a form asks for initial values, a script for the arm's
+// position.
 bool MarkBinding::isRead(const QString& path) const {
   const auto parsed = ParsePath(path.toStdString());
   if (!parsed) return false;
@@ -126,7 +126,7 @@ bool MarkBinding::isRead(const QString& path) const {
   return kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
 }
 
-// It is marked when its answer comes. A call is in the list of actions before it is sent.
+// Own calls are marked when the answer arrives. A call is in the activity list before it is sent.
 bool MarkBinding::isOwnCall(const QString& path) const {
   const int newest = std::min(activity_.rowCount(), kOwnCalls);
   for (int row = 0; row < newest; ++row) {
@@ -139,7 +139,7 @@ bool MarkBinding::isOwnCall(const QString& path) const {
   return false;
 }
 
-// What was done to connections and components is marked when the catalogue says so, whoever did it.
+// Changes of connections and components are marked from the catalogue, by any author.
 void MarkBinding::markAction(const Action& action) {
   const bool is_call = action.verb == Action::Verb::kCall;
   const bool is_refused = action.outcome == Action::Outcome::kRefused;
@@ -158,7 +158,7 @@ void MarkBinding::markAction(const Action& action) {
 void MarkBinding::compare(const Catalog& catalogue, const Touched& touched) {
   for (const TouchedPart& part : touched) {
     compareProcess(catalogue, part.process);
-    compareConnections(catalogue, part);  // before the components: those not known yet are new
+    compareConnections(catalogue, part);  // before the components: unknown components are new
     const ProcessEntry* entry = catalogue.FindProcess(part.process);
     if (entry != nullptr) {
       for (const auto& [name, component] : entry->components) {

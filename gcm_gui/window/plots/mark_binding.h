@@ -18,29 +18,28 @@ namespace tendon::gui {
 
 class PlotPanel;
 
-/// Marks on the plots what happens to the system: the commands that this window and other programs
-/// send, of those of others none that only read, what is refused, and whatever program caused them,
-/// states that change, connections that are made and broken, processes that are lost and come back.
-/// What is there already when it is first heard of makes no mark.
+/// Adds marks to the plots for changes of the system: commands of this window, commands of other
+/// programs except reads, refused requests, changes of state, connections made and broken, and
+/// processes lost and returned, whatever the cause. The first known state makes no mark.
 ///
-/// Of the components that are plotted it marks the events, too, and listens to those of no others;
-/// to none while marks are hidden. GUI thread.
+/// Also marks the events of plotted components. Listens to no other components, and to none while
+/// marks are hidden. GUI thread.
 class MarkBinding : public QObject {
   Q_OBJECT
 
  public:
-  /// Components whose events are listened to at once, in the order in which they were plotted.
+  /// The maximum number of components to listen to at once, in the order of plotting.
   static constexpr qsizetype kMostListenedTo = 32;
-  /// Events of the same path that come sooner after the one that is marked are counted with it.
+  /// An event within this time after a marked one of the same path only increases its count.
   static constexpr std::int64_t kEventPauseNs = 50'000'000;
 
-  /// All must outlive it.
+  /// All arguments must outlive this.
   MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel& activity,
               SystemReports& reports, QObject* parent = nullptr);
 
  private:
   struct Marked {
-    std::int64_t when = 0;  // of the event that is marked last, ns since 1970
+    std::int64_t when = 0;  // of the last marked event, ns since 1970
     std::uint64_t unmarked = 0;
   };
 
@@ -61,12 +60,12 @@ class MarkBinding : public QObject {
   ActivityModel& activity_;
   SystemReports& reports_;
   QStringList components_plotted_;  // "robot/arm"
-  QHash<QString, Marked> events_;   // of each path
+  QHash<QString, Marked> events_;   // by path
   bool watches_log_ = false;
   bool log_is_current_ = false;
   std::map<std::string, ProcessState> processes_;
   std::map<std::pair<std::string, std::string>, ComponentState> components_;
-  std::map<InterfaceName, InterfaceName> connections_;  // that stand: required, provided
+  std::map<InterfaceName, InterfaceName> connections_;  // active ones: required, provided
 };
 
 }  // namespace tendon::gui

@@ -95,7 +95,7 @@ void SteerCommands::disableRefused() {
   }
 }
 
-/// Their keys say why.
+/// So that their keys say why they are refused.
 void SteerCommands::enableRefused() {
   for (QAction* action : refused_) {
     action->setEnabled(true);
@@ -130,7 +130,7 @@ void SteerCommands::ask(LifeVerb verb) {
   card_->ask(verb, able, lines, effects);
 }
 
-/// One that is to go on is named with how long it has rested.
+/// If the component would go on, names it with the time that it has rested.
 QString SteerCommands::lineOf(LifeVerb verb, const Path& one) const {
   const QString path = ToQString(ToString(one));
   const auto* component = store_.catalogue().FindComponent(one.process, one.component);

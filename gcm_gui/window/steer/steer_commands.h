@@ -20,23 +20,23 @@ namespace tendon::gui {
 class Commands;
 class SteerCard;
 
-/// Starts, suspends, stops and restarts the components that are selected: in the menu "System", on
-/// keys, in the palette, and in the menu of a component itself.
+/// Starts, suspends, stops and restarts the selected components: in the menu "System", on keys, in
+/// the palette, and in a component's own menu.
 class SteerCommands : public QObject {
   Q_OBJECT
 
  public:
-  /// Asks over `place`, a part of the window.
+  /// Confirmations appear over `place`, a part of the window.
   SteerCommands(const CatalogueStore& store, Selection& selection, SystemActions& actions,
                 QWidget& place);
 
   void addCommands(Commands& commands);
-  /// The commands of this class, and those of these names.
+  /// Fills the component menu with the commands of this class and the other named ones.
   void fillMenu(const Commands& commands, const QStringList& others);
-  /// For whatever is selected.
+  /// The menu for the selection.
   [[nodiscard]] QMenu& menu() const { return *menu_; }
   [[nodiscard]] SteerCard& card() const { return *card_; }
-  /// Asks once more, or says why it is not to be had.
+  /// Asks for confirmation, or says why the verb is impossible.
   void ask(LifeVerb verb);
 
  Q_SIGNALS:
@@ -44,11 +44,11 @@ class SteerCommands : public QObject {
   void notice(const QString& text);
 
  private:
-  /// Each once, in the order of selecting.
+  /// Without duplicates, in the order of selection.
   [[nodiscard]] std::vector<Path> selectedComponents() const;
-  /// Why none of what is selected would do it; empty where one would.
+  /// Why all selected components would refuse the verb; empty if one would accept it.
   [[nodiscard]] QString refusalOf(LifeVerb verb) const;
-  /// While the menu of a component is open.
+  /// Disables refused verbs while a component's menu is open.
   void disableRefused();
   void enableRefused();
   [[nodiscard]] QString lineOf(LifeVerb verb, const Path& one) const;
@@ -60,7 +60,7 @@ class SteerCommands : public QObject {
   SteerCard* card_;
   QMenu* menu_;
   QList<QAction*> own_;
-  QList<QAction*> refused_;  // while the menu is open
+  QList<QAction*> refused_;  // disabled while the menu is open
 };
 
 }  // namespace tendon::gui

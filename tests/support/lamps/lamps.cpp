@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-/// A plug-in for tests of what is ordered from afar.
+/// A plug-in for tests of remote requests.
 namespace lamps {
 
 using namespace std::chrono_literals;
@@ -19,7 +19,7 @@ struct LampConfiguration {
   double brightness = 0.5;
 };
 
-/// Refuses to be made where it is to be black.
+/// Its constructor fails if its colour is black.
 class Lamp final : public tendon::PeriodicTask {
  public:
   using Configuration = LampConfiguration;
@@ -52,7 +52,7 @@ struct GateConfiguration {
   std::string file;
 };
 
-/// Is made once its file is there; leaves one with `.reached` behind its name when it waits for it.
+/// Its constructor creates the file name plus `.reached`, then waits for the file.
 class Gate final : public tendon::Component {
  public:
   using Configuration = GateConfiguration;
@@ -62,7 +62,7 @@ class Gate final : public tendon::Component {
   }
 };
 
-/// Its Startup() returns once its file is there; leaves one with `.reached` behind its name first.
+/// Its Startup() creates the file name plus `.reached`, then waits for the file.
 class SlowStarter final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -83,7 +83,7 @@ class SlowStarter final : public tendon::PeriodicTask {
   std::int32_t cycles_ = 0;
 };
 
-/// Its Startup() fails once its file is there.
+/// Its Startup() fails once its file exists.
 class Refuser final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -100,7 +100,7 @@ class Refuser final : public tendon::PeriodicTask {
   const std::string file_;
 };
 
-/// A cycle of it lasts until its file is there; leaves one with `.reached` behind its name first.
+/// A cycle creates the file name plus `.reached`, then waits for the file.
 class Hung final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -120,7 +120,7 @@ class Hung final : public tendon::PeriodicTask {
   tendon::ReadFunction<double> get_;
 };
 
-/// Its Configure(), in the thread of who starts it, returns once its file is there.
+/// Its Configure() waits for its file, in the thread of the caller.
 class SlowConfigurer final : public tendon::Component {
  public:
   using Configuration = GateConfiguration;

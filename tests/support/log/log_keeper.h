@@ -9,7 +9,7 @@
 
 namespace tendon::test {
 
-/// Keeps the log that a viewer is given.
+/// Keeps the log that a viewer receives.
 class LogKeeper final : public GcmListener {
  public:
   void OnSnapshot(const Catalog& /*catalog*/) override {}
@@ -22,7 +22,7 @@ class LogKeeper final : public GcmListener {
     is_current_ = batch.is_current;
   }
 
-  /// Those of a process; of one source, where it is named.
+  /// The records of a process, or of one of its sources if named.
   [[nodiscard]] std::vector<message::LogRecord> Of(const std::string& process,
                                                    const std::string& source = "") const {
     const std::scoped_lock lock(mutex_);

@@ -10,7 +10,7 @@
 
 namespace tendon_test {
 
-/// What one source has logged since this was made.
+/// The log of one source since this object was created.
 class LogRecord {
  public:
   explicit LogRecord(std::string source)
@@ -47,7 +47,7 @@ class LogRecord {
     std::vector<std::pair<std::string, std::string>> records_;
   };
   static Log& Everything() {
-    static Log& log = *new Log;  // a sink is kept for the life of the process
+    static Log& log = *new Log;  // a sink lives as long as the process
     return log;
   }
 

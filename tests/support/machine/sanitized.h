@@ -2,7 +2,7 @@
 
 namespace tendon::test {
 
-/// Whether a sanitizer slows this program, and those it starts, several times.
+/// True if a sanitizer slows this program and its child programs several times.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kIsSanitized = true;
 #else

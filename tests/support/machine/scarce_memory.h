@@ -4,8 +4,8 @@
 
 namespace tendon {
 
-/// While one lives nobody in this process gets as much memory as that at once: `operator new`
-/// throws. One at a time.
+/// While this object lives, `operator new` throws in the whole process for requests of this size or
+/// more. One at a time.
 class ScarceMemory {
  public:
   explicit ScarceMemory(std::size_t too_much) noexcept;

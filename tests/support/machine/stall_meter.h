@@ -8,14 +8,14 @@
 
 namespace tendon::test {
 
-/// Notices how long this machine ran nobody: whoever promises to show a sign of life in time cannot
-/// keep that then, and a test must not blame him.
+/// Measures how long this machine ran no thread. Components then miss their deadlines, and a test
+/// must not blame them.
 class StallMeter {
  public:
   using Time = std::chrono::milliseconds;
 
   [[nodiscard]] Time longest() const { return longest_; }
-  /// So long that leases may have run out, although nobody is to blame.
+  /// True if leases may have expired for this reason alone.
   [[nodiscard]] bool has_stood_still() const { return longest() >= kMuch; }
 
  private:

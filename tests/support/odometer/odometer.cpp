@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 enum class Mode : std::int32_t { kFault = -3, kIdle = 0, kMoving = 7 };
 
-/// Doubles that are easily said wrong.
+/// Doubles that are easily printed wrong.
 struct Edges {
   double zero = -0.0;
   double none = std::numeric_limits<double>::quiet_NaN();
@@ -46,8 +46,8 @@ inline constexpr auto tendon::kPayload<odometer::Edges> =
 
 namespace odometer {
 
-/// Numbers that a double cannot hold, and states: each row counts one further than the last integer
-/// of which doubles know every one.
+/// States, and numbers beyond the precision of a double: each row counts on from the last integer
+/// up to which doubles are exact.
 class Odometer final : public tendon::PeriodicTask {
  public:
   explicit Odometer(std::string name) : PeriodicTask(std::move(name), 10ms) {

@@ -12,8 +12,8 @@
 
 namespace tendon::test {
 
-/// A third party that listens, answers a Hello as if it were a process of that name, without
-/// knowing the cookie, and keeps what it is told.
+/// A third party that listens and answers a Hello under the name of a process, without knowing the
+/// cookie. Keeps everything it receives.
 class Impostor {
  public:
   Impostor(std::shared_ptr<Middleware> middleware, const std::string& name)
@@ -28,7 +28,7 @@ class Impostor {
   }
 
   [[nodiscard]] std::string address() const { return listener_ ? listener_->address() : ""; }
-  /// How many have called.
+  /// The number of callers so far.
   [[nodiscard]] int links() const {
     const std::scoped_lock lock(heard_->mutex);
     return heard_->links;

@@ -12,8 +12,8 @@
 
 namespace tendon::test {
 
-/// A link that passes all on to another; a test overrides what is to be otherwise. What is asked
-/// goes by Send() as well, unless Ask() is overridden.
+/// A link that passes everything on to another link; a test overrides parts of it. Ask() uses
+/// Send() unless it is overridden.
 class WrappedLink : public Link {
  public:
   explicit WrappedLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
@@ -32,7 +32,7 @@ class WrappedLink : public Link {
   const std::shared_ptr<Link> below_;
 };
 
-/// The same of a middleware.
+/// The same for a middleware.
 class WrappedMiddleware : public Middleware {
  public:
   explicit WrappedMiddleware(std::shared_ptr<Middleware> below) : below_(std::move(below)) {}

@@ -18,7 +18,7 @@ void __tsan_switch_to_fiber(void* fiber, unsigned);  // NOLINT
 namespace tendon {
 namespace {
 
-/// Tells ThreadSanitizer, where there is one, which stack runs.
+/// Tells ThreadSanitizer, if present, which stack runs.
 class SanitizedStack {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -39,7 +39,7 @@ class SanitizedStack {
 #endif
 };
 
-/// Stacks are kept for the next fiber: an exploration makes a million.
+/// Stacks are reused: an exploration creates a million fibers.
 std::vector<std::vector<std::byte>>& FreeStacks() {
   static thread_local std::vector<std::vector<std::byte>> stacks;
   return stacks;

@@ -5,18 +5,18 @@
 
 namespace tendon {
 
-/// A function with a stack of its own, run in turns with its caller in one thread.
+/// A function with its own stack, which runs in turns with its caller in one thread.
 class Fiber {
  public:
   explicit Fiber(std::function<void()> body);
-  /// The body should have ended: what lies on the stack of one that has not is leaked.
+  /// The body should have ended; otherwise the objects on its stack leak.
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  /// Runs the body until it yields or ends. Not from inside a fiber.
+  /// Runs the body until it yields or ends. Must not be called inside a fiber.
   void Resume();
-  /// From inside the body: returns to the caller of Resume().
+  /// Called in the body: returns to the caller of Resume().
   void Yield();
   [[nodiscard]] bool has_ended() const { return has_ended_; }
 

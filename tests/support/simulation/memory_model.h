@@ -10,29 +10,29 @@
 
 namespace tendon {
 
-/// The memory of one simulated execution, as C++ allows it to behave: each atomic keeps every value
-/// it ever had, and a thread may read any that is not older than what it already knows of. What a
-/// thread knows is its view; release and acquire hand views from thread to thread, fences as well.
-/// (What it cannot show: a load that reads a store which comes later in the execution.)
+/// The memory of one simulated execution under the C++ memory model: each atomic keeps all its
+/// values, and a thread may read any that is not older than what it knows. A view is what a thread
+/// knows; release, acquire and fences pass views between threads. (Limit: a load never reads a
+/// store that comes later in the execution.)
 class MemoryModel {
  public:
-  static constexpr std::size_t kMaxThreads = 4;  // with the one that sets up
+  static constexpr std::size_t kMaxThreads = 4;  // including the one that sets up
   using Thread = std::size_t;
   using Location = std::size_t;
 
   Location AddAtomic(Thread thread, std::uint64_t value);
   Location AddPlain();
 
-  /// Number of values a load by `thread` may give, the newest first.
+  /// The number of values that a load by `thread` may return, the newest first.
   [[nodiscard]] std::size_t Choices(Thread thread, Location location) const;
-  /// A sequentially consistent load has its fence before the choice.
+  /// For a sequentially consistent load the fence must come before the choice.
   std::uint64_t Load(Thread thread, Location location, std::memory_order order, std::size_t choice);
   void Store(Thread thread, Location location, std::uint64_t value, std::memory_order order);
   /// Read-modify-write: reads the newest value and stores `value(old)` right after it.
   template <typename Change>
   std::uint64_t Modify(Thread thread, Location location, std::memory_order order, Change change) {
     const std::uint64_t old = Load(thread, location, order, 0);
-    const View inherited = atomics_[location].back().view;  // a release sequence goes on
+    const View inherited = atomics_[location].back().view;  // continues a release sequence
     Store(thread, location, change(old), order);
     atomics_[location].back().view.Join(inherited);
     return old;
@@ -41,19 +41,19 @@ class MemoryModel {
   /// A full fence in every thread at once.
   void ProcessBarrier();
 
-  /// Accesses to memory that is not atomic; false when they race with one of another thread.
+  /// Access to memory that is not atomic; false if it races with another thread.
   [[nodiscard]] bool ReadPlain(Thread thread, Location location);
   [[nodiscard]] bool WritePlain(Thread thread, Location location);
 
-  /// `child` begins with, or `parent` continues with, what the other knows.
+  /// Fork: `child` starts with the view of `parent`. Join: `parent` adds the view of `child`.
   void Fork(Thread parent, Thread child);
   void Join(Thread parent, Thread child);
 
   [[nodiscard]] std::uint64_t Newest(Location location) const;
 
  private:
-  /// For each atomic the oldest value that may still be read; for each thread how many of its
-  /// plain accesses have happened before.
+  /// For each atomic the oldest readable value; for each thread the number of its plain accesses
+  /// that happened before.
   struct View {
     std::vector<std::uint32_t> oldest;
     std::array<std::uint32_t, kMaxThreads> clock{};
@@ -64,12 +64,12 @@ class MemoryModel {
   };
   struct Value {
     std::uint64_t bits = 0;
-    View view;  // what a thread learns that reads it and acquires
+    View view;  // the view that an acquiring reader adds
   };
   struct ThreadState {
     View current;
     View read;      // from relaxed loads: known after an acquire fence
-    View released;  // at the last release fence: handed on by relaxed stores
+    View released;  // at the last release fence: passed on by relaxed stores
   };
   struct Plain {
     std::array<std::uint32_t, kMaxThreads> reads{};
@@ -79,7 +79,7 @@ class MemoryModel {
   std::vector<std::vector<Value>> atomics_;
   std::vector<Plain> plains_;
   std::array<ThreadState, kMaxThreads> threads_;
-  View total_order_;  // of sequentially consistent fences
+  View total_order_;  // over sequentially consistent fences
 };
 
 }  // namespace tendon

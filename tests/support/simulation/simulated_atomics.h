@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The policy under which lock-free classes run in a simulation. Time stands still: no wait ever
-/// ends by its deadline.
+/// The policy with which lock-free classes run in a simulation. Time stands still, so no wait ever
+/// times out.
 struct SimulatedAtomics {
   template <typename T>
   class Atomic {
@@ -83,7 +83,7 @@ struct SimulatedAtomics {
   static SteadyTime Now() noexcept { return {}; }
 };
 
-/// Ordinary memory under a simulation: an access that races fails the execution.
+/// Plain memory in a simulation: a data race fails the execution.
 template <typename T>
 class Plain {
  public:

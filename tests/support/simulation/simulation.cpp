@@ -12,8 +12,8 @@ namespace {
 
 using Location = MemoryModel::Location;
 
-/// The decisions of one execution, in order; the next execution repeats all but the last that has
-/// an alternative left.
+/// The decisions of one execution, in order. The next execution repeats them up to the last one
+/// with an untried alternative, and takes that.
 class Decisions {
  public:
   std::size_t Take(std::size_t alternatives) {
@@ -23,7 +23,7 @@ class Decisions {
     return taken_[position_++].choice;
   }
 
-  /// False when every alternative has been tried.
+  /// Returns false once every alternative has been tried.
   bool Next() {
     position_ = 0;
     while (!taken_.empty() && ++taken_.back().choice == taken_.back().alternatives) {
@@ -91,7 +91,7 @@ class Execution {
   int preemptions_;
   int stale_reads_;
   std::vector<Thread> threads_{1};
-  std::size_t next_ = kSetUp;  // whom the running thread has handed over to
+  std::size_t next_ = kSetUp;  // the next thread, chosen by the running one
   std::size_t stores_ = 0;
   std::vector<Operation> operations_;
   std::string failure_;
@@ -112,7 +112,7 @@ void Execution::Run(const std::function<void(Scenario&)>& build) {
   running = kSetUp;
   for (std::size_t thread = 1; thread < threads_.size(); ++thread) memory.Join(kSetUp, thread);
   if (failure_.empty() && scenario.finally) scenario.finally();
-  for (Thread& thread : threads_) thread.fiber.reset();  // what they share ends in this execution
+  for (Thread& thread : threads_) thread.fiber.reset();  // shared objects end with this execution
 }
 
 void Execution::RunAll() {
@@ -186,7 +186,7 @@ std::uint64_t Execution::Load(Location location, std::memory_order order) {
   }
   if (choice > 0) {
     --stale_reads_;
-    state.stores_at_first_load = 0;  // there is something to see at once
+    state.stores_at_first_load = 0;  // a new value is already visible
   }
   const std::uint64_t value = memory.Load(running, location, order, choice);
   Note(choice > 0 ? "loads the old value" : "loads", location, value);

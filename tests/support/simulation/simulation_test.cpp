@@ -25,7 +25,7 @@ struct Shared {
   Plain<int> data;
 };
 
-/// What two threads, each with one result, may end with.
+/// The possible results of two threads.
 using Outcomes = std::set<std::pair<int, int>>;
 
 template <typename First, typename Second>

@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// SimulatedAtomics with one guarantee less. A lock-free class that needs the guarantee must fail
-/// under it, else its scenario proves nothing.
+/// SimulatedAtomics with one guarantee removed. A lock-free class that needs the guarantee must
+/// fail with it; otherwise its scenario proves nothing.
 template <std::memory_order kOrder>
 struct WithoutFence : SimulatedAtomics {
   static void Fence(std::memory_order order) noexcept {

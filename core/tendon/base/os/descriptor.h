@@ -2,7 +2,7 @@
 
 namespace tendon::os {
 
-/// Owns a file descriptor, which may be none (below 0): closes it in the end.
+/// Owns a file descriptor, which may be none (below 0), and closes it at the end.
 class Descriptor {
  public:
   explicit Descriptor(int value) noexcept : value_(value) {}
@@ -11,7 +11,7 @@ class Descriptor {
   ~Descriptor() { Close(); }
 
   [[nodiscard]] int get() const noexcept { return value_; }
-  /// Before its end; from now on there is none. A second call does nothing.
+  /// Closes it earlier; from then on there is none. A second call does nothing.
   void Close() noexcept;
 
  private:

@@ -21,7 +21,7 @@ Error Failure(const fs::path& file) {
   return {ErrorCode::kFailed, "cannot write " + file.string() + ": " + reason.message()};
 }
 
-/// Writes all of it and waits for the disk; errno says why not.
+/// Writes all of it and waits for the disk. On failure, errno has the reason.
 bool WriteAll(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(descriptor, text.data(), text.size());
@@ -32,7 +32,7 @@ bool WriteAll(int descriptor, std::string_view text) {
   return fsync(descriptor) == 0;
 }
 
-/// What symbolic links lead to, be it there or not.
+/// The target of symbolic links, whether it exists or not.
 Result<fs::path> TargetOf(const fs::path& file) {
   constexpr int kMostLinks = 40;
   fs::path target = file;
@@ -47,12 +47,11 @@ Result<fs::path> TargetOf(const fs::path& file) {
   return Failure(file);
 }
 
-/// A file of a name that nobody has, in the folder of another: gone in the end, unless it took that
-/// one's place.
+/// A file with an unused name, in the folder of another file. It is removed at the end unless it
+/// has replaced that file.
 class NextFile {
  public:
-  /// Others may open it as `mode` says, less the umask. Where descriptor() is below 0, errno says
-  /// why.
+  /// Its mode is `mode`, minus the umask. If descriptor() is below 0, errno has the reason.
   NextFile(const fs::path& target, mode_t mode) : descriptor_(Make(target, mode)) {}
   NextFile(const NextFile&) = delete;
   NextFile& operator=(const NextFile&) = delete;
@@ -82,28 +81,28 @@ class NextFile {
     return made;
   }
 
-  fs::path path_;  // made before the descriptor, which fills it
+  fs::path path_;  // before descriptor_, whose initialiser fills it
   const Descriptor descriptor_;
 };
 
-/// As the file had it that is replaced; another owner's only where that is allowed.
+/// Takes mode and owner from the replaced file; a different owner only if that is allowed.
 bool TakeOver(int descriptor, const struct stat& before) {
   const bool keeps_group = fchown(descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
   const bool keeps_owner = fchown(descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
   mode_t kept = 07777;
-  if (!keeps_owner || !keeps_group) kept = 0777;  // nobody is given rights by set-id bits
+  if (!keeps_owner || !keeps_group) kept = 0777;  // set-id bits must not give rights to others
   if (!keeps_group) kept &= ~static_cast<mode_t>(S_IRWXG);
   return fchmod(descriptor, before.st_mode & kept) == 0;
 }
 
-/// Whether the name of a file is on the disk; some file systems cannot say.
+/// Brings the name of a file to the disk; some file systems cannot.
 void Settle(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
 }
 
-/// What tells a file from what it was before.
+/// Distinguishes a file from an earlier version of it.
 struct Stamp {
   std::uintmax_t size = 0;
   fs::file_time_type written;
@@ -112,7 +111,7 @@ struct Stamp {
 };
 
 Stamp StampOf(const fs::path& file) {
-  std::error_code ignored;  // one that is gone has changed
+  std::error_code ignored;  // a missing file counts as changed
   return {fs::file_size(file, ignored), fs::last_write_time(file, ignored)};
 }
 

@@ -12,9 +12,9 @@
 namespace tendon::os {
 namespace {
 
-constexpr std::size_t kEnough = std::size_t{1} << 16U;  // to be written at one go
+constexpr std::size_t kEnough = std::size_t{1} << 16U;  // bytes to write at a time
 
-/// A pipe says that it has room where it has it for so many bytes. A file always has.
+/// A pipe reports room only if it has room for so many bytes. A file always has room.
 std::size_t PieceFor(int descriptor) {
   struct stat status {};
   const bool is_file = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -68,11 +68,11 @@ bool OutputBuffer::WriteAll() {
 }
 
 bool OutputBuffer::WaitForRoom() const {
-  constexpr int kLook = 20;  // ms, at whether somebody asks
+  constexpr int kLook = 20;  // ms between looks for a request to end
   while (true) {
     pollfd wait{descriptor_, POLLOUT, 0};
     const int ready = poll(&wait, 1, 0);
-    if (ready > 0) return true;  // or it is broken, which the write says
+    if (ready > 0) return true;  // or broken, which the write reports
     if (WasTerminationAsked()) return false;
     (void)poll(&wait, 1, kLook);
   }

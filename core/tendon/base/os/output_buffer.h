@@ -7,11 +7,11 @@
 
 namespace tendon::os {
 
-/// Writes a stream to a descriptor whose reader may be slow, stopped, or away. Where a write has to
-/// wait and somebody asks the process to end, or has done so (WasTerminationAsked()), it waits no
-/// longer: what is left is not written, and the stream fails, then and ever after.
+/// Writes a stream to a descriptor whose reader may be slow, stopped or gone. If a write has to
+/// wait and the process is, or was, asked to end (WasTerminationAsked()), it stops waiting: the
+/// rest is not written, and the stream fails from then on.
 ///
-/// To a terminal it writes at once, elsewhere when it is flushed or has enough. Thread safety: one
+/// Writes to a terminal at once, elsewhere when it is flushed or has enough. Thread safety: one
 /// thread at a time.
 class OutputBuffer final : public std::streambuf {
  public:
@@ -19,19 +19,19 @@ class OutputBuffer final : public std::streambuf {
   explicit OutputBuffer(int descriptor);
   OutputBuffer(const OutputBuffer&) = delete;
   OutputBuffer& operator=(const OutputBuffer&) = delete;
-  /// Writes what is left.
+  /// Writes the rest.
   ~OutputBuffer() override;
 
  protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// Fails with the errno of the write that failed first.
+  /// Fails with the errno of the first failed write.
   int sync() override;
 
  private:
   [[nodiscard]] bool Add(std::string_view text);
   [[nodiscard]] bool WriteAll();
-  /// False where somebody asks the process to end.
+  /// False if the process is asked to end.
   [[nodiscard]] bool WaitForRoom() const;
 
   const int descriptor_;

@@ -9,10 +9,10 @@
 
 namespace tendon::os {
 
-/// Waits for any of many sockets. All functions but Wait() may be called from any thread.
+/// Waits for any of many sockets. Any thread may call all functions except Wait().
 class Poller {
  public:
-  /// A socket that is ready, by the key it was added with.
+  /// A socket that is ready, by the key with which it was added.
   struct Event {
     std::uint64_t key = 0;
     bool readable = false;  ///< or ended: a read will tell
@@ -29,13 +29,13 @@ class Poller {
   void Change(const Socket& socket, std::uint64_t key, Watch watch);
   void Remove(const Socket& socket);
 
-  /// The sockets that are ready; none when woken or when `timeout` has passed. Valid until the next
-  /// call.
+  /// Returns the sockets that are ready; none if woken or if `timeout` has passed. Valid until the
+  /// next call.
   std::span<const Event> Wait(std::chrono::milliseconds timeout);
   void Wake();
 
  private:
-  Socket poll_;  // descriptors of their own kinds, owned alike
+  Socket poll_;  // not sockets, but owned like them
   Socket wake_;
   std::vector<Event> events_;
 };

@@ -18,7 +18,7 @@ Error Denied(const std::filesystem::path& file, int reason) {
           file.string() + ": " + std::error_code(reason, std::generic_category()).message()};
 }
 
-/// Nothing when there is no such file.
+/// Nothing if there is no such file.
 std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
   const Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (descriptor.get() < 0) {

@@ -7,9 +7,9 @@
 
 namespace tendon::os {
 
-/// The content of a small file of this user, mode 0600, that holds a secret. Where it is missing it
-/// is made with `content`; of several makers at once one wins and all return what it wrote. kDenied
-/// where it belongs to somebody else or others may read it.
+/// Returns the content of a small file of this user, mode 0600, that holds a secret. If it is
+/// missing, creates it with `content`; of several creators at once one wins, and all return its
+/// content. kDenied if it belongs to another user or others may read it.
 Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,
                                           const std::string& content);
 

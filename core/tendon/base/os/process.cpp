@@ -23,7 +23,7 @@ fs::path MadeFolder(const fs::path& folder) {
   return folder;
 }
 
-/// $NAME/tendon, else the fallback.
+/// $NAME/tendon, or the fallback.
 fs::path FolderFromEnvironment(const char* name, const fs::path& fallback) {
   const char* base = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): read only
   return base != nullptr && *base != '\0' ? fs::path(base) / "tendon" : fallback;
@@ -99,12 +99,12 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never use
+  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never need
   rlimit before{};
   const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;
   limit.rlim_cur = std::min<rlim_t>(before.rlim_cur, most_memory);
-  if (is_known) setrlimit(RLIMIT_AS, &limit);  // from here on this program may have no memory
+  if (is_known) setrlimit(RLIMIT_AS, &limit);  // from here on, allocations may fail
   execvp(arguments.front(), arguments.data());
   if (is_known) setrlimit(RLIMIT_AS, &before);
 }

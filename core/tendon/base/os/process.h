@@ -10,37 +10,37 @@ namespace tendon::os {
 
 [[nodiscard]] std::int64_t ProcessId() noexcept;
 
-/// What this process takes of its machine.
+/// The resources that this process uses.
 struct Usage {
   std::chrono::nanoseconds cpu_time{0};  ///< of all its threads, since it was started
-  std::uint64_t memory = 0;              ///< bytes that are resident; 0 where nobody tells
+  std::uint64_t memory = 0;              ///< resident bytes; 0 if unknown
 };
 /// Takes some microseconds.
 [[nodiscard]] Usage OwnUsage();
 
-/// Whether this process may do anything on this machine.
+/// True if this process may do anything on this machine.
 [[nodiscard]] bool RunsAsRoot() noexcept;
 
 [[nodiscard]] std::string HostName();
 
-/// Whose process this is, and on which machine: "anna@desk". By the kernel's word, not by that of
-/// the environment; the user's number where it has no name.
+/// User and machine of this process: "anna@desk". From the kernel, not from the environment; the
+/// user's number if there is no name.
 [[nodiscard]] std::string UserAtHost();
 
-/// 64 bits that nobody can guess, from the kernel.
+/// 64 random bits from the kernel, which nobody can guess.
 [[nodiscard]] std::uint64_t RandomNumber();
 
-/// The user's folder for sockets and cookies, mode 0700; made when missing.
+/// The user's folder for sockets and cookies, mode 0700; created if missing.
 [[nodiscard]] std::filesystem::path RuntimeFolder();
 
-/// The user's folder for what survives a restart, such as history; made when missing.
+/// The user's folder for data that survives a restart, such as history; created if missing.
 [[nodiscard]] std::filesystem::path StateFolder();
 
-/// Where this program lies, without its own name.
+/// The folder of this program.
 [[nodiscard]] std::filesystem::path ProgramFolder();
 
-/// This process goes on as another program, which is looked for in $PATH, and gets no more than
-/// `most_memory` bytes of addresses. Returns only where there is none.
+/// Replaces this process by another program, found in $PATH, with at most `most_memory` bytes of
+/// addresses. Returns only if there is none.
 void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memory);
 
 }  // namespace tendon::os

@@ -6,21 +6,21 @@
 
 namespace tendon::os {
 
-/// Why nobody was reached at `address`, "10.9.1.2:10705"; `failure` is the errno of the attempt:
-/// "nobody answers at 10.9.1.2:10705 (Connection refused)". Where this host itself has no way
-/// there, the fault is not the peer's, and the host is named: "host 'desk-pc' has no route to
-/// 10.9.1.2:10705 (Network is unreachable)".
+/// The reason why `address`, "10.9.1.2:10705", was not reached; `failure` is the errno of the
+/// attempt: "nobody answers at 10.9.1.2:10705 (Connection refused)". If this host itself has no
+/// route, the fault is not the peer's, and the text names this host: "host 'desk-pc' has no route
+/// to 10.9.1.2:10705 (Network is unreachable)".
 [[nodiscard]] std::string WhyNotReached(const std::string& address, int failure);
 
-/// Whether a text says, in the words of WhyNotReached(), that a host has no route.
+/// True if a text of WhyNotReached() says that a host has no route.
 [[nodiscard]] bool TellsOfNoRoute(std::string_view text);
 
-/// The first number of a host's name, as the system resolves it here: "127.0.1.1" for the own name
-/// on many machines. A number, and a name that nobody knows, is returned as it is.
+/// The first number of a host's name, as this system resolves it: "127.0.1.1" for its own name on
+/// many machines. Numbers and unknown names are returned unchanged.
 [[nodiscard]] std::string NumberOf(const std::string& host);
 
-/// From which of its addresses this host reaches another one, as the kernel chooses it now: a host
-/// reaches an address of its own from that. Empty where there is no way. Nothing is sent.
+/// The address of this host from which it reaches `host`, as the kernel chooses it now; for an
+/// address of its own, that address. Empty if there is no route. Nothing is sent.
 [[nodiscard]] std::string AddressTowards(const std::string& host, std::uint16_t port);
 
 }  // namespace tendon::os

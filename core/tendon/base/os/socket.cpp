@@ -59,11 +59,11 @@ void Set(const Socket& socket, int level, int option, int value = 1) {
   setsockopt(socket.descriptor(), level, option, &value, sizeof(value));
 }
 
-/// 0, or why the connection did not come about.
+/// 0, or the error number of the failed connection.
 int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
                        const std::function<bool()>& is_over) {
   using std::chrono::milliseconds;
-  constexpr milliseconds kLook(50);  // at whether it is over
+  constexpr milliseconds kLook(50);  // between checks of is_over()
   while (true) {
     auto left = std::chrono::ceil<milliseconds>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0) return ETIMEDOUT;
@@ -80,7 +80,7 @@ int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_poi
   }
 }
 
-/// 0 where there is none.
+/// 0 if there is none.
 template <typename Query>
 std::uint16_t PortOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -99,7 +99,7 @@ struct End {
   std::array<char, NI_MAXSERV> port{};
 };
 
-/// Nothing where the kernel does not know it any more.
+/// Nothing if the kernel no longer knows it.
 template <typename Query>
 std::optional<End> EndOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -125,9 +125,9 @@ std::string AddressOf(int descriptor, Query query) {
   return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + end->port.data();
 }
 
-/// Between two ends on one machine there is no line to spare: a congestion control with a model of
-/// it, as BBR, has large messages wait for a timer and nothing else. Reno has none, so that its
-/// pace, if it has one, is far beyond what comes; and it is in every kernel.
+/// On one machine there is no line whose capacity must be shared. A congestion control that models
+/// the line, such as BBR, only makes large messages wait for a timer. Reno has no model: its pace,
+/// if any, is far above the traffic, and every kernel has it.
 void DoNotPaceOnOneMachine(int descriptor) {
   constexpr std::string_view kWithoutPace = "reno";
   const auto local = EndOf(descriptor, getsockname);
@@ -136,8 +136,8 @@ void DoNotPaceOnOneMachine(int descriptor) {
   setsockopt(descriptor, IPPROTO_TCP, TCP_CONGESTION, kWithoutPace.data(), kWithoutPace.size());
 }
 
-/// Of a connection: nothing waits for more to send, and a peer that vanished while all was quiet is
-/// noticed within 4 s.
+/// Sets up a connection: it sends small messages at once, and notices within 4 s that a peer has
+/// vanished during silence.
 void SetUp(const Socket& connection) {
   Set(connection, IPPROTO_TCP, TCP_NODELAY);
   Set(connection, SOL_SOCKET, SO_KEEPALIVE);
@@ -147,13 +147,13 @@ void SetUp(const Socket& connection) {
   DoNotPaceOnOneMachine(connection.descriptor());
 }
 
-/// A line of the kernel's on a socket that listens, as far as we want to know it, as text.
+/// A socket that listens, in a table of the kernel: the parts that we need, as text.
 struct ListeningSocket {
   std::string user;
   std::string inode;
 };
 
-/// Those at `port`, of one table of the kernel.
+/// The sockets that listen at `port`, from one table of the kernel.
 std::vector<ListeningSocket> ListenersIn(const char* table, std::uint16_t port) {
   constexpr int kHex = 16;
   std::vector<ListeningSocket> found;
@@ -276,7 +276,7 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
                           connect(socket.descriptor(), address->ai_addr, address->ai_addrlen) == 0;
     failure = is_ready ? 0 : errno;
     if (failure == EINPROGRESS) failure = WaitUntilConnected(socket, deadline, is_over);
-    // A connection from a free port to the same port finds itself.
+    // A connection from a free port to the same port would reach itself.
     if (failure == 0 && LocalAddress(socket) == PeerAddress(socket)) failure = ECONNREFUSED;
     if (failure == ECANCELED) break;
     if (failure != 0) continue;
@@ -334,9 +334,9 @@ bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port) {
 }
 
 bool HasVanished(const Socket& socket) {
-  // Not TCP_USER_TIMEOUT: that also cuts off a peer which answers but has stopped reading. The
-  // kernel repeats after some 0.2 s and waits twice as long each time: the third goes out after 1.6
-  // s.
+  // Not TCP_USER_TIMEOUT: that also cuts off a peer that answers but has stopped reading. The
+  // kernel repeats after about 0.2 s and doubles the wait each time: the third repetition goes out
+  // after 1.6 s.
   constexpr unsigned kRepetitions = 3;
   tcp_info info{};
   socklen_t size = sizeof(info);

@@ -27,8 +27,8 @@ int TerminalRows() noexcept {
 void GuardStreams() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // The lowest free number is this one. What is only read from refuses to be written to, and the
-    // other way round.
+    // The lowest free number is this one. Opened in the opposite mode, so that using the stream
+    // fails.
     static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }

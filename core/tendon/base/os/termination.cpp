@@ -10,9 +10,9 @@
 namespace tendon::os {
 namespace {
 
-thread_local Interruption* interruption = nullptr;  // of this thread, where it has one
+thread_local Interruption* interruption = nullptr;  // of this thread, if it has one
 
-std::atomic<bool> was_told{false};  // that a signal asks for the end
+std::atomic<bool> was_told{false};  // a signal has asked for the end
 
 sigset_t TerminationSignals() {
   sigset_t signals;
@@ -22,7 +22,7 @@ sigset_t TerminationSignals() {
   return signals;
 }
 
-/// Whether they were held.
+/// True if they were held.
 bool LetThrough() noexcept {
   const sigset_t signals = TerminationSignals();
   sigset_t before;

@@ -6,28 +6,28 @@
 
 namespace tendon::os {
 
-/// Keeps SIGINT and SIGTERM for WaitForTermination(), and lets writes to a closed pipe fail instead
-/// of killing the process. First thing in main(), before any thread; again where a program goes on
-/// after it was asked.
+/// Keeps SIGINT and SIGTERM for WaitForTermination(), and makes writes to a closed pipe fail
+/// instead of killing the process. Call it first in main(), before any thread starts, and again if
+/// the program goes on after a request to end.
 void HoldTerminationSignals() noexcept;
 
-/// Waits until somebody asks the process to end; returns the signal's number. A second signal then
-/// ends the process at once.
+/// Waits until the process is asked to end; returns the signal's number. A second signal then ends
+/// the process at once.
 int WaitForTermination() noexcept;
 
-/// Whether somebody asks the process to end; waits for at most `patience`. A second signal then
-/// ends the process at once.
+/// True if the process is asked to end; waits for at most `patience`. A second signal then ends the
+/// process at once.
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
 
-/// Whether a signal asks for the end of the process, also one that TerminationAsked() or
-/// WaitForTermination() has told of, since HoldTerminationSignals().
+/// True if a signal has asked the process to end since HoldTerminationSignals(), even if
+/// TerminationAsked() or WaitForTermination() has already told so.
 [[nodiscard]] bool WasTerminationAsked() noexcept;
 
-/// A SIGINT that nobody has asked about does not count any more.
+/// Discards a SIGINT that was not asked for yet.
 void ForgetInterrupt() noexcept;
 
-/// As long as it lives, SIGINT and SIGTERM end the process at once, also where they are held: for
-/// waits that cannot be cut short. On the stack of main()'s thread.
+/// While it lives, SIGINT and SIGTERM end the process at once, even if they are held: for waits
+/// that cannot be cut short. On the stack of main()'s thread.
 class TerminationLetThrough {
  public:
   TerminationLetThrough() noexcept;
@@ -39,9 +39,9 @@ class TerminationLetThrough {
   const bool was_held_;
 };
 
-/// Stands for the signals in one thread of a program that has a window: who sits at it ends what
-/// that thread does, not the program. As long as it lives, WaitForTermination() and
-/// TerminationAsked() in the thread that made it ask it, and nothing there lets signals through.
+/// Replaces the signals in one thread of a program with a window: its user ends the work of that
+/// thread, not the program. While it lives, WaitForTermination() and TerminationAsked() in the
+/// thread that made it ask this object, and nothing there lets signals through.
 class Interruption {
  public:
   Interruption() noexcept;
@@ -51,9 +51,9 @@ class Interruption {
 
   /// From any thread: asks for the end once.
   void Ask() noexcept;
-  /// Whether it was asked for since the last time; waits for at most `patience`.
+  /// True if it was asked for since the last call; waits for at most `patience`.
   bool Take(std::chrono::milliseconds patience) noexcept;
-  /// What nobody has asked about does not count any more.
+  /// Discards a request that was not taken yet.
   void Forget() noexcept;
 
  private:

@@ -10,17 +10,17 @@
 
 namespace tendon::os {
 
-/// The kernel's name of the calling thread, cut to 15 letters; seen in top and in a debugger.
+/// Names the calling thread, cut to 15 letters; shown by top and by debuggers.
 void NameThisThread(const std::string& name) noexcept;
 
-/// Sleeps until an absolute time of the steady clock; at once when it has passed.
+/// Sleeps until an absolute time of the steady clock; returns at once if it has passed.
 void SleepUntil(SteadyTime time) noexcept;
 
-/// The least lateness the kernel may add to a sleep of this thread, in nanoseconds (50 µs if never
-/// set).
+/// How much later than asked the kernel may end a sleep of this thread, in nanoseconds (50 µs if
+/// never set).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
-/// Whether the kernel has done what was asked, and if not, its reason.
+/// Tells if the kernel has granted a request, and if not, the reason.
 struct Permission {
   bool granted = true;
   std::string reason;
@@ -32,16 +32,16 @@ Permission SetRealTimePriority(int priority, bool is_fifo);
 /// Binds the calling thread to these processors, numbered from 0.
 Permission RunOnProcessors(std::span<const std::int32_t> processors);
 
-/// How many processors the machine has, used or not.
+/// Number of processors of the machine, used or not.
 [[nodiscard]] int ProcessorCount() noexcept;
 
-/// Keeps all pages of the process in memory, those to come as well.
+/// Keeps all pages of the process in memory, including future ones.
 Permission LockMemory();
 
-/// Writes to that much of the calling thread's stack, so that no page of it is missing later.
+/// Writes to `bytes` of the calling thread's stack, so that none of its pages is missing later.
 void TouchStack(std::size_t bytes) noexcept;
 
-/// How much processor time the calling thread has used; does not advance while it waits.
+/// Processor time of the calling thread; does not advance while it waits.
 [[nodiscard]] std::chrono::nanoseconds ThreadCpuTime() noexcept;
 
 }  // namespace tendon::os

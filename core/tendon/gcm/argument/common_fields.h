@@ -7,13 +7,13 @@
 
 namespace tendon {
 
-/// The fields of the structure `wanted` that `offered` has too, by name: of the same type and in
-/// the same unit. None where one of both is no structure, nor where a value of `offered` may be
-/// large: nobody asks for an image to have its width.
+/// The names of the fields of structure `wanted` that `offered` has too, with the same type and
+/// unit. None if one of both is no structure, or if a value of `offered` may be large: nobody reads
+/// an image to get its width.
 [[nodiscard]] std::vector<std::string> CommonFields(const Schema& wanted, const Schema& offered);
 
-/// The JSON object `value` with these fields as `source` has them; `value` where one of both is
-/// none.
+/// The JSON object `value` with these fields copied from `source`; unchanged `value` if either is
+/// no object.
 [[nodiscard]] std::string WithFieldsOf(const std::string& value, const std::string& source,
                                        const std::vector<std::string>& fields);
 

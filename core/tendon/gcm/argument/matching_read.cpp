@@ -15,7 +15,7 @@ std::string_view Subject(std::string_view name) {
 
 bool IsStructure(const std::string& type) { return type.find('.') != std::string::npos; }
 
-/// Empty where there is none.
+/// Empty if there is none.
 std::string WholeRead(const ProvidedDescription& of, const MemberDescription& command) {
   std::string found;
   for (const MemberDescription& one : of.commands) {
@@ -23,7 +23,7 @@ std::string WholeRead(const ProvidedDescription& of, const MemberDescription& co
         one.signature.kind == CommandKind::kRead && one.signature.out == command.signature.in;
     if (!fits) continue;
     if (Subject(one.name) == Subject(command.name)) return one.name;
-    // Any number is like any other.
+    // Numbers of one type are too common to match by type alone.
     if (found.empty() && IsStructure(command.in_type)) found = one.name;
   }
   return found;

@@ -8,19 +8,19 @@
 
 namespace tendon {
 
-/// A read command that may say what a command is to begin with.
+/// A read command whose value may be the initial argument of another command.
 struct MatchingRead {
   std::string name;
-  Fingerprint type;      ///< of its answer
-  bool is_whole = true;  ///< it answers what the command takes; else a structure, some fields of
-                         ///< which may be the same
+  Fingerprint type;      ///< of its result
+  bool is_whole = true;  ///< returns the whole argument; else a structure that
+                         ///< may share some fields with it
 
   bool operator==(const MatchingRead&) const = default;
 };
 
-/// The read commands of the interface that may say what `command` would set, the likeliest first:
-/// one that answers the type that it takes, of several that which is named likewise, GetGains for
-/// SetGains; then, where it takes a structure, those that answer another one.
+/// The read commands of the interface that may return what `command` would set, the likeliest
+/// first: one that returns the argument's type, of several the one with the same name, as GetGains
+/// for SetGains; then, if the argument is a structure, those that return another one.
 [[nodiscard]] std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
                                                       const MemberDescription& command);
 

@@ -35,7 +35,7 @@ Error Refusal(const std::string& command, Status status) {
   }
 }
 
-/// Whether there is an argument exactly where the command takes one.
+/// Whether there is an argument if and only if the command takes one.
 Result<void> CheckArgument(const std::string& command, const MemberDescription& description,
                            const std::string& argument) {
   const bool is_given = !argument.empty() && argument != "null";
@@ -94,7 +94,7 @@ void Caller::GetVersion(const std::string& process, Handler<message::ProgramVers
           return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
                                               self->timeout_, handler);
         }
-        // Who does not open the link does not answer: kDenied is what an older program answers.
+        // An older program answers kDenied; the failure to open a link must not look like that.
         const Error& why = channel.error();
         handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
       });
@@ -127,7 +127,7 @@ void Caller::AskProcess(const std::string& process, MessageType type, const T& q
 
 void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler) {
   const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
-  // Called by the last who lets go of it.
+  // Called when the last copy is destroyed.
   const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
   for (const auto& [process, wanted] : types) {
     links_->With(
@@ -182,7 +182,7 @@ std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
   return found == schemas_.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// All schemas are here.
+/// All schemas are known.
 void Caller::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
   message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};

@@ -20,14 +20,14 @@
 
 namespace tendon::client {
 
-/// Calls commands of processes with JSON by what the catalogue and the processes' schemas say.
-/// Thread safe; handlers are called once, unless the request is dropped because we are closing.
+/// Calls commands of processes with JSON, using the catalogue and the schemas of the processes.
+/// Thread-safe. Calls each handler once, unless the client closes.
 class Caller final : public std::enable_shared_from_this<Caller> {
  public:
   template <typename T>
   using Handler = std::function<void(Result<T>)>;
 
-  /// The timer watches over deadlines.
+  /// `timer` enforces deadlines.
   Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
          std::chrono::milliseconds timeout);
 
@@ -39,8 +39,8 @@ class Caller final : public std::enable_shared_from_this<Caller> {
   void GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
-  /// Types by the processes that know them, for FindSchema(). No process is waited for much longer
-  /// than one needs that is well.
+  /// Fetches types from the processes that know them, for FindSchema(). Does not wait long for a
+  /// process that does not answer.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
 
  private:

@@ -44,7 +44,7 @@ void EventFeed::Retry(const std::string& process) {
   }
 }
 
-/// Goes on with one that does not stand.
+/// Continues a subscription that is not active.
 void EventFeed::Pursue(const SharedListening& listening) {
   std::unique_lock lock(mutex_);
   const std::uint32_t attempt = next_handle_;
@@ -63,11 +63,11 @@ void EventFeed::Pursue(const SharedListening& listening) {
                    if (!clock) return still->Fail(listening, attempt, clock.error());
                    still->Ask(listening, channel, *clock, attempt);
                  };
-                 self->ClockOf(*channel)->WhenKnown(ask);  // so that no event is without a time
+                 self->ClockOf(*channel)->WhenKnown(ask);  // so that every event has a time
                });
 }
 
-/// One for all that listen there.
+/// One for all subscriptions on the channel.
 EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channel) {
   const std::scoped_lock lock(mutex_);
   std::erase_if(clocks_, [](const auto& one) { return one.second.expired(); });
@@ -102,7 +102,7 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
         if (!answer) {
           self->Take({channel.get(), attempt});
           self->Fail(listening, attempt, answer.error());
-          // What it opens too late ends with the channel.
+          // A late subscription there ends with the channel.
           if (answer.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }

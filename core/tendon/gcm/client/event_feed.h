@@ -17,22 +17,22 @@
 
 namespace tendon::client {
 
-/// Listens to events of any process on the channels of ProcessLinks: as a required interface that
-/// has event handlers alone. What was lost is asked for again, twice a second. Thread-safe.
+/// Subscribes to events of any process on the channels of ProcessLinks, as a required interface
+/// with event handlers only. Lost subscriptions are requested again twice a second. Thread-safe.
 class EventFeed final : public ChannelHandler, public std::enable_shared_from_this<EventFeed> {
  public:
   using Id = std::uint64_t;
-  /// What the catalogue says of the events now, in their order; the error says what is missing.
+  /// The current descriptions of the events in the catalogue, in their order, or what is missing.
   using LookUp = std::function<Result<std::vector<MemberDescription>>(const EventSubscription&)>;
 
-  /// `name` is ours, for the other ends' logs. The timer is never blocked.
+  /// `name` appears in the logs of the other ends. The timer must never block.
   EventFeed(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer, LookUp look_up,
             std::string name, std::chrono::milliseconds timeout);
 
   Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
-  /// After it returns the sink hears nothing more.
+  /// After it returns the sink is not called any more.
   void End(Id id);
-  /// The process has come back or moved: it is asked again at once.
+  /// The process has come back or moved: asks it again at once.
   void Retry(const std::string& process);
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -41,7 +41,7 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
 
  private:
   using SharedListening = std::shared_ptr<Listening>;
-  /// By channel, too: each has numbers of its own.
+  /// By channel too, because each has its own numbers.
   using Key = std::pair<const Channel*, std::uint32_t>;
 
   void Pursue(const SharedListening& listening);
@@ -50,7 +50,7 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason);
-  /// Whose number it is, or that of one of its events, and the attempt that it belongs to.
+  /// The subscription of this number, or of one of its events, and its attempt.
   std::pair<SharedListening, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
   SharedListening Take(const Key& key);
 

@@ -10,13 +10,13 @@
 namespace tendon::client {
 namespace {
 
-constexpr std::chrono::milliseconds kPause(100);  // before what was open is opened again
+constexpr std::chrono::milliseconds kPause(100);  // before reopening what was open
 constexpr std::chrono::milliseconds kRetry(1000);
 constexpr std::chrono::milliseconds kRenewal(1000);
 constexpr std::chrono::milliseconds kTick(500);
-constexpr std::chrono::milliseconds kPatienceOfOthers(1500);  // with one that says nothing
+constexpr std::chrono::milliseconds kPatienceOfOthers(1500);  // until they give up a silent peer
 
-/// Where each process is that can be talked to.
+/// The address of each reachable process.
 using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
 
 Places PlacesOf(const Catalog& catalog) {
@@ -37,7 +37,7 @@ std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
   return moved;
 }
 
-/// Whether waiting for a GCM is of no use.
+/// Whether a retry is pointless.
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kInvalid;
@@ -53,7 +53,7 @@ Error StoodStill(std::chrono::nanoseconds pause) {
 
 }  // namespace
 
-/// Of one attempt to have a channel.
+/// Serves one attempt to open a channel.
 class GcmLink::Handler final : public ChannelHandler {
  public:
   explicit Handler(std::weak_ptr<GcmLink> link, Role role) : link_(std::move(link)), role_(role) {}
@@ -116,11 +116,11 @@ Result<void> GcmLink::WaitUntilWatching() {
   return NoGcm();
 }
 
-/// In the opener.
+/// In the opener's thread.
 void GcmLink::Open() {
   {
     const std::scoped_lock lock(mutex_);
-    if (channel_) return;  // an attempt that came too late opened it all the same
+    if (channel_) return;  // a late attempt has opened it after all
   }
   const auto cookie = LoopbackCookie();
   if (!cookie) {
@@ -133,7 +133,7 @@ void GcmLink::Open() {
     const auto handler = std::make_shared<Handler>(weak_from_this(), options_.role);
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
-    if (channel) return;  // the handler goes on
+    if (channel) return;  // the handler continues
     Lost(channel.error());
   }
   opener_.PostAfter(kRetry, [this] { Open(); });
@@ -156,7 +156,7 @@ void GcmLink::Resync() {
   SharedChannel channel;
   {
     const std::scoped_lock lock(mutex_);
-    if (is_waiting_) return;  // for all of it, already
+    if (is_waiting_) return;  // already requested
     is_waiting_ = true;
     channel = channel_;
   }
@@ -253,7 +253,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   if (has_hole) Watch(channel);
 }
 
-/// What is equal in components, here and in the catalogue, is held once.
+/// Shares equal parts of components, here and in the catalogue.
 void GcmLink::Share(std::vector<CatalogChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (CatalogChange& change : changes) {
@@ -265,7 +265,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records)
   TellLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
-/// `take` makes the batch, unless the channel is an old one.
+/// `take` makes the batch, unless the channel is outdated.
 template <typename Take>
 void GcmLink::TellLog(const SharedChannel& channel, Take&& take) {
   {
@@ -278,7 +278,7 @@ void GcmLink::TellLog(const SharedChannel& channel, Take&& take) {
   });
 }
 
-/// Asks the GCM for a sign of life, again and again: a link may hang without breaking.
+/// Pings the GCM again and again, because a link may hang without breaking.
 void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   timer_->PostAfter(kRenewal, [self = weak_from_this(), weak] {
     const auto link = self.lock();
@@ -292,7 +292,7 @@ void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   });
 }
 
-/// Notices when this program is stopped, or does not get a processor, and for how long.
+/// Notices when and for how long this program was suspended or got no processor.
 void GcmLink::Tick() {
   {
     const std::scoped_lock lock(mutex_);
@@ -308,15 +308,15 @@ void GcmLink::Tick() {
   });
 }
 
-/// Under the lock: the pause of which the others' patience may have ended just now.
+/// With the lock held: the pause after which peers may just have given this program up.
 std::chrono::nanoseconds GcmLink::StoodStillFor() const {
   const SteadyTime now = SteadyClock().Now();
   if (now - last_tick_ >= kPatienceOfOthers) return now - last_tick_;
   return now - awake_since_ < 2 * kPatienceOfOthers ? last_pause_ : std::chrono::nanoseconds(0);
 }
 
-/// Said once, not at each attempt. Where it was we who said nothing, the GCM may well be there:
-/// that is said once it has answered again.
+/// Reported once, not at each attempt. If this program had paused, the GCM may well be there: the
+/// pause is reported when the GCM has answered again.
 void GcmLink::Lost(const Error& reason) {
   std::optional<Error> news;
   {
@@ -338,7 +338,7 @@ void GcmLink::Lost(const Error& reason) {
   Tell([&] { events_.listener->OnGcmLost(*news); });
 }
 
-/// Under the lock.
+/// With the lock held.
 Error GcmLink::NoGcm() const {
   if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
     return *lost_;

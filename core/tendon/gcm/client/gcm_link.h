@@ -19,41 +19,41 @@
 
 namespace tendon::client {
 
-/// A viewer's channel to its GCM, opened again whenever it breaks, and the copy of the catalogue
-/// that comes through it. Thread-safe.
+/// A viewer's channel to its GCM, reopened whenever it breaks, and the copy of the catalogue that
+/// it updates. Thread-safe.
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
-  /// A process that is at another place than before, or there again.
+  /// A process that has a new address, or is there again.
   struct Moved {
     std::string process;
-    std::uint64_t instance = 0;  ///< that is there now
+    std::uint64_t instance = 0;  ///< the present one
   };
-  /// What it tells others, one call at a time; no more after Stop().
+  /// Called one at a time; not after Stop().
   struct Events {
     std::shared_ptr<GcmListener> listener;  ///< may be null
     std::function<void(const std::vector<Moved>& processes)> on_moved;
   };
-  /// The middleware outlives Stop(). The timer watches over deadlines.
+  /// The middleware outlives Stop(). The timer enforces deadlines.
   GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
           std::shared_ptr<Worker> timer);
 
   void Start();
-  /// Waits for the call that is under way. Not from one.
+  /// Waits for a call under way. Must not be called from one.
   void Stop();
 
   Result<void> WaitUntilWatching();
-  /// From now on the listener hears the log.
+  /// The listener gets the log from now on.
   void WatchLog();
   void Resync();
 
-  /// Calls `read(catalog)` under the lock: be short.
+  /// Calls `read(catalog)` with the lock held: be short.
   template <typename Read>
   auto WithCatalog(Read&& read) const {
     const std::scoped_lock lock(mutex_);
     return read(catalog_);
   }
 
-  /// The answer may take the usual time `orders` times.
+  /// The answer may take `orders` times the usual timeout.
   template <Payload Answer, Message T>
   void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
                int orders = 1);
@@ -86,19 +86,19 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   const Events events_;
   const std::shared_ptr<Worker> timer_;
 
-  std::mutex telling_;  // held while others are told; taken before mutex_
+  std::mutex telling_;  // held during calls of others; taken before mutex_
   bool stopped_ = false;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   SharedChannel channel_;   // while it is open
-  bool is_waiting_ = true;  // for a snapshot: changes are of no use
+  bool is_waiting_ = true;  // for a snapshot; changes are ignored
   bool wants_log_ = false;
   Catalog catalog_;
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   SteadyTime last_tick_ = SteadyClock().Now();
-  SteadyTime awake_since_{};                 // after the last pause of this program
-  std::chrono::nanoseconds last_pause_{};    // how long that was
+  SteadyTime awake_since_{};                 // since the last pause of this program
+  std::chrono::nanoseconds last_pause_{};    // its length
   std::chrono::nanoseconds untold_pause_{};  // that has cost the link
   LogFeed log_;
   Worker opener_{"client-gcm"};

@@ -12,20 +12,20 @@
 namespace tendon::client {
 namespace {
 
-/// Takes JSON that is known to be right apart, and leaves the text of its values as it is: a number
-/// that is read and written again may have other digits.
+/// Walks over valid JSON and keeps the text of its values: a number that is parsed and printed
+/// again may have other digits.
 class JsonWalk {
  public:
   explicit JsonWalk(std::string_view text) : rest_(text) { SkipBlanks(); }
 
   [[nodiscard]] bool IsAt(char letter) const { return !rest_.empty() && rest_.front() == letter; }
 
-  /// Into an object or a list, up to the first key or value; false where it is empty.
+  /// Enters an object or a list, up to its first key or value; returns false if it is empty.
   bool Enter() { return StepOver() && !IsAt('}') && !IsAt(']'); }
-  /// Behind a value, up to the next key or value; false behind the last.
+  /// Moves from a value to the next key or value; returns false after the last.
   bool Next() { return IsAt(',') && StepOver(); }
 
-  /// The key of a member, up to its value.
+  /// Takes the key of a member; its value comes next.
   std::string TakeKey() {
     const auto key = nlohmann::json::parse(TakeValue(), nullptr, /*allow_exceptions=*/false);
     StepOver();  // the colon
@@ -79,7 +79,7 @@ class JsonWalk {
   std::string_view rest_;
 };
 
-/// The element that "[3" names, or nothing.
+/// The element with the index in "[3", or nothing.
 std::optional<std::string_view> Element(std::string_view list, std::string_view step) {
   std::size_t index = 0;
   const auto read = std::from_chars(step.data() + 1, step.data() + step.size(), index);
@@ -93,7 +93,7 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
   return std::nullopt;
 }
 
-/// The value of a key, or nothing and which keys there are.
+/// The value of a key, or nothing; collects the existing keys.
 std::optional<std::string_view> Member(std::string_view object, const std::string& key,
                                        std::vector<std::string>& keys) {
   JsonWalk walk(object);

@@ -6,8 +6,8 @@
 
 namespace tendon::client {
 
-/// The part of a JSON text at a path's field, ".position[0]", as it is written there; all of it
-/// where the field is empty. kNotFound says where the path leaves the value.
+/// The text in a JSON value at a path's field, ".position[0]", exactly as written; the whole text
+/// if `field` is empty. kNotFound says where the path leaves the value.
 Result<std::string> JsonField(const std::string& json, const std::string& field);
 
 }  // namespace tendon::client

@@ -8,22 +8,22 @@
 
 namespace tendon::client {
 
-/// How far a viewer has come in the log of its GCM: goes on there after the link broke, begins anew
-/// with another GCM, and sees what is missing. Thread-safe.
+/// A viewer's position in the log of its GCM: continues after a broken link, starts again with
+/// another GCM, and notices gaps. Thread-safe.
 class LogFeed {
  public:
-  /// What a new channel is asked for.
+  /// The request for a new channel.
   [[nodiscard]] message::WatchLog Wanted() const;
   /// The answer to it.
   LogBatch Begin(const message::LogWatched& watched);
-  /// The next records. Those that were heard before are taken out.
+  /// The next records, without those that were delivered before.
   LogBatch Take(message::LogRecords batch);
 
  private:
   mutable std::mutex mutex_;
   std::uint64_t gcm_instance_ = 0;
-  std::uint64_t next_ = 0;     // number of the record that comes next
-  std::uint64_t current_ = 0;  // from here on they are new
+  std::uint64_t next_ = 0;     // number of the next record
+  std::uint64_t current_ = 0;  // records from here on are new
 };
 
 }  // namespace tendon::client

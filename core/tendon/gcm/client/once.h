@@ -11,7 +11,7 @@
 
 namespace tendon::client {
 
-/// How many answers somebody still waits for. Thread-safe.
+/// Counts pending answers. Thread-safe.
 class Outstanding {
  public:
   void Add() {
@@ -33,8 +33,7 @@ class Outstanding {
   std::size_t count_ = 0;
 };
 
-/// A handler that is called exactly once, whatever becomes of the request: with an error when the
-/// last copy of it is dropped unused.
+/// A handler that is called exactly once: with an error if the last copy is destroyed uncalled.
 template <typename T>
 class Once {
  public:

@@ -16,18 +16,18 @@
 
 namespace tendon::client {
 
-/// Channels to processes, opened on demand in a thread of their own and kept while they last.
+/// Channels to processes, opened on demand in a thread of their own and kept while they are open.
 /// Thread-safe.
 class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
  public:
   using SharedChannel = std::shared_ptr<Channel>;
   /// Must not block.
   using Use = std::function<void(Result<SharedChannel>)>;
-  /// Where a process is now; the error says why it is nowhere.
+  /// The current description of a process, or why it cannot be reached.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// Who comes to the processes, with `role` at most, and for how long one may hold up the others
-  /// by not answering.
+  /// Our name and highest role towards processes, and how long one that does not answer may delay
+  /// the others.
   struct Options {
     std::string name;
     Role role = Role::kOperator;
@@ -37,20 +37,20 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// The middleware outlives Stop().
   ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
-  /// Before the first With(): who hears the notices on all channels, and the ends of those.
+  /// Call it before the first With(). The listener hears notices on all channels, and their ends.
   void HearNotices(std::weak_ptr<ChannelHandler> listener) { listener_ = std::move(listener); }
-  /// Calls `use` with an open channel or the reason why there is none: at once, or in the thread
+  /// Calls `use` with an open channel, or the reason why there is none: at once, or in the thread
   /// that opens it.
   void With(const std::string& process, Use use);
-  /// The process is now this instance: a channel to another one is closed.
+  /// The process is this instance now: closes a channel to another one.
   void Drop(const std::string& process, std::uint64_t instance);
   void Stop();
 
  private:
   class Handler;
   struct Place {
-    SharedChannel channel;     // null while it opens
-    std::vector<Use> waiting;  // for that
+    SharedChannel channel;     // null while opening
+    std::vector<Use> waiting;  // for the channel
   };
 
   void Open(const std::string& process);

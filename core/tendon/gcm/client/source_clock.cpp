@@ -23,7 +23,7 @@ void SourceClock::WhenKnown(Known known) {
   known(shared_from_this());
 }
 
-/// Is kept until the answer is here, and then by whom it is known to.
+/// The request keeps this object alive until the answer; then the handlers do.
 void SourceClock::Ask() {
   tendon::Ask<message::Pong>(
       *timer_, channel_, message::kPing, None{}, timeout_,

@@ -13,21 +13,21 @@
 
 namespace tendon::client {
 
-/// The steady clock of the process at the other end of a channel against ours: asked for twice a
-/// second as long as the channel is open and somebody holds this. Thread-safe.
+/// Measures the steady clock of the process at the other end of a channel against ours, twice a
+/// second while the channel is open and the object is in use. Thread-safe.
 class SourceClock final : public std::enable_shared_from_this<SourceClock> {
  public:
   using Known = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
 
-  /// The timer is never blocked. A question is answered within `timeout`, or not at all.
+  /// The timer must never block. A request waits for its answer for at most `timeout`.
   SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
               std::chrono::milliseconds timeout);
 
-  /// Calls `known` once, with this when the first answer is here, or with why there is none: at
+  /// Calls `known` once, with this object when the first answer has come, or with an error: at
   /// once, or in a thread of the middleware or the timer.
   void WhenKnown(Known known);
 
-  /// What happened at `there` on the other clock.
+  /// The time of an event that was raised at `there` on the other clock.
   [[nodiscard]] EventTime Here(SteadyTime there) const;
 
  private:
@@ -37,7 +37,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   const std::shared_ptr<Worker> timer_;
   const std::shared_ptr<Channel> channel_;
   const std::chrono::milliseconds timeout_;
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // for all that follows
   ClockOffset offset_;
   bool is_known_ = false;
   std::vector<Known> waiting_;

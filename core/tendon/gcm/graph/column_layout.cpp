@@ -10,15 +10,15 @@ namespace tendon::graph {
 namespace {
 
 constexpr int kSweeps = 4;
-constexpr double kTallness = 6;  // of a field of loose ones: rows for each column
+constexpr double kTallness = 6;  // rows per column of blocks without peers
 
-/// Where something of `height` can stand in a column.
+/// An interval of a column.
 struct Interval {
   double top;
   double bottom;
 };
 
-/// What is taken of a column, from above; nothing overlaps.
+/// The occupied intervals of a column, from above; they do not overlap.
 class Column {
  public:
   void Take(const Interval& interval) {
@@ -31,8 +31,8 @@ class Column {
   [[nodiscard]] bool empty() const { return taken_.empty(); }
   [[nodiscard]] double bottom() const { return taken_.empty() ? 0 : taken_.back().bottom; }
 
-  /// Where something of `height` can stand, as near as can be; of two places the upper one. Linear
-  /// in what is taken.
+  /// The free place of `height` nearest to `wanted`; of two equally near, the upper one. Linear in
+  /// the occupied intervals.
   [[nodiscard]] double NearestFree(double wanted, double height, double gap) const {
     double best = -1;
     const auto offer = [&](double y) {
@@ -65,7 +65,7 @@ class Column {
 struct ColumnLayout::Plan {
   const std::vector<Block>& blocks;
   std::vector<std::vector<std::size_t>> peers;
-  std::vector<int> layers;  // -1 for loose ones
+  std::vector<int> layers;  // -1 for blocks without peers
   std::vector<std::optional<Place>> places;
   int column_count = 1;
   std::vector<Column> columns{};
@@ -82,7 +82,7 @@ struct ColumnLayout::Plan {
     return columns[index];
   }
 
-  /// The middle of those peers that have a place already; nothing when none has.
+  /// The middle of the peers that are placed already; nothing if none is.
   [[nodiscard]] std::optional<double> PeersMiddle(std::size_t block) const {
     double sum = 0;
     int count = 0;
@@ -134,7 +134,7 @@ void ColumnLayout::KeepPlaces(Plan& plan) const {
   for (const std::size_t i : known) {
     Place place = place_of(i);
     place.height = plan.blocks[i].size.height;
-    // One above that has grown pushes it down, no further than it must.
+    // A block above that has grown pushes it down, no further than necessary.
     const Column& column = plan.ColumnAt(place.column);
     if (!column.empty()) place.y = std::max(place.y, column.bottom() + spacing_.rows);
     plan.Put(i, place);
@@ -146,7 +146,7 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     if (!plan.places[i] && plan.layers[i] >= 0) order.push_back(i);
   }
-  // Neighbours in order of their peers: rank by the mean rank of peers, to and fro.
+  // Orders neighbours by the mean rank of their peers, in alternating sweeps.
   std::vector<double> rank(plan.blocks.size());
   std::iota(rank.begin(), rank.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -173,7 +173,7 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
 
 void ColumnLayout::PlaceLoose(Plan& plan) const {
   const auto loose = std::count(plan.layers.begin(), plan.layers.end(), -1);
-  // A few stand below one another, so that no edge from elsewhere passes behind one of them.
+  // A few stand in one column, so that no edge between others passes behind one of them.
   const int columns =
       std::max(plan.column_count,
                static_cast<int>(std::ceil(std::sqrt(static_cast<double>(loose) / kTallness))));

@@ -10,7 +10,7 @@
 
 namespace tendon::graph {
 
-/// In units of whoever draws.
+/// In units of the drawing.
 struct Size {
   double width = 0;
   double height = 0;
@@ -18,7 +18,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// From its left upper corner; y grows downwards.
+/// From its upper left corner; y grows downwards.
 struct Rect {
   double x = 0;
   double y = 0;
@@ -28,20 +28,20 @@ struct Rect {
   bool operator==(const Rect&) const = default;
 };
 
-/// Places blocks in columns, providers left of their clients. What has a place keeps it as long as
-/// its layer stays and nothing grows into it; a new block goes to the free place nearest its peers.
-/// Places are remembered, one for each layer, for blocks that come back.
+/// Places blocks in columns, providers left of their clients. A placed block stays as long as its
+/// layer is the same and no other block grows into it. A new block goes to the free place nearest
+/// its peers. Places are remembered for blocks that come back, one for each layer.
 class ColumnLayout {
  public:
-  /// What is placed, by its name.
+  /// An object to place, with its name.
   struct Block {
     std::string key;
     Size size;
-    bool keeps_place = true;  ///< else it stands where the others leave room
+    bool keeps_place = true;  ///< else it moves where others leave room
 
     bool operator==(const Block&) const = default;
   };
-  /// Between what stands side by side, and one above the other.
+  /// Gaps between columns and between blocks in a column.
   struct Spacing {
     double columns = 64;
     double rows = 16;
@@ -49,18 +49,18 @@ class ColumnLayout {
 
   explicit ColumnLayout(Spacing spacing) : spacing_(spacing) {}
 
-  /// Edges are indices of blocks, from provider to client. Nothing is done, and false returned,
-  /// when they are those of the last time.
+  /// Edges are indices of blocks, from provider to client. Returns false and does nothing if blocks
+  /// and edges are those of the last call.
   bool Arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges);
 
-  /// Of a block of the last Arrange(), as wide as its column.
+  /// The place of a block of the last Arrange(), as wide as its column.
   [[nodiscard]] Rect rect(const std::string& key) const;
-  /// All of it, from (0, 0).
+  /// The whole layout, from (0, 0).
   [[nodiscard]] Size size() const { return size_; }
 
  private:
   struct Place {
-    int layer = 0;  // -1: it has no peers, and stands where there is room
+    int layer = 0;  // -1: has no peers, and stands where there is room
     int column = 0;
     double y = 0;
     double height = 0;

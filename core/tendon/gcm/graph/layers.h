@@ -13,8 +13,8 @@ struct LayerEdge {
   bool operator==(const LayerEdge&) const = default;
 };
 
-/// The layer of each of `count` things, so that edges run to higher layers: the longest way from a
-/// thing without providers. Of each ring, the edge that closes it, met in order, is left out.
+/// The layer of each of `count` nodes, so that edges run to higher layers: the longest path from a
+/// node without providers. Ignores the edge that closes a ring, in the order of visits.
 [[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
 }  // namespace tendon::graph

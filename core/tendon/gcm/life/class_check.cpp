@@ -15,7 +15,7 @@
 namespace tendon {
 namespace {
 
-/// Whether it is made as the file says, so that nobody is asked to make it.
+/// Whether it is already as in the file, so that nothing must be created.
 bool IsMadeAs(const SystemFile::Component* running, const SystemFile::Component& wanted) {
   return running != nullptr && running->class_name == wanted.class_name &&
          (wanted.library.empty() || running->library == wanted.library) &&
@@ -27,21 +27,21 @@ bool IsLoaded(const message::Classes& known, const std::string& library) {
          known.classes.end();
 }
 
-/// Whether making the process's components loads plug-ins, whose classes nobody knows yet.
+/// Whether creating the process's components loads plug-ins, whose classes are not known yet.
 bool LoadsMore(const message::Classes& known, const SystemFile::Process& process) {
   return std::ranges::any_of(process.components, [&known](const auto& component) {
     return !component.library.empty() && !IsLoaded(known, component.library);
   });
 }
 
-/// The plug-in that has the component's class, as far as the file or what runs tells.
+/// The plug-in with the component's class, from the file or the running system.
 std::string LibraryOf(const SystemFile::Component& component, const ProcessEntry& process) {
   if (!component.library.empty()) return component.library;
   const auto now = process.components.find(component.name);
   return now == process.components.end() ? std::string() : now->second.library;
 }
 
-/// What the file says of the process, or what runs where that could not be made.
+/// The process as in the file, with the running components kept where the file's cannot be created.
 SystemFile::Process Feasible(const SystemFile::Process& process, const SystemIndex& running,
                              const message::Classes& known, std::vector<std::string>& obstacles) {
   SystemFile::Process feasible = process;
@@ -67,8 +67,8 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
   return feasible;
 }
 
-/// Of the plug-ins which the file's components are made of in processes that are there. `known` is
-/// newer than the catalogue where there is both.
+/// Adds notes for the plug-ins of the file's components in present processes. `known` is newer than
+/// the catalogue.
 void AddOldPlugins(const Catalog& catalog, const SystemFile& wanted, const KnownClasses& known,
                    std::vector<std::string>& notes) {
   for (const SystemFile::Process& process : wanted.processes) {

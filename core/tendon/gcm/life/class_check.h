@@ -11,30 +11,30 @@
 
 namespace tendon {
 
-// What a process would say of a class, told from the classes and plug-ins that it has: for who
-// wants to know before anything is done.
+// Checks an order as a process would, from the classes and plug-ins that it reported, before
+// anything is done.
 
-/// Whether the process could load the plug-in. kNotFound names what is near.
+/// Whether the process could load the plug-in. kNotFound suggests similar names.
 Result<void> CheckPlugIn(const message::Classes& known, const std::string& library);
 
-/// Whether it has the class that the order to create names, and the class the configuration. Of a
-/// plug-in that is not loaded yet nobody knows the classes: all is right there.
+/// Whether the process has the class of an order to create, and that accepts the configuration.
+/// Accepts all for a plug-in that is not loaded, because its classes are unknown.
 Result<void> CheckCreation(const message::Classes& known, const message::LifeOrder& order);
 
-/// Whether the class could be told that, JSON or empty. kInvalid says what is wrong.
+/// Whether the class would accept this configuration, JSON or empty. kInvalid says what is wrong.
 Result<void> CheckConfiguration(const ClassDescription& of, const std::string& configuration);
 
 /// By process.
 using KnownClasses = std::map<std::string, message::Classes>;
 
-/// The processes that must be asked for their classes before a plan is made: those that are there
-/// and have something to make.
+/// The processes to ask for their classes before a plan is made: those that are present and have
+/// components to create.
 [[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalog& catalog,
                                                       const SystemFile& wanted);
 
-/// As MakePlan(); but what CheckCreation() refuses stays as it is, and is an obstacle: a mistake in
-/// a file is seen before anything is stopped for it. What processes are asked for is what they run:
-/// where the file of a plug-in was written again since, that is a note.
+/// As MakePlan(), but what CheckCreation() refuses stays as it is and becomes an obstacle, so that
+/// a mistake in the file is found before anything is stopped. Checks against the code that
+/// processes run; a note tells if the file of a plug-in has changed since.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted,
                                    const KnownClasses& known);
 

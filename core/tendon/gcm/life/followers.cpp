@@ -24,7 +24,7 @@ std::string TextAt(const ordered_json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Each behind the one after which it runs.
+/// Each follower after its leader.
 std::vector<Follower> Read(const LifeStep& stop) {
   std::vector<Follower> all;
   const ordered_json list = JsonOrText(stop.former);
@@ -93,7 +93,7 @@ std::vector<LifeOrder> OrdersToRunAgain(const LifeStep& stop, const LifeOrder& o
     orders.back().component = component;
   };
   for (const Follower& one : all) add(LifeVerb::kStart, one.component);
-  std::set<std::string> suspended;  // with them rest those that run after them
+  std::set<std::string> suspended;  // their followers rest with them
   for (const Follower& one : all) {
     if (!one.was_suspended) continue;
     const bool rests_already = suspended.contains(one.leader);

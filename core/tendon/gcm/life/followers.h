@@ -6,23 +6,23 @@
 #include <string>
 #include <vector>
 
-/// Components that run after another one end when that is stopped. The step of the stop keeps which
-/// did, as JSON in LifeStep::former, so that its undo lets them run again.
+/// Components that run after another one stop with it. The step of the stop keeps them as JSON in
+/// LifeStep::former, so that an undo can start them again.
 namespace tendon {
 
-/// Which run after the component, or after one that does, as LifeStep::former of its stop has it;
-/// empty where none does.
+/// The components that run after this one, directly or not, as text for LifeStep::former; empty if
+/// there are none.
 [[nodiscard]] std::string FollowersText(const Catalog& catalog, const std::string& process,
                                         const std::string& component);
 
-/// The components that ended with that of the step.
+/// The components that stopped with that of the step.
 [[nodiscard]] std::vector<std::string> FollowersOf(const message::LifeStep& stop);
 
 /// Whether they are still as the stop left them.
 Result<void> CheckFollowers(const Catalog& catalog, const message::LifeStep& stop);
 
-/// What lets the component of `order`, which was stopped, and its followers run as before: the
-/// starts, each behind that of the one after which it runs, then the suspends.
+/// The orders that let the stopped component of `order` and its followers run as before: the
+/// starts, each after that of its leader, then the suspends.
 [[nodiscard]] std::vector<message::LifeOrder> OrdersToRunAgain(const message::LifeStep& stop,
                                                                const message::LifeOrder& order);
 

@@ -17,8 +17,8 @@ using message::LifeOutcome;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// An undo gives its orders within so many times what one may take. Whoever asked waits once more
-/// as long (GcmClient::kOrdersOfAnUndo): for the stop of what shall not run.
+/// An undo sends its orders within this many times the duration of one. The requester waits for one
+/// more (GcmClient::kOrdersOfAnUndo), which is for stopping what must not run.
 constexpr int kOrdersOfAChain = 5;
 
 std::string PathOf(const LifeOrder& order) {
@@ -45,7 +45,7 @@ Error Unknown(const LifeOrder& order, const Error& why) {
                                    "; see: gcm show " + PathOf(order)};
 }
 
-/// Those that the undo of a step lets run again beside its own component.
+/// The components that the undo of a step starts besides its own.
 std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
   const bool is_stop = step.verb == ToString(LifeVerb::kStop);
   return is_stop ? FollowersOf(step.life) : std::vector<std::string>();
@@ -78,12 +78,12 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
   });
 }
 
-/// Whether it is still as it was when the order was made, or who has changed it. The process checks
-/// it once more, for it may know better.
+/// Whether the configuration is still the one that the order was made from; the error names who
+/// changed it. The process checks again, because its state is newer.
 Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
   const auto* now = parts_.registry.catalog().FindComponent(order.process, order.component);
   if (order.verb != LifeVerb::kConfigure || now == nullptr) return {};
-  UndoMark last;  // who has changed it last: by a step, or by an undo of one
+  UndoMark last;  // of the last change, by a step or its undo
   std::string made;
   for (const message::HistoryEntry& step : parts_.history.steps().entries) {
     const message::LifeStep& life = step.life;
@@ -102,7 +102,7 @@ Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
   return CheckBase(order, now->configuration, by);
 }
 
-/// What was done, or may have been, is a step; answers once it is kept.
+/// Records what was done, or may have been; answers after it is recorded.
 void LifeOrders::Record(message::HistoryEntry entry, const Result<LifeOutcome>& outcome,
                         const Done<None>& done) {
   Result<None> answer = outcome ? Result<None>(None{}) : outcome.error();
@@ -166,9 +166,9 @@ void LifeOrders::Answer(Done<T> done, Result<T> result) {
   parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
-/// `done`, which also lets the next order to the component in; null where one is under way.
+/// Wraps `done` to release the component afterwards; null if it has an order under way.
 LifeOrders::Done<None> LifeOrders::Claim(const Path& path, Done<None> done) {
-  if (path.second.empty()) return done;  // the process takes one after the other
+  if (path.second.empty()) return done;  // the process serializes these
   if (!busy_.emplace(path, false).second) {
     Answer(std::move(done),
            Result<None>(Error{ErrorCode::kFailed, path.first + "/" + path.second +
@@ -182,7 +182,7 @@ LifeOrders::Done<None> LifeOrders::Claim(const Path& path, Done<None> done) {
   };
 }
 
-/// What is on its way to the component and could let it run does so no more.
+/// Voids orders under way that could start the component.
 void LifeOrders::PassOnStop(const Path& path) {
   const auto claim = busy_.find(path);
   if (claim != busy_.end()) claim->second = true;
@@ -229,14 +229,14 @@ nanoseconds LifeOrders::PatienceOf(nanoseconds asked) const {
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
-/// Until the order counts as not answered: before the one who asked gives up, who waits twice as
-/// long as it may take.
+/// How long to wait for the answer to an order: less than its requester, who waits twice the
+/// patience.
 milliseconds LifeOrders::Longest(nanoseconds patience) const {
   const auto most = std::chrono::ceil<milliseconds>(patience);
   return most + std::min(timeout_, most / 2);
 }
 
-/// One after the other, up to the first that fails, or for which no time is left.
+/// One after the other, up to the first that fails or has no time left.
 void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
   LifeOrder first = orders.front();
@@ -263,8 +263,8 @@ void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<N
   });
 }
 
-/// The first starts the one after which the others run: where one of these fails, it is stopped,
-/// and they end with it.
+/// The first order starts the leader of the others. If one of these fails, stops the leader, and
+/// all others with it.
 void LifeOrders::RunAgain(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
   const LifeOrder leader = orders.front();
   orders.erase(orders.begin());

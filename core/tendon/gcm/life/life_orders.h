@@ -17,20 +17,20 @@
 
 namespace tendon::server {
 
-/// Orders for the life of components: passes them on to the LCM that is meant, one at a time for
-/// each component, and keeps in the history what was done. A stop is always passed on, and what it
-/// meets on its way starts the component no more.
+/// Orders for the life cycle of components. Passes each on to its LCM, one at a time for each
+/// component, and records it in the history. A stop is always passed on; orders that it overtakes
+/// do not start the component any more.
 ///
-/// An LCM asks before it carries out an order (Begin()). What was not begun in time is void: it is
-/// not done, and never will be. What was begun, and of which nobody hears in time, is kept in the
-/// history as unknown.
+/// An LCM asks before it executes an order (Begin()). An order that was not begun in time is void
+/// and is never executed. An order that was begun, and whose outcome does not arrive in time, is
+/// recorded as unknown.
 ///
-/// Nobody waits in a thread. All functions are called under the lock of the owner; `done` is called
-/// once, without.
+/// No thread waits. All functions are called under the owner's lock; `done` is called once, without
+/// it.
 class LifeOrders {
  public:
   /// Calls its argument under the owner's lock, with the LifeOrders; not at all once the owner is
-  /// gone. What the argument adds to the outbox is sent afterwards.
+  /// gone. Then sends what the argument added to the outbox.
   using Locked = std::function<void(const std::function<void(LifeOrders&)>&)>;
   template <typename T>
   using Done = std::function<void(Result<T>)>;
@@ -39,20 +39,20 @@ class LifeOrders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;  ///< watches over deadlines
+    Worker& worker;  ///< enforces deadlines
   };
-  /// `timeout` is that of an order's answer, beyond what it may take.
+  /// `timeout` is for the answer to an order, in addition to its patience.
   LifeOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// `who` asked for it.
+  /// `who` has asked for it.
   void Steer(const message::LifeOrder& order, const std::string& who, Done<None> done);
-  /// Makes connections, and calls its argument, which may be under the lock.
+  /// Makes connections, then calls its argument, perhaps under the lock.
   using Connect = std::function<void(Done<None>)>;
-  /// Unmakes a step. `connect` is called, without the lock, before anything is started. Not a step
-  /// in the history.
+  /// Undoes a step. Calls `connect`, without the lock, before anything is started. Not recorded in
+  /// the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Connect connect,
             Done<None> done);
-  /// The process `by` is about to carry out an order: a refusal says that it must not.
+  /// Process `by` is about to execute an order; an error forbids it.
   [[nodiscard]] Result<void> Begin(std::uint64_t order, const std::string& by);
   void ListClasses(const std::string& process, Done<message::Classes> done);
 
@@ -60,7 +60,7 @@ class LifeOrders {
   using Path = std::pair<std::string, std::string>;
   using LifeDone = Done<message::LifeOutcome>;
 
-  /// An order that was given, and is not answered.
+  /// An order that was sent and is not answered yet.
   struct Given {
     Path path;
     LifeVerb verb;
@@ -87,7 +87,7 @@ class LifeOrders {
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::map<Path, bool> busy_;  // components that an order is under way to; whether they are to stop
+  std::map<Path, bool> busy_;  // components with an order under way; whether a stop has come
   std::map<std::uint64_t, Given> given_;
   std::uint64_t last_id_ = 0;
 };

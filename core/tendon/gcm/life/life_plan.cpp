@@ -34,7 +34,7 @@ Error Changed(const LifeStep& step, const std::string& how) {
   return {ErrorCode::kFailed, PathOf(step) + " " + how};
 }
 
-/// The state in which a step leaves its component, where that is the step.
+/// The state in which a step leaves its component, if the step is a change of state.
 std::optional<ComponentState> StateAfter(std::string_view verb) {
   if (verb == ToString(LifeVerb::kStart)) return ComponentState::kActive;
   if (verb == ToString(LifeVerb::kSuspend)) return ComponentState::kSuspended;
@@ -42,7 +42,7 @@ std::optional<ComponentState> StateAfter(std::string_view verb) {
   return std::nullopt;
 }
 
-/// Lets a component at rest become what it was.
+/// Brings a stopped component into the state that it had.
 void AddOrdersInto(ComponentState state, const LifeOrder& order, std::vector<LifeOrder>& orders) {
   if (!IsRunning(state)) return;
   orders.push_back(order);
@@ -190,7 +190,7 @@ Result<void> CheckUndo(const Catalog& catalog, const HistoryEntry& step) {
   if (is_other) return Changed(life, "is of class " + now->class_name + " since");
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
-    // One that was stopped, and made anew by a step that is undone, has not run since.
+    // A stopped component that was created anew by an undone step has not run since.
     const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                        now->state != ComponentState::kFaulted;
     if (now->state != *after && !rests) return Changed(life, "is " + state + " since");
@@ -229,8 +229,7 @@ UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
     create.thread = life.thread;
     create.leader = life.leader;
     plan.first.push_back(create);
-    if (!step.is_unknown)
-      AddOrdersInto(life.state, order, plan.then);  // else how it ran is unknown
+    if (!step.is_unknown) AddOrdersInto(life.state, order, plan.then);  // else its state is unknown
   } else if (step.verb == ToString(LifeVerb::kConfigure)) {
     order.verb = LifeVerb::kConfigure;
     order.configuration = life.former;

@@ -17,10 +17,10 @@ namespace {
 
 using Ordered = nlohmann::ordered_json;
 
-/// A component's configuration as a whole, and its type.
+/// The complete configuration of a component, and its type.
 struct Whole {
   Schema schema;
-  Ordered told;   // what it leaves out has the default
+  Ordered told;   // without fields that keep their default
   Ordered value;  // with the defaults
 };
 
@@ -43,7 +43,7 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
   return whole;
 }
 
-/// One step of "gain.x[2]": a field, or an element where `index` is given.
+/// One step of "gain.x[2]": a field, or an element if `index` is set.
 struct Step {
   std::string field;
   std::optional<std::size_t> index = std::nullopt;
@@ -98,7 +98,7 @@ struct Part {
   Ordered* value = nullptr;
 };
 
-/// What `step` names in `part`; `where` is how that part is called.
+/// The part that `step` names in `part`; `where` is the name of `part`.
 Result<Part> Enter(const Part& part, const Step& step, const std::string& where) {
   using Kind = Schema::Kind;
   const Schema& schema = part.schema;
@@ -137,7 +137,7 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Puts the part into what the class is told: no more than that, but lists as wholes.
+/// Copies the part into the configuration for the class: only that part, but lists as a whole.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   Ordered* told = &whole.told;
   const Ordered* value = &whole.value;
@@ -194,7 +194,7 @@ Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const st
   for (const Parameter& one : *all) {
     if (one.name == name || one.name.starts_with(name + ".")) found.push_back(one);
     if (!name.starts_with(one.name + "[")) continue;
-    found.push_back(one);  // of which an element is wanted
+    found.push_back(one);  // an element of it is wanted
     found.back().name = name;
     found.back().type = part->schema.TypeName();
     found.back().value = part->value->dump();

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Whether the ends are still as the step left them, and can be as before.
+/// Whether the ends are still as the step left them, and can be restored.
 Result<void> CheckWire(const Catalog& catalog, const message::History& history,
                        const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;

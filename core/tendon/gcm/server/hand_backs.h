@@ -11,25 +11,25 @@
 
 namespace tendon::server {
 
-/// The connections of processes that are gone, which they get back when they return and both ends
-/// are there again. Each is kept until it was made or refused for good. Not thread-safe.
+/// The connections of processes that are gone. A process gets them back when it returns and both
+/// ends are there. Each is kept until it is made or finally refused. Not thread-safe.
 class HandBacks {
  public:
-  /// Keeps the connections which the process owns now, besides those it was not given back yet.
+  /// Keeps the present connections of the process, in addition to those not handed back yet.
   void Keep(const Catalog& catalog, const std::string& process);
   void Drop(const std::string& process);
 
-  /// Those to be ordered now; none is given again before Settle() was told its outcome. One whose
-  /// end has returned with another class, or whose required interface was connected meanwhile, is
-  /// forgotten silently.
+  /// The connections to order now. None is returned again before Settle() has its outcome. Silently
+  /// forgets one whose end returned with another class, or whose required interface was connected
+  /// meanwhile.
   std::vector<message::Wire> TakeDue(const Catalog& catalog, SteadyTime now);
 
   enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
-  /// What became of an order. What was not made for a reason that may pass is tried again, after a
-  /// pause that grows: kTryAgain for the first time, then kStillTrying.
+  /// Reports the outcome of an order. A temporary failure is retried after a growing pause:
+  /// kTryAgain the first time, then kStillTrying.
   Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
 
-  /// Whether a pause is over: TakeDue() may have something without a change of the catalogue.
+  /// Whether a pause is over: TakeDue() may return something without a change of the catalogue.
   [[nodiscard]] bool IsPauseOver(SteadyTime now) const;
 
  private:

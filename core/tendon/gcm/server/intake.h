@@ -6,8 +6,8 @@
 
 #include <string>
 
-/// What an LCM says of itself, made fit to be kept and shown: names are checked, free texts cut and
-/// made printable, missing process names filled in. Errors of code kInvalid.
+/// Checks the names in a report of an LCM, cuts free texts and makes them printable, and fills in
+/// missing process names. Errors of code kInvalid.
 namespace tendon::server {
 
 Result<void> TakeIn(ComponentDescription& component);
@@ -15,10 +15,10 @@ Result<void> TakeIn(ComponentDescription& component);
 /// A connection that `process` owns.
 Result<void> TakeIn(ConnectionDescription& connection, const std::string& process);
 
-/// Everything in it; each component and each connection once.
+/// Checks all of it; components and connections must be unique.
 Result<void> TakeIn(message::Join& join);
 
-/// One step of a Report of `process`: about itself, with exactly what its kind needs.
+/// One change in a Report: must be about `process`, with exactly the fields of its kind.
 Result<void> TakeIn(CatalogChange& change, const std::string& process);
 
 void TakeIn(message::LogRecords& batch);

@@ -14,42 +14,42 @@
 
 namespace tendon::server {
 
-/// The newest records of all processes, and who watches them. A watcher is a place in the book: who
-/// does not read stays behind, holds nobody up and costs nothing; what has left the book before it
-/// was read is a hole that the watcher sees. Not thread-safe; never blocks.
+/// The newest records of all processes, and their watchers. A watcher is a position in the book: a
+/// slow one delays nobody and costs nothing; records that left the book before it read them are a
+/// gap that it sees. Not thread-safe; never blocks.
 class LogBook {
  public:
   static constexpr std::size_t kKept = 4096;
 
-  /// What the process has sent, its name and instance as the GCM knows them. What is missing before
-  /// it, for a link broke on which it had been sent, is told as a record.
+  /// Adds records from a process; the GCM knows its name and instance. If records before them were
+  /// lost with a broken link, a record says so.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
   /// A record of the GCM's own program, as of a process kGcmName.
   void AddOwn(message::LogRecord record);
   /// The process is gone for good.
   void Forget(const std::string& process) { senders_.erase(process); }
 
-  /// The channel's place, from record number `after` on: where a watcher of this GCM was before, or
-  /// 0 for all that is kept. The records come with Pump().
+  /// Adds a watcher that starts at record number `after`: its last position in the log of this GCM,
+  /// or 0 for all that is kept. Pump() sends the records.
   message::LogWatched Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 
-  /// Sends what the links of watchers take now that have had room so far.
+  /// Sends records to the watchers whose links had room so far.
   void Pump();
-  /// Tries the others again, too.
+  /// Also tries the other watchers.
   void PumpAll();
 
  private:
   struct Sender {
     std::uint64_t instance = 0;
-    std::uint64_t next = 0;  ///< the number of the record that comes next
+    std::uint64_t next = 0;  ///< number of the next record
   };
   struct Watcher {
     std::shared_ptr<Channel> channel;
-    std::uint64_t next = 0;  ///< the number of the record that it is sent next
+    std::uint64_t next = 0;  ///< number of the next record to send
     bool is_full = false;    ///< its link had no room
   };
-  /// A frame that several watchers need.
+  /// A frame for several watchers.
   struct Batch {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
@@ -61,8 +61,8 @@ class LogBook {
   [[nodiscard]] Batch BatchFrom(std::uint64_t number) const;
 
   std::deque<message::LogRecord> records_;
-  std::uint64_t first_ = 0;  // the number of the oldest
-  std::uint64_t end_ = 0;    // that of the next to be written
+  std::uint64_t first_ = 0;  // number of the oldest
+  std::uint64_t end_ = 0;    // number of the next to be written
   std::map<std::string, Sender> senders_;
   std::map<const Channel*, Watcher> watchers_;
 };

@@ -26,7 +26,7 @@ void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
           (is_over ? "" : "; trying again"));
 }
 
-/// Whether the process may have obeyed all the same, or may yet.
+/// Whether the process may still execute the order, or has done so.
 bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
@@ -163,7 +163,7 @@ void Orders::Answer(Done<T> done, Result<T> result) {
   parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
-/// `done`, which also lets the next change of the interface in; null where one is under way.
+/// Wraps `done` to release the interface afterwards; null if it has a change under way.
 template <typename T>
 Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
@@ -179,7 +179,7 @@ Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
   };
 }
 
-/// Answers once the step is kept.
+/// Answers after the step is recorded.
 template <typename T>
 void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
                     Done<T> done) {
@@ -189,14 +189,14 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
                         [answer = std::move(answer), done = std::move(done)] { done(answer); });
 }
 
-/// Calls `planned` with the lock held; a refusal names the first difference of two types, for
-/// which the two processes may have to be asked.
+/// Calls `planned` with the lock held. May ask both processes for schemas, so that a refusal can
+/// name the first difference of two types.
 void Orders::Plan(const message::Wire& wire, Occupied occupied, const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalog& catalog = parts_.registry.catalog();
   const auto wiring = PlanConnect(catalog, wire, occupied);
   if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);
-  const auto missing = std::make_shared<int>(0);  // answers; under the lock
+  const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
   const auto answered = [=, locked = locked_] {
     locked([&](Orders& orders) {
       if (--*missing > 0) return;
@@ -221,7 +221,7 @@ void Orders::Make(const message::Wire& wire, ConnectDone done) {
   });
 }
 
-/// To what is not there: instead of what the required interface is connected to, if it is.
+/// Makes a connection to an absent provider, after disconnecting the interface if need be.
 void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto claimed = Claim(wire.required, done);
   if (!claimed) return;
@@ -247,7 +247,7 @@ void Orders::Break(const InterfaceName& required, ConnectDone done) {
   });
 }
 
-/// What the required interface is connected to now makes room for another one that fits.
+/// Replaces the present connection of the required interface if the new one fits.
 void Orders::Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done) {
   Plan(wire, Occupied::kReplaced, [wire, who, done](Orders& orders, const auto& wiring) {
     const Catalog& catalog = orders.parts_.registry.catalog();
@@ -273,7 +273,7 @@ void Orders::MakeInstead(const Exchange& exchange, const Result<None>& broken) {
            });
 }
 
-/// What worked is given up only for what works.
+/// An active connection is replaced only by an active one.
 void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>& made) {
   if (!made) return Restore(exchange, made.error());
   constexpr ConnectionState kActive = ConnectionState::kActive;
@@ -284,8 +284,8 @@ void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>
                      ToString(made->provided) + " was not reached: " + made->reason});
 }
 
-/// Ends what there may be of the new connection. A process that is late obeys that too: afterwards
-/// it has the former one.
+/// Removes the new connection, if there is one, and restores the old one. A late process executes
+/// both orders too, and ends up with the old one.
 void Orders::Restore(const Exchange& exchange, const Error& why) {
   const message::Wire former{exchange.wire.required, exchange.former.provided};
   GiveBreak(former.required, [](const auto& /*there may be none*/) {});
@@ -296,7 +296,7 @@ void Orders::Restore(const Exchange& exchange, const Error& why) {
       });
 }
 
-/// A swap that failed and left nothing behind is a step, so that it can be undone.
+/// A failed swap that left the interface disconnected is recorded, so that it can be undone.
 void Orders::Settle(const Exchange& exchange, Error why,
                     const Result<ConnectionDescription>& restored) {
   const message::Wire former{exchange.wire.required, exchange.former.provided};
@@ -334,7 +334,7 @@ void Orders::Give(MessageType type, const InterfaceName& required, const Body& b
       });
 }
 
-/// Without an answer, what the process has reported counts.
+/// Without an answer, the state that the process has reported counts.
 void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
   const auto heard = [locked = locked_, wire = wiring.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
@@ -370,8 +370,8 @@ void Orders::UndoLife(const message::HistoryEntry& step, std::chrono::nanosecond
   parts_.life.Undo(step, patience, connect, done);
 }
 
-/// The connections of a component that is there again. Where one cannot be made again, the
-/// component is not to run.
+/// Restores the connections of a component that was created again. If one fails, the component is
+/// not started.
 void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
   struct Answers {
     std::size_t missing;
@@ -399,7 +399,7 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
                                 ConnectionDescription());
 }
 
-/// Whose a process is, the catalogue does not know.
+/// The catalogue does not know whether the GCM started a process.
 Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
   auto checked = CheckUndoOf(parts_.registry.catalog(), parts_.history.steps(), step);
   if (!checked || !IsOfProcess(step)) return checked;

@@ -17,15 +17,14 @@
 
 namespace tendon::server {
 
-/// Connects and disconnects: checks a request against the catalogue, gives the order to the
-/// required side's LCM, and keeps in the history what was done. Nobody waits in a thread; what
-/// fails changes nothing, as far as the LCM lets us; otherwise the history has that change. All
-/// functions are called under the lock of the owner; `done` is called
-/// once, without.
+/// Connects and disconnects: checks a request against the catalogue, sends the order to the
+/// required side's LCM, and records the change in the history. No thread waits. A failure changes
+/// nothing, as far as the LCM allows; otherwise the history has the change. All functions are
+/// called under the owner's lock; `done` is called once, without it.
 class Orders {
  public:
   /// Calls its argument under the owner's lock, with the Orders; not at all once the owner is gone.
-  /// What the argument adds to the outbox is sent afterwards.
+  /// Then sends what the argument added to the outbox.
   using Locked = std::function<void(const std::function<void(Orders&)>&)>;
   template <typename T>
   using Done = std::function<void(Result<T>)>;
@@ -35,26 +34,25 @@ class Orders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;          ///< watches over deadlines
-    LifeOrders& life;        ///< unmakes its own steps
+    Worker& worker;          ///< enforces deadlines
+    LifeOrders& life;        ///< undoes its own steps
     Supervisor& supervisor;  ///< likewise
   };
   Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// `who` asked for it.
+  /// `who` has asked for it.
   void Connect(const message::Wire& wire, const std::string& who, ConnectDone done);
-  /// As Connect() where it is not connected.
+  /// As Connect() if the interface is not connected.
   void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::WhichStep& which, const std::string& who,
             Done<message::HistoryEntry> done);
-  /// Leaves the newest step as it is, for good, so that those before it can be undone; only where
-  /// that cannot be undone as things are, or is named, and not because its process is away, which
-  /// may come back.
+  /// Marks the newest step as not to be undone, so that earlier ones can be. Refused if its process
+  /// is away and may come back, or if the step can be undone and is not named.
   void PassOver(const message::WhichStep& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
-  /// A connection which a returned process had before. Not a step in the history.
+  /// Makes a connection that a returned process had before. Not recorded in the history.
   void HandBack(const message::Wire& wire);
 
  private:
@@ -65,7 +63,7 @@ class Orders {
   template <typename T>
   void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer, Done<T> done);
 
-  // Changes of an interface, one at a time, without a trace in the history.
+  // Changes of one interface, one at a time, not recorded in the history.
 
   using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
   void Plan(const message::Wire& wire, Occupied occupied, const Planned& planned);
@@ -89,7 +87,7 @@ class Orders {
   void Restore(const Exchange& exchange, const Error& why);
   void Settle(const Exchange& exchange, Error why, const Result<ConnectionDescription>& restored);
 
-  // Single orders to the required side's LCM, which obeys them in this order.
+  // Single orders to the required side's LCM, which executes them in order.
 
   template <typename T, Message Body>
   void Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done);
@@ -108,7 +106,7 @@ class Orders {
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::set<InterfaceName> busy_;  // required interfaces that are being changed
+  std::set<InterfaceName> busy_;  // required interfaces with a change under way
 };
 
 }  // namespace tendon::server

@@ -6,16 +6,15 @@
 
 namespace tendon::server {
 
-/// What a locked section wants done once the lock is free: answering, sending, logging. Actions run
-/// in the order in which they were added, one at a time, in whichever thread flushes; no action
-/// runs under a lock of the outbox. Thread-safe.
+/// The actions of a locked section for after the lock is released: answering, sending, logging.
+/// Runs them in the order of Add(), one at a time, in a thread that calls Flush(), without a lock.
+/// Thread-safe.
 class Outbox {
  public:
   using Action = std::function<void()>;
 
   void Add(Action action);
-  /// Runs all that is there; returns at once when another thread is at it, which then runs ours
-  /// too.
+  /// Runs all waiting actions. Returns at once if another thread is doing so; that runs ours too.
   void Flush();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace tendon::server {
 
-/// A line of the log for what a person wants to know: processes that come and go.
+/// Logs processes that come and go.
 void LogProcesses(const std::vector<CatalogChange>& changes);
 
 [[nodiscard]] bool ChangesProcesses(const std::vector<CatalogChange>& changes);

@@ -18,7 +18,7 @@ std::string Milliseconds(std::chrono::nanoseconds time) {
          " ms";
 }
 
-/// Cores that a process kept busy from one to the other, by its own clock; below 0 where they make
+/// The cores that a process kept busy between two reports, on its own clock; below 0 if they make
 /// no sense.
 double CoresBetween(const message::Health& before, const message::Health& after) {
   const double passed = static_cast<double>(after.time) - static_cast<double>(before.time);
@@ -26,7 +26,7 @@ double CoresBetween(const message::Health& before, const message::Health& after)
   return passed > 0.0 && used >= 0.0 ? used / passed : -1.0;
 }
 
-/// Whether the catalogue has this already: what changes nothing gets no revision.
+/// Whether the catalogue has this already; then there is no new revision.
 bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
   switch (change.kind) {
@@ -50,7 +50,7 @@ bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
   return false;
 }
 
-/// What the process must not have any more after it joined with `join`.
+/// What the process no longer has after it joined with `join`.
 std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::Join& join) {
   std::vector<CatalogChange> changes;
   for (const auto& [id, connection] : before.connections) {
@@ -104,14 +104,14 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
   return admission;
 }
 
-/// Replaces what is known of the process by what it says.
+/// Replaces the entry of a process with what it reports.
 void Registry::Enter(const message::Join& join, const std::string& link, std::int64_t now) {
   const std::string& name = join.process.name;
   ProcessDescription process = join.process;
   process.state = ProcessState::kAlive;
   process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
-  // A process that never stopped knows its connections itself; a new one is given the old one's.
+  // A process that never stopped has its connections; a new one gets those of the old one back.
   const ProcessEntry* before = catalog_.FindProcess(name);
   if (before != nullptr && before->process.instance == process.instance) hand_backs_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
@@ -198,7 +198,7 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   members_.erase(found);
   hand_backs_.Keep(catalog_, name);
   tombstones_[name] = clock_.Now();
-  // A middleware may close the link of one that hangs before its lease is over.
+  // A middleware may close the link of a process that hangs before its lease ends.
   const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
                           !reason.starts_with(kNoRenewal);
   const std::string before =
@@ -260,7 +260,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   Forgive(now);
   std::vector<std::pair<Session, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
-    // The renewal may wait behind a large message.
+    // A large message may delay the renewal.
     const SteadyTime last_part = member.channel ? member.channel->last_part() : SteadyTime();
     const auto silence = now - std::max(member.renewed, last_part);
     if (silence >= leases_.lost_after) {
@@ -279,7 +279,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   return channels;
 }
 
-/// When this process itself stood still, nobody else is to blame: their renewals wait to be read.
+/// Extends the leases after a pause of this process, because renewals wait to be read.
 void Registry::Forgive(SteadyTime now) {
   constexpr std::chrono::milliseconds kUsual(250);
   const auto pause = now - std::exchange(last_tick_, now);
@@ -320,7 +320,7 @@ message::Peers Registry::peers() const {
   for (const auto& [name, entry] : catalog_.processes()) {
     if (!IsPresent(entry.process)) continue;
     peers.processes.push_back(entry.process);
-    peers.processes.back().plugins.clear();  // nobody connects to those
+    peers.processes.back().plugins.clear();  // not needed to connect
   }
   return peers;
 }
@@ -374,7 +374,7 @@ void Registry::SetState(const std::string& process, ProcessState state, const st
   Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
 }
 
-/// A tombstone's connections are wanted, but not there.
+/// The connections of a tombstone become pending.
 void Registry::SuspendConnections(const std::string& process) {
   const auto connections = catalog_.FindProcess(process)->connections;
   for (auto [id, connection] : connections) {

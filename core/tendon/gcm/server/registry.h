@@ -22,68 +22,68 @@ class Channel;
 
 namespace tendon::server {
 
-/// When a member that does not renew its lease is suspected and given up, and when a tombstone is
-/// cleared away.
+/// When a member that does not renew its lease becomes suspect and lost, and when a tombstone is
+/// removed.
 struct Leases {
   std::chrono::milliseconds suspect_after{750};
   std::chrono::milliseconds lost_after{1500};
   std::chrono::hours tombstone_for{24};
 };
 
-/// A membership that has ended, or the token of one that has begun.
+/// The token of a membership.
 using Session = std::uint64_t;
 
-/// Who is a member under which name, and the catalogue that follows from what members say. A name
-/// has at most one member; the membership is proven by its session, a number that nobody can guess.
-/// Only decides: sending and closing are left to the caller. Not thread-safe.
+/// The members with their names, and the catalogue that follows from their reports. A name has at
+/// most one member. Its session, a random number, proves the membership. Only decides: the caller
+/// sends and closes. Not thread-safe.
 class Registry {
  public:
   Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
 
   struct Admission {
     Session session = 0;
-    std::shared_ptr<Channel> replaced;  ///< of the same process' last membership; may be null
+    std::shared_ptr<Channel> replaced;  ///< of the process's last membership; may be null
   };
-  /// Errors: kInvalid; kExists, with who holds the name. `held` is the session that the newcomer
-  /// brings along: one of its own may be taken over.
+  /// Errors: kInvalid; kExists, with the holder of the name. `held` is the session of an earlier
+  /// membership of the same process, which the new one continues.
   Result<Admission> Join(message::Join join, Session held, std::shared_ptr<Channel> channel);
 
-  /// Steps that make no sense are left out; the error names the first.
+  /// Skips invalid changes; the error names the first.
   Result<void> Report(Session session, message::Report report);
-  /// kDenied when the membership is over.
+  /// kDenied if the membership is over.
   Result<void> Renew(Session session);
-  /// Changes nothing in the catalogue. kDenied when the membership is over.
+  /// Changes nothing in the catalogue. kDenied if the membership is over.
   Result<void> TakeHealth(Session session, const message::Health& health);
-  /// The process becomes a tombstone. Nothing happens when the membership is over.
+  /// The process becomes a tombstone. Does nothing if the membership is over.
   void End(Session session, ProcessState state, const std::string& reason);
-  /// The program of a process is started, or, with its pid, was: until that joins, the catalogue
-  /// has it as starting, with what it had before. Nothing happens where there is a member of that
-  /// name.
+  /// The program of a process is being started; with `pid`, it was started. Until it joins, the
+  /// catalogue shows it as starting, with its former components. Does nothing if there is a member
+  /// of that name.
   void Expect(const std::string& process, std::int64_t pid);
-  /// It does not come: the catalogue has what it had before, if it had anything. Nothing happens
-  /// where the process is not expected.
+  /// It will not join: restores the former entry of the catalogue, if any. Does nothing if the
+  /// process is not expected.
   void GiveUp(const std::string& process);
-  /// Says more of why a process is gone; false where there is no tombstone of it.
+  /// Adds to the reason why a process is gone; returns false if it has no tombstone.
   bool Explain(const std::string& process, const std::string& reason);
-  /// Removes a tombstone; kNotFound, or kFailed for a process that is there.
+  /// Removes a tombstone. kNotFound; kFailed for a present process.
   Result<void> Forget(const std::string& process);
 
-  /// Judges the leases; to be called often. The channels of the members that were given up, to be
+  /// Checks the leases; call it often. Returns the channels of lost members, which are to be
   /// closed.
   std::vector<std::shared_ptr<Channel>> Tick();
 
   [[nodiscard]] const Catalog& catalog() const { return catalog_; }
-  /// Of a member, as the catalogue has it; null when the membership is over.
+  /// A member's entry in the catalogue; null if the membership is over.
   [[nodiscard]] const ProcessDescription* FindMember(Session session) const;
-  /// Of a member, else null.
+  /// The channel of a member, else null.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
   [[nodiscard]] message::Peers peers() const;
   [[nodiscard]] message::SystemHealth health() const;
 
-  /// What happened since it was last asked.
+  /// The changes since the last call.
   [[nodiscard]] std::vector<CatalogChange> TakeChanges() { return std::exchange(changes_, {}); }
-  /// Connections to be made again now; SettleHandBack() is then told what became of each.
+  /// The connections to make again now. Report each outcome to SettleHandBack().
   [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
   HandBacks::Verdict SettleHandBack(const message::Wire& wire, const Result<void>& outcome);
 
@@ -93,11 +93,11 @@ class Registry {
     std::uint64_t instance = 0;
     Session session = 0;
     std::shared_ptr<Channel> channel;
-    std::string link;  // where its end of the channel is
+    std::string link;  // address of its end of the channel
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
     std::optional<message::Health> health;
-    SteadyTime told;    // its health
+    SteadyTime told;    // when it reported its health
     double cpu = -1.0;  // as in ProcessHealth
   };
 
@@ -118,7 +118,7 @@ class Registry {
   DescriptionPool pool_;
   std::map<Session, Member> members_;
   std::map<std::string, SteadyTime> tombstones_;  // since when
-  /// Starting, with what the catalogue had before.
+  /// Starting processes, with their former entries.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
   HandBacks hand_backs_;
   bool look_for_hand_backs_ = false;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick(100);
 
-/// Answers whatever the result is of.
+/// Answers with any type of result.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
 }
@@ -71,7 +71,7 @@ Server::Server(Options options)
       history_(options_.history),
       registry_(options_.leases, *options_.clock) {}
 
-/// For a part: what calls its argument with it, under the lock.
+/// Returns the part's Locked function.
 template <typename Part>
 auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
   return [weak = weak_from_this(), part](const std::function<void(Part&)>& action) {
@@ -143,8 +143,8 @@ void Server::Publish() {
   for (const message::Wire& wire : registry_.TakeDueHandBacks()) orders_->HandBack(wire);
 }
 
-/// At once, unless they were told only just now: of many that come or are late together the others
-/// hear once a tick, not once each, or a herd would keep the GCM and itself too busy to renew.
+/// At once, but at most once a tick: otherwise many processes that join or are late together would
+/// keep the GCM and each other too busy to renew their leases.
 void Server::TellPeers() {
   if (SteadyClock().Now() - peers_told_ < kTick) {
     peers_owed_ = true;
@@ -230,8 +230,7 @@ void Server::Join(const Request& request) {
   });
 }
 
-/// Of a lease; from a viewer it is only the question whether we live. That must not wait behind a
-/// large answer.
+/// Renews a lease; from a viewer it is only a ping. The answer must not wait behind a large one.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const Session session = request.peer.session;
@@ -242,7 +241,7 @@ void Server::Renew(const Request& request) {
   });
 }
 
-/// The answer passes by all others, for it tells the time.
+/// The answer overtakes all others, because it carries the time.
 void Server::TakeHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);

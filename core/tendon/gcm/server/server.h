@@ -27,9 +27,9 @@
 
 namespace tendon::server {
 
-/// A GCM behind its door: hears the channels of LCMs and viewers. One mutex guards what is known;
-/// under it is only decided. Sending, answering and logging follow from the outbox, files from the
-/// history's own thread. Thread-safe.
+/// The GCM's server for channels of LCMs and viewers. One mutex guards the state; with it held,
+/// code only decides. The outbox sends, answers and logs afterwards; the history writes files in
+/// its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -45,11 +45,11 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   /// Call it once, first.
   void Start();
-  /// Waits until the disk has the history. Afterwards no thread of ours runs, and nothing is
-  /// answered any more.
+  /// Waits until the history is on disk. Afterwards none of its threads runs, and nothing is
+  /// answered.
   void Stop();
 
-  /// Of one channel.
+  /// For one channel.
   std::shared_ptr<ChannelHandler> MakeHandler();
   [[nodiscard]] Catalog catalog() const;
   void Tick();
@@ -57,7 +57,7 @@ class Server final : public std::enable_shared_from_this<Server> {
  private:
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
-  /// Of the one viewer who may carry out a plan; it ends with its channel at the latest.
+  /// The viewer that may execute a plan; ends with its channel at the latest.
   struct Turn {
     const Peer* peer = nullptr;
     std::string who;
@@ -67,10 +67,10 @@ class Server final : public std::enable_shared_from_this<Server> {
     Peer& peer;
     SharedChannel channel;
     std::span<const std::byte> body;
-    std::shared_ptr<Responder> responder;  ///< shared, for std::function wants to be copied
+    std::shared_ptr<Responder> responder;  ///< shared, because std::function must be copyable
   };
 
-  /// Decides under the lock, then publishes and sends what follows from it.
+  /// Decides with the lock held, then publishes and sends the results.
   template <typename Action>
   void Locked(Action&& action);
   template <typename Part>
@@ -81,10 +81,10 @@ class Server final : public std::enable_shared_from_this<Server> {
   void KeepTicking();
   void WriteOwnLog();
 
-  /// Of the program at the other end.
+  /// The name of the peer.
   static std::string NameOf(const Channel& channel);
 
-  /// Each serves one type of request.
+  /// Each function serves one type of request.
   using Serve = void (Server::*)(const Request&);
   static Serve ServeOf(MessageType type);
   void Join(const Request& request);
@@ -111,11 +111,11 @@ class Server final : public std::enable_shared_from_this<Server> {
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);
   void Report(const Peer& peer, std::span<const std::byte> body);
-  /// `session` is looked at under the lock.
+  /// Reads `session` with the lock held.
   void TakeLog(const Session& session, std::span<const std::byte> body);
   void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
-  /// Under the lock.
+  /// With the lock held.
   template <typename T>
   void Answer(const Request& request, Result<T> result);
 

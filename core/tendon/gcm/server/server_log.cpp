@@ -8,11 +8,11 @@
 
 #include <utility>
 
-/// What the server does with the logs of others, and with its own.
+/// The server's handling of other processes' logs and of its own.
 namespace tendon::server {
 namespace {
 
-/// Whether what it logs is in the book already: a window that hosts a GCM is a process as well.
+/// Whether its records are in the book already: a window that hosts a GCM is also a process.
 bool IsOwn(const ProcessDescription& process) {
   return process.name == kGcmName && process.pid == os::ProcessId() &&
          process.host == os::HostName();
@@ -20,7 +20,7 @@ bool IsOwn(const ProcessDescription& process) {
 
 }  // namespace
 
-/// In an action of the outbox; also sends watchers what their links had no room for.
+/// In an action of the outbox; also retries watchers whose links were full.
 void Server::WriteOwnLog() {
   auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
   for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));

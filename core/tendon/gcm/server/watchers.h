@@ -12,20 +12,19 @@
 
 namespace tendon::server {
 
-/// Sends every change to every watcher, in order. A watcher is a place in one log that all share:
-/// who does not read stays behind, holds nobody up and costs nothing; who falls behind the log is
-/// sent the newest change alone, sees the hole, and asks for a snapshot. Not thread-safe; never
-/// blocks.
+/// Sends every change to every watcher, in order. A watcher is a position in one shared log: a slow
+/// one delays nobody and costs nothing. If it falls behind the log, it gets only the newest change,
+/// sees the gap, and asks for a snapshot. Not thread-safe; never blocks.
 class Watchers {
  public:
-  /// A watcher that has everything up to `revision`; one that is there already begins anew.
+  /// Adds a watcher that has everything up to `revision`; restarts one that is there already.
   void Add(const std::shared_ptr<Channel>& channel, std::uint64_t revision);
   void Remove(const Channel* channel);
 
   /// The catalogue's next changes.
   void Publish(const std::vector<CatalogChange>& changes);
 
-  /// Sends what the watchers' links take now.
+  /// Sends what the watchers' links accept now.
   void Pump();
 
  private:
@@ -34,9 +33,9 @@ class Watchers {
   struct Watcher {
     std::shared_ptr<Channel> channel;
     std::uint64_t revision = 0;       ///< sent up to here
-    std::size_t most = kMostInBatch;  ///< changes tried at once; fewer while its link is full
+    std::size_t most = kMostInBatch;  ///< changes in one batch; fewer while its link is full
   };
-  /// A frame that several watchers need.
+  /// A frame for several watchers.
   struct Batch {
     std::uint64_t after = 0;
     std::uint64_t last = 0;
@@ -47,7 +46,7 @@ class Watchers {
   void Fill(Batch& batch, const Watcher& watcher) const;
   void DropSent();
 
-  std::deque<CatalogChange> log_;  // of what some watcher was not sent yet
+  std::deque<CatalogChange> log_;  // changes that some watcher lacks
   std::uint64_t newest_ = 0;
   std::map<const Channel*, Watcher> watchers_;
 };

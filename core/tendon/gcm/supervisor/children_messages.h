@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-/// Whom a GCM has started, which no catalogue tells.
+/// The processes that a GCM has started, which the catalogue does not contain.
 namespace tendon::message {
 
-// From a viewer. A GCM that is older than this message refuses it.
+// From a viewer. A GCM older than this message refuses it.
 inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // request: None -> Children
 
-/// A process that the GCM has started, and would end, or start again.
+/// A process that the GCM has started, and can end or restart.
 struct Child {
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;

@@ -13,45 +13,45 @@ namespace tendon::server {
 
 /// How a process has ended.
 struct ProcessEnd {
-  bool is_failure = true;  ///< another exit code than 0, or a signal
+  bool is_failure = true;  ///< an exit code other than 0, or a signal
   std::string how;         ///< "ended with exit code 3", "was ended by SIGKILL"
 };
 
-/// A process that was started; it goes on when this object ends.
+/// A started process; it runs on when this object is destroyed.
 class StartedProcess {
  public:
   virtual ~StartedProcess() = default;
   [[nodiscard]] virtual std::int64_t pid() const = 0;
-  /// Nothing as long as it runs.
+  /// Nothing while it runs.
   virtual std::optional<ProcessEnd> Ended() = 0;
-  /// Asks it to end, in order.
+  /// Asks it to end in order.
   virtual void Terminate() = 0;
-  /// Ends it, at once.
+  /// Ends it at once.
   virtual void Kill() = 0;
 };
 
-/// What a process has left.
+/// The output of a process.
 struct Traces {
-  std::string last_words;  ///< the end of its log, in one line
-  std::string log;         ///< where that is
+  std::string last_words;  ///< the end of its log, on one line
+  std::string log;         ///< the path of its log
 };
 
-/// Starts processes on this host. Its functions wait for the disk; they are called by one thread.
+/// Starts processes on this host. Its functions wait for the disk; call them from one thread.
 class Launcher {
  public:
-  /// What is started.
+  /// The process to start.
   struct Order {
     std::string process;
-    std::chrono::milliseconds patience{0};  ///< to look for the GCM
-    std::optional<SystemFile> system{};     ///< with the components that it is to have
+    std::chrono::milliseconds patience{0};  ///< for finding the GCM
+    std::optional<SystemFile> system{};     ///< the components that it gets
   };
 
   virtual ~Launcher() = default;
   virtual Result<std::shared_ptr<StartedProcess>> Start(const Order& order) = 0;
-  /// Of the process that was started last under that name.
+  /// For the process that was last started under that name.
   virtual Traces TracesOf(const std::string& process) = 0;
-  /// Keeps the log of one that runs from growing for ever; to be called often. What goes wrong is
-  /// said once, and again when it went well in between.
+  /// Bounds the log of a running process; call it often. Logs a failure once, and again after it
+  /// worked in between.
   virtual void ShortenLog(const std::string& process) = 0;
 };
 

@@ -33,7 +33,7 @@ class LcmProcess final : public StartedProcess {
   const std::unique_ptr<os::BackgroundProgram> program_;
 };
 
-/// Where one on this host reaches it.
+/// The address for processes on this host.
 std::string Reachable(std::string address) {
   for (const auto& [any, here] :
        {std::pair{"0.0.0.0:", "127.0.0.1:"}, std::pair{"[::]:", "[::1]:"}}) {
@@ -42,7 +42,7 @@ std::string Reachable(std::string address) {
   return address;
 }
 
-/// The last lines of a file, as far as they fit.
+/// The last lines of a file, up to a limit.
 std::string EndOf(const fs::path& file) {
   constexpr std::streamoff kMost = 400;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -113,8 +113,8 @@ Traces LcmLauncher::TracesOf(const std::string& process) {
   return {words, log.string()};
 }
 
-/// The process appends to its file, wherever that ends. A log that cannot be kept is cut all the
-/// same, also where the disk is full, for else it would grow for ever.
+/// The process appends to its file, so truncation is safe. A log that cannot be copied is truncated
+/// too, also if the disk is full, because it would grow for ever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");
@@ -132,7 +132,7 @@ void LcmLauncher::ShortenLog(const std::string& process) {
   Complain(process, not_kept + both + not_cut);
 }
 
-/// Once for as long as it is the same.
+/// Logs each complaint once until it changes.
 void LcmLauncher::Complain(const std::string& process, const std::string& what) {
   const bool is_new = what != std::exchange(complaints_[process], what);
   if (what.empty() || !is_new) return;

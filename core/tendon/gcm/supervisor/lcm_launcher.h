@@ -10,18 +10,17 @@
 
 namespace tendon::server {
 
-/// Starts `lcm` programs, in sessions of their own: what a terminal sends to us does not reach
-/// them. Each has in the folder a log (NAME.log), what was written before it (NAME.log.1), by
-/// itself or by its predecessor, and, where it was started with components, their system file
-/// (NAME.json).
+/// Starts `lcm` programs in sessions of their own, so that a terminal's signals do not reach them.
+/// The folder has, for each, a log (NAME.log), the earlier log of it or its predecessor
+/// (NAME.log.1), and, if it was started with components, their system file (NAME.json).
 class LcmLauncher final : public Launcher {
  public:
-  /// `gcm` is where a GCM listens, `folder` of this user alone.
+  /// `gcm` is the address of the GCM; `folder` is private to this user.
   LcmLauncher(Launch launch, const std::string& gcm, std::filesystem::path folder);
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
   Traces TracesOf(const std::string& process) override;
-  /// What is written between the copy and the cut is lost.
+  /// Loses what is written between the copy and the truncation.
   void ShortenLog(const std::string& process) override;
 
  private:
@@ -32,8 +31,8 @@ class LcmLauncher final : public Launcher {
   const Launch launch_;
   const std::string gcm_;
   const std::filesystem::path folder_;
-  std::set<std::string> shortened_;                // whose former log is its own
-  std::map<std::string, std::string> complaints_;  // the last of each process; "": all is well
+  std::set<std::string> shortened_;                // those whose earlier log is their own
+  std::map<std::string, std::string> complaints_;  // last complaint about each process; "": none
 };
 
 }  // namespace tendon::server

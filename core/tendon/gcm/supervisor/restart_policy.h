@@ -8,10 +8,10 @@
 
 namespace tendon {
 
-/// When a GCM starts a process again that it has started.
+/// When a GCM restarts a process that it has started.
 enum class RestartPolicy : std::int32_t {
   kNever,
-  kOnFailure,  ///< it ended with another exit code than 0, or by a signal
+  kOnFailure,  ///< after an exit code other than 0, or a signal
 };
 
 inline constexpr std::array kRestartPolicies = {RestartPolicy::kNever, RestartPolicy::kOnFailure};
@@ -21,7 +21,7 @@ inline constexpr auto kPayload<RestartPolicy> =
     DescribeEnum("tendon.RestartPolicy", Enumerator{"never", RestartPolicy::kNever},
                  Enumerator{"on_failure", RestartPolicy::kOnFailure});
 
-/// As a system file has it: "never", "on-failure".
+/// As in a system file: "never", "on-failure".
 [[nodiscard]] constexpr std::string_view ToString(RestartPolicy policy) noexcept {
   return policy == RestartPolicy::kNever ? "never" : "on-failure";
 }

@@ -8,9 +8,9 @@
 
 namespace tendon::server {
 
-/// When a process that fails again and again is started anew: after 0.5 s, then twice as long each
-/// time, up to 10 s; at the beginning again once it has stood for a minute. Not at all any more
-/// when it has failed five times within a minute.
+/// When a process that fails again and again is restarted: after 0.5 s, then after twice the last
+/// pause, up to 10 s; from 0.5 s again once it has run for a minute. Given up after five failures
+/// within a minute.
 class RestartSchedule {
  public:
   static constexpr std::chrono::milliseconds kFirstPause{500};
@@ -18,7 +18,7 @@ class RestartSchedule {
   static constexpr std::chrono::minutes kLongEnough{1};
   static constexpr std::size_t kMostFailures = 5;
 
-  /// It ran since `begin` and has failed `now`: how long to wait; nothing: it is given up.
+  /// The process ran since `begin` and has failed `now`. Returns the pause; nothing: give up.
   std::optional<std::chrono::milliseconds> PauseAfter(SteadyTime begin, SteadyTime now);
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// Until one that did not come to join is killed.
+/// A process that failed to join is killed after this time.
 constexpr std::chrono::seconds kLongestEnd(2);
 
 milliseconds PatienceOf(std::chrono::nanoseconds asked) {
@@ -56,7 +56,7 @@ void Supervisor::Obey(const message::ProcessOrder& order, const std::string& who
 }
 
 void Supervisor::Tick() {
-  std::vector<std::string> names;  // for looking after one may drop it
+  std::vector<std::string> names;  // a copy: LookAfter() may drop one
   for (const auto& [process, child] : children_) names.push_back(process);
   for (const std::string& process : names) LookAfter(process, children_.at(process));
   ShortenLogs();
@@ -109,7 +109,7 @@ void Supervisor::Start(const message::ProcessOrder& order, const std::string& wh
   Launch(order.process, child);
 }
 
-/// One that waits to be started again is started at once, and anew.
+/// A process that waits for its restart is started at once, as a new one.
 Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (process == kGcmName) {
     return Error{ErrorCode::kInvalid,
@@ -177,7 +177,7 @@ void Supervisor::Launch(const std::string& process, Child& child) {
 
 void Supervisor::Begin(const std::string& process,
                        const Result<std::shared_ptr<StartedProcess>>& program) {
-  Child& child = children_.at(process);  // which nobody ends in the meantime
+  Child& child = children_.at(process);  // not removed meanwhile
   if (program) {
     parts_.registry.Expect(process, (*program)->pid());
   } else {
@@ -202,7 +202,7 @@ void Supervisor::LookAfter(const std::string& process, Child& child) {
     if (const auto end = child.program->Ended()) {
       child.end = *end;
       child.phase = Phase::kEnded;
-      parts_.registry.GiveUp(process);  // where it has not joined
+      parts_.registry.GiveUp(process);  // if it has not joined
     }
   }
   const bool is_over = parts_.clock.Now() >= child.until;
@@ -241,7 +241,7 @@ void Supervisor::Joined(const std::string& process, Child& child) {
                         [done = std::exchange(child.done, nullptr)] { done(None{}); });
 }
 
-/// It is no use as it is.
+/// Ends a process that does not work.
 void Supervisor::Reproach(Child& child, const std::string& why) {
   child.reproach = why;
   child.phase = Phase::kEnding;
@@ -258,7 +258,7 @@ void Supervisor::Examine(const std::string& process, Child& child) {
   });
 }
 
-/// What is to come of one that has ended.
+/// Decides what follows the end of a process.
 void Supervisor::Judge(const std::string& process, const Traces& traces) {
   Child& child = children_.at(process);
   const std::string log = "; its log: " + traces.log;
@@ -300,9 +300,9 @@ void Supervisor::Drop(const std::string& process, const std::string& how) {
   children_.erase(process);
 }
 
-/// The log, and who looks at the process.
+/// Tells the log and the viewers of the process.
 void Supervisor::Tell(const std::string& process, const std::string& what) {
-  if (parts_.registry.Explain(process, what)) return;  // which is logged
+  if (parts_.registry.Explain(process, what)) return;  // the registry's change is logged
   parts_.outbox.Add(
       [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
 }
@@ -313,7 +313,7 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
          entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
 }
 
-/// All that was known of the process before it ended; nothing where that is nothing.
+/// The last known state of the process; nothing if there is none.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
   const SystemFile system = SystemOf(parts_.registry.catalog(), process, Gone::kIncluded).file;
   for (const SystemFile::Process& one : system.processes) {

@@ -20,18 +20,17 @@
 
 namespace tendon::server {
 
-/// Starts processes on the GCM's own host, ends those that it has started, and starts one that has
-/// failed again where that is wanted: with the components that it had, in their states; its
-/// connections the GCM hands back. One that was told to end, or ended by itself with exit code 0,
-/// stays ended. When the GCM ends, they run on, and the next one does not know that they are of a
-/// GCM.
+/// Starts processes on the GCM's host and ends those that it has started. Restarts a failed one, if
+/// wanted, with the components and states that it had; the GCM hands its connections back. A
+/// process that was told to end, or ended with exit code 0, is not restarted. When the GCM ends,
+/// its processes run on, and the next GCM does not know that a GCM started them.
 ///
-/// Nobody waits in a thread. All functions but Stop() are called under the lock of the owner;
-/// `done` is called once, without.
+/// No thread waits. All functions but Stop() are called under the owner's lock; `done` is called
+/// once, without it.
 class Supervisor {
  public:
   /// Calls its argument under the owner's lock, with the Supervisor; not at all once the owner is
-  /// gone. What the argument adds to the outbox is sent afterwards.
+  /// gone. Then sends what the argument added to the outbox.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 
@@ -44,22 +43,22 @@ class Supervisor {
   };
   Supervisor(Parts parts, Locked locked);
 
-  /// `who` asked for it. A start is a step in the history.
+  /// `who` has asked for it. A start is recorded in the history.
   void Obey(const message::ProcessOrder& order, const std::string& who, Done done);
-  /// Looks after the processes; to be called often.
+  /// Checks the processes; call it often.
   void Tick();
-  /// Nothing is started any more; what runs is left alone.
+  /// Starts nothing any more; running processes stay.
   void Stop() { worker_.Stop(); }
 
-  /// A component of the process is perhaps changed: started again, it is to have what it had.
+  /// A component of the process may have changed; a restart is to restore it.
   void NoteChange(const std::string& process);
 
-  /// Those that are not told to end.
+  /// The processes that were not told to end.
   [[nodiscard]] message::Children children() const;
 
-  /// Whether the process that a step has started is still ours, and has nothing in it.
+  /// Whether the process that a step has started is still ours and has no components.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
-  /// Unmakes a step. Not a step in the history.
+  /// Undoes a step. Not recorded in the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Done done);
 
  private:
@@ -67,28 +66,28 @@ class Supervisor {
     kStarting,
     kJoining,
     kRunning,
-    kEnding,     ///< it was asked to
+    kEnding,     ///< was asked to end
     kEnded,      ///< until the catalogue knows it
-    kExamining,  ///< its log
-    kPausing,    ///< until it is started again
+    kExamining,  ///< its log is being read
+    kPausing,    ///< until it is restarted
   };
 
   struct Child {
     RestartPolicy restart = RestartPolicy::kNever;
     std::chrono::milliseconds patience{0};  ///< until it has joined
     std::string who{};
-    Done done{};  ///< who waits for it to join, or to end
+    Done done{};  ///< waits for it to join or to end
     Phase phase = Phase::kStarting;
-    SteadyTime begin{};  ///< of its present life
-    SteadyTime until{};  ///< of a phase that does not end by itself
+    SteadyTime begin{};  ///< of its present run
+    SteadyTime until{};  ///< of a phase with a time limit
     std::shared_ptr<StartedProcess> program{};
     ProcessEnd end{};
-    bool is_known = false;     ///< it has joined, in this life or a former one
-    bool is_unwanted = false;  ///< it was told to end
+    bool is_known = false;     ///< has joined, in this run or an earlier one
+    bool is_unwanted = false;  ///< was told to end
     bool is_changed = false;   ///< since it was started
     std::string reproach{};    ///< why it had to be ended
     RestartSchedule schedule{};
-    std::optional<SystemFile> system{};  ///< with what it was started
+    std::optional<SystemFile> system{};  ///< with which it was started
   };
 
   void Start(const message::ProcessOrder& order, const std::string& who, Done done);

@@ -10,13 +10,13 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// The client knows best why there was no answer: it is waited for a little longer.
+/// Waits a little longer than the client, whose error is more precise.
 constexpr std::chrono::milliseconds kLonger(500);
 
 /// Between two looks at the catalogue.
 constexpr std::chrono::milliseconds kLook(20);
 
-/// Whether it is connected as the wire says; why not.
+/// Whether the interfaces of `wire` are connected; else why not.
 Result<void> CheckConnected(const Catalog& catalog, const message::Wire& wire) {
   const auto refuse = [&](const std::string& why) {
     return Error{ErrorCode::kFailed, "not started, for " + ToString(wire.required) +
@@ -33,7 +33,7 @@ bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
 
-/// Whether the component is already as the verb would leave it: by itself, or by somebody else.
+/// Whether the component is already in the state after `verb`, whatever the cause.
 bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
   const auto* now = catalog.FindComponent(step.process, step.component.name);
   if (now == nullptr) return verb == LifeVerb::kRemove;
@@ -42,7 +42,7 @@ bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
   return verb == LifeVerb::kSuspend && now->state == ComponentState::kSuspended;
 }
 
-/// What `read` says of the catalogue as it is now.
+/// The result of `read` on the current catalogue.
 template <typename Read>
 auto Seen(const GcmClient& client, const Read& read) {
   decltype(read(Catalog())) answer{};
@@ -72,7 +72,7 @@ void ClientExecutor::End() {
   has_turn_ = false;
 }
 
-/// The GCM frees the turn of whose link broke: it is asked for before each step.
+/// The GCM frees the turn of a broken link, so it is requested before each step.
 Result<void> ClientExecutor::KeepTurn() {
   if (!has_turn_) return {};
   const auto kept = AskForTurn();
@@ -123,7 +123,7 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
                                        "make another one"};
 }
 
-/// One that was just asked for is perhaps being made.
+/// A connection that was just requested may still be under way.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
     const auto check = [&](const Catalog& now) { return CheckConnected(now, wire); };
@@ -152,8 +152,7 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
   return made.error();
 }
 
-/// To a component that is there again the GCM gives its former connections back by itself, perhaps
-/// at this moment.
+/// The GCM itself may be restoring the connections of a component that has returned.
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
@@ -198,7 +197,7 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 
-/// It was not to run: where it does not come to be suspended, it is stopped.
+/// If it cannot be suspended, stops it, because it must not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto started = Steer(LifeVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;

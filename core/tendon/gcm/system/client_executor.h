@@ -8,20 +8,20 @@
 
 namespace tendon {
 
-/// Carries out steps by asking a GCM for them. Refuses a step of a process that was started anew
-/// since it was planned, that of a configuration which was changed since, and the start of a
-/// component that lacks a connection which it needs.
+/// Executes steps through a GCM. Refuses a step of a process that was restarted since planning, of
+/// a configuration that was changed since, and the start of a component that lacks a connection
+/// that it needs.
 class ClientExecutor final : public PlanExecutor {
  public:
-  /// The client gives up each request after `timeout` by itself, and outlives the executor. So long
-  /// a start waits for the connections that it needs.
+  /// The client outlives the executor, and ends each request after `timeout` by itself. A start
+  /// waits this long for the connections that it needs.
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// A GCM that knows of no turns denies one, as it does to a viewer: then there is none to wait
-  /// for.
+  /// kDenied from a GCM without plan turns, or for a viewer, counts as success: there is no turn to
+  /// wait for.
   Result<void> Begin() override;
-  /// Also refused where the turn was lost with the link to the GCM, and another has it now.
+  /// Also refuses if the turn was lost with the link to the GCM, and another viewer has it now.
   Result<void> Execute(const PlanStep& step) override;
   void End() override;
 

@@ -20,7 +20,7 @@ std::string TextOf(const std::optional<SystemFile::Start>& start) {
 
 std::string TextOf(bool value) { return value ? "true" : "false"; }
 
-/// Puts one more change behind those there are.
+/// Appends a change.
 void AddChange(std::string& changes, const std::string& name, const std::string& first,
                const std::string& second) {
   if (!changes.empty()) changes += "; ";
@@ -170,7 +170,7 @@ bool IsSameThread(const SystemFile::Component& one, const SystemFile::Component&
 
 bool IsSameJson(const std::string& one, const std::string& other) {
   if (one == other) return true;
-  const auto parsed = ParseStrictJson(one);  // which is not nested deeper than can be compared
+  const auto parsed = ParseStrictJson(one);  // limits nesting, so that == does not recurse too deep
   const auto other_parsed = ParseStrictJson(other);
   return parsed && other_parsed && *parsed == *other_parsed;
 }

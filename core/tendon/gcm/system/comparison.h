@@ -11,8 +11,8 @@ namespace tendon {
 /// A process, component or connection in which two systems differ.
 struct SystemDifference {
   enum class Kind {
-    kMissing,  ///< only the first has it
-    kExtra,    ///< only the second has it
+    kMissing,  ///< only in the first
+    kExtra,    ///< only in the second
     kChanged,
   };
 
@@ -23,44 +23,43 @@ struct SystemDifference {
   bool operator==(const SystemDifference&) const = default;
 };
 
-/// In what two systems differ, in the order of their files.
+/// The differences of two systems, in the order of their files.
 struct SystemComparison {
   std::vector<SystemDifference> differences;
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether the second of two systems says who starts its processes.
+/// Whether the second of two systems knows how its processes start.
 enum class Starts {
   kKnown,            ///< it is a file
-  kUnknownInSecond,  ///< it runs, and does not tell: that is not compared
+  kUnknownInSecond,  ///< it is a running system; not compared
 };
 
-/// Of everything that makes a system what it is: comments, layout and name do not. Of the states
-/// those in which nothing runs are one. A period, a library or a thread that one of the two does
-/// not mention is no difference.
+/// Compares everything but comments, layout and names. States in which nothing runs count as equal.
+/// A period, library or thread that only one of the two mentions is no difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
                                               Starts starts);
 
-/// "class SimulatedArm -> LegacyArm; state active -> suspended"; empty where they are the same.
+/// "class SimulatedArm -> LegacyArm; state active -> suspended"; empty if they are equal.
 [[nodiscard]] std::string ChangesOf(const SystemFile::Component& first,
                                     const SystemFile::Component& second);
 
-/// Whether both are of the same library, or one does not say which.
+/// Whether both have the same library, or one does not say.
 [[nodiscard]] bool IsSameLibrary(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// Whether both run after the same other one, or none, or one does not say how it runs.
+/// Whether both run after the same component, or none, or one does not say how it runs.
 [[nodiscard]] bool HasSameLeader(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// The same, and in threads of the same options.
+/// The same, and with the same thread options.
 [[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
                                 const SystemFile::Component& other);
 
-/// Whether a component in the one state is as wanted by the other.
+/// Whether a component in one state satisfies a wish for the other.
 [[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);
 
-/// Whether both say the same JSON, or are the same text.
+/// Whether both are the same JSON or the same text.
 [[nodiscard]] bool IsSameJson(const std::string& one, const std::string& other);
 
 }  // namespace tendon

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-/// For readers of files that people write: what is wrong in one is thrown as a FileMistake, which
-/// never leaves the reader.
+/// Readers for files that people write. A mistake in a file is thrown as a FileMistake, which is
+/// caught within the reader.
 namespace tendon::file {
 
-/// What is wrong, and the path of where: "processes[0].name".
+/// A mistake and the path of its place: "processes[0].name".
 struct FileMistake {
   std::string place;
   std::string text;  ///< begins with a path
@@ -25,38 +25,38 @@ struct FileMistake {
 /// "string 'fast'", "number", "a list".
 [[nodiscard]] std::string Shown(const Json& value);
 
-/// One object of a file, with its path in it.
+/// One object of a file, and its path there.
 class FileObject {
  public:
-  /// Refuses what is no object, and one with a key that is not among these.
+  /// Refuses a value that is no object, or an object with a key that is not in `keys`.
   FileObject(const Json& object, std::string place, const std::vector<std::string>& keys);
 
   /// The path of a member.
   [[nodiscard]] std::string Place(const std::string& key) const;
-  /// Null where it is missing.
+  /// Null if it is missing.
   [[nodiscard]] const Json* Find(const std::string& key) const;
   void Require(const std::string& key) const;
 
-  // Of a member that must be there.
+  // For a member that must exist.
 
   [[nodiscard]] const Json& Get(const std::string& key) const;
   [[nodiscard]] std::string Text(const std::string& key) const;
-  /// `what` it is the name of.
+  /// `what` is the kind of name.
   [[nodiscard]] std::string Name(const std::string& key, const std::string& what) const;
   [[nodiscard]] InterfaceName Interface(const std::string& key) const;
 
-  // Of one that may be missing.
+  // For a member that may be missing.
 
-  /// Empty where it is missing; control characters are spelt out.
+  /// Empty if it is missing; escapes control characters.
   [[nodiscard]] std::string Comment() const;
   /// `unit` is for the error: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,
                               double otherwise) const;
-  /// False where it is missing.
+  /// False if it is missing.
   [[nodiscard]] bool Flag(const std::string& key) const;
-  /// s; 0 where it is missing.
+  /// s; 0 if it is missing.
   [[nodiscard]] double Period(const std::string& key) const;
-  /// Calls `read(element, place)` for each; a missing list is empty.
+  /// Calls `read(element, place)` for each element; a missing list is empty.
   template <typename Read>
   void ForEach(const std::string& key, Read&& read) const {
     const Json* list = Find(key);
@@ -72,13 +72,13 @@ class FileObject {
   const std::string place_;
 };
 
-/// The names of one list.
+/// The names of one list, which must be unique.
 class NewNames {
  public:
-  /// `what` they are names of.
+  /// `what` is the kind of name.
   explicit NewNames(std::string what) : what_(std::move(what)) {}
 
-  /// Refuses one that was added before.
+  /// Refuses a name that was added before.
   void Add(const std::string& name, const std::string& place);
 
  private:
@@ -86,21 +86,21 @@ class NewNames {
   std::set<std::string> known_;
 };
 
-/// A member that is the name of a component's class.
+/// A member with the class name of a component.
 [[nodiscard]] std::string ReadClassName(const FileObject& object, const std::string& key);
 
-/// A configuration as a component keeps it, in one line of ASCII. Refuses what is no object, and
-/// one that is too long.
+/// A configuration as a component keeps it, on one line of ASCII. Refuses a value that is no object
+/// or is too long.
 [[nodiscard]] std::string ConfigurationText(const Json& configuration, const std::string& place);
 
-/// Refuses what is no bare name of a plug-in.
+/// Refuses anything but a plug-in name without a path.
 void CheckLibrary(const std::string& library, const std::string& place);
 
-/// The error for a mistake in a text from this source.
+/// The error for a mistake in a text of this source.
 [[nodiscard]] Error ErrorOf(const FileMistake& mistake, std::string_view text,
                             const std::string& source);
 
-/// What `read` makes of the text, or the error of its mistake.
+/// The result of `read` on the text, or the error for its mistake.
 template <typename T, typename Read>
 Result<T> ReadText(std::string_view text, const std::string& source, Read&& read) {
   const auto json = ParseStrictJson(text);

@@ -19,7 +19,7 @@ Leaders LeadersOf(const std::vector<SystemFile::Component>& components) {
   return leaders;
 }
 
-/// Of a chain that leads back to `first`, which is in it.
+/// Describes a chain that leads back to `first`, one of its members.
 std::string RingText(const std::vector<std::string>& chain, const std::string& first) {
   constexpr std::ptrdiff_t kMostNames = 20;
   const auto begin = std::find(chain.begin(), chain.end(), first);
@@ -38,7 +38,7 @@ std::string RingText(const std::vector<std::string>& chain, const std::string& f
 
 void PutLeadersFirst(std::vector<ComponentPath>& order,
                      const std::function<std::string(const ComponentPath& component)>& leader_of) {
-  std::set<ComponentPath> behind(order.begin(), order.end());  // those that have no place yet
+  std::set<ComponentPath> behind(order.begin(), order.end());  // those not placed yet
   std::map<ComponentPath, std::vector<ComponentPath>> followers;
   std::vector<ComponentPath> ordered;
   for (const ComponentPath& path : order) {
@@ -84,7 +84,7 @@ void PutLeadersFirst(std::vector<SystemFile::Component>& components) {
 
 std::string FindRingIn(const std::vector<SystemFile::Component>& components) {
   const Leaders leaders = LeadersOf(components);
-  std::set<std::string> fine;  // what they run after comes to an end
+  std::set<std::string> fine;  // not part of a ring, nor behind one
   for (const auto& [follower, leader] : leaders) {
     std::vector<std::string> chain;
     std::set<std::string> in_chain;

@@ -8,17 +8,17 @@
 
 namespace tendon {
 
-/// Puts each component behind the one after which it runs, and so behind the one after which that
-/// runs; else the order stays. `leader_of` tells that one's name, or nothing. Those that run after
-/// themselves in the end, or after such a one, come last.
+/// Moves each component behind its leader, the one after which it runs, and so behind the leader's
+/// leader; otherwise keeps the order. `leader_of` returns a leader's name, or an empty one.
+/// Components in a ring, or that run after one in a ring, come last.
 void PutLeadersFirst(std::vector<ComponentPath>& order,
                      const std::function<std::string(const ComponentPath& component)>& leader_of);
 
 /// For the components of one process in a file.
 void PutLeadersFirst(std::vector<SystemFile::Component>& components);
 
-/// "'a' runs after 'b', which runs after 'a'", for the first ring there is among the components of
-/// a process; empty where there is none.
+/// "'a' runs after 'b', which runs after 'a'" for the first ring among the components of a process;
+/// empty if there is none.
 [[nodiscard]] std::string FindRingIn(const std::vector<SystemFile::Component>& components);
 
 }  // namespace tendon

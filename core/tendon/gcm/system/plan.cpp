@@ -25,7 +25,7 @@ bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
 }
 
-/// Whether it stays as it is but for its state.
+/// Whether nothing but its state must change.
 bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Component& now) {
   return wanted.class_name == now.class_name && IsSameLibrary(wanted, now) &&
          IsSameThread(wanted, now) && IsSameJson(wanted.configuration, now.configuration);
@@ -52,7 +52,7 @@ void PutLeadersFirst(std::vector<PlanStep>& steps) {
   for (const ComponentPath& path : order) steps.push_back(std::move(by_path.at(path)));
 }
 
-/// Steps are put into one list for each kind, and strung together in the end.
+/// Collects steps in one list for each kind, and joins the lists at the end.
 class Planner {
  public:
   Planner(const Catalog& catalog, const SystemFile& wanted)
@@ -78,7 +78,7 @@ class Planner {
     AddRests();
     PutLeadersFirst(makings_);
     std::ranges::reverse(removals_);
-    PutLeadersFirst(removals_);  // the other way round: followers go before them
+    PutLeadersFirst(removals_);  // reversed: followers come before their leaders
     std::ranges::reverse(removals_);
     for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());
@@ -110,8 +110,8 @@ class Planner {
     }
   }
 
-  /// Those that cannot stay as they are, for they run after one that goes, or is made anew: with
-  /// followers none can.
+  /// Finds components that must be created anew because they run after one that is removed or
+  /// created anew: that is not possible while it has followers.
   void FindUnsettled(const SystemFile::Process& process) {
     const auto* running = catalog_.FindProcess(process.name);
     if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
@@ -134,7 +134,7 @@ class Planner {
     }
   }
 
-  /// The GCM starts it; what it had before it was lost counts no more.
+  /// The GCM starts it; the process's former components do not count.
   void PlanBirth(const SystemFile::Process& process) {
     born_.insert(process.name);
     births_.push_back(
@@ -181,7 +181,7 @@ class Planner {
     return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
   }
 
-  /// Any of a process that is started before.
+  /// 0, any instance, for a process that the plan starts.
   [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
     return born_.contains(process) ? 0 : InstanceOf(catalog_, process);
   }
@@ -255,7 +255,7 @@ class Planner {
     makings_.back().based_on = BaseOf(told->configuration);
   }
 
-  /// As the file has it, or as it is now where that does not tell.
+  /// As in the file, or as at present if the file does not say.
   [[nodiscard]] std::string LeaderOf(const ComponentPath& path) const {
     const auto* wanted = wanted_index_.FindComponent(path.first, path.second);
     if (wanted != nullptr && wanted->tells_thread()) return wanted->runs_after;
@@ -263,7 +263,7 @@ class Planner {
     return now == nullptr ? std::string() : now->runs_after;
   }
 
-  /// As the file has it, and in the thread that it has now where the file does not tell.
+  /// As in the file, with its present thread if the file does not say.
   [[nodiscard]] SystemFile::Component WithThreadOf(const ComponentPath& path,
                                                    const SystemFile::Component& now,
                                                    SystemFile::Component component) const {
@@ -334,19 +334,19 @@ class Planner {
     connects_.back().takes_away = replaces;
   }
 
-  /// Of all obstacles so far, if they are of one kind.
+  /// Sets the common kind of all obstacles so far, if there is one.
   void Judge() {
     if (refusals_.empty() || refusals_.size() < plan_.obstacles.size()) return;
     const ErrorCode first = refusals_.front();
     if (std::ranges::count(refusals_, first) == std::ssize(refusals_)) plan_.refusal = first;
   }
 
-  /// A component of which the file wants a connection that cannot be made.
+  /// Notes a component with a connection in the file that cannot be made.
   void Lack(const message::Wire& wire, const std::string& why) {
     lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
   }
 
-  /// What the file does not connect, of one whose interfaces the catalogue knows.
+  /// Notes connections that the file lacks, for a component whose interfaces are known.
   void FindUnmetNeeds(const ComponentPath& path) {
     const auto* component = catalog_.FindComponent(path.first, path.second);
     const bool is_known = component != nullptr && !born_.contains(path.first) &&
@@ -390,7 +390,7 @@ class Planner {
         PlanStep& start = plan_.steps.emplace_back(step->second);
         start.is_strict = wanted_.strict;
         if (start.kind != Kind::kStartSuspended || !leads_.contains(path)) continue;
-        start.kind = Kind::kStart;  // nobody starts after one that is suspended
+        start.kind = Kind::kStart;  // followers cannot start after a suspended one
         suspends.push_back(StepOf(Kind::kSuspend, path, start.component));
       } else {
         plan_.obstacles.push_back(TextOf(path) + " is not started, for it lacks " + lack->second);
@@ -404,7 +404,7 @@ class Planner {
   const RunningSystem running_;
   const SystemIndex wanted_index_{wanted_};
   const SystemIndex running_index_{running_.file};
-  std::map<InterfaceName, const ConnectionDescription*> connections_;  // all of the catalogue
+  std::map<InterfaceName, const ConnectionDescription*> connections_;  // of the whole catalogue
   Plan plan_;
   std::map<ComponentPath, PlanStep> rests_;
   std::vector<PlanStep> disconnects_;
@@ -413,12 +413,12 @@ class Planner {
   std::vector<PlanStep> makings_;
   std::vector<PlanStep> connects_;
   std::map<ComponentPath, PlanStep> starts_;
-  std::set<std::string> born_;                  // processes that are started
+  std::set<std::string> born_;                  // processes that the plan starts
   std::set<ComponentPath> leads_;               // others run after them
-  std::set<ComponentPath> unsettled_;           // by those they run after
-  std::set<ComponentPath> removed_;             // some of them are made again
-  std::set<ComponentPath> made_;                // or made anew
-  std::set<ComponentPath> missing_;             // of their own programs
+  std::set<ComponentPath> unsettled_;           // because of their leaders
+  std::set<ComponentPath> removed_;             // some are created again
+  std::set<ComponentPath> made_;                // or configured anew
+  std::set<ComponentPath> missing_;             // absent, made by their own programs
   std::map<ComponentPath, std::string> lacks_;  // why not to start it
   std::vector<ErrorCode> refusals_;             // of connections
 };

@@ -14,36 +14,36 @@
 
 namespace tendon {
 
-/// One thing to be done to a running system.
+/// One change of a running system.
 struct PlanStep {
   enum class Kind {
     kStop,
     kSuspend,
     kDisconnect,
     kRemove,
-    kStartProcess,  ///< without components; the GCM does, on its own host
-    kConfigure,     ///< makes a component at rest anew; its connections stay
+    kStartProcess,  ///< without components; the GCM does it on its own host
+    kConfigure,     ///< creates a stopped component anew; its connections stay
     kCreate,
     kConnect,
-    kReplace,  ///< what a required interface is connected to
+    kReplace,  ///< replaces the connection of a required interface
     kStart,
-    kStartSuspended,  ///< by way of active
+    kStartSuspended,  ///< starts, then suspends
     kEndProcess,      ///< one that the GCM has started
   };
 
   Kind kind = Kind::kConnect;
   message::Wire wire{};                ///< of connections: the ends
-  std::string process{};               ///< of components: where; to start it: which
-  std::uint64_t instance = 0;          ///< of the process that carries it out, when it was planned;
-                                       ///< 0: which is started by the plan
-  SystemFile::Component component{};   ///< of components: which; to make one: as the file has it
-  std::vector<message::Wire> needs{};  ///< to start: what must be connected before
-  /// To start a process: how it is to be held; to end one: how it was, so that it can be started
-  /// again likewise.
+  std::string process{};               ///< of components: their process; to start: its name
+  std::uint64_t instance = 0;          ///< of the executing process at the time of planning;
+                                       ///< 0: one that the plan starts
+  SystemFile::Component component{};   ///< of components; to create one: as in the file
+  std::vector<message::Wire> needs{};  ///< to start: must be connected before
+  /// To start a process: its policy; to end one: the policy it had, so that an undo can start it
+  /// again with that.
   RestartPolicy restart = RestartPolicy::kNever;
-  bool is_strict = false;   ///< to start: refused where it lacks a connection that it needs
-  bool takes_away = false;  ///< what runs or is connected now is not so afterwards
-  Fingerprint based_on{};   ///< to configure: BaseOf() what it is told now
+  bool is_strict = false;   ///< to start: refused without a connection that it needs
+  bool takes_away = false;  ///< stops or disconnects something that works now
+  Fingerprint based_on{};   ///< to configure: BaseOf() the present configuration
 
   bool operator==(const PlanStep&) const = default;
 };
@@ -53,35 +53,35 @@ struct PlanStep {
 /// "create robot/arm (SimulatedArm of simulated_arm)", "connect a/b/C -> d/e/F".
 [[nodiscard]] std::string ToString(const PlanStep& step);
 
-/// How a running system becomes that of a file: steps in the order in which they are to be made,
-/// each of which the catalogue lets expect to succeed. What is to rest, or to be made anew, rests
-/// first, clients before their servers. Then connections and components go, processes are started,
-/// components are made and connected, and in the end started, servers before their clients.
+/// How a running system becomes that of a file: steps in their order, each of which should succeed
+/// according to the catalogue. First, components that are to rest or to be created anew are stopped
+/// or suspended, clients before their servers. Then connections and components are removed,
+/// processes started, components created and connected, and finally started, servers before their
+/// clients.
 struct Plan {
   std::vector<PlanStep> steps;
-  std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can bring about
-  /// What else is to be known, a sentence each: that a process runs the code of a plug-in whose
-  /// file was written again since.
+  std::vector<std::string> obstacles;  ///< a sentence for each thing that no step can achieve
+  /// Further information, a sentence each: that a process runs an outdated plug-in whose file has
+  /// changed.
   std::vector<std::string> notes{};
-  std::size_t untouched = 0;  ///< things that are as they should be
-  /// Of the obstacles: kIncompatible where all are ends that do not fit, kNotFound where all are
-  /// ends that are not there, or what follows from those.
+  std::size_t untouched = 0;  ///< things that are already as wanted
+  /// The error code for the obstacles: kIncompatible if all are ends that do not fit, kNotFound if
+  /// all are missing ends or follow from those.
   ErrorCode refusal = ErrorCode::kFailed;
 
-  /// Whether one of the steps does.
+  /// Whether any step takes something away.
   [[nodiscard]] bool TakesAway() const;
 };
 
-/// In the processes that the file names, all becomes as it says: what it does not have there is
-/// removed. Other processes are left alone. A component that lacks a connection of the file, since
-/// that cannot be made, is not started; nor, where the file is strict, is one that needs a
-/// connection which the file does not have: seen here of components that are there, and by the
-/// process of those that are made.
+/// Makes the processes in the file exactly as it says, and removes what it does not contain there.
+/// Leaves other processes alone. Does not start a component if a connection in the file cannot be
+/// made; nor, if the file is strict, if it needs a connection that the file lacks. That is checked
+/// here for existing components, and by the process for those that are created.
 [[nodiscard]] Plan MakePlan(const Catalog& catalog, const SystemFile& wanted);
 
-/// As the plan, and in the end the processes which `births` have started are ended: those of the
-/// births' instances that are there still, or that the GCM may be about to start again. One that
-/// was started again since may be another's, and is left.
+/// The plan, followed by steps that end the processes which `births` have started: those whose
+/// instances are still there, or may be restarted by the GCM. A process that was started again
+/// since may belong to another user, and stays.
 [[nodiscard]] Plan WithEnds(Plan plan, const Catalog& catalog, const std::vector<PlanStep>& births);
 
 }  // namespace tendon

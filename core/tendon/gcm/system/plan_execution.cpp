@@ -12,13 +12,13 @@ using Kind = PlanStep::Kind;
 
 bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
 
-/// Stands for the process itself.
+/// Represents the process itself.
 ComponentPath PathOf(const std::string& process) { return {process, ""}; }
 
-/// What cannot be built on any more.
+/// The failures on which later steps depend.
 class Failures {
  public:
-  /// A step that was not made; `cause` has failed, itself or one before it.
+  /// Notes a step that was not done; `cause` is the original failure.
   void Note(const PlanStep& step, const std::string& cause) {
     if (IsOfConnection(step)) {
       lacking_.emplace(OwnerOf(step.wire.required), cause);
@@ -27,7 +27,7 @@ class Failures {
     }
   }
 
-  /// What has failed that the step builds on; empty where there is none.
+  /// The failure on which the step depends; empty if there is none.
   [[nodiscard]] std::string Before(const PlanStep& step) const {
     if (step.kind == Kind::kDisconnect) return {};
     if (IsOfConnection(step)) {
@@ -56,11 +56,11 @@ class Failures {
     return found == steps.end() ? std::string() : found->second;
   }
 
-  Steps unfit_;    // components, and processes, that are not as the plan wants them
-  Steps lacking_;  // those that are not connected so
+  Steps unfit_;    // components and processes that are not as planned
+  Steps lacking_;  // components without a planned connection
 };
 
-/// The first of them says why.
+/// Gives the reason with the first step.
 PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& progress) {
   std::string reason = why.message;
   std::size_t number = 0;

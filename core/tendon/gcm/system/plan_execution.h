@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// What carries out one step, and waits for it.
+/// Executes one step and waits for it.
 class PlanExecutor {
  public:
   virtual ~PlanExecutor() = default;
-  /// Before the first step: from now on until End() nobody else carries out a plan. After an error
-  /// no step is made.
+  /// Called before the first step: reserves the execution of plans until End(). After an error no
+  /// step is executed.
   virtual Result<void> Begin() { return {}; }
   virtual Result<void> Execute(const PlanStep& step) = 0;
   virtual void End() {}
@@ -22,7 +22,7 @@ class PlanExecutor {
 
 enum class AfterError { kStop, kGoOn };
 
-/// What came of one step.
+/// The outcome of one step.
 struct StepOutcome {
   enum class Fate {
     kDone,
@@ -31,12 +31,12 @@ struct StepOutcome {
   };
 
   Fate fate = Fate::kDone;
-  std::string reason;  ///< why not; empty also for what is left since the plan was stopped
+  std::string reason;  ///< why not done; also empty for steps after the plan was stopped
 
   bool operator==(const StepOutcome&) const = default;
 };
 
-/// What came of the steps of a plan.
+/// The outcome of a plan.
 struct PlanOutcome {
   std::size_t done = 0;
   std::size_t failed = 0;
@@ -47,16 +47,16 @@ struct PlanOutcome {
   bool operator==(const PlanOutcome&) const = default;
 };
 
-/// Called for each step, the first of which has number 1.
+/// Called for each step; the first has number 1.
 using PlanProgress =
     std::function<void(std::size_t number, const PlanStep& step, const StepOutcome& outcome)>;
 
-/// Whether the rest is not wanted any more; asked before each step.
+/// Returns true to cancel the rest; called before each step.
 using PlanInterrupt = std::function<bool()>;
 
-/// Up to the first step that fails, or all. Also then what builds on a step that has failed is
-/// left: a component of which one has failed is not touched any more, nor connected to, and one
-/// that lacks a connection is not started.
+/// With kStop, executes the plan up to the first failure. With kGoOn it goes on, but leaves out
+/// steps that depend on a failure: a component with a failed step is not changed or connected to
+/// any more, and one that lacks a connection is not started.
 PlanOutcome ExecutePlan(
     const Plan& plan, PlanExecutor& executor, AfterError after_error, const PlanProgress& progress,
     const PlanInterrupt& interrupt = [] { return false; });

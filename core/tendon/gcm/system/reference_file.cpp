@@ -17,14 +17,14 @@ namespace {
 using file::FileObject;
 using file::Refuse;
 
-/// Behind the string that begins at `begin`.
+/// The end of the string that begins at `begin`.
 std::size_t EndOfString(std::string_view text, std::size_t begin) {
   std::size_t at = begin + 1;
   while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
   return at + 1;
 }
 
-/// Behind the comment that begins at `begin`; `begin` itself where none does that also ends.
+/// The end of the comment that begins at `begin`; `begin` itself if there is no complete comment.
 std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   const std::string_view sign = text.substr(begin, 2);
   if (sign == "//") return std::min(text.find('\n', begin), text.size());
@@ -32,8 +32,8 @@ std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   return end == text.npos ? begin : end + 2;
 }
 
-/// The text with blanks instead of its comments, which no other format has: what is left stays in
-/// its line and column.
+/// Replaces comments, which only this format allows, by blanks, so that the rest keeps its line and
+/// column.
 std::string WithoutComments(std::string_view text) {
   std::string plain(text);
   std::size_t at = plain.find_first_of("\"/");
@@ -48,7 +48,7 @@ std::string WithoutComments(std::string_view text) {
   return plain;
 }
 
-/// Those of `object` that are not `known`.
+/// The keys of `object` that are not in `known`.
 std::vector<std::string> OtherKeys(const Json& object, const std::vector<std::string>& known) {
   std::vector<std::string> others;
   if (!object.is_object()) return others;
@@ -128,7 +128,7 @@ class ReferenceReader {
     return component;
   }
 
-  /// It may have keys that only the class itself knows.
+  /// It may have keys that only the class knows.
   FileObject ReadArgument(const Json& json, const FileObject& object) {
     std::vector<std::string> keys = {"Name", "Period", "IsHardRealTime", "NewThread",
                                      "StateTableSize"};
@@ -142,7 +142,7 @@ class ReferenceReader {
     return {json, place, keys};
   }
 
-  /// A JSON object is the configuration; else it names a file that the class itself would read.
+  /// A JSON object is the configuration; any other text is the name of a file for the class.
   void ReadParameter(const FileObject& object, SystemFile::Component& component) {
     const std::string text = object.Text("configure-parameter");
     if (text.empty()) return;

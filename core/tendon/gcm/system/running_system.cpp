@@ -57,7 +57,7 @@ void Sort(SystemFile& file) {
   std::ranges::sort(file.connections, {}, &SystemFile::Connection::required);
 }
 
-/// Processes that are not there now, and what is connected to them.
+/// Absent processes and their connections.
 std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& saved) {
   std::set<std::string> present;
   for (const SystemFile::Process& process : saved.file.processes) present.insert(process.name);

@@ -9,11 +9,11 @@
 namespace tendon {
 namespace {
 
-/// The first of a pair comes behind the second.
+/// The first of a pair comes after the second.
 template <typename Name>
 using Pairs = std::vector<std::pair<Name, Name>>;
 
-/// Pairs of which one is none of the names do not count.
+/// Ignores pairs with unknown names.
 template <typename Name>
 std::vector<Name> Ordered(const std::vector<Name>& names, const Pairs<Name>& pairs) {
   std::map<Name, std::size_t> numbers;

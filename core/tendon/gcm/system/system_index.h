@@ -16,13 +16,13 @@ using ComponentPath = std::pair<std::string, std::string>;
   return {name.process, name.component};
 }
 
-/// Finds what a system file has in logarithmic time. The file outlives it; what is in its lists
-/// stays where it is.
+/// Finds parts of a system file in logarithmic time. The file must outlive the index, and its lists
+/// must not change.
 class SystemIndex {
  public:
   explicit SystemIndex(const SystemFile& system);
 
-  // Null where there is none.
+  // Null if there is none.
 
   [[nodiscard]] const SystemFile::Process* FindProcess(const std::string& process) const;
   [[nodiscard]] const SystemFile::Component* FindComponent(const std::string& process,

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// What a request to a GCM is about, for the audit log: "start robot/arm". Of a body from outside,
-/// which may be malformed; empty where there is nothing to say.
+/// The object of a request to a GCM, for the audit log: "start robot/arm". The body is untrusted
+/// and may be malformed; empty if there is nothing to say.
 [[nodiscard]] std::string AuditObject(MessageType type, std::span<const std::byte> body);
 
 }  // namespace tendon

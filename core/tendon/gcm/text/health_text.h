@@ -7,18 +7,18 @@
 
 namespace tendon {
 
-/// How old a figure may be to be shown as that of now: members tell each second.
+/// The highest age of a figure that is shown as current: members report every second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
-/// What a process as the catalogue has it has told last, however long ago; null where it has not.
+/// The last report of a process in the catalogue, of any age; null if there is none.
 [[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-/// The same as what holds now; null where it is not alive, has not told, or not lately.
+/// The same if it is current; null if the process is not alive or has not reported lately.
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-// Each "-" of null, and where it is not known yet.
+// Each returns "-" for null, or if the value is not known yet.
 
 /// "12.5 %" of one core.
 [[nodiscard]] std::string CpuText(const message::ProcessHealth* health);

@@ -7,12 +7,11 @@
 
 namespace tendon {
 
-/// Whether the process of the required interface still tries to make the connection, which does not
-/// stand.
+/// Whether the required interface's process still tries to make the inactive connection.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
-/// What is left of a connection that does not stand, a line for each process that was asked:
-/// "rolled back: nothing of it is left in robot", "kept: desk makes it as soon as it can".
+/// What is left of an inactive connection, one line for each process that was asked: "rolled back:
+/// nothing of it is left in robot", "kept: desk makes it as soon as it can".
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 }  // namespace tendon

@@ -10,7 +10,7 @@ namespace tendon {
 /// "version 0.4.0, protocol 7".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
-/// What a program has told, or that it has told nothing; and whether it is another than `own`.
+/// The version that a program reported, or that it reported none; and whether it is `own`.
 struct ToldVersion {
   std::string text;  ///< "version 0.3.0, protocol 6, which is not that of this program"
   bool is_own = false;

@@ -5,7 +5,7 @@
 
 namespace tendon {
 
-/// Nanoseconds since 1970, for people; may jump. Time that decides anything comes from a Clock.
+/// Nanoseconds since 1970, for display only; may jump. For decisions use a Clock.
 [[nodiscard]] std::int64_t WallTime();
 
 /// "2025-11-21 15:40:03", in local time.

@@ -10,25 +10,25 @@
 
 namespace tendon {
 
-/// Something that is wrong with a connection that stands.
+/// A problem of an active connection.
 struct ConnectionFlaw {
   enum class Kind {
-    kCallsRefused,  ///< calls find the server's mailbox full
-    kEventsLost,    ///< events do not reach the client
-    kMailboxFull,   ///< as many calls wait at the server as make one expect that
-    kLate,          ///< the way to the other process and back takes long
+    kCallsRefused,  ///< the server's mailbox was full for calls
+    kEventsLost,    ///< events did not reach the client
+    kMailboxFull,   ///< so many calls wait at the server that its mailbox may soon be full
+    kLate,          ///< the round trip to the other process is long
   };
 
   Kind kind = Kind::kCallsRefused;
-  std::uint64_t count = 0;                 ///< calls or events: all so far; of kMailboxFull, now
-  std::uint64_t capacity = 0;              ///< kMailboxFull: how many can wait
+  std::uint64_t count = 0;                 ///< total calls or events; kMailboxFull: now
+  std::uint64_t capacity = 0;              ///< kMailboxFull: the capacity
   std::chrono::nanoseconds round_trip{0};  ///< kLate
 
   bool operator==(const ConnectionFlaw&) const = default;
 };
 
-/// The judgement of every program. `before` are its counts when it was looked at last: what was
-/// lost until then is no flaw any more.
+/// The flaws of a connection, judged alike in all programs. `before` has the counts at the last
+/// check: earlier losses are not reported again.
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 

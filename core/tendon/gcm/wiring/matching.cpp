@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Of processes that are there.
+/// For present processes.
 template <typename Description>
 using Named = std::vector<std::pair<InterfaceName, const Description*>>;
 

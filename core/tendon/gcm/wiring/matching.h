@@ -9,22 +9,22 @@
 
 namespace tendon {
 
-/// A required interface, and which of many provided ones is meant for it.
+/// A required interface and the provided ones that may be meant for it.
 struct Match {
   InterfaceName required;
-  std::vector<InterfaceName> provided;  ///< all that are equally good: one where it is clear
+  std::vector<InterfaceName> provided;  ///< all that are equally good; one if it is clear
 };
 
-/// What may be matched with what: globs of process/component/interface.
+/// Globs of process/component/interface that limit the match.
 struct MatchPatterns {
   std::string required;
   std::string provided;
 };
 
-/// For each required interface that is named and free, what fits it: of several, the one that has
-/// its name; never one of its own component. In order of their paths; one that is connected is left
-/// out. Linear in the required interfaces that are named times the provided ones. Errors: kNotFound
-/// where a pattern names nothing that is there.
+/// For each free required interface that matches the pattern, the provided interfaces that fit it,
+/// or only the one with its name if that fits; never one of its own component. In the order of
+/// their paths. Linear in matching required times provided interfaces. Errors: kNotFound if a
+/// pattern matches nothing.
 Result<std::vector<Match>> MatchInterfaces(const Catalog& catalog, const MatchPatterns& patterns);
 
 }  // namespace tendon

@@ -8,13 +8,12 @@
 
 namespace tendon {
 
-/// What a component waits for: it runs, and lacks the connection of a required interface that it
-/// needs, so that it cannot do its work. Empty where it does not run, or where `process`, which is
-/// its own, is not there. The judgement of every program.
+/// The missing connections of a component that runs, for required interfaces that it needs to work.
+/// Empty if it does not run, or if `process`, its own, is absent. All programs use this.
 [[nodiscard]] std::vector<UnmetNeed> WaitsOf(const ProcessEntry& process,
                                              const ComponentDescription& component);
 
-/// The same for who finds connections faster than by looking at all of the process.
+/// The same, with a faster search for connections.
 [[nodiscard]] std::vector<UnmetNeed> WaitsOf(const ProcessEntry& process,
                                              const ComponentDescription& component,
                                              const FindConnection& find);
@@ -23,13 +22,13 @@ namespace tendon {
 [[nodiscard]] std::vector<UnmetNeed> UnmetNeedsOf(const ProcessEntry& process,
                                                   const ComponentDescription& component);
 
-/// "waiting for Robot, Camera", or nothing.
+/// "waiting for Robot, Camera", or empty.
 [[nodiscard]] std::string WaitingText(const std::vector<UnmetNeed>& waits);
 
-/// "waiting for Robot: not connected", or nothing.
+/// "waiting for Robot: not connected", or empty.
 [[nodiscard]] std::string WaitingReasons(const std::vector<UnmetNeed>& waits);
 
-/// "active, waiting for Robot": the state of a component, and what keeps it from its work.
+/// "active, waiting for Robot": the state of a component, and what prevents its work.
 [[nodiscard]] std::string StateText(const ProcessEntry& process,
                                     const ComponentDescription& component);
 

@@ -17,7 +17,7 @@ void OpenCalls::Add(const Call& call) noexcept {
       return;
     }
   } catch (const std::bad_alloc&) {
-    // It cannot be kept.
+    // No memory to keep it.
   }
   AnswerWithNothing(*call);
 }

@@ -11,32 +11,32 @@
 
 namespace tendon::ice {
 
-/// Calls of one peer that Ice has dispatched and that are not answered yet. While there are any it
-/// closes no connection that is idle, or gracefully, and ends no adapter. Thread-safe.
+/// The calls of one peer that Ice has dispatched and that have no reply yet. While there are any,
+/// Ice does not close an idle connection, close gracefully, or end an adapter. Thread-safe.
 class OpenCalls {
  public:
   using Call = std::shared_ptr<IceInternal::IncomingAsync>;
-  /// What takes longer is answered by a message of its own.
+  /// A call that takes longer gets its reply in a separate message.
   static constexpr std::chrono::milliseconds kOpenAtMost{500};
 
-  /// Where they are released, or there is no memory to keep it, the call is answered with nothing.
+  /// Adds a call. Gives it an empty reply if Release() was called or memory is exhausted.
   void Add(const Call& call) noexcept;
-  /// Whether who calls this is to answer it now; nobody else does then.
+  /// Returns true if the caller now owns the reply; at most one caller gets true.
   [[nodiscard]] bool Take(const Call& call);
-  /// Answers those with nothing that are older than they may be; called now and then.
+  /// Gives calls older than kOpenAtMost an empty reply; called regularly.
   void ReleaseOld(SteadyTime now) noexcept;
-  /// Answers all with nothing, now and for all time.
+  /// Gives all calls, also later ones, an empty reply.
   void Release() noexcept;
 
  private:
   std::mutex mutex_;
   bool is_released_ = false;
-  std::map<Call, SteadyTime> calls_;  // since when
+  std::map<Call, SteadyTime> calls_;  // since when they are open
 };
 
-/// What `call` is answered with where the frame comes otherwise, or not at all.
+/// For a call whose frame is sent another way, or not at all.
 void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept;
-/// Where the frame was begun and is not whole.
+/// For a call whose frame was begun and not completed.
 void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept;
 
 }  // namespace tendon::ice

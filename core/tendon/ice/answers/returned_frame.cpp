@@ -26,7 +26,7 @@ std::optional<std::span<std::byte>> ReturnedFrame::MakeRoom(const FrameHeader& h
 std::unique_ptr<LeftAnswer> ReturnedFrame::MakeLater() {
   auto later = std::make_unique<LaterFrame>(link_.shared_from_this());
   auto call = IceInternal::IncomingAsync::create(incoming_);
-  is_deferred_ = true;  // Ice takes no other answer now
+  is_deferred_ = true;  // Ice accepts no direct reply now
   later->Take(std::move(call));
   return later;
 }

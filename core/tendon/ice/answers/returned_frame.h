@@ -11,13 +11,13 @@
 
 namespace tendon::ice {
 
-/// A frame as the only parameter of what Ice sends back for a call that it dispatches.
+/// A reply frame as the only parameter of Ice's reply to the call that it is dispatching.
 class ReturnedFrame final : public LeftAnswer {
  public:
   ReturnedFrame(IceLink& link, IceInternal::Incoming& incoming)
       : link_(link), incoming_(incoming) {}
 
-  /// Ice gets its answer from somebody else.
+  /// The call is answered later.
   [[nodiscard]] bool is_deferred() const { return is_deferred_; }
 
  private:
@@ -29,7 +29,7 @@ class ReturnedFrame final : public LeftAnswer {
   bool is_deferred_ = false;
 };
 
-/// The same of a call that Ice has dispatched before.
+/// The same for a call that was dispatched earlier.
 class LaterFrame final : public LeftAnswer {
  public:
   explicit LaterFrame(std::shared_ptr<IceLink> link) : link_(std::move(link)) {}
@@ -37,7 +37,7 @@ class LaterFrame final : public LeftAnswer {
   LaterFrame& operator=(const LaterFrame&) = delete;
   ~LaterFrame() override;
 
-  /// Once: from now on `call` is answered by this, or with nothing.
+  /// Call it once: from now on this object replies to `call`, perhaps with nothing.
   void Take(OpenCalls::Call call) noexcept;
 
  private:

@@ -16,8 +16,8 @@
 namespace tendon::ice {
 namespace {
 
-/// What does not depend on who may come. A listener that stopped costs its queue, and what does not
-/// fit is dropped; one that takes nothing for so long is given up.
+/// Settings that do not depend on access. The queue of a stopped listener is bounded, and the rest
+/// is dropped; a listener that receives nothing for long is removed.
 constexpr const char* kLimits = R"(
 IceBox.InheritProperties=1
 IceBox.Service.IceStorm=IceStormService,37:createIceStorm
@@ -49,7 +49,7 @@ std::string SettingsFor(const HostPort& place, const std::string& instance,
          "\nIceStorm.Publish.Endpoints=" + host + "0\n";
 }
 
-/// Where the dynamic linker looks for what icebox loads: with the rest of Ice, first of all.
+/// The folders in which the dynamic linker looks for what icebox loads; that of Ice comes first.
 std::vector<std::filesystem::path> LibraryFolders() {
   const auto* of_ice = reinterpret_cast<const void*>(&Ice::stringToIdentity);
   std::vector<std::filesystem::path> folders = {os::FileOf(of_ice).parent_path()};

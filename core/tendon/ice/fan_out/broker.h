@@ -7,21 +7,21 @@
 
 namespace tendon::ice {
 
-/// The name by its certificate of whoever runs the broker, IceStorm.
+/// The name of the broker, IceStorm, in its certificate.
 inline constexpr const char* kBrokerName = "fan-out";
 
-/// What all of the broker's objects are called by. Under TLS everybody may know it. Without, it
-/// follows from the user's cookie, so that nobody else on this machine finds topics: IceStorm
-/// itself asks nobody who he is.
+/// The common name of the broker's objects. With TLS it is public. Without, it is derived from the
+/// user's cookie, so that other users on this machine do not find topics: IceStorm itself does not
+/// authenticate.
 Result<std::string> BrokerInstance(bool is_certified);
 
-/// kNotFound, and what to install, where icebox would not find IceStorm.
+/// kNotFound, with what to install, if icebox would not find IceStorm.
 Result<void> CheckBrokerIsInstalled();
 
-/// Settings for icebox(1), which make it a broker at `address`, on this machine alone.
+/// Settings for icebox(1) that make it a broker at `address`, for this machine only.
 Result<std::string> BrokerSettings(const std::string& address);
-/// The same under TLS: only operators may publish. kInvalid for files of a name that settings
-/// cannot hold.
+/// The same with TLS: only operators may publish. kInvalid for file names that the settings cannot
+/// hold.
 Result<std::string> BrokerSettings(const std::string& address, const Credentials& credentials);
 
 }  // namespace tendon::ice

@@ -9,9 +9,9 @@
 
 namespace tendon::ice {
 
-/// The way to a broker, which must be ours: by its certificate, or, without TLS, because the socket
-/// belongs to this user. Proxies that come of it are of that one connection, so that nothing is
-/// said to who takes the port later. Thread-safe; functions block, and throw what Ice throws.
+/// Connects to a broker, which must be ours: by its certificate, or without TLS because this user
+/// owns the socket. The returned proxies use that connection only, so that a later process on the
+/// port gets nothing. Thread-safe; functions block, and throw exceptions of Ice.
 class BrokerDoor {
  public:
   BrokerDoor(std::shared_ptr<Ice::Communicator> communicator, bool is_certified)
@@ -19,7 +19,7 @@ class BrokerDoor {
 
   Result<std::shared_ptr<IceStorm::TopicManagerPrx>> Open(const std::string& broker) const;
 
-  /// An object that the manager told us of, by a connection that was found good as well.
+  /// An object that the topic manager named, over a connection checked in the same way.
   Result<std::shared_ptr<Ice::ObjectPrx>> Reach(
       const std::shared_ptr<Ice::ObjectPrx>& object) const;
 

@@ -16,8 +16,8 @@
 namespace tendon::ice {
 namespace {
 
-/// Hands what comes from a topic to its listener. Its name is a number that only the broker is
-/// told, and under TLS it hears nobody else.
+/// Passes messages of a topic to its listener. Its name is a random number that only the broker
+/// knows; with TLS it accepts messages of the broker only.
 class ListeningServant final : public Ice::BlobjectArray {
  public:
   ListeningServant(FanOut::Hear hear, bool is_certified)
@@ -41,7 +41,7 @@ class ListeningServant final : public Ice::BlobjectArray {
   }
 
  private:
-  /// A connection is looked at once.
+  /// Checks each connection once.
   bool IsOfBroker(const std::shared_ptr<Ice::Connection>& connection) {
     if (connection == good_.lock()) return true;
     const auto certificate = CertificateOf(*connection);
@@ -56,7 +56,7 @@ class ListeningServant final : public Ice::BlobjectArray {
   std::weak_ptr<Ice::Connection> good_;
 };
 
-/// Among the listeners of a topic, until its end.
+/// A subscription to a topic, until it is destroyed.
 class IceReception final : public FanOut::Reception {
  public:
   IceReception(std::shared_ptr<Ice::ObjectAdapter> adapter,
@@ -68,7 +68,7 @@ class IceReception final : public FanOut::Reception {
       adapter_->remove(listener_->ice_getIdentity());
       topic_->unsubscribeAsync(listener_, nullptr, [](const std::exception_ptr&) {});
     } catch (const Ice::Exception&) {
-      // The broker is gone, and with it its listeners; or the middleware is.
+      // The broker is gone with its subscriptions, or the middleware has ended.
     }
   }
 
@@ -78,7 +78,7 @@ class IceReception final : public FanOut::Reception {
   const std::shared_ptr<Ice::ObjectPrx> listener_;
 };
 
-/// Nothing when there is none yet.
+/// Nothing if there is none yet.
 std::shared_ptr<IceStorm::TopicPrx> Find(IceStorm::TopicManagerPrx& manager,
                                          const std::string& name) {
   try {
@@ -88,14 +88,14 @@ std::shared_ptr<IceStorm::TopicPrx> Find(IceStorm::TopicManagerPrx& manager,
   }
 }
 
-/// This end's number of a connection, under TLS or not.
+/// The local address of a connection, with or without TLS.
 std::string LocalHostOf(const Ice::Connection& connection) {
   auto info = connection.getInfo();
   while (info->underlying) info = info->underlying;
   return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info)->localAddress;
 }
 
-/// That nobody can guess.
+/// A random number that cannot be guessed.
 std::string NumberText() {
   return std::to_string(os::RandomNumber()) + "-" + std::to_string(os::RandomNumber());
 }
@@ -161,7 +161,7 @@ std::shared_ptr<Ice::ObjectAdapter> IceFanOut::AdapterAt(const std::string& host
   if (!adapter) {
     const std::string transport = door_.is_certified() ? "ssl" : "tcp";
     const std::string name = "listeners-" + host;
-    // A thread of their own: code of viewers runs in it.
+    // A separate thread, because code of viewers runs in it.
     communicator_->getProperties()->setProperty(name + ".ThreadPool.Size", "1");
     communicator_->getProperties()->setProperty(name + ".ThreadPool.SizeMax", "1");
     const auto made =

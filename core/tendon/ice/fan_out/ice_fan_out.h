@@ -12,9 +12,8 @@
 
 namespace tendon::ice {
 
-/// Fan-out by IceStorm. Its own interfaces are called by the code that Ice generated for them, for
-/// the broker is one of our programs: see BrokerDoor. What comes from a topic is anybody's, and is
-/// read as frames are.
+/// Multicast through IceStorm. Calls its interfaces by Ice's generated code, because the broker is
+/// trusted: see BrokerDoor. Messages of a topic are untrusted, and are read like frames.
 class IceFanOut final : public FanOut {
  public:
   IceFanOut(std::shared_ptr<Ice::Communicator> communicator, bool is_certified);
@@ -25,14 +24,14 @@ class IceFanOut final : public FanOut {
                                             Hear hear, std::chrono::milliseconds timeout) override;
 
  private:
-  /// Where the broker reaches listeners: at the end of our connection to it, any port.
+  /// The adapter on which the broker reaches listeners: our address towards it, any port.
   std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
 
   const std::shared_ptr<Ice::Communicator> communicator_;
   const BrokerDoor door_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Ice::ObjectAdapter>> adapters_;  // by host
-  std::shared_ptr<Worker> worker_;                                       // of who speaks
+  std::shared_ptr<Worker> worker_;                                       // for publishers
 };
 
 }  // namespace tendon::ice

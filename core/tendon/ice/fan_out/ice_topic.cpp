@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks(1000);
 
-/// What callbacks and the worker share with the end of a topic.
+/// The state of a topic that callbacks, the worker and its end share.
 class Outlet final : public std::enable_shared_from_this<Outlet> {
  public:
   Outlet(const BrokerDoor& door, std::string broker, std::string name)
@@ -84,11 +84,11 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     try {
       if (topic) topic->destroyAsync(nullptr, [](const std::exception_ptr& /*why*/) {});
     } catch (const Ice::Exception&) {
-      // The broker is gone, and with it its topics; or the middleware is.
+      // The broker is gone with its topics, or the middleware has ended.
     }
   }
 
-  /// Makes the topic, unless the broker has it already, which is new where it was started anew.
+  /// Creates the topic unless the broker has it; a restarted broker does not.
   void Make() {
     const auto manager = door_.Open(broker_);
     if (!manager) return Complain(manager.error().message);
@@ -112,7 +112,7 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     complaint_.clear();
   }
 
-  /// False where there is nobody any more who would end it.
+  /// Returns false if the topic has ended here, so that the caller must destroy it.
   bool Keep(const std::shared_ptr<IceStorm::TopicPrx>& topic) {
     const std::scoped_lock lock(mutex_);
     if (!has_ended_) topic_ = topic;
@@ -129,25 +129,25 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     publisher_ = nullptr;
   }
 
-  /// What is said late of one that was given up does not harm the next.
+  /// Ignores failures of an earlier publisher.
   void Lose(const std::shared_ptr<Ice::ObjectPrx>& publisher) {
     const std::scoped_lock lock(mutex_);
     if (publisher_ == publisher) publisher_ = nullptr;
   }
 
-  /// Once for each reason.
+  /// Logs each reason once.
   void Complain(const std::string& reason) {
     if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "fan-out", reason);
   }
 
-  const BrokerDoor& door_;  // on the worker only
+  const BrokerDoor& door_;  // only on the worker
   const std::string broker_;
   const std::string name_;
-  std::string complaint_;  // of the worker
+  std::string complaint_;  // only on the worker
   std::mutex mutex_;
   bool has_ended_ = false;
   std::shared_ptr<IceStorm::TopicPrx> topic_;
-  std::shared_ptr<Ice::ObjectPrx> publisher_;  // while it stands
+  std::shared_ptr<Ice::ObjectPrx> publisher_;  // while connected
   std::size_t unsent_ = 0;                     // bytes
 };
 

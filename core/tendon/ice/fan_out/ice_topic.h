@@ -9,11 +9,11 @@
 
 namespace tendon::ice {
 
-/// What a message of a topic is invoked as, with one sequence of bytes.
+/// The operation of a topic's message, with one sequence of bytes.
 inline constexpr const char* kTopicOperation = "message";
 
-/// The speaker's end of a topic; the worker makes it, and looks each second whether it is there
-/// still. Stop the worker before the door goes.
+/// The publisher's end of a topic. The worker creates the topic, and checks every second that it
+/// exists. Stop the worker before `door` is destroyed.
 std::unique_ptr<FanOut::Topic> MakeTopic(const BrokerDoor& door, std::shared_ptr<Worker> worker,
                                          std::string broker, std::string name);
 

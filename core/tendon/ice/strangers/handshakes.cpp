@@ -30,7 +30,7 @@ void Handshakes::Watch(SSL_CTX& context) {
 void Handshakes::OnInfo(const SSL* link, int what, int /*value*/) {
   Handshakes* const self = Of(*link);
   if (self == nullptr || SSL_is_server(link) == 0) return;
-  try {  // it is C that calls
+  try {  // called by C code
     if ((what & SSL_CB_HANDSHAKE_START) != 0) self->Begin(*link);
     if ((what & SSL_CB_HANDSHAKE_DONE) != 0) self->End(*link);
   } catch (const std::exception& failure) {
@@ -38,7 +38,7 @@ void Handshakes::OnInfo(const SSL* link, int what, int /*value*/) {
   }
 }
 
-/// Before its socket is closed, whose number another may have then.
+/// Called before the socket is closed, whose number may then be reused.
 void Handshakes::OnFreed(void* parent, void* /*own*/, CRYPTO_EX_DATA* /*data*/, int /*index*/,
                          long /*argument*/, void* /*pointer*/) {
   const SSL& link = *static_cast<const SSL*>(parent);

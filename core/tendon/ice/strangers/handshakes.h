@@ -9,16 +9,15 @@
 
 namespace tendon::ice {
 
-/// The TLS handshakes of those who came and have not finished theirs. Ice gives up who says nothing
-/// for a while, but not one who says a byte now and then: whoever comes while there are kMany cuts
-/// off those who have taken longer than kPatience, so that nobody holds sockets that others want.
-/// Thread-safe; called by OpenSSL.
+/// The unfinished TLS handshakes of accepted connections. Ice's timeout ends a silent one, but not
+/// one that sends a byte now and then. When kMany are unfinished, a new one ends those older than
+/// kPatience, so that they cannot hold sockets that others need. Thread-safe; called by OpenSSL.
 class Handshakes {
  public:
   static constexpr std::chrono::seconds kPatience{3};
   static constexpr std::size_t kMany = 32;
 
-  /// Hears of those of `context`, and must outlive the last of them.
+  /// Watches the handshakes of `context`; this object must outlive them.
   void Watch(SSL_CTX& context);
 
  private:

@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// What is done when the patience with one of them has come to its end.
+/// Checks one connection after kPatience.
 class Look final : public IceUtil::TimerTask {
  public:
   Look(std::shared_ptr<Links> links, Ends ends)
@@ -22,7 +22,7 @@ class Look final : public IceUtil::TimerTask {
   const Ends ends_;
 };
 
-/// One of them, while its connection stands.
+/// The observer of one connection, while that is open.
 class Newcomer final : public Ice::Instrumentation::ConnectionObserver {
  public:
   Newcomer(IceUtil::TimerPtr timer, std::shared_ptr<Look> look)
@@ -32,7 +32,7 @@ class Newcomer final : public Ice::Instrumentation::ConnectionObserver {
     try {
       timer_->schedule(look_, IceUtil::Time::seconds(Newcomers::kPatience.count()));
     } catch (const IceUtil::Exception&) {
-      // The communicator is being destroyed, and all its connections with it.
+      // The communicator is being destroyed with all its connections.
     }
   }
   void detach() override { timer_->cancel(look_); }

@@ -13,22 +13,22 @@
 
 namespace tendon::ice {
 
-/// Cuts off who came to a door and is not admitted kPatience later: Ice gives up who says nothing
-/// for a while, but not one who says a byte now and then. Hears from Ice of every connection, as
-/// its observer, and looks at each in the thread of Ice's timer. Thread-safe.
+/// Closes accepted connections that are not admitted after kPatience. Ice's timeout ends a silent
+/// one, but not one that sends a byte now and then. As Ice's observer it hears of every connection,
+/// and checks each in the thread of Ice's timer. Thread-safe.
 class Newcomers final : public Ice::Instrumentation::CommunicatorObserver {
  public:
   static constexpr std::chrono::seconds kPatience{3};
-  /// With what the names of the adapters begin that it watches.
+  /// The prefix of the names of watched adapters.
   static constexpr std::string_view kDoor = "door";
 
   explicit Newcomers(std::shared_ptr<Links> links) : links_(std::move(links)) {}
 
-  /// From now on. The communicator was made with this observer.
+  /// Starts watching a communicator that was created with this observer.
   void Watch(const std::shared_ptr<Ice::Communicator>& communicator);
 
  private:
-  // For the names of what Ice hands over.
+  // Short names for types of Ice.
   using Ended = Ice::Instrumentation::Observer;
   using OfConnection = Ice::Instrumentation::ConnectionObserver;
   using OfThread = Ice::Instrumentation::ThreadObserver;

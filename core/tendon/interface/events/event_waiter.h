@@ -23,8 +23,8 @@ namespace tendon {
 ///     (void)home_();
 ///     if (!homed_.Wait(2s)) ...
 ///
-/// It keeps the newest value that was raised since the last Wait() or Forget(). Raising costs what
-/// a wake-up costs, and never waits.
+/// Keeps the newest value raised since the last Wait() or Forget(). Raising costs a wake-up and
+/// never waits.
 ///
 /// Thread safety: one thread calls Wait() and Forget().
 template <typename T>
@@ -36,8 +36,8 @@ class EventWaiter {
   EventWaiter(const EventWaiter&) = delete;
   EventWaiter& operator=(const EventWaiter&) = delete;
 
-  /// kDone with the newest value, at once where one has come since the last time; kTimeout;
-  /// kNotConnected when nobody can raise the event (any more), kNotActive while who could is
+  /// kDone with the newest value, at once if one has arrived since the last wait; kTimeout;
+  /// kNotConnected if nobody can raise the event (any more); kNotActive while its source is
   /// faulted.
   Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
     return Await(value, timeout);
@@ -46,16 +46,16 @@ class EventWaiter {
     None nothing;
     return Await(nothing, timeout);
   }
-  /// Only what is raised from now on ends a wait.
+  /// Discards the kept value: only a later event ends a wait.
   void Forget() noexcept { newest_.Take(); }
 
-  /// How many values were replaced by newer ones before they were waited for.
+  /// Values that newer ones replaced before a Wait() took them.
   [[nodiscard]] std::uint64_t missed() const noexcept { return missed_.value(); }
 
  private:
   friend class RequiredInterface;
 
-  /// Tells of one connection: it is there as long as the connection.
+  /// Represents one connection and lasts as long.
   class Handler final : public Command<T, None> {
    public:
     explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Tell(Status::kTimeout); }
@@ -95,7 +95,7 @@ class EventWaiter {
     EventWaiter& waiter_;
   };
 
-  /// In the thread that raises; of several at once one is heard.
+  /// Runs in the raising thread. If several raise at once, one value is kept.
   void Raised(const T& value) {
     {
       const Lease<>::Hold raising(raising_);
@@ -111,13 +111,13 @@ class EventWaiter {
     wakeup_.WaitUntil([&] { return newest_.is_fresh() || is_over(); }, deadline);
     const T* newest = newest_.Take();
     if (newest == nullptr) return ending_.Get();
-    return Host::Contain(nullptr, [&]() -> Status {  // as in Execute()
+    return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw
       value = *newest;
       return Status::kDone;
     });
   }
 
-  Published<Status::Code> ending_{Status::kNotConnected};  // of a wait in which nothing comes
+  Published<Status::Code> ending_{Status::kNotConnected};  // result of a wait without an event
   Lease<> raising_;
   Snapshot<T> newest_;
   SharedCounter<> missed_;

@@ -9,11 +9,11 @@
 
 namespace tendon {
 
-/// What a component tells people: the events `Status`, `Warning` and `Error` of one of its provided
-/// interfaces, each a text; what is sent is logged as well. A member of the component.
+/// The messages of a component to people: the events `Status`, `Warning` and `Error` of one of its
+/// provided interfaces, each a text. Every message is also logged. A member of the component.
 ///
-/// Thread safety: that of the component's events. Sending costs what Log() costs: in a cycle it
-/// allocates nothing, once the longest text has been sent through each slot.
+/// Thread safety: that of the component's events. Sending costs as much as Log(). In a cycle it
+/// allocates nothing once the longest text has passed through each slot.
 class Messages {
  public:
   /// Adds the events to `interface`; `source` is the name under which they are logged.

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Where the encoded answer of one call goes, so that a large one is written to where it is needed
-/// and not copied there. Of one thread, which calls either function at most once.
+/// Receives the encoded reply of one call. A large reply is written directly to its destination,
+/// without a copy. Used by one thread, which calls either function at most once.
 class AnswerSink {
  public:
   AnswerSink() = default;
@@ -16,17 +16,17 @@ class AnswerSink {
   AnswerSink& operator=(const AnswerSink&) = delete;
   virtual ~AnswerSink() = default;
 
-  /// Room for an answer of `size` bytes, all of which the caller writes; empty where there is none
-  /// for so many. May throw std::bad_alloc.
+  /// Room for a reply of `size` bytes, all of which the caller writes; empty if there is not enough
+  /// room. May throw std::bad_alloc.
   virtual std::span<std::byte> Room(std::size_t size) = 0;
-  /// Instead: an answer that lies elsewhere, as long as this runs. Unless overridden, copies it.
+  /// Instead of Room(): takes a reply that stays valid during the call. The default copies it.
   virtual void Take(std::span<const std::byte> answer) {
     const std::span<std::byte> room = Room(answer.size());
     if (!room.empty()) std::ranges::copy(answer, room.begin());
   }
 };
 
-/// Replaces the content of bytes, which keep their capacity and live as long as this.
+/// Replaces the content of `bytes`, which keeps its capacity and must outlive the sink.
 class BytesSink final : public AnswerSink {
  public:
   explicit BytesSink(std::vector<std::byte>& bytes) : bytes_(bytes) {}

@@ -10,13 +10,13 @@
 
 namespace tendon {
 
-/// What one function of a required interface calls.
+/// The target of one function of a required interface.
 struct BoundMember {
-  CommandBase* command = nullptr;  ///< null for an optional one without a partner
+  CommandBase* command = nullptr;  ///< null for an optional function without a command
   const Flag* enabled = nullptr;
-  const Host* server = nullptr;  ///< null where nobody tells of faults, as for state tables
+  const Host* server = nullptr;  ///< null if faults are not reported, as for state tables
 
-  /// Whether a call would reach a server now.
+  /// True if a call would reach a server now.
   [[nodiscard]] bool is_reached() const noexcept {
     return command != nullptr && !is_server_faulted();
   }
@@ -25,11 +25,11 @@ struct BoundMember {
   }
 };
 
-/// Leads to the members of a connected interface, in the functions' order: to the first of them, so
-/// that a call follows no pointer more. All are replaced at once; null where it is not connected.
+/// Leads to the members of a connected interface, in the order of the functions. It points to the
+/// first of them, so that a call needs one pointer less. All change at once; null if not connected.
 using BindingGate = Gate<const BoundMember>;
 
-/// `call(CommandBase&) -> Status` where the member is bound and enabled, else why not.
+/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, else says why not.
 template <typename Call>
 Status CallMember(BindingGate& gate, std::size_t index, Call call) {
   return gate.Enter([&](const BoundMember* members) -> Status {
@@ -51,12 +51,12 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
   virtual ~Caller() = default;
 
-  /// Null when `command` can be called as it is, else a command to be called in its place, which
-  /// converts. `command` has the caller's signature and outlives the answer.
+  /// Null if `command` can be called directly, else a converting command to call instead. `command`
+  /// has the caller's signature and must outlive the result.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Adapt(CommandBase& command) const = 0;
 };
 
-/// Adapts by layout: equal ones are called directly, others through the codec.
+/// Adapts by layout: equal layouts are called directly, others through the codec.
 template <Payload In, Payload Out>
 std::unique_ptr<CommandBase> AdaptByLayout(CommandBase& command) {
   if (command.Is<In, Out>()) return nullptr;

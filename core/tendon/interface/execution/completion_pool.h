@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The completion records of one mailbox, as many as it has slots. A record is taken for each call
-/// that is waited for; it may outlive the call's slot, until the caller has read the answer.
+/// The completion records of one mailbox, one per slot. A call whose caller waits takes a record
+/// and holds it until the caller has read the reply, perhaps longer than its slot.
 class CompletionPool {
  public:
   explicit CompletionPool(std::size_t slots)
@@ -19,7 +19,7 @@ class CompletionPool {
         records_(std::make_unique<Completion<>[]>(slots)),
         of_slot_(std::make_unique<std::uint32_t[]>(slots)) {}
 
-  /// The number of a record that is now the caller's; nothing when all are in use. Lock-free.
+  /// Returns the number of a record for the caller; nothing if all are in use. Lock-free.
   [[nodiscard]] std::optional<std::size_t> Take() noexcept {
     for (std::size_t record = 0; record < size_; ++record) {
       if (records_[record].TryTake()) return record;
@@ -29,19 +29,19 @@ class CompletionPool {
   [[nodiscard]] Completion<>& operator[](std::size_t record) noexcept { return records_[record]; }
   [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
-  /// Producer: the call in a claimed slot is waited for with this record.
+  /// Producer: assigns the record to the call in a claimed slot.
   void Assign(std::size_t slot, std::size_t record) noexcept {
     of_slot_[slot] = static_cast<std::uint32_t>(record);
   }
   /// Consumer: the record of a published slot.
   [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept { return of_slot_[slot]; }
 
-  /// Any thread: ends all waits, and those that will begin.
+  /// Any thread: ends all waits, present and future.
   void Cancel() noexcept {
     cancelled_.Set(true);
     Interrupt();
   }
-  /// Any thread: lets all who wait look again at what may end their wait.
+  /// Any thread: makes all waiting callers check again if their wait is over.
   void Interrupt() noexcept {
     for (std::size_t record = 0; record < size_; ++record) records_[record].Interrupt();
   }

@@ -39,10 +39,10 @@ class ConvertingCommand final : public Command<In, Out> {
     std::vector<std::byte> out;
   };
 
-  /// Decodes an answer where it lies.
+  /// Decodes a reply in place.
   class Decoder final : public AnswerSink {
    public:
-    /// `room` is where one is written that lies nowhere yet.
+    /// A reply without storage of its own is written to `room`.
     Decoder(std::vector<std::byte>& room, Out& out) : room_(room), out_(out) {}
 
     std::span<std::byte> Room(std::size_t size) override {
@@ -56,7 +56,7 @@ class ConvertingCommand final : public Command<In, Out> {
       if constexpr (std::is_same_v<Out, None>) return true;
       return tendon::Decode(answer, out_);
     }
-    /// Once the call is over; false where its answer does not decode.
+    /// Called after the call; false if its reply cannot be decoded.
     [[nodiscard]] bool Finish() {
       if constexpr (std::is_same_v<Out, None>) return true;
       return is_in_room_ ? Decode(room_) : has_decoded_;

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Runs `body(in, out) -> Status` in the caller's thread: reads, and what is safe in any thread.
-/// What the body throws is kFailed; `host`, if any, hears of it.
+/// Runs `body(in, out) -> Status` in the caller's thread: for reads and thread-safe methods. An
+/// exception gives kFailed and is reported to `host`, if any.
 template <Payload In, Payload Out, typename Body>
 class DirectCommand final : public Command<In, Out> {
  public:

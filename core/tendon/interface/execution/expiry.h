@@ -10,12 +10,12 @@
 
 namespace tendon {
 
-/// Of a command that must be renewed: what runs in its place when the next call stays away.
+/// Belongs to a command that must be renewed: runs `end` if the next call does not come in time.
 ///
-/// Thread safety: one thread, that which executes the calls of the component.
+/// Thread safety: only the thread that executes the calls of the component uses it.
 class Expiry {
  public:
-  /// `end` runs once the command has not been executed for `after`.
+  /// `end` runs when the command was not executed for `after`.
   Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
       : command_(std::move(command)),
         message_("command '" + command_ + "' was not renewed within " + Milliseconds(after) +
@@ -24,23 +24,23 @@ class Expiry {
         end_(std::move(end)) {}
 
   [[nodiscard]] const std::string& command() const { return command_; }
-  /// What to say in the log.
+  /// The text for the log.
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// The command is executed for the connection of this number.
+  /// The command is now executed for the connection of this number.
   void Renew(std::uint64_t connection) noexcept {
     due_ = SteadyClock().Now() + after_;
     connection_ = connection;
   }
-  /// Nothing is going on that would have to end.
+  /// There is no effect that has to end.
   void Disarm() noexcept { due_ = SteadyTime::max(); }
-  /// When `end` is due; the largest time where nothing is going on.
+  /// When `end` is due; the largest time if there is nothing to end.
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }
-  /// Whether what is going on was last asked for through this connection.
+  /// True if the present effect was last requested through this connection.
   [[nodiscard]] bool IsOf(std::uint64_t connection) const noexcept {
     return due_ != SteadyTime::max() && connection_ == connection;
   }
-  /// May throw what the author's code throws.
+  /// May throw whatever the author's code throws.
   void End() {
     Disarm();
     end_();

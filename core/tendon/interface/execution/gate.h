@@ -8,23 +8,23 @@
 
 namespace tendon {
 
-/// A pointer that callers use while a manager replaces it and must know when the old object is no
-/// longer in use; made for one calling thread or for many.
+/// A pointer that callers use while a manager replaces it. The manager learns when nobody uses the
+/// old object any more. Made for one calling thread or for many.
 ///
-/// Thread safety: Enter() by whom SetCallers() has allowed, nested too; Exchange() and Get() by
-/// managers, one at a time, never from inside a call.
+/// Thread safety: Enter(), also nested, by the threads that SetCallers() allows; Exchange() and
+/// Get() by managers, one at a time, never from inside a call.
 template <typename T>
 class Gate {
  public:
-  /// Before the first call. `home` is the inbox of the component that calls, or null: once a thread
-  /// is bound to it, a lone caller is that thread, which debug builds check.
+  /// Call it before the first Enter(). `home` is the inbox of the calling component, or null. If a
+  /// thread is bound to `home`, a single caller must be that thread; debug builds check it.
   void SetCallers(Callers callers, const Inbox* home) {
     callers_ = callers;
     home_ = callers == Callers::kOneThread ? home : nullptr;
   }
   [[nodiscard]] Callers callers() const noexcept { return callers_; }
 
-  /// `body(T*)` with the object, which may be null and is not freed meanwhile.
+  /// Runs `body(T*)` with the object, which may be null and is not freed meanwhile.
   template <typename Body>
   auto Enter(Body body) {
     if (callers_ == Callers::kManyThreads) {
@@ -37,7 +37,7 @@ class Gate {
     return body(call.get());
   }
 
-  /// Waits until no call uses the old object; the caller may free it.
+  /// Waits until no call uses the old object; then the caller may free it.
   void Exchange(T* next) noexcept {
     if (callers_ == Callers::kManyThreads) {
       many_.Exchange(next);
@@ -45,8 +45,8 @@ class Gate {
       one_.Exchange(next);
     }
   }
-  /// Makes the first object that of all further calls: in the calling thread, between two of its
-  /// calls, while nobody replaces it.
+  /// Sets the first object, for all further calls. Called in the calling thread, between two of its
+  /// calls, while nobody replaces the object.
   void SetByCaller(T* object) noexcept {
     if (callers_ == Callers::kManyThreads) {
       many_.Exchange(object);
@@ -54,7 +54,7 @@ class Gate {
       one_.SetByCaller(object);
     }
   }
-  /// For the side that replaces.
+  /// For the side that replaces the object.
   [[nodiscard]] T* Get() const noexcept {
     return callers_ == Callers::kManyThreads ? many_.Get() : one_.Get();
   }

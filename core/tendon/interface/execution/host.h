@@ -22,18 +22,18 @@ struct GoneClient {
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
 };
 
-/// The component behind interfaces, for the threads of others that call it or run its code.
+/// The component behind an interface, for other threads that call it or run its code.
 ///
-/// Thread safety: its component sets the flags; any thread does the rest.
+/// Thread safety: the component sets the flags; any thread may do the rest.
 class Host {
  public:
-  /// What the component hears; all but the first may be left out.
+  /// Callbacks of the component; all but the first are optional.
   struct Listeners {
-    /// Hears the reason, in the thread in which the component's code has thrown.
+    /// Gets the reason, in the thread in which the component's code threw.
     std::function<void(const std::string& reason)> on_exception;
-    /// In the thread of a manager: the interface has another peer, or none.
+    /// In a manager's thread: the interface has another peer, or none.
     std::function<void(RequiredInterface&)> on_peer_changed{};
-    /// Likewise: nothing that the client has sent is executed any more.
+    /// In a manager's thread: no further call of the client will be executed.
     std::function<void(GoneClient)> on_client_gone{};
   };
 
@@ -41,24 +41,24 @@ class Host {
   explicit Host(std::function<void(const std::string& reason)> on_exception)
       : Host(Listeners{.on_exception = std::move(on_exception)}) {}
 
-  /// Whether the component is told of its peers and its clients.
+  /// True if the component is told of its peers and its clients.
   [[nodiscard]] bool hears_of_connections() const {
     return static_cast<bool>(listeners_.on_peer_changed);
   }
   void TellPeerChanged(RequiredInterface& required) const { listeners_.on_peer_changed(required); }
   void TellClientGone(GoneClient client) const { listeners_.on_client_gone(std::move(client)); }
 
-  /// While it is faulted its peers get kNotActive, even for reads: nobody keeps its values up to
-  /// date.
+  /// While the component is faulted, its peers get kNotActive, even for reads: nobody updates its
+  /// values.
   void SetFaulted(bool faulted) noexcept { faulted_.Set(faulted); }
   [[nodiscard]] bool is_faulted() const noexcept { return faulted_.Get(); }
 
-  /// Whether calls run that have no thread of the component to wait for.
+  /// Whether calls that do not wait for a thread of the component are executed.
   void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
   [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
 
-  /// `body() -> Status`; kFailed where it throws, which the component hears of. Without a host
-  /// nobody does.
+  /// Runs `body() -> Status`. If it throws, returns kFailed and reports the exception to `host`, if
+  /// any.
   template <typename Body>
   static Status Contain(const Host* host, Body body) {
     try {

@@ -8,9 +8,9 @@
 
 namespace tendon {
 
-/// A queued command whose newer calls replace an older one that still waits, and which is therefore
-/// never refused for want of room. At most one token of it waits in the mailbox while another is
-/// executed; so many slots are reserved for it. A call that is waited for takes a slot of its own.
+/// A queued command whose new call replaces an older one that still waits. So it is never refused
+/// because the mailbox is full. At most one token waits in the mailbox while another is executed;
+/// two slots are reserved for them. A call whose caller waits takes a slot of its own.
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:

@@ -10,16 +10,16 @@
 
 namespace tendon {
 
-/// The argument of calls of which only the latest is kept: a newer one replaces an older one that
-/// still waits. One token in the mailbox says that one waits; with the one that is being executed
-/// that takes two slots, which the mailbox has in reserve.
+/// The argument of a command that keeps only its latest call: a newer one replaces an older one
+/// that still waits. One token in the mailbox stands for the waiting argument. With a token that is
+/// being executed, this takes two slots, which the mailbox reserves.
 template <typename T>
 class LatestValue {
  public:
   explicit LatestValue(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// Any thread; never waits. `make` gives the value, one caller at a time: where it throws nothing
-  /// has happened. `token` is what the server executes, and takes it then.
+  /// Any thread; never waits. `make` returns the value, for one caller at a time; if it throws,
+  /// nothing has happened. The server executes `token`, which then calls Take().
   template <typename Make>
   Status Post(Mailbox::Entry& token, Make&& make) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
@@ -40,7 +40,7 @@ class LatestValue {
     });
   }
 
-  /// In the server's thread; null where it was taken already.
+  /// In the server's thread; null if the value was already taken.
   T* Take() noexcept { return newest_.Take(); }
 
  private:

@@ -7,14 +7,14 @@
 
 namespace tendon {
 
-/// The names of one interface's members: each is given once, in the component's constructor.
+/// The names of one interface's members. Each is added once, in the component's constructor.
 class MemberNames {
  public:
-  /// ConfigurationError where the name is bad, taken or too late; it says where it was given first.
-  /// `what` is "command", "event", ...
+  /// Throws ConfigurationError if the name is invalid, already in use (the message says where it
+  /// was added) or added after Seal(). `what` is "command", "event", ...
   void Add(const std::string& what, const std::string& name, const std::string& interface,
            SourcePlace place);
-  /// From now on it is too late.
+  /// No name can be added from now on.
   void Seal() { sealed_ = true; }
 
  private:

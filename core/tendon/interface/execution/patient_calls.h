@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// While it lives, calls and events of its thread that find a mailbox full wait for room instead of
-/// being refused, all together no longer than kPatience: for Cleanup(), which is no part of a cycle
-/// and whose last command, such as a stop, must get through.
+/// While it lives, calls and events of its thread wait for room in a full mailbox instead of being
+/// refused, at most kPatience altogether. For Cleanup(): it is not part of a cycle, and its last
+/// command, such as a stop, must get through.
 class PatientCalls {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};
@@ -18,7 +18,7 @@ class PatientCalls {
   PatientCalls& operator=(const PatientCalls&) = delete;
   ~PatientCalls();
 
-  /// Until when the calling thread waits for room; the past where it does not.
+  /// The time until which the calling thread waits for room; in the past if it does not wait.
   [[nodiscard]] static SteadyTime deadline() noexcept;
 
  private:

@@ -15,21 +15,21 @@
 
 namespace tendon {
 
-/// Types that may lie in a mailbox' slot as they are; others go through a pool of objects that are
-/// assigned, and keep what they have allocated.
+/// Types that are stored directly in a mailbox slot. Others go through a pool of objects, which are
+/// assigned and so keep their memory.
 template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
-/// Hands the call over to the thread that empties the mailbox, which runs `handler(in, out)`.
-/// Without a mailbox (a component without a thread) it runs in the caller's thread, while `host`
-/// takes calls. Who wants the answer must wait: the answer lies in a pool, since its caller may
-/// give up first.
+/// Passes the call to the thread that empties the mailbox, which runs `handler(in, out)`. Without a
+/// mailbox (a component without a thread) it runs in the caller's thread, while `host` accepts
+/// calls. To get the reply, the caller must wait. Replies are stored in a pool, because a caller
+/// may give up before its call ends.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
-  /// Each call renews `expiry`, if there is one.
+  /// Each executed call renews `expiry`, if there is one.
   QueuedCommand(Handler handler, Mailbox* mailbox, const Host* host = nullptr,
                 Expiry* expiry = nullptr)
       : handler_(std::move(handler)), mailbox_(mailbox), host_(host), expiry_(expiry) {
@@ -71,7 +71,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  private:
   static constexpr bool kAnswers = !std::is_same_v<Out, None>;
 
-  /// What a slot refers to when its caller waits.
+  /// The entry of a slot whose caller waits.
   class Awaited final : public Mailbox::Entry {
    public:
     explicit Awaited(QueuedCommand& command) : command_(command) {}
@@ -106,8 +106,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     });
   }
 
-  /// kQueued: the argument lies in a claimed slot, which must be published. Else nothing has
-  /// happened: the mailbox refuses, or the copy has thrown (kFailed).
+  /// kQueued: the argument is in a claimed slot, which must be published. Otherwise nothing has
+  /// happened: the mailbox refused, or the copy threw (kFailed).
   Status Claim(const In& in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();

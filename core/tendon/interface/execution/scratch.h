@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// An object that the calls of one command use one after the other, so that it keeps what it has
-/// allocated. A call that finds another one at it gets an object of its own. A copy is a new one.
+/// An object that the calls of one command use one after another, so that it keeps its memory. A
+/// call that finds it in use gets an object of its own. A copy starts with a new object.
 template <typename T>
 class Scratch {
  public:
@@ -15,7 +15,7 @@ class Scratch {
   Scratch(const Scratch& /*other*/) {}
   Scratch& operator=(const Scratch&) = delete;
 
-  /// Borrows the object for one call; has one of its own where another call borrows it.
+  /// Borrows the object for one call, or has its own if another call has borrowed it.
   class Use {
    public:
     explicit Use(Scratch& scratch) : hold_(scratch.lease_), kept_(scratch.kept_) {

@@ -11,9 +11,9 @@
 namespace tendon {
 
 /// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread, for a value that nobody
-/// changes any more. Whoever wants it encoded gets it from where it lies: it is not copied before.
-/// Null is kNoSample; what the body throws, kFailed. The last who holds the value frees it, which
-/// may be the caller's thread: what is large is not read in a cycle of real time.
+/// changes any more. An encoded read encodes it in place, without a copy. Null gives kNoSample, an
+/// exception kFailed. The last holder frees the value, perhaps in the caller's thread: do not read
+/// a large value in a real-time cycle.
 template <Payload Out, typename Body>
 class SharedReadCommand final : public Command<None, Out> {
  public:
@@ -25,7 +25,7 @@ class SharedReadCommand final : public Command<None, Out> {
       return Status::kDone;
     });
   }
-  /// kFailed where the value was changed meanwhile after all, as far as its size tells.
+  /// kFailed if the value has changed after all, as far as its size shows it.
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
     return With([&out](const Out& value) -> Status {
       const std::span<std::byte> room = out.Room(EncodedSize(value));

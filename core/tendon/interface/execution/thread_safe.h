@@ -7,12 +7,12 @@
 
 namespace tendon {
 
-/// Says that a method may run in any thread at the same time as its component: it touches only what
-/// is constant or synchronised.
+/// Marks a method that may run in any thread, concurrently with its component: it touches only
+/// constant or synchronised data.
 struct ThreadSafe {};
 inline constexpr ThreadSafe kThreadSafe;
 
-/// What a direct void or write command, or a direct event handler, runs.
+/// The body of a direct void or write command, or of a direct event handler.
 template <typename In, typename Method, typename Object>
 auto CallMethod(Method method, Object* object) {
   return [method, object](const In& in, None&) -> Status {

@@ -5,9 +5,8 @@
 #include <exception>
 #include <string>
 
-/// tendon-probe FILE [ORIGINAL]: loads a plug-in as the programs do, says "loaded" or why not, and
-/// ends with 0 or 1. ORIGINAL is what FILE is a copy of. Whatever the plug-in does meanwhile, it
-/// does to this process.
+/// tendon-probe FILE [ORIGINAL]: loads a plug-in like the other programs, prints "loaded" or the
+/// error, and ends with 0 or 1. FILE is a copy of ORIGINAL. A plug-in can harm only this process.
 namespace {
 
 std::string plugin;  // for the terminate handler, which takes no argument

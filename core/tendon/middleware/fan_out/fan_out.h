@@ -12,24 +12,24 @@
 
 namespace tendon {
 
-/// What a process says once and any number of others hear, by way of a broker, which holds up
-/// nobody for one who does not listen: that one misses messages, and nobody tells it. So messages
-/// must carry numbers. Thread-safe.
+/// Multicast: one process publishes, any number of others receive, through a broker. The broker
+/// does not wait for a slow receiver, which misses messages without notice. So messages must carry
+/// sequence numbers. Thread-safe.
 class FanOut {
  public:
-  /// The speaker's end of a topic, which ends with it. Made anew where the broker was.
+  /// The publisher's end of a topic, which ends with it. Created anew after a broker restart.
   class Topic {
    public:
     Topic() = default;
     Topic(const Topic&) = delete;
     Topic& operator=(const Topic&) = delete;
     virtual ~Topic() = default;
-    /// Never blocks. kNotConnected while there is no topic at the broker, kQueueFull where that
-    /// does not keep up, kInvalid for a message of over kMaxMessage.
+    /// Never blocks. kNotConnected while the broker has no such topic, kQueueFull if the broker
+    /// does not keep up, kInvalid for a message above kMaxMessage.
     virtual Status Publish(std::span<const std::byte> message) = 0;
   };
 
-  /// A listener's end: hears nothing more a little after it ended.
+  /// A subscriber's end. Messages stop soon after it is destroyed.
   class Reception {
    public:
     Reception() = default;
@@ -38,7 +38,7 @@ class FanOut {
     virtual ~Reception() = default;
   };
 
-  /// In a thread of the middleware, one call at a time, in order. The bytes come from anybody.
+  /// Called in a thread of the middleware, one call at a time, in order. The bytes are untrusted.
   using Hear = std::function<void(std::span<const std::byte> message)>;
 
   static constexpr std::size_t kMaxMessage = std::size_t{256} << 10U;
@@ -48,11 +48,11 @@ class FanOut {
   FanOut& operator=(const FanOut&) = delete;
   virtual ~FanOut() = default;
 
-  /// Returns at once; the topic comes to be at the broker soon. `name` is nobody else's.
+  /// Returns at once; the broker creates the topic soon after. `name` must be unique.
   virtual std::unique_ptr<Topic> Speak(const std::string& broker, const std::string& name) = 0;
 
-  /// Blocks until the broker has us among the listeners of a topic; waits for that to come to be.
-  /// kUnreachable, kDenied where the broker is not ours, kTimeout.
+  /// Subscribes; blocks until the broker has confirmed. Waits for the topic to be created. Errors:
+  /// kUnreachable, kDenied if the broker is not ours, kTimeout.
   virtual Result<std::unique_ptr<Reception>> Listen(const std::string& broker,
                                                     const std::string& name, Hear hear,
                                                     std::chrono::milliseconds timeout) = 0;

@@ -17,7 +17,7 @@ using message::Digest;
 using message::Greeting;
 using message::Proof;
 
-/// What a proof covers: each part is preceded by its size, so that none runs into the next.
+/// The content of a proof. Each part is preceded by its size, so that parts cannot be shifted.
 struct Covered {
   std::uint8_t role = 0;
   Greeting opener;
@@ -51,7 +51,7 @@ Digest Sign(std::uint64_t cookie, const Covered& covered) {
   return digest;
 }
 
-/// In a time that says nothing of where they differ.
+/// In constant time, which does not reveal where they differ.
 bool AreEqual(const Digest& one, const Digest& other) {
   return CRYPTO_memcmp(one.data(), other.data(), one.size()) == 0;
 }
@@ -62,7 +62,7 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
   std::memcpy(nonce.data(), random.data(), sizeof random);
 }
 
-/// The protocol versions that an end speaks.
+/// The range of protocol versions that an end speaks.
 struct Versions {
   unsigned oldest = 0;
   unsigned newest = 0;
@@ -74,7 +74,7 @@ std::string ToString(const Versions& versions) {
                                            : newest;
 }
 
-/// In the words of the one who opened the link.
+/// Phrased for the opener of the link.
 Error VersionsDiffer(const std::string& acceptor, const Versions& its, const Versions& openers) {
   return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + ToString(its) +
                                         ", this program " + ToString(openers) + ": update " +
@@ -104,7 +104,7 @@ Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
                                         std::span<const std::byte> body) {
   const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
   if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
-  if (header.version > mine_.protocol_version) {  // who knows what its body is
+  if (header.version > mine_.protocol_version) {  // its body is unknown here
     return CheckVersions(header.version, header.version).error();
   }
   switch (stage_) {
@@ -171,7 +171,7 @@ Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
   return Step{.peer = Peer(0)};
 }
 
-/// Whether both ends have a version in common.
+/// An error unless both ends have a version in common.
 Result<void> Handshake::CheckVersions(unsigned peers_oldest, unsigned peers_newest) const {
   const Versions mine{.oldest = mine_.oldest_version, .newest = mine_.protocol_version};
   const Versions peers{.oldest = peers_oldest, .newest = peers_newest};
@@ -205,7 +205,7 @@ Hello Handshake::Peer(std::uint64_t session) const {
   return peer;
 }
 
-/// Zeroes where this end has no cookie.
+/// Zeroes if this end has no cookie.
 Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
   if (mine_.cookie == 0) return {};
   return Sign(mine_.cookie, {.role = static_cast<std::uint8_t>(role),
@@ -216,13 +216,13 @@ Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
 }
 
 bool Handshake::IsWelcome(const Proof& proof) const {
-  if (certificate_ != nullptr) return true;  // TLS let nobody else in
+  if (certificate_ != nullptr) return true;  // TLS has authenticated the peer
   if (strangers_ == Strangers::kFromElsewhere) return true;
   if (AreEqual(proof.proof, Digest{})) return strangers_ == Strangers::kAllowed;
   return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
 }
 
-/// Before the opener says anything that is not for everybody.
+/// Called before the opener sends anything confidential.
 Result<void> Handshake::CheckAcceptor() const {
   const std::string& name = acceptor_.name;
   const bool is_proved = certificate_ == nullptr ||

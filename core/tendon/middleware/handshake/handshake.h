@@ -13,7 +13,7 @@
 namespace tendon {
 namespace message {
 
-/// What an end says first: who it is, and a number that nobody can foresee.
+/// The first message of an end: its identity and a random number.
 struct Greeting {
   std::uint16_t protocol_version = 0;  // the newest it speaks
   std::uint64_t instance = 0;
@@ -21,7 +21,7 @@ struct Greeting {
   std::array<std::uint8_t, 16> nonce{};
 };
 
-/// That an end knows the cookie: HMAC-SHA256, or zeroes where it shows none.
+/// Proof that an end knows the cookie: HMAC-SHA256; zeroes if it has none.
 using Digest = std::array<std::uint8_t, 32>;
 
 /// The acceptor's answer to a greeting.
@@ -38,8 +38,8 @@ struct Proof {
 
 }  // namespace message
 
-/// How the ends of a link learn who the other is, and prove that they know the cookie without
-/// saying it:
+/// The handshake of a link: each end learns the identity of the other, and proves that it knows the
+/// cookie without sending it:
 ///
 ///     opener     kHello      Greeting
 ///     acceptor   kChallenge  Challenge: its greeting and its proof
@@ -47,34 +47,33 @@ struct Proof {
 ///     acceptor   kWelcome    None
 ///
 /// These frames carry the oldest protocol version that their sender speaks, so that an older
-/// program reads them, and their bodies never change; both then speak the newest that both know.
+/// program reads them, and their bodies never change. Then both speak the newest common version.
 ///
-/// A proof covers all that was said, so that none is good for another link, and the address at
-/// which the opener finds the acceptor, so that one who listens elsewhere has no use for passing it
-/// on. Under TLS, which proves the same by certificates, both cookies are 0; the peer's name and
-/// role are then what its certificate says.
+/// A proof covers both greetings, so it is valid on this link only. It also covers the acceptor's
+/// address as the opener knows it, so a process at another address cannot relay it. Under TLS both
+/// cookies are 0: certificates prove the same, and give the peer's name and role.
 ///
 /// One end of one link; not thread-safe.
 class Handshake {
  public:
   enum class Role { kOpener, kAcceptor };
 
-  /// `address` is where the opener finds the acceptor; `certificate` the peer's, null without TLS,
-  /// which must live as long as this.
+  /// `address` is the acceptor's, as the opener reaches it. `certificate` is the peer's; null
+  /// without TLS. It must outlive this object.
   Handshake(Role role, Hello mine, std::string address, Strangers strangers,
             const Certificate* certificate = nullptr);
 
   /// The body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
 
-  /// What a frame of the peer leads to.
+  /// The result of a frame of the peer.
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;
-    bool has_answer = false;    ///< of `type` and `body`
-    std::optional<Hello> peer;  ///< the last step: the peer is one of ours
+    bool has_answer = false;    ///< `type` and `body` are to be sent
+    std::optional<Hello> peer;  ///< set by the last step: the peer is authenticated
   };
-  /// The next frame of the peer; an error, in the words of the opener, when it is not welcome.
+  /// Takes the peer's next frame. Returns an error, phrased for the opener, if it is not accepted.
   Result<Step> Take(const FrameHeader& header, std::span<const std::byte> body);
 
  private:

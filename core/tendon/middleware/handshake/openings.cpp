@@ -14,18 +14,18 @@ struct Wait {
 };
 
 struct Waits {
-  /// In that thread; with the mutex held.
+  /// With the mutex held.
   [[nodiscard]] bool AreOver(std::thread::id thread) const {
     return ended.contains(std::thread::id()) || ended.contains(thread);
   }
 
   std::mutex mutex;
-  std::multiset<std::thread::id> ended;  // none: all threads
+  std::multiset<std::thread::id> ended;  // default-constructed: all threads
   std::uint64_t last_number = 0;
   std::map<std::uint64_t, Wait> all;
 };
 
-/// Lives longer than any thread that may wait.
+/// Never destroyed: threads may wait until the program ends.
 Waits& TheWaits() {
   static auto* const waits = new Waits;
   return *waits;

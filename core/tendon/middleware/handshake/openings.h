@@ -8,27 +8,27 @@
 
 namespace tendon {
 
-/// While one lives, nobody in this program waits for a link: what is being opened ends at once, and
-/// what is tried meanwhile is refused. For a program that ends, whose threads may be in the middle
-/// of opening a link to a process that hangs. Thread-safe.
+/// While it lives, no thread of this program opens links: openings under way end at once, new ones
+/// are refused. For a program that ends while threads may be opening a link to a process that
+/// hangs. Thread-safe.
 class NoMoreOpening {
  public:
   NoMoreOpening() : NoMoreOpening(std::thread::id()) {}
-  /// The same for one thread, which ends before the program does.
+  /// The same for one thread only; the program goes on.
   explicit NoMoreOpening(std::thread::id thread);
   NoMoreOpening(const NoMoreOpening&) = delete;
   NoMoreOpening& operator=(const NoMoreOpening&) = delete;
   ~NoMoreOpening();
 
  private:
-  const std::thread::id thread_;  // none: all
+  const std::thread::id thread_;  // default-constructed: all threads
 };
 
-/// Somebody who waits for a link in this thread, while it lives.
+/// While it lives, this thread counts as waiting for a link.
 class WaitForLink {
  public:
-  /// `give_up` ends the wait: it is called once or more from any thread when nobody waits any more,
-  /// maybe before this returns, and not after the destructor. Must not block.
+  /// `give_up` must end the wait and must not block. A NoMoreOpening calls it once or more, from
+  /// any thread, perhaps before the constructor returns, never after the destructor.
   explicit WaitForLink(std::function<void()> give_up);
   WaitForLink(const WaitForLink&) = delete;
   WaitForLink& operator=(const WaitForLink&) = delete;
@@ -38,9 +38,9 @@ class WaitForLink {
   std::uint64_t number_ = 0;
 };
 
-/// Whether nobody waits for links in this thread.
+/// Whether a NoMoreOpening applies to this thread.
 [[nodiscard]] bool IsOpeningOver();
-/// The refusal then, of code kUnreachable.
+/// The error in that case, of code kUnreachable.
 [[nodiscard]] Error OpeningIsOver();
 
 }  // namespace tendon

@@ -20,7 +20,7 @@ namespace tendon::loopback {
 
 class End;
 
-/// The one thread of a LoopbackMiddleware, and the ends of links that live in it.
+/// The thread of a LoopbackMiddleware, and its ends of links.
 class Courier {
  public:
   using Errand = std::function<void()>;
@@ -30,7 +30,7 @@ class Courier {
   Courier& operator=(const Courier&) = delete;
   ~Courier() { assert(!thread_.joinable()); }
 
-  /// Does it soon, in order; false after Stop().
+  /// Executes the errand soon, in order. Returns false after Stop().
   bool Post(Errand errand) {
     const std::scoped_lock lock(mutex_);
     if (stopped_) return false;
@@ -39,7 +39,7 @@ class Courier {
     return true;
   }
 
-  /// Does it then; not after Stop().
+  /// Executes the errand at that time; not after Stop().
   void PostAt(SteadyTime due, Errand errand) {
     const std::scoped_lock lock(mutex_);
     if (stopped_) return;
@@ -47,7 +47,7 @@ class Courier {
     changed_.notify_all();
   }
 
-  /// Until all that was posted before is done.
+  /// Waits until all that was posted before is done.
   void Flush() {
     assert(std::this_thread::get_id() != thread_.get_id());
     std::unique_lock lock(mutex_);
@@ -71,13 +71,13 @@ class Courier {
   /// Whether links are no longer accepted.
   [[nodiscard]] bool is_closing() const { return is_closing_.Get(); }
 
-  /// Closes every end; when it returns their handlers have heard it.
+  /// Closes every end. Their handlers have heard OnClosed() when it returns.
   void Stop();
   /// See LoopbackMiddleware.
   void Crash();
 
  private:
-  /// With the mutex: what is due becomes an errand.
+  /// With the mutex held. Moves what is due to the errands.
   void TakeDue() {
     const SteadyTime now = SteadyClock().Now();
     while (!later_.empty() && later_.begin()->first <= now) {
@@ -125,7 +125,7 @@ class Courier {
   bool busy_ = false;
   bool stopped_ = false;
   Flag is_closing_{false};
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last, because it uses the others
 };
 
 }  // namespace tendon::loopback

@@ -30,15 +30,15 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   HandleLarge(std::move(frame));
 }
 
-/// Who asks is told. A notice is not lost in silence: its link ends with it.
+/// A request is refused. A notice has no answer, so its link ends instead of losing it silently.
 void Channel::OnTooMuch(const FrameHeader& header) {
   constexpr const char* kWhy = "512 MiB of unfinished messages are kept already";
   if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
   CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
 
-/// Of a frame that is not whole with its first part: before anything of it is kept. Nobody need
-/// send 64 MiB to be refused.
+/// Called before anything of a large frame is kept, so that a peer need not send 64 MiB to be
+/// refused.
 bool Channel::IsWanted(const FrameHeader& header) {
   if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
     return requests_.IsAwaited(header.request);
@@ -49,14 +49,14 @@ bool Channel::IsWanted(const FrameHeader& header) {
   return !refusal;
 }
 
-/// Whoever sends parts may be held up for as long as a large message is handled there, and so may
-/// we, who do not hear them then.
+/// A peer may pause between parts while it handles a large message. We may not hear its parts while
+/// we handle one.
 bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
   return now >= std::max(given_up_.Get(), LargeInHand::Last(now) + PartAssembly::kPatience);
 }
 
-/// Who handles it may take a while: the peer, which this thread does not answer meanwhile, is told
-/// again and again how much was taken. An answer is left to who has asked, and not copied again.
+/// Handling may take a while, and this thread does not read meanwhile. So the peer is told again
+/// and again how much was taken. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
   std::optional<LargeInHand> mark;
   std::optional<RepeatedSign> sign;
@@ -88,7 +88,7 @@ void Channel::SendTaken() {
   if (SendPiece(header, body)) told_taken_.Set(taken);
 }
 
-/// With whatever is sent or arrives, and in time: what found no room on the link may have it now.
+/// Called whenever something is sent or arrives, and regularly: the link may have room again.
 void Channel::Resume() {
   TellTaken();
   parts_.Resume(*link_);

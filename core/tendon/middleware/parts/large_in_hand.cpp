@@ -8,12 +8,12 @@
 namespace tendon {
 namespace {
 
-/// Of one thread, for all to see: since when it has something in hand.
+/// Since when one thread has something large in hand; read by all threads.
 using Since = Published<SteadyTime>;
 
 constexpr SteadyTime kNothing{};
 
-/// Of this process: threads of a middleware may serve many links.
+/// One for the process, since a thread of a middleware may serve many links.
 struct Hands {
   std::mutex mutex;
   std::vector<const Since*> all;
@@ -21,7 +21,7 @@ struct Hands {
 };
 
 Hands& TheHands() {
-  static Hands& hands = *new Hands;  // for ever: threads may end after all else
+  static Hands& hands = *new Hands;  // never destroyed: threads may outlive statics
   return hands;
 }
 
@@ -46,7 +46,7 @@ Since& SinceOfThisThread() {
   return hand.since;
 }
 
-/// Until when it excuses, where that is not too short; else nothing.
+/// Until when it excuses silence; kNothing if it is too short.
 SteadyTime ExcusedBy(SteadyTime since, SteadyTime now) {
   const bool excuses = since != kNothing && now - since >= LargeInHand::kShort;
   return excuses ? std::min(now, since + LargeInHand::kAtMost) : kNothing;

@@ -7,10 +7,10 @@
 
 namespace tendon {
 
-/// While it lives something that may be large is handled in this process, or made, which may take a
-/// thread of the middleware seconds: whatever else has arrived for that thread is not heard, and
-/// nobody is to be blamed for his silence. Ends in the thread, and behind what began there later;
-/// no lock and no allocation, but for what is not short and for the first of a thread.
+/// Marks a thread of the middleware that handles or makes something large, which may take seconds.
+/// That thread does not hear its peers meanwhile, so nobody must take their silence for a failure.
+/// Destroy it in its thread, nested ones first. Locks and allocates only for the first one of a
+/// thread and for one that takes longer than kShort.
 class LargeInHand {
  public:
   LargeInHand();
@@ -18,20 +18,20 @@ class LargeInHand {
   LargeInHand& operator=(const LargeInHand&) = delete;
   ~LargeInHand();
 
-  /// Of fewer bytes it is known that they are handled soon.
+  /// Fewer bytes than this are known to be handled soon.
   static constexpr std::size_t kLeast = std::size_t{4} << 20U;
-  /// What is done sooner holds nobody up, and excuses nobody.
+  /// A shorter one delays nobody, so it excuses no silence.
   static constexpr std::chrono::milliseconds kShort{250};
-  /// For so long it excuses silence: who handles one longer than this hangs.
+  /// The longest silence that it excuses. A thread that takes longer hangs.
   static constexpr std::chrono::seconds kAtMost{30};
 
-  /// When there last was one that was not short, and not too long: `now` while there is. Any
-  /// thread.
+  /// When one that takes longer than kShort was last under way: `now` if one is, but for at most
+  /// kAtMost after its start. Any thread.
   [[nodiscard]] static SteadyTime Last(SteadyTime now);
 
  private:
   const SteadyTime since_;
-  const SteadyTime outer_since_;  // of the one in which it began, if any
+  const SteadyTime outer_since_;  // of the enclosing one, if any
 };
 
 }  // namespace tendon

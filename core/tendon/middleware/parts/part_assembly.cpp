@@ -27,13 +27,13 @@ bool MayBeLarge(MessageType type) {
   }
 }
 
-/// Of what was asked for here: whoever asks knows how much he asks for.
+/// Replies do not count for the budget: the requester knows how much it asks for.
 bool IsAnswer(MessageType type) {
   return type == MessageType::kReply || type == MessageType::kRefusal;
 }
 
-/// Room for `more` bytes of a body of `size`. What has come is copied seldom, and whoever claims
-/// much gets 1 MiB, or eight times what he has sent.
+/// Makes room for `more` bytes of a body of `size`. Copies seldom. A peer that claims much gets 1
+/// MiB, or eight times what it has sent.
 void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
   constexpr std::size_t kAtFirst = std::size_t{1} << 20U;
   const std::size_t needed = body.size() + more;
@@ -45,7 +45,7 @@ void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
 
 Budget<>& PartAssembly::BudgetOfProcess() {
   constexpr std::size_t kMost = std::size_t{512} << 20U;
-  static auto& budget = *new Budget<>(kMost);  // for ever: threads may end after all else
+  static auto& budget = *new Budget<>(kMost);  // never destroyed: threads may outlive statics
   return budget;
 }
 
@@ -59,7 +59,7 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
   const std::size_t left = begun.header.size - begun.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
   const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
-  // None but the last is smaller than the least, so that nobody has us work for next to nothing.
+  // Only the last part may be smaller than the least, to bound the work for each byte.
   if (more.size() > left || more.size() < least) return Progress::kNonsense;
   taken_ += part.size();
   begun.last_part = clock_.Now();
@@ -103,12 +103,12 @@ void PartAssembly::GiveBack(Begun& begun) {
   kept_ -= std::exchange(begun.kept, 0);
 }
 
-/// One frame of those that are huge, and a window of others: what one sender lets on its way.
+/// A PartSender has at most one huge frame under way, and kSendWindow bytes of others.
 std::size_t& PartAssembly::ClaimsFor(std::size_t size) {
   return size > kSendWindow ? claimed_.of_huge : claimed_.of_others;
 }
 
-/// The frame of that number, which begins with this part; none where it cannot.
+/// Begins the frame of that number with its first part; end() if the peer may not send it.
 PartAssembly::Frames::iterator PartAssembly::Begin(std::uint32_t number,
                                                    std::span<const std::byte> part) {
   const auto header = ReadFrameHeader(part, kMaxWholeSize);

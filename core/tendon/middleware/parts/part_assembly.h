@@ -15,20 +15,20 @@
 
 namespace tendon {
 
-/// Puts together what a peer sends in parts (parts/part_sender.h). A peer has so much on its way at
-/// a time as a PartSender lets it, and no more is kept for it: whoever claims more sends nonsense.
-/// Memory is taken for what has come, not for what is claimed. Not thread-safe.
+/// Assembles the frames that a peer sends in parts (parts/part_sender.h). Accepts no more at a time
+/// than a PartSender sends; a peer that claims more breaks the protocol. Allocates memory for what
+/// has arrived, not for what is claimed. Not thread-safe.
 class PartAssembly {
  public:
-  /// Asked of the header of a frame that is not whole with its first part: nothing is kept of what
-  /// is not wanted, and nobody hears of it.
+  /// Called with the header of a frame that needs more than one part. If it returns false, nothing
+  /// of the frame is kept or reported.
   using IsWanted = std::function<bool(const FrameHeader&)>;
 
-  /// Bytes that all links of a process together keep of messages that are not whole, answers aside:
-  /// 512 MiB.
+  /// Bounds the bytes of unfinished messages, replies excepted, on all links of the process: 512
+  /// MiB.
   [[nodiscard]] static Budget<>& BudgetOfProcess();
 
-  /// `budget` and `clock` live as long as this.
+  /// `budget` and `clock` must outlive this object.
   explicit PartAssembly(IsWanted is_wanted = nullptr, Budget<>& budget = BudgetOfProcess(),
                         const Clock& clock = SteadyClock())
       : is_wanted_(std::move(is_wanted)), budget_(budget), clock_(clock) {}
@@ -36,42 +36,42 @@ class PartAssembly {
   PartAssembly& operator=(const PartAssembly&) = delete;
   ~PartAssembly() { Clear(); }
 
-  /// What a part has led to; the link is to be closed for nonsense, and where memory is out.
+  /// The result of a part. On kNonsense and kOutOfMemory the caller closes the link.
   enum class Progress {
     kMoreToCome,
     kWhole,        ///< a frame is whole
-    kNonsense,     ///< no part of a frame that the peer may send
-    kOutOfMemory,  ///< there is none for the frame
-    kTooMuch       ///< the budget has no more: nothing of the frame is kept
+    kNonsense,     ///< not a part of a frame that the peer may send
+    kOutOfMemory,  ///< no memory for the frame
+    kTooMuch       ///< the budget is used up: nothing of the frame is kept
   };
-  /// What has been put together; it belongs to who has asked.
+  /// An assembled frame; the caller owns it.
   struct Frame {
     FrameHeader header;
     Bytes body;
   };
-  /// `number` tells the frames apart that come at one time; `frame` is set where one is whole, and
-  /// its header where there is no room.
+  /// `number` identifies the frame among those under way. Sets `frame` if it is whole, and its
+  /// header if there is no room.
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
-  /// A sender may handle something large for LargeInHand::kAtMost before it sends the next part,
-  /// and takes its frames in turn, a part of each in PartSender::kPartTime.
+  /// How long to wait for a part: its sender may first be busy with something large for
+  /// LargeInHand::kAtMost. It sends its frames in turn, each part in PartSender::kPartTime.
   static constexpr std::chrono::seconds kPatience = LargeInHand::kAtMost + std::chrono::seconds(10);
-  /// When the frame that waits longest for its next part has waited too long; never without one.
+  /// When the frame that waits longest for its next part times out; max() if there is none.
   [[nodiscard]] SteadyTime given_up() const;
 
-  /// Bytes that have come since the link stands.
+  /// Bytes that have arrived since the link was opened.
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
-  /// Bytes of the frames that have begun, whole as they will be.
+  /// Bytes of the frames under way, counted at their full size.
   [[nodiscard]] std::size_t claimed() const { return claimed_.of_huge + claimed_.of_others; }
-  /// Frees what has begun, and will not be whole.
+  /// Frees the unfinished frames.
   void Clear();
 
  private:
   struct Begun {
     FrameHeader header;
     Bytes body;
-    std::size_t come = 0;  // of the body
-    std::size_t kept = 0;  // of the budget
+    std::size_t come = 0;  // bytes of the body that have arrived
+    std::size_t kept = 0;  // bytes taken from the budget
     bool is_wanted = true;
     SteadyTime last_part{};
   };
@@ -91,7 +91,7 @@ class PartAssembly {
   const Clock& clock_;
   Frames begun_;
   Claims claimed_;
-  std::size_t kept_ = 0;  // of the budget
+  std::size_t kept_ = 0;  // bytes taken from the budget
   std::uint64_t taken_ = 0;
 };
 

@@ -24,11 +24,11 @@ Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
   Frame frame;
   frame.bytes.reserve(FrameHeader::kSize + size);  // before it counts: memory may be short
   if (const Status reserved = Reserve(size); !reserved) return reserved;
-  frame.Write(header, body);  // without the lock, for it may be large
+  frame.Write(header, body);  // without the lock, since it may be large
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
-  // Lanes of channels count up from 1; those of single messages down from the other end.
+  // NewLane() counts up from 1; lanes of single messages count down from the other end.
   if (lane == kOwnLane) lane = kOwnLane - frame.number;
   Enter(lane, std::move(frame));
   is_busy_.Set(true);
@@ -45,7 +45,7 @@ Status PartSender::Reserve(std::size_t size) {
   return Status::kQueued;
 }
 
-/// Memory may be short: then all is as if it had not been reserved.
+/// If memory is short, undoes the reservation.
 void PartSender::Enter(Lane lane, Frame frame) {
   const std::size_t size = frame.size();
   try {
@@ -71,7 +71,7 @@ bool PartSender::OnTaken(Link& link, std::uint64_t bytes) {
   return true;
 }
 
-/// While the probe is not through, the line carries no more than that.
+/// An unfinished probe can only make the parts smaller.
 void PartSender::Judge() {
   if (!probe_) return;
   using Seconds = std::chrono::duration<double>;
@@ -96,7 +96,7 @@ void PartSender::Resume(Link& link) {
   SendParts(link);
 }
 
-/// One part of each lane in turn.
+/// Sends one part of each lane in turn.
 void PartSender::SendParts(Link& link) {
   const std::size_t ahead = kPartsAhead * (FrameHeader::kSize + part_size());
   while (!lanes_.empty() && sent_ - taken_ < ahead) {

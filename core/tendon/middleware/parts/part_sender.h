@@ -17,59 +17,59 @@
 
 namespace tendon {
 
-/// Bytes of a frame that travel in one part, which is a frame of type kPart: so many at most, and,
-/// but for the last part of the frame, at least the least.
+/// The size of a part, which is a frame of type kPart: the largest, and the smallest except for the
+/// last part of a frame.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
 inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
-/// An answer that goes back with its question is sent whole where it is no larger than this, the
-/// peer speaks this version, and the line is quick.
+/// The largest reply that returns with its request. A reply larger than a part returns whole only
+/// if the peer speaks this version and the line is quick.
 inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
 inline constexpr std::uint16_t kReturnsLargeAnswers = 8;
 
-/// Sends large frames in parts, lane by lane in turn, never more than four parts ahead of the peer,
-/// which tells how much it has taken (kPartsTaken). So whatever else is sent meanwhile waits behind
-/// that much at most, and nobody waits for the link. Thread-safe.
+/// Sends large frames in parts, one part of each lane in turn. Stays at most four parts ahead of
+/// the peer, which acknowledges them (kPartsTaken). So other messages wait behind at most four
+/// parts, and no caller waits for the link. Thread-safe.
 ///
-/// Parts are the size of what the line carries in kPartTime, as far as that is known, and small at
-/// first: each is a sign of life at both ends, and must not take longer than anybody may be silent.
+/// A part is as large as the line carries in kPartTime, as far as known, and small at first: it is
+/// a sign of life at both ends, so it must not take longer than a peer may be silent.
 class PartSender {
  public:
   static constexpr std::size_t kPartsAhead = 4;
   static constexpr std::chrono::milliseconds kPartTime{250};
-  /// For so long what a probe has told is believed of what goes past the parts.
+  /// How long the speed that a probe has measured counts.
   static constexpr std::chrono::milliseconds kQuickFor{1000};
 
-  /// `clock` lives as long as this.
+  /// `clock` must outlive this object.
   explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Whether a frame of `size` bytes must be left to Add(): it is more than a part, or behind such
-  /// a one of its lane. The other frames go to the link as they are.
+  /// Whether a frame of `size` bytes must go to Add(): it is larger than a part, or its lane has
+  /// such a frame waiting. Other frames go to the link directly.
   [[nodiscard]] bool MustTake(Lane lane, std::size_t size);
 
-  /// Takes a copy. Refusals as of Link::Send(), whose window all frames share that are here, but
-  /// for one alone that may be larger; kQueueFull makes a large one wait for large ones only.
+  /// Takes a copy. Fails as Link::Send() does. Waiting frames share kSendWindow, apart from one
+  /// larger frame at a time. A large frame gets kQueueFull only because of other large frames.
   Status Add(Link& link, Lane lane, const FrameHeader& header, std::span<const std::byte> body);
 
-  /// The peer has taken so many bytes since the link stands; false where it cannot have.
+  /// The peer has taken so many bytes since the link was opened. False if that is impossible.
   bool OnTaken(Link& link, std::uint64_t bytes);
-  /// Goes on where the link had no room. To be called whenever something is sent or arrives, and
-  /// now and then: a link without room drains without a word.
+  /// Continues after the link was full. Call it whenever something is sent or arrives, and
+  /// regularly: a link does not report that it has room again.
   void Resume(Link& link);
 
-  /// Frees all, and takes nothing more: the link has ended.
+  /// Frees all frames and accepts no more: the link has ended.
   void Close();
 
-  /// Bytes that are here, or on their way.
+  /// Bytes that wait here or are on their way.
   [[nodiscard]] std::size_t waiting() const;
   /// Bytes of the next part, unless it is the last of its frame.
   [[nodiscard]] std::size_t part_size() const { return part_size_.Get(); }
-  /// Whether the line was just found to carry kMaxReturned in the time of a part.
+  /// Whether the line has recently carried kMaxReturned in kPartTime.
   [[nodiscard]] bool is_quick() const { return clock_.Now() < quick_until_.Get(); }
 
  private:
-  /// A frame behind the room for one more header: each part is sent from where it lies, its header
-  /// written over the end of what was sent before.
+  /// A frame, with room for one more header in front. Each part is sent from where it lies; its
+  /// header overwrites the end of the part before.
   struct Frame {
     std::uint32_t number = 0;
     std::uint16_t version = 0;
@@ -79,14 +79,14 @@ class PartSender {
     void Write(const FrameHeader& header, std::span<const std::byte> body);
     [[nodiscard]] std::size_t size() const { return bytes.size() - FrameHeader::kSize; }
   };
-  /// A frame that is sent: once the peer has taken what was sent up to its end, it counts no more.
+  /// A frame that was sent completely. It counts until the peer has taken all bytes up to `end`.
   struct Sent {
     std::uint64_t end = 0;
     std::size_t size = 0;
   };
 
-  /// One part, and what the peer had not taken when it was sent, the part included: once that is
-  /// taken, it is known how much the line carries.
+  /// Measures the line: one part, and the bytes that the peer had not taken when it was sent, the
+  /// part included. The time until they are taken gives the speed.
   struct Probe {
     std::uint64_t end = 0;
     std::size_t bytes = 0;
@@ -102,7 +102,7 @@ class PartSender {
   Status SendPart(Link& link, Frame& frame);
 
   const Clock& clock_;
-  Flag is_busy_;  // whether there are lanes_
+  Flag is_busy_;  // set while there are lanes_
   Published<std::size_t> part_size_{kLeastPartSize};
   Published<SteadyTime> quick_until_;
   mutable std::mutex mutex_;
@@ -111,9 +111,9 @@ class PartSender {
   Lane last_lane_ = kCommonLane;
   std::map<Lane, std::deque<Frame>> lanes_;
   std::deque<Sent> on_way_;
-  std::size_t waiting_ = 0;       // bytes of what is no larger than the window
-  std::size_t huge_waiting_ = 0;  // of the one that is
-  std::uint64_t sent_ = 0;        // bytes, since the link stands
+  std::size_t waiting_ = 0;       // bytes of frames no larger than the window
+  std::size_t huge_waiting_ = 0;  // bytes of the larger one
+  std::uint64_t sent_ = 0;        // bytes since the link was opened
   std::uint64_t taken_ = 0;
   std::optional<Probe> probe_;
 };

@@ -9,18 +9,18 @@
 
 namespace tendon {
 
-/// A value that travels may have at most this many bytes when encoded: an argument, an answer, an
-/// event. Larger ones are refused where they would be sent; the connection stays.
+/// The most bytes of an encoded value: an argument, a result, an event. A larger one is refused at
+/// the sender; the connection stays.
 inline constexpr std::size_t kMaxPayload = std::size_t{64} << 20U;
-/// A body may have so many: a payload, and what its message puts around it.
+/// The most bytes of a body: a payload and the fields of its message.
 inline constexpr std::size_t kMaxBodySize = kMaxPayload + (std::size_t{64} << 10U);
 
 /// "'cloud' of 80 000 000 B exceeds max_payload 67 108 864 B": an error of code kInvalid. `owner`,
-/// if any, is whose it is: " of robot/arm/Cloud".
+/// if any, is appended: " of robot/arm/Cloud".
 [[nodiscard]] Error ExceedsMaxPayload(std::string_view what, std::size_t size,
                                       std::string_view owner = {});
 
-/// Why a body of `size` bytes was not sent to a peer, where a link has refused it so.
+/// The error for a body of `size` bytes that a link has refused with `status`.
 [[nodiscard]] Error WhyNotSent(Status status, const std::string& peer, std::size_t size);
 
 }  // namespace tendon

@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// While it lives, calls a function every 250 ms, in a thread of its own, for LargeInHand::kAtMost:
-/// for the peer of a thread that handles something large and hears nothing meanwhile. Where no
-/// thread can be had, no sign is given, and that is logged.
+/// Calls `give` every 250 ms in a thread of its own, for at most LargeInHand::kAtMost: a sign of
+/// life for the peer while the middleware's thread handles something large. If no thread can be
+/// started, gives no sign and logs that.
 class RepeatedSign {
  public:
   RepeatedSign(const std::string& peer, std::function<void()> give);

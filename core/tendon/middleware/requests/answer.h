@@ -9,22 +9,22 @@
 
 namespace tendon {
 
-/// The body of an answer: in memory of its own, or in memory that somebody lends, so that a large
-/// one need not be copied to whoever waits for it.
+/// The body of an answer, in memory of its own or in memory that another object owns, so that a
+/// large answer need not be copied.
 class Answer {
  public:
   explicit Answer(Bytes own) : own_(std::move(own)) {}
-  /// `body` lies there as long as anybody holds `owner`, which is not null.
+  /// `body` is valid as long as `owner` is held; `owner` is not null.
   Answer(std::span<const std::byte> body, std::shared_ptr<const void> owner)
       : lent_(body), owner_(std::move(owner)) {
     assert(owner_);
   }
 
-  /// Valid as long as this is neither moved nor destroyed.
+  /// Valid until this object is moved or destroyed.
   [[nodiscard]] std::span<const std::byte> body() const {
     return owner_ ? lent_ : std::span<const std::byte>(own_);
   }
-  /// Copies what is lent.
+  /// Copies the body if it is not in memory of its own.
   [[nodiscard]] Bytes TakeBytes() && {
     return owner_ ? Bytes(lent_.begin(), lent_.end()) : std::move(own_);
   }

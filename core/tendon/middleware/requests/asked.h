@@ -8,8 +8,8 @@ namespace tendon {
 
 class Channel;
 
-/// The request that this thread is being asked by a peer, as long as it lives: where its answer can
-/// be left (LinkHandler::OnAsked()). One at a time in a thread.
+/// While it lives, this thread handles `request`, whose reply may return by `answer`
+/// (LinkHandler::OnAsked()). One at a time in a thread.
 class Asked {
  public:
   Asked(const Channel& channel, std::uint64_t request, LeftAnswer& answer);
@@ -17,13 +17,13 @@ class Asked {
   Asked& operator=(const Asked&) = delete;
   ~Asked();
 
-  /// Where this thread may leave the answer to `request`; null where it must be sent.
+  /// Where this thread may write the reply to `request`; null if it must be sent.
   [[nodiscard]] static LeftAnswer* AnswerTo(std::uint64_t request, const Channel& channel);
-  /// Where it has begun one; null where it has not.
+  /// The same if the reply was begun there; else null.
   [[nodiscard]] static LeftAnswer* Begun(std::uint64_t request, const Channel& channel);
 
  private:
-  /// Null where it is not what this thread is asked.
+  /// Null if this thread does not handle `request`.
   static LeftAnswer* Find(std::uint64_t request, const Channel& channel);
 
   const Channel& channel_;

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// A request whose caller waits for the answer itself: instead of a handler, which would be
-/// allocated for each. Of one thread; not for longer than the PendingRequests.
+/// A request whose caller waits for the answer. Needs no handler, and so no allocation for each
+/// request. One thread; must not outlive the PendingRequests.
 class AwaitedAnswer {
  public:
   explicit AwaitedAnswer(PendingRequests& requests)
@@ -20,11 +20,11 @@ class AwaitedAnswer {
   AwaitedAnswer& operator=(const AwaitedAnswer&) = delete;
   ~AwaitedAnswer() { (void)Leave(); }
 
-  /// That of the request; 0 where none are sent any more.
+  /// The number of the request; 0 if no requests are sent any more.
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
-  /// What it was finished with; nothing when `deadline` has passed before. Once: what comes then
-  /// is late.
+  /// Returns the outcome, or nothing once `deadline` has passed. Call it once: a later answer
+  /// counts as late.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (place_ == nullptr) return std::nullopt;
     place_->wakeup.WaitUntil([this] { return place_->has_ended.Get(); }, deadline);

@@ -7,14 +7,14 @@
 
 namespace tendon {
 
-/// What is returned is not sent in parts: it must be small, or the line quick.
+/// A reply that returns with its request is not sent in parts: it must be small, or the line quick.
 bool Channel::MayReturn(std::size_t size) {
   if (!parts_.MustTake(kOwnLane, size)) return true;
   return version_ >= kReturnsLargeAnswers && size <= kMaxReturned && parts_.is_quick();
 }
 
-/// Where an answer of `size` bytes is left to whoever has asked: `later`, or else as this thread is
-/// asked. Null where it must be sent.
+/// Where a reply of `size` bytes can be written to return with its request: `later`, or the place
+/// for the request that this thread handles. Null if it must be sent.
 LeftAnswer* Channel::WayBack(std::uint64_t request, std::size_t size, LeftAnswer* later) {
   LeftAnswer* const answer = later != nullptr ? later : Asked::AnswerTo(request, *this);
   return answer != nullptr && MayReturn(FrameHeader::kSize + size) ? answer : nullptr;
@@ -33,7 +33,7 @@ void Channel::EndReply(std::uint64_t request, LeftAnswer* later) {
   if (answer != nullptr) answer->End();
 }
 
-/// False where it must be sent.
+/// Returns false if the reply must be sent.
 bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, LeftAnswer* later) {
   LeftAnswer* const answer = WayBack(request, body.size(), later);
   if (answer == nullptr) return false;
@@ -44,7 +44,7 @@ bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, Lef
   return true;
 }
 
-/// False where it was not sent. `later` is where it is left, if it was deferred.
+/// Returns false if the reply was not sent. `later` is its place if it was deferred.
 bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
                         LeftAnswer* later) {
   const bool is_alone = lane == kOwnLane;
@@ -63,7 +63,7 @@ bool Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> b
   return false;
 }
 
-/// Where the link has no room for all, some may find it.
+/// If the link has no room for all, some may still fit.
 void Channel::SendReplies(const ReplyBatch& batch) {
   bool is_sent = false;
   if (batch.replies() > 1) {
@@ -78,7 +78,7 @@ void Channel::SendReplies(const ReplyBatch& batch) {
 }
 
 void Channel::SendRefusal(std::uint64_t request, const Error& error) {
-  // Where even this does not fit into the window, the peer's request times out.
+  // If even this does not fit into the window, the peer's request times out.
   (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 thread_local GatheredReplies* gathered_here = nullptr;
 
-/// Keeps its memory for the next time.
+/// Keeps its capacity.
 ReplyBatch& BatchOfThisThread() {
   thread_local ReplyBatch batch;
   return batch;

@@ -10,26 +10,25 @@ namespace tendon {
 
 class Channel;
 
-/// While it lives, the answers that this thread gives, each in a lane of its own, are kept, in
-/// order, and sent many in a message: when it ends, when a message is full, or when an answer to
-/// another peer comes. One answer alone is sent as ever. Nobody waits for a clock: it is for where
-/// several calls are found to have ended, and lives no longer than it takes to say so. One at a
-/// time in a thread.
+/// While it lives, collects the replies that this thread gives in kOwnLane and sends them in order,
+/// many in one message: when it ends, when a message is full, or before a reply to another peer. A
+/// single reply is sent alone. For code that finds several calls ended; it must not outlive that
+/// loop, since no timer sends the replies. One at a time in a thread.
 class GatheredReplies {
  public:
   GatheredReplies();
   GatheredReplies(const GatheredReplies&) = delete;
   GatheredReplies& operator=(const GatheredReplies&) = delete;
-  /// Sends what is left.
+  /// Sends the remaining replies.
   ~GatheredReplies();
 
-  /// Keeps an answer, where one of these lives in this thread; false where it must be sent.
+  /// Keeps an answer if this thread has a GatheredReplies; returns false if it must be sent.
   static bool Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> answer);
 
  private:
   void Send();
 
-  std::shared_ptr<Channel> channel_;  // whose answers are in the batch
+  std::shared_ptr<Channel> channel_;  // the channel of the replies in batch_
   ReplyBatch& batch_;
 };
 

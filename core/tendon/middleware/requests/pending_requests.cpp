@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// A place with a number of its own. At most half of the entries are taken, so that a number whose
-/// entry is free is near.
+/// Takes a place with a new number. At most half of the entries are used, so a number with a free
+/// entry is found soon.
 PendingRequests::Place& PendingRequests::Take() {
   constexpr std::size_t kFirst = 16;
   if (free_.empty()) {
@@ -32,7 +32,7 @@ PendingRequests::Place& PendingRequests::Take() {
   return place;
 }
 
-/// Null where it has ended.
+/// Null if the request has ended.
 PendingRequests::Place* PendingRequests::Remove(std::uint64_t request) {
   if (by_number_.empty()) return nullptr;
   Place*& entry = EntryOf(request);
@@ -67,7 +67,7 @@ PendingRequests::Place* PendingRequests::AddAwaited() {
   return &place;
 }
 
-/// Who waited there does so no more: the outcome, if there is one.
+/// The caller waits no longer. Returns the outcome, if there is one.
 std::optional<Result<Answer>> PendingRequests::Leave(Place& place) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(place.request);
@@ -91,7 +91,7 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   return FinishLocked(lock, request, std::move(outcome));
 }
 
-/// Unlocks, unless it returns false.
+/// Unlocks unless it returns false.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                                    Result<Answer> outcome) {
   Place* const place = Remove(request);

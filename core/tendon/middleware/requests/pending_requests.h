@@ -19,32 +19,32 @@
 
 namespace tendon {
 
-/// The requests of one channel that wait for an answer. Every handler that was taken in is called
-/// exactly once, without a lock held; what it throws is logged. Thread-safe; allocates only where
-/// more requests wait than ever before, beyond what handlers do.
+/// The requests of one channel that wait for an answer. Calls each handler exactly once, without a
+/// lock held, and logs what it throws. Thread-safe. Apart from handlers, allocates only if more
+/// requests wait than ever before.
 class PendingRequests {
  public:
   using Handler = std::function<void(Result<Bytes>)>;
 
-  /// Numbers a request; 0, and the handler is left alone, after FinishAll().
+  /// Returns the number of the request. After FinishAll() returns 0 and leaves the handler alone.
   std::uint64_t Add(std::chrono::milliseconds timeout, Handler& handler);
 
-  /// It was never sent; its handler is not called.
+  /// Removes a request that was never sent; its handler is not called.
   void Withdraw(std::uint64_t request);
 
-  /// Calls the handler of `request`, or wakes who waits for it; false where that was done before.
+  /// Calls the handler of `request` or wakes its caller. Returns false if that was done before.
   bool Finish(std::uint64_t request, Result<Answer> outcome);
 
-  /// Finish() for what came from the peer; counts what came too late.
+  /// Finish() for an answer of the peer; counts late ones.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
-  /// Whether an answer to it would not come too late; counts one that does.
+  /// Whether the request still waits for its answer; if not, counts a late one.
   bool IsAwaited(std::uint64_t request);
 
-  /// Finishes the requests whose time has come: `peer` gave no answer. Who waits sees to that.
+  /// Finishes timed-out requests; the error names `peer`. A waiting caller times out by itself.
   void Expire(SteadyTime now, const std::string& peer);
 
-  /// Finishes every request, in their order, now and for all time.
+  /// Finishes every request in order, and refuses all later ones.
   void FinishAll(const Error& reason);
 
   [[nodiscard]] std::uint64_t late_answers() const;
@@ -52,14 +52,14 @@ class PendingRequests {
  private:
   friend class AwaitedAnswer;
 
-  /// Of one request after the other. Stays where it is: of who waited for the one before, somebody
-  /// may still be about to wake it.
+  /// The place of one request at a time. Its address never changes, since a thread may still be
+  /// about to wake the caller of an earlier request.
   struct Place {
     std::uint64_t request = 0;
     SteadyTime deadline{};
     std::chrono::milliseconds timeout{};
     Handler handler;
-    bool is_awaited = false;  // instead: somebody waits for the outcome
+    bool is_awaited = false;  // a caller waits for the outcome; there is no handler
     std::optional<Result<Answer>> outcome;
     Flag has_ended;
     Wakeup<> wakeup;
@@ -81,17 +81,17 @@ class PendingRequests {
   std::uint64_t last_ = 0;
   std::uint64_t late_ = 0;
   std::deque<Place> places_;
-  std::vector<Place*> free_;       // all would fit
-  std::vector<Place*> by_number_;  // a power of two; no two requests have the same entry
+  std::vector<Place*> free_;       // has capacity for all places_
+  std::vector<Place*> by_number_;  // size is a power of two; each request has an entry of its own
 };
 
 /// "no answer from robot within 500 ms; outcome unknown"
 [[nodiscard]] Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout);
 
-/// Of what is being caught.
+/// Logs the exception that is being handled.
 void LogFailure(const std::string& peer);
 
-/// Calls code of others, which must not bring a thread of the middleware down: logs what it throws.
+/// Calls foreign code in a thread of the middleware; logs what it throws.
 template <typename Function>
 void CallGuarded(const std::string& peer, Function function) {
   try {

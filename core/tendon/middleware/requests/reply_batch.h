@@ -9,19 +9,19 @@
 
 namespace tendon {
 
-/// Answers to several requests in the body of one frame (MessageType::kReplies), so that what has
-/// ended together costs one message: for each u64 request, u32 size, so many bytes, little-endian,
-/// without padding. Bounded, for who reads it too. Not thread-safe.
+/// Answers to several requests in the body of one frame (MessageType::kReplies), to save messages.
+/// For each answer: u64 request, u32 size, the bytes; little-endian, without padding. Bounded, for
+/// the reader's sake too. Not thread-safe.
 class ReplyBatch {
  public:
   static constexpr std::size_t kMostReplies = 256;
-  /// Of the body: with its header it is never sent in parts.
+  /// Of the body; with its header it always fits into one piece.
   static constexpr std::size_t kMostBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
-  /// Bytes that an answer takes beside its own.
+  /// Bytes of an answer beside its body.
   static constexpr std::size_t kOverhead = 12;
 
-  /// Behind the others. False, and nothing happens, where there is no room; for an answer of more
-  /// than kMostBytes - kOverhead there never is.
+  /// Appends an answer. Returns false without an effect if there is no room, as for any answer
+  /// above kMostBytes - kOverhead.
   bool Add(std::uint64_t request, std::span<const std::byte> answer);
   /// Keeps the capacity.
   void Clear();
@@ -34,17 +34,17 @@ class ReplyBatch {
   Bytes body_;
 };
 
-/// What a request is answered with.
+/// One answer of a batch.
 struct OneReply {
   std::uint64_t request = 0;
   std::span<const std::byte> answer;
 };
 
-/// Takes the first answer off; nothing where `body`, of any origin, begins with no whole one.
+/// Takes the first answer off `body`, which is untrusted. Returns nothing if it is not whole.
 std::optional<OneReply> TakeReply(std::span<const std::byte>& body);
 
-/// Whether bytes of any origin are the body of a batch: one answer at least, within the bounds, and
-/// whole to the last byte.
+/// Whether untrusted bytes are the body of a batch: at least one answer, within the bounds, and
+/// nothing left over.
 [[nodiscard]] bool IsReplyBatch(std::span<const std::byte> body);
 
 }  // namespace tendon

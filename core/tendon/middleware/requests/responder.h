@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// Answers one request, once, from any thread, now or later. Dropped unanswered, it refuses; a
-/// second answer is ignored.
+/// Answers one request, once, from any thread, now or later. Refuses if it is destroyed unanswered.
+/// Ignores a second answer.
 class Responder {
  public:
   Responder(std::weak_ptr<Channel> channel, std::uint64_t request);
@@ -24,21 +24,21 @@ class Responder {
   Responder& operator=(const Responder&) = delete;
   ~Responder();
 
-  /// Throws std::bad_alloc where memory is short; it is not answered then.
+  /// Throws std::bad_alloc if memory is short; then the request is not answered yet.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane) {
     (void)TryReply(body, lane);
   }
-  /// The same; false where it cannot be sent: then the peer is refused, if it is there.
+  /// Returns false if the answer cannot be sent; a peer that is still there then gets a refusal.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
-  /// Room for a Reply() in kOwnLane of `size` bytes, at least one, where it is sent from: all are
-  /// written in this thread, before it returns to the channel unless deferred, and ended by
-  /// EndReply(). Empty where there is no such place: then it is as if nothing had happened. Throws
-  /// like Reply().
+  /// Returns room for a reply in kOwnLane of `size` bytes, at least one, in the memory that the
+  /// link sends. Write all bytes in this thread and call EndReply(); unless deferred, before
+  /// returning to the channel. Returns an empty span, without an effect, if there is no such
+  /// memory. Throws as Reply() does.
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
-  /// In the thread that was asked, before it returns to the channel: a later Reply() in kOwnLane,
-  /// by any thread, still takes the shorter way of Link::Ask(). False where it does not, for there
-  /// is none.
+  /// Call it in the thread that handles the request, before it returns to the channel. A later
+  /// Reply() in kOwnLane, from any thread, can then still take the shorter way of Link::Ask().
+  /// Returns false if the link has no such way.
   bool Defer();
   void Refuse(const Error& error);
 
@@ -56,7 +56,7 @@ class Responder {
  private:
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
-  std::unique_ptr<LeftAnswer> later_;  // where the answer is left, if it is deferred
+  std::unique_ptr<LeftAnswer> later_;  // the place for the reply, if it is deferred
 };
 
 }  // namespace tendon

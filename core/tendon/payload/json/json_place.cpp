@@ -7,14 +7,14 @@
 namespace tendon {
 namespace {
 
-/// Walks over JSON text from value to value. Text that is no JSON leads nowhere, but never outside.
+/// Walks over JSON text from value to value. In text that is not JSON it never leaves the text.
 class JsonWalk {
  public:
   explicit JsonWalk(std::string_view text) : text_(text) { SkipSpace(); }
 
   [[nodiscard]] std::size_t place() const { return place_; }
 
-  /// Into the member of an object, the `nth` of its name; false where there is none.
+  /// Enters the `nth` member of that name in an object; false if there is none.
   bool EnterMember(std::string_view name, int nth) {
     if (!Take('{')) return false;
     for (SkipSpace(); Next() == '"'; SkipSpace()) {
@@ -56,7 +56,7 @@ class JsonWalk {
 
   void SkipSpace() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
 
-  /// Without its quotes, as it is written.
+  /// Without its quotes, but with its escapes.
   std::string_view TakeString() {
     const std::size_t begin = ++at_;
     while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
@@ -95,7 +95,7 @@ class JsonWalk {
   std::size_t place_ = 0;
 };
 
-/// Takes the first part off a path: "processes", "[0]", "name". What is in brackets keeps them.
+/// Takes the first part off a path: "processes", "[0]", "name". An index keeps its brackets.
 std::string_view TakePart(std::string_view& path) {
   if (path.starts_with('.')) path.remove_prefix(1);
   const std::size_t end =

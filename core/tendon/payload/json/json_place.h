@@ -5,9 +5,9 @@
 
 namespace tendon {
 
-/// Where the member or the element that `path` names begins in JSON text: "line 12, column 5" for
-/// "processes[0].name". Where the path goes on into nothing, the deepest part that is there. The
-/// text need be JSON no further than that.
+/// Tells where the member or element that `path` names begins in JSON text: "line 12, column 5" for
+/// "processes[0].name". If it does not exist, tells this for the deepest part of the path that
+/// exists. The text must be JSON only up to there.
 [[nodiscard]] std::string PlaceInJson(std::string_view text, std::string_view path);
 
 /// The same for the second member of that name in its object.

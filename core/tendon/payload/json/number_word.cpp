@@ -21,7 +21,7 @@ constexpr std::string_view kDigits = "0123456789";
 
 bool IsDigit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// A number as it is spelled: sign, digits, point, exponent. Digits may be empty on one side.
+/// A number as it is spelled: sign, digits, point, exponent. Digits may be missing on one side.
 struct Spelling {
   bool is_negative = false;
   std::string whole;
@@ -29,7 +29,7 @@ struct Spelling {
   std::string exponent;  // with its sign
 };
 
-/// Takes digits off the front.
+/// Removes the leading digits from `text` and returns them.
 std::string TakeDigits(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
   std::string digits(text.substr(0, end));
@@ -43,7 +43,7 @@ bool TakeLetter(std::string_view& text, std::string_view letters) {
   return true;
 }
 
-/// Takes the longest number off the front of `text`; nothing where none begins there.
+/// Removes the longest leading number from `text` and returns it; nothing if there is none.
 std::optional<Spelling> TakeNumber(std::string_view& text) {
   std::string_view rest = text;
   Spelling number;
@@ -67,7 +67,7 @@ std::optional<Spelling> WholeNumber(std::string_view text) {
   return text.empty() ? number : std::nullopt;
 }
 
-/// As JSON has it: without zeros in front, with digits on both sides of a point.
+/// In JSON form: without leading zeros, and with digits on both sides of a point.
 std::string JsonOf(const Spelling& number) {
   std::string whole =
       number.whole.substr(std::min(number.whole.find_first_not_of('0'), number.whole.size()));
@@ -81,7 +81,7 @@ bool HasZerosInFront(const Spelling& number) {
   return number.whole.size() > 1 && number.whole.front() == '0';
 }
 
-/// The next letter of UTF-8 text, and how many bytes it has; 0xfffd for what is none.
+/// The next letter of UTF-8 text and its size in bytes; 0xfffd for an invalid one.
 std::pair<char32_t, std::size_t> LetterAt(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
   const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
@@ -92,7 +92,7 @@ std::pair<char32_t, std::size_t> LetterAt(std::string_view text, std::size_t at)
   return {letter, size};
 }
 
-/// The ASCII letter that means the same in a number; 0 for none.
+/// The ASCII letter with the same meaning in a number; 0 if there is none.
 char InAscii(char32_t letter) {
   constexpr auto kZeros = std::to_array<char32_t>({0x660, 0x6f0, 0x966, 0x9e6, 0xff10});
   for (const char32_t zero : kZeros) {
@@ -121,7 +121,7 @@ char InAscii(char32_t letter) {
   }
 }
 
-/// The word in ASCII as far as it has letters that mean the same.
+/// The word in ASCII, as far as its letters have an equivalent there.
 std::string AsciiOf(std::string_view text) {
   std::string ascii;
   for (std::size_t at = 0; at < text.size();) {
@@ -147,7 +147,7 @@ std::string InLowerCase(std::string text) {
   return text;
 }
 
-/// "inf" of "+Infinity"; empty for what is no such word.
+/// "inf" for "+Infinity"; empty if it is no such word.
 std::string NotFinite(const std::string& text) {
   const std::string lower = InLowerCase(text);
   const bool is_signed = lower.starts_with('+') || lower.starts_with('-');
@@ -157,8 +157,8 @@ std::string NotFinite(const std::string& text) {
   return lower.starts_with('-') ? "-inf" : "inf";
 }
 
-/// Whether groups of three digits follow the first, which has one to three and no zero in front, at
-/// each `sign`.
+/// True if one to three digits without a leading zero come first, and groups of three digits follow
+/// at each `sign`.
 bool IsGrouped(std::string_view whole, char sign) {
   if (whole.starts_with('0')) return false;
   std::size_t digits = 0;
@@ -180,7 +180,7 @@ std::string Without(std::string text, char sign) {
   return text;
 }
 
-/// The number with a point at `decimal`, which may be npos, and without the `group` signs.
+/// The number with its point at `decimal`, which may be npos, and without the `group` signs.
 std::optional<std::string> Ungrouped(std::string text, std::size_t decimal, char group) {
   std::string front = text.substr(0, decimal);
   const std::string behind = decimal == text.npos ? "" : text.substr(decimal + 1);
@@ -193,7 +193,7 @@ std::optional<std::string> Ungrouped(std::string text, std::size_t decimal, char
   return JsonOf(*number);
 }
 
-/// What a word may mean in which commas, points, blanks or marks stand between digits.
+/// The possible meanings of a word with commas, points, blanks or marks between its digits.
 NumberWord ReadSeparated(const std::string& text) {
   NumberWord word{.json = {}, .flaw = NumberFlaw::kNoNumber, .meant = {}, .rest = {}};
   const auto add = [&word](NumberFlaw flaw, const std::optional<std::string>& meant) {
@@ -228,7 +228,7 @@ NumberWord ReadSeparated(const std::string& text) {
   return word;
 }
 
-/// The decimal form of "0x1f"; nothing for what is none.
+/// The decimal form of "0x1f"; nothing if it is not hexadecimal.
 std::optional<std::string> DecimalOfHex(std::string_view text) {
   const bool is_negative = text.starts_with('-');
   TakeLetter(text, "+-");
@@ -240,15 +240,15 @@ std::optional<std::string> DecimalOfHex(std::string_view text) {
   return (is_negative ? "-" : "") + std::to_string(number);
 }
 
-/// What stands behind a number, as "deg" in "5 deg"; empty where nothing does, or no number begins.
+/// The text after a number, as "deg" in "5 deg"; empty if there is none, or no number.
 std::string RestBehindNumber(std::string_view text) {
   const std::size_t end = text.find_first_not_of("+-0123456789.,_' ");
   if (end == text.npos || text.substr(0, end).find_first_of(kDigits) == text.npos) return "";
   return std::string(text.substr(end));
 }
 
-/// The digits of an integer that is written with a point or an exponent ("1.50e2"); nothing where
-/// it is none. Of more than `kMost` digits no type is.
+/// The digits of an integer with a point or an exponent ("1.50e2"); nothing if it is no integer. No
+/// type has more than `kMost` digits.
 std::optional<std::string> IntegerDigits(const Spelling& number, bool& is_too_long) {
   constexpr int kMost = 40;
   std::string digits = number.whole + number.fraction;
@@ -284,7 +284,7 @@ NumberWord IntegerOf(const Spelling& number) {
   return {.json = json, .flaw = NumberFlaw::kNone, .meant = {}, .rest = {}};
 }
 
-/// Nothing is held that would be infinite, nor 0 where it is written as another number.
+/// Refuses a number that would become infinite, or would become 0 although it is not.
 template <typename Real>
 NumberWord RealOf(const Spelling& number) {
   std::string json = JsonOf(number);
@@ -328,7 +328,7 @@ NumberWord OfKind(Kind kind, const Spelling& number) {
 
 bool HasInfinity(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kFloat64; }
 
-/// Rounded; nothing where it is `limit` and more.
+/// Rounded; nothing from `limit` on.
 std::optional<std::int64_t> Nanoseconds(const Spelling& seconds, std::int64_t limit) {
   constexpr int kPlaces = 9;
   const std::string digits = seconds.whole + seconds.fraction;

@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// Why a word is no number of its type.
+/// The reason why a word is not a number of its type.
 enum class NumberFlaw {
   kNone,
   kEmpty,
@@ -19,38 +19,37 @@ enum class NumberFlaw {
   kSpelling,      ///< "007", "0x10", "Infinity", digits or signs of another script
   kRest,          ///< "5deg": something follows the number
   kFraction,      ///< "1.5" for an integer
-  kLimits,        ///< the type holds no such number
+  kLimits,        ///< the type cannot hold this number
   kNoNumber,
 };
 
-/// What a person wrote for a number: the number, or why it is none.
+/// The number that a person wrote, or the reason why there is none.
 struct NumberWord {
-  std::string json;  ///< the number in JSON; empty where there is a flaw
+  std::string json;  ///< the number in JSON; empty if there is a flaw
   NumberFlaw flaw = NumberFlaw::kNone;
-  /// What may have been meant, in JSON: several where the word is ambiguous, none where a guess
-  /// would be one.
+  /// Possible meanings, in JSON: several if the word is ambiguous, none if one would be a guess.
   std::vector<std::string> meant;
-  std::string rest;  ///< of kRest: what follows the number
+  std::string rest;  ///< of kRest: the text after the number
 };
 
-/// Whether values of that kind are written as one number: integers, floats and durations.
+/// True if values of that kind are written as one number: integers, floats and durations.
 [[nodiscard]] bool IsWrittenAsNumber(Schema::Kind kind);
 
-/// Reads a number of a kind that IsWrittenAsNumber(), in every locale alike: a point is the decimal
-/// sign, and nothing stands between thousands. Beyond JSON it takes what can mean one number only:
-/// "+1", ".5", "5.", blanks around it, and, where the type has them, inf, -inf and nan. The number
-/// is never another one than that written, but for what rounding to the type takes.
+/// Reads a number of a kind that IsWrittenAsNumber(), in the same way in every locale: the decimal
+/// sign is a point, and nothing separates thousands. Beyond JSON it accepts words with only one
+/// possible meaning: "+1", ".5", "5.", blanks around it, and, if the type has them, inf, -inf and
+/// nan. The result is always the written number, apart from rounding to the type.
 [[nodiscard]] NumberWord ReadNumberWord(Schema::Kind kind, std::string_view typed);
 
-/// The nanoseconds of a JSON number of seconds, rounded, from its digits: a double has too few of
-/// them for the seconds since 1970. Nothing where it is no number, or 68 years and more.
+/// The nanoseconds of a JSON number of seconds, rounded, from its digits: a double is too coarse
+/// for the seconds since 1970. Nothing if it is not a number, or 68 years and more.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> NanosecondsIn(std::string_view seconds);
 
-/// Whether that JSON number of seconds has other nanoseconds as a double.
+/// True if that number of seconds has other nanoseconds as a double.
 [[nodiscard]] bool IsFinerThanDouble(std::string_view seconds);
 
-/// What is wrong, and what to write: "write 0.5: the decimal sign is a point". Empty where nothing
-/// is.
+/// Tells the flaw and what to write: "write 0.5: the decimal sign is a point". Empty without a
+/// flaw.
 [[nodiscard]] std::string FlawText(const NumberWord& word);
 
 }  // namespace tendon

@@ -17,7 +17,7 @@
 namespace tendon {
 namespace {
 
-/// Appends CDR to a body that grows.
+/// Appends CDR to a growing body.
 class BodyBuilder {
  public:
   template <typename T>
@@ -42,7 +42,7 @@ class BodyBuilder {
   std::vector<std::byte> body_;
 };
 
-/// What a person typed, short: "string 'x'", "number 3", "an array of 2".
+/// A short text for a value that a person typed: "string 'x'", "number 3", "an array of 2".
 std::string Found(const Json& value) {
   constexpr std::size_t kShown = 40;  // bytes
   switch (value.type()) {
@@ -60,7 +60,7 @@ std::string Found(const Json& value) {
   }
 }
 
-/// Whether a JSON number is this integer type's; fills it in.
+/// Converts a JSON number to this integer type; false if the type cannot hold it.
 template <typename Integer>
 bool ToInteger(const Json& value, Integer& out) {
   const auto narrow = [&](auto wide) {
@@ -78,7 +78,7 @@ bool ToReal(const Json& value, Real& out) {
   using Limits = std::numeric_limits<Real>;
   if (value.is_number()) {
     const auto number = value.get<double>();
-    out = static_cast<Real>(number);  // what rounds to the largest float is that
+    out = static_cast<Real>(number);  // may round to the largest float
     return !std::isinf(out) && (out == 0) == (number == 0);
   }
   if (!value.is_string()) return false;
@@ -93,7 +93,7 @@ bool ToReal(const Json& value, Real& out) {
   return true;
 }
 
-/// What the innermost field that has them says of all numbers in it.
+/// Unit and range of all numbers in a value, from the innermost field that has them.
 struct Numbers {
   std::string unit;
   std::optional<Range> range;
@@ -110,7 +110,7 @@ struct Numbers {
   }
 };
 
-/// Turns a parsed document into a body, schema in hand. The first mistake ends it.
+/// Converts a parsed document to a body, by its schema. Stops at the first mistake.
 class Builder {
  public:
   explicit Builder(FineNumbers fine) : fine_(std::move(fine)) {}
@@ -167,7 +167,7 @@ class Builder {
   bool BuildString(const Json& value, const Numbers& numbers) {
     if (!value.is_string()) return Expected("a string", numbers.unit, value);
     const auto& text = value.get_ref<const std::string&>();
-    // In DDS and ROS a string ends there; it would arrive as another one.
+    // In DDS and ROS a string ends there; it would arrive as a different string.
     if (text.find('\0') != text.npos) return Expected("a string without \\u0000", "", value);
     body_.WriteString(text);
     return true;
@@ -199,8 +199,8 @@ class Builder {
             static_cast<std::uint32_t>((time - whole).count())};
   }
 
-  /// Of one whose nanoseconds a double does not hold: a number, or its digits as a string where it
-  /// has come through a program that keeps doubles.
+  /// For a duration whose nanoseconds a double cannot hold: a number, or its digits as a string if
+  /// it has passed through a program that keeps doubles.
   std::optional<std::chrono::nanoseconds> FineDuration(const Json& value) {
     if (const auto fine = fine_.find(path_); value.is_number_float() && fine != fine_.end()) {
       return NanosecondsIn(fine->second);

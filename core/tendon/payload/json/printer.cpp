@@ -22,7 +22,7 @@ constexpr std::size_t kLongestNumber = 32;
 
 char* CopyTo(std::string_view text, char* to) { return std::ranges::copy(text, to).out; }
 
-/// Writes kLongestNumber characters at most; returns their end.
+/// Writes at most kLongestNumber characters and returns their end.
 template <typename Number>
 char* NumberTo(Number number, char* to) {
   if constexpr (std::is_floating_point_v<Number>) {
@@ -46,7 +46,7 @@ void PrintNumber(Number number, std::string& out) {
 
 bool IsNumber(Schema::Kind kind) { return kind <= Schema::Kind::kFloat64; }
 
-/// Prints a body; false, and what was expected in `expected`, where it does not decode.
+/// Prints a body. If it cannot be decoded, returns false and sets `expected`.
 class Printer {
  public:
   explicit Printer(std::span<const std::byte> body) : reader_(body) {}
@@ -109,8 +109,8 @@ class Printer {
     return true;
   }
 
-  /// Lists of numbers may be pictures of millions: their type is looked at once, and room is made
-  /// for as many as come at a go.
+  /// Lists of numbers may be images of millions: the type is looked up once, and room is made for
+  /// many numbers at a time.
   bool PrintNumbers(const Schema& element, std::uint32_t count) {
     return payload::WithNumber(element.kind(), [&](auto number) {
       constexpr std::size_t kAtOneGo = 4096;

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxDepth = 64;
 
 std::string TooDeep() { return "nesting deeper than " + std::to_string(kMaxDepth); }
 
-/// Before anything is built of the text.
+/// Checked before anything is built from the text.
 bool IsTooDeep(std::string_view text) {
   std::size_t depth = 0;
   bool is_in_string = false;
@@ -37,7 +37,7 @@ bool IsTooDeep(std::string_view text) {
   return false;
 }
 
-/// The parser's own words without its codes and places: "unexpected ','; expected string literal".
+/// The parser's text without its codes and places: "unexpected ','; expected string literal".
 std::string Words(const std::string& what) {
   std::string words = what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2);
   if (words.starts_with("parse error at ")) words = words.substr(words.find(": ") + 2);
@@ -46,8 +46,8 @@ std::string Words(const std::string& what) {
   return Printable(words, 200);
 }
 
-/// How many bytes before the parser's position the mistake begins. `last_token` ends there, but
-/// begins early unless it is a string.
+/// Bytes from the beginning of the mistake to the parser's position. `last_token` ends there, but
+/// begins too early unless it is a string.
 std::size_t OffendingLength(const std::string& words, const std::string& last_token) {
   if (words.starts_with("unexpected end")) return 0;
   if (words.starts_with("unexpected string")) return last_token.size();
@@ -60,7 +60,7 @@ std::size_t OffendingLength(const std::string& words, const std::string& last_to
   return static_cast<std::size_t>(begin - last_token.rbegin());
 }
 
-/// The library hands a number on with the decimal sign of the program's locale.
+/// The library passes a number with the decimal sign of the program's locale.
 std::string WithPoint(std::string number) {
   const std::size_t sign = number.find_first_not_of("+-0123456789eE.");
   if (sign == number.npos) return number;
@@ -68,10 +68,10 @@ std::string WithPoint(std::string number) {
   return number.replace(sign, end - sign, ".");
 }
 
-/// Which numbers are read as integers: those written so, or all that are some.
+/// Which numbers become integers: those written as integers, or all with an integer value.
 enum class Integers { kAsWritten, kAreExact };
 
-/// Builds the value while it checks what the grammar alone allows.
+/// Builds the value and refuses mistakes that the grammar allows.
 class StrictReader final : public nlohmann::json_sax<Json> {
  public:
   /// Keeps the digits of numbers in `fine`, unless that is null.
@@ -217,7 +217,7 @@ Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {
   if (IsTooDeep(text)) return Error{ErrorCode::kInvalid, TooDeep()};
   auto value = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!value.is_discarded()) return value;
-  const auto strict = ParseStrictJson(text);  // which says where
+  const auto strict = ParseStrictJson(text);  // names the place
   return strict ? Error{ErrorCode::kInvalid, "is no JSON"} : strict.error();
 }
 

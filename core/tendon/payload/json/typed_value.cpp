@@ -25,11 +25,11 @@ Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::stri
   return Error{ErrorCode::kInvalid, ExpectedOf(schema, name, "", typed) + "; " + FlawText(word)};
 }
 
-/// What was typed is judged, not what the parser made of it: of a key that occurs twice that would
-/// be the second value, of 1.00000000000000000001 the integer 1.
+/// Checks the typed text, not the parser's result: of a duplicate key that has only the second
+/// value, and for 1.00000000000000000001 it has the integer 1.
 Result<void> CheckTyped(const Schema& schema, const std::string& name, const std::string& typed,
                         const nlohmann::ordered_json& value) {
-  if (!FromJson(schema, value.dump())) return {};  // told later, with its unit
+  if (!FromJson(schema, value.dump())) return {};  // reported later, with its unit
   const auto body = FromJson(schema, typed);
   if (body) return {};
   return Error{ErrorCode::kInvalid, name + ": " + body.error().message};

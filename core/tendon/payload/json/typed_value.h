@@ -9,11 +9,11 @@ namespace tendon {
 
 class Schema;
 
-/// What a person types for a value of that type: JSON, where a text or the name of an enumerator
-/// needs no quotes, and a number is read as ReadNumberWord() does. The error, kInvalid, begins with
-/// `name`, which the value is called by, and says what to write. Whether the value fits the type
-/// FromJson() says. A duration whose nanoseconds a double does not hold is its digits as a string,
-/// which FromJson() reads to the nanosecond.
+/// Reads a value of that type as a person types it: JSON, but a text or the name of an enumerator
+/// needs no quotes, and a number is read like ReadNumberWord(). The error, kInvalid, begins with
+/// `name`, the name of the value, and tells what to write. FromJson() checks if the value fits the
+/// type. A duration whose nanoseconds a double cannot hold becomes a string of its digits, which
+/// FromJson() reads to the nanosecond.
 Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::string& name,
                                           const std::string& typed);
 

@@ -5,23 +5,23 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// Eigen's types for those of geometry.h and back, to compute with; link tendon::eigen. All of it
-/// is free of allocation. Six numbers in a row are linear, then angular; force, then torque.
+/// Converts the types of geometry.h to Eigen's and back, for computing; link tendon::eigen.
+/// Allocates nothing. A Vector6 is linear, then angular; or force, then torque.
 namespace tendon::robot {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 inline Eigen::Vector3d ToEigen(const Point& point) { return {point.x, point.y, point.z}; }
 inline Eigen::Vector3d ToEigen(const Vector3& vector) { return {vector.x, vector.y, vector.z}; }
-/// As it is: not normalised.
+/// Not normalised.
 inline Eigen::Quaterniond ToEigen(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
-/// The rotation is normalised; that of a quaternion of zeros is not a number.
+/// The rotation is normalised; a quaternion of zeros gives not-a-number.
 inline Eigen::Isometry3d ToEigen(const Transform& transform) {
   return Eigen::Translation3d(ToEigen(transform.translation)) *
          ToEigen(transform.rotation).normalized();
 }
-/// Turns coordinates in the frame that has the pose into those in the frame it is seen from.
+/// Maps coordinates in the frame with this pose to the frame in which the pose is given.
 inline Eigen::Isometry3d ToEigen(const Pose& pose) {
   return Eigen::Translation3d(ToEigen(pose.position)) * ToEigen(pose.orientation).normalized();
 }

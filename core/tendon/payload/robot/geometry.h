@@ -2,14 +2,14 @@
 
 #include <tendon/payload/payload.h>
 
-/// What travels between the parts of a robot, under the names that its people use. README.md in
-/// this folder tells which of them a command of CRTK takes and which message of ROS 2 each one is.
+/// Types that travel between the parts of a robot, under their usual names. README.md in this
+/// folder tells which CRTK command takes which type, and which ROS 2 message each one is.
 ///
 /// Lengths are in metres, angles in radians, forces in newtons; axes are right-handed. All types of
-/// this header have one size and need no allocation. eigen.h beside it turns them into Eigen's.
+/// this header have a fixed size and need no allocation. eigen.h converts them to Eigen's types.
 namespace tendon::robot {
 
-/// A place.
+/// A position.
 struct Point {
   double x = 0;
   double y = 0;
@@ -18,7 +18,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// A direction and a length; the field that holds it says of what.
+/// A direction and a length; the field that holds it names the quantity.
 struct Vector3 {
   double x = 0;
   double y = 0;
@@ -27,7 +27,7 @@ struct Vector3 {
   bool operator==(const Vector3&) const = default;
 };
 
-/// A rotation, as a quaternion of length one; by default none.
+/// A rotation, as a unit quaternion; by default none.
 struct Quaternion {
   double x = 0;
   double y = 0;
@@ -37,7 +37,7 @@ struct Quaternion {
   bool operator==(const Quaternion&) const = default;
 };
 
-/// Where a frame is and how it is turned, seen from another one.
+/// Position and orientation of a frame, seen from another one.
 struct Pose {
   Point position;
   Quaternion orientation;
@@ -45,7 +45,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// Turns coordinates in one frame into those in another: rotates, then translates.
+/// Maps coordinates in one frame to another: rotates, then translates.
 struct Transform {
   Vector3 translation;
   Quaternion rotation;

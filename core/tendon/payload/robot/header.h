@@ -8,8 +8,8 @@
 
 namespace tendon::robot {
 
-/// When something was measured, and in which frame its coordinates are. A row of a state table and
-/// an event have a time of their own; a header is for what was measured at another one.
+/// The time of a measurement and the frame of its coordinates. Rows of a state table and events
+/// have a time of their own; a header is for a measurement at a different time.
 struct Header {
   std::chrono::sys_time<std::chrono::nanoseconds> stamp;
   std::string frame_id;

@@ -8,15 +8,15 @@
 
 namespace tendon::robot {
 
-/// One uncompressed picture, row after row from the top, each from the left. What comes from
-/// outside is whole only where `data` has `height` times `step` bytes.
+/// One uncompressed image, row after row from the top, each from the left. An image from outside is
+/// complete only if `data` has `height` times `step` bytes.
 struct Image {
   Header header;  ///< its frame: z out of the camera, x to the right, y down
   std::uint32_t height = 0;
   std::uint32_t width = 0;
   std::string encoding;           ///< "rgb8", "bgr8", "mono8", "mono16", "16UC1", "32FC1", ...
-  std::uint8_t is_bigendian = 0;  ///< 1: pixels of several bytes begin with the highest
-  std::uint32_t step = 0;         ///< bytes of a row, with what fills it up
+  std::uint8_t is_bigendian = 0;  ///< 1: the highest byte of a pixel comes first
+  std::uint32_t step = 0;         ///< bytes of a row, including padding
   std::vector<std::uint8_t> data;
 
   bool operator==(const Image&) const = default;

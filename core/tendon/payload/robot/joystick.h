@@ -7,10 +7,10 @@
 
 namespace tendon::robot {
 
-/// Sticks, pedals and buttons that a person moves, as many as the device has.
+/// The sticks, pedals and buttons of an input device, as many as it has.
 struct Joystick {
   Header header;
-  std::vector<float> axes;            ///< -1 to 1; 0 where it is let go
+  std::vector<float> axes;            ///< -1 to 1; 0 when released
   std::vector<std::int32_t> buttons;  ///< 1 while pressed, else 0
 
   bool operator==(const Joystick&) const = default;

@@ -8,8 +8,8 @@
 
 namespace tendon::robot {
 
-/// Where the frame `child_frame_id` is, seen from `header.frame_id`: turns coordinates in the child
-/// into those in its parent.
+/// The frame `child_frame_id`, seen from `header.frame_id`: maps coordinates in the child to
+/// coordinates in its parent.
 struct TransformStamped {
   Header header;
   std::string child_frame_id;
@@ -18,7 +18,7 @@ struct TransformStamped {
   bool operator==(const TransformStamped&) const = default;
 };
 
-/// Some frames of a robot, in any order; together with those sent before they are a tree.
+/// Some frames of a robot, in any order; with those sent before, they form a tree.
 struct Transforms {
   std::vector<TransformStamped> transforms;
 

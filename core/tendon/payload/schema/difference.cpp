@@ -10,7 +10,7 @@ std::string Differ(const std::string& where, const std::string& needed,
   return (where.empty() ? "" : where + ": ") + needed + " needed, " + offered + " offered";
 }
 
-/// Whether two types differ by themselves, their fields and elements left aside.
+/// True if two types are equal, apart from their fields and elements.
 bool SameShell(const Schema& needed, const Schema& offered) {
   return needed.kind() == offered.kind() && needed.name() == offered.name() &&
          needed.length() == offered.length();
@@ -35,7 +35,7 @@ std::string WithUnit(const Schema::Field& field) {
   return field.schema.TypeName() + (field.unit.empty() ? " without unit" : " in " + field.unit);
 }
 
-/// `where` names the place of both in the words of the innermost structure.
+/// `where` names the place of both, as the innermost structure calls it.
 std::optional<std::string> Difference(const Schema& needed, const Schema& offered,
                                       const std::string& where);
 

@@ -12,13 +12,13 @@ constexpr std::size_t kMaxText = std::size_t{1} << 20;
 constexpr std::size_t kMaxValue = std::size_t{1} << 31;  // bytes
 constexpr int kMaxLevels = 64;
 
-/// A schema and how many levels it is high.
+/// A schema and its number of levels.
 struct Parsed {
   Schema schema;
   int height = 1;
 };
 
-/// Recursive descent; the first mistake is kept and ends it.
+/// Recursive descent; keeps the first mistake and stops there.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {}
@@ -50,7 +50,7 @@ class Parser {
     return parsed;
   }
 
-  /// What follows '[': a length for an array, nothing for a sequence.
+  /// The text after '[': a length for an array, nothing for a sequence.
   Parsed ParseSuffix(Parsed element, int depth) {
     const int height = element.height + 1;
     if (depth + height > kMaxLevels + 1) return Fail("more than 64 levels");
@@ -138,7 +138,7 @@ class Parser {
     return range;
   }
 
-  /// What is on this line behind `start`, or nothing where `start` is not next.
+  /// The text on this line after `start`; nothing if `start` does not come next.
   [[nodiscard]] std::optional<std::string_view> LineAfter(std::string_view start) const {
     const std::string_view rest = text_.substr(position_);
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -166,7 +166,7 @@ class Parser {
     return name;
   }
 
-  /// The letters, digits, dots and '_' that come next.
+  /// The next letters, digits, dots and '_'.
   std::string_view Word() {
     SkipSpace();
     const std::size_t start = position_;

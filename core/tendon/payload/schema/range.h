@@ -10,8 +10,8 @@ namespace tendon::payload {
 
 [[nodiscard]] std::string ToString(const Range& range);
 
-/// Reads what ToString() prints off the front of `text`. False, with `text` somewhere behind its
-/// first letter that does not fit, when there is none.
+/// Removes a range, as ToString() prints it, from the front of `text`. False if there is none; then
+/// a part of it may be removed.
 [[nodiscard]] bool ReadRange(std::string_view& text, Range& range);
 
 }  // namespace tendon::payload

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kDuration = "builtin_interfaces/Duration";
 
-/// "arm/JointState", which a message text writes, for "arm.JointState".
+/// "arm/JointState", as in a message text, for "arm.JointState".
 std::string MessageName(const Schema& structure) {
   std::string name = structure.name();
   const std::size_t dot = name.rfind('.');
@@ -37,7 +37,7 @@ std::string CamelCase(const std::string& name) {
   return out;
 }
 
-/// Prints a definition and, once each, those it needs.
+/// Prints a definition and, once each, the definitions that it needs.
 class MessagePrinter {
  public:
   std::string Print(const Schema& root) {
@@ -79,8 +79,8 @@ class MessagePrinter {
     return out;
   }
 
-  /// The type as a field writes it. ROS has no lists of lists: fixed in fixed is one longer list,
-  /// and what else is inside a list becomes a message `wrapper` of its own, equal on the wire.
+  /// The type of a field. ROS has no lists of lists: nested arrays become one longer array; any
+  /// other list in a list becomes a separate message `wrapper`, equal on the wire.
   std::string Type(const Schema& schema, const std::string& wrapper) {
     switch (schema.kind()) {
       case Schema::Kind::kArray: {

@@ -4,7 +4,7 @@
 namespace tendon {
 namespace {
 
-/// What an enum, or a list of such, can be.
+/// The possible values of an enum, or of a list of enums.
 std::string NamesIn(const Schema& schema) {
   using Kind = Schema::Kind;
   if (schema.kind() == Kind::kArray || schema.kind() == Kind::kSequence) {

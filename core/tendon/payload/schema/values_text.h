@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// What the field can hold, for people: "0 to 2.5", "off, on"; empty where its type says it all.
+/// Values of the field, for people: "0 to 2.5", "off, on"; empty if its type tells enough.
 [[nodiscard]] std::string ValuesText(const Schema::Field& field);
 
 }  // namespace tendon

@@ -11,9 +11,9 @@
 
 namespace tendon {
 
-/// Who did what, and who was refused: the source "audit" of this process' log. No log level hides
-/// its lines, for who sets one must not cover what is done next. Beyond ten a second of one program
-/// they are counted, and the count is written. Thread-safe.
+/// Records changes and refusals, with the program that asked: the source "audit" of this process's
+/// log. No log level hides these lines, so that nobody can hide an action by setting one. Above ten
+/// lines a second from one program it writes only their count. Thread-safe.
 class AuditLog {
  public:
   AuditLog();
@@ -21,7 +21,7 @@ class AuditLog {
   AuditLog& operator=(const AuditLog&) = delete;
   ~AuditLog();
 
-  /// `who` tells one program from another, where this log is of several.
+  /// `who` separates the programs if the log covers several.
   void Write(const std::string& who, LogLevel level, const std::string& line);
 
  private:
@@ -31,7 +31,7 @@ class AuditLog {
   LogLimiter limiter_;
 };
 
-/// "desk (operator, 127.0.0.1:41234)", of one line whatever the peer calls itself.
+/// "desk (operator, 127.0.0.1:41234)"; always one line, whatever name the peer gives.
 [[nodiscard]] std::string NameAndRole(const Channel& channel, Role role);
 
 }  // namespace tendon

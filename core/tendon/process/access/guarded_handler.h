@@ -12,21 +12,21 @@
 namespace tendon {
 namespace message {
 
-/// Notice, from whoever has opened a channel: Role, as std::uint8_t. From now on it has no other;
-/// a higher one than before is not given.
+/// Notice from the opener of a channel: a Role, as std::uint8_t. Limits it to that role from now
+/// on; it cannot raise its role.
 inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 
 }  // namespace message
 
-/// Where it is decided what the program at the other end of one channel may do: the same in each
-/// process that serves others, LCM or GCM, for every message. What kRights does not allow to its
-/// role never reaches the functions below.
+/// Decides what the program at the other end of a channel may do. Every process that serves others,
+/// LCM or GCM, uses it for every message. What kRights does not allow to the peer's role never
+/// reaches the functions below.
 ///
-/// What viewers may send is small: more than 1 MiB of it is refused, whoever sends it.
+/// Messages from viewers are small: one above 1 MiB is refused, from any role.
 ///
-/// Under TLS a program has the role of its certificate. Who is let in on this machine without one
-/// knows the user's cookie, and is an operator. Either may ask to be less. The audit log has a line
-/// for each request that changes something and for each refusal.
+/// Under TLS a program has the role of its certificate. A peer on this machine without TLS knows
+/// the user's cookie, and is an operator. Either may lower its role. The audit log has a line for
+/// each refusal and for each request that changes something.
 class GuardedHandler : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -40,8 +40,8 @@ class GuardedHandler : public ChannelHandler {
                                 std::span<const std::byte> body, Responder responder) = 0;
   virtual void OnAllowedNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                                std::span<const std::byte> body) = 0;
-  /// What a request is about, for the audit log: "arm/Control.Stop". Of a body from outside, which
-  /// may be malformed.
+  /// The object of a request, for the audit log: "arm/Control.Stop". The body is untrusted and may
+  /// be malformed.
   [[nodiscard]] virtual std::string ObjectOf(const FrameHeader& header,
                                              std::span<const std::byte> body) const = 0;
 
@@ -49,11 +49,11 @@ class GuardedHandler : public ChannelHandler {
   std::optional<Error> Refusal(const Channel& channel, const FrameHeader& header,
                                std::span<const std::byte> body);
 
-  Role role_ = Role::kOperator;  // at most this
+  Role role_ = Role::kOperator;  // the highest role that the peer asks for
   AuditLog audit_;
 };
 
-/// Gives up, on a channel that was just opened, what is not in `role`.
+/// Limits our rights on a channel that we have just opened.
 void LowerRole(Channel& channel, Role role);
 
 }  // namespace tendon

@@ -9,12 +9,12 @@ namespace {
 OpenedChannel Open(Middleware& middleware, const WantedChannel& wanted) {
   try {
     return Channel::Open(middleware, wanted.address, wanted.hello, wanted.handler, wanted.timeout);
-  } catch (const std::exception& failure) {  // there may be no memory, or no further thread
+  } catch (const std::exception& failure) {  // memory or threads may be exhausted
     return Error{ErrorCode::kFailed, failure.what()};
   }
 }
 
-/// What was opened, on its way to the worker, who may have stopped.
+/// An opened channel on its way to the worker, which may have stopped.
 class Delivery {
  public:
   Delivery(Middleware& middleware, const WantedChannel& wanted)

@@ -10,20 +10,19 @@
 
 namespace tendon {
 
-/// A channel that a process wants to another one.
+/// A channel to another process that is to be opened.
 struct WantedChannel {
   std::shared_ptr<Worker> opener;
   std::string address;
   Hello hello;
   std::shared_ptr<ChannelHandler> handler;
-  std::chrono::milliseconds timeout{0};  ///< once it is its turn
+  std::chrono::milliseconds timeout{0};  ///< counted from its turn
 };
 
 using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
-/// Opens it in its opener, behind those that it opens already: one that hangs holds up no others
-/// than these. `done` is called on the worker; once that has stopped, what was opened is closed
-/// instead.
+/// Opens the channel in its opener, after those posted before, so that a peer that hangs delays
+/// only these. Calls `done` on the worker. If the worker has stopped, closes the channel instead.
 void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
                  std::function<void(const OpenedChannel&)> done);
 

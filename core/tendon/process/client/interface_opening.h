@@ -10,20 +10,20 @@
 
 namespace tendon {
 
-/// A provided interface of another process, as a required one here needs it.
+/// The provided interface of another process, as a required interface here needs it.
 struct WantedInterface {
   message::OpenInterface open;
   std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
   std::chrono::milliseconds read_deadline{0};
-  std::vector<std::string> mirrored{};  ///< functions that are answered from copies
-  std::shared_ptr<CallLine> line{};     ///< of its events, where it needs one
+  std::vector<std::string> mirrored{};  ///< functions that read local copies
+  std::shared_ptr<CallLine> line{};     ///< for its events, if it needs one
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 
-/// Asks the peer for it, and makes its proxy, which the link knows by `wanted.open.handle` then.
-/// `done` is called in a thread of the middleware, before anything that the peer sends to the
-/// proxy.
+/// Asks the peer for the interface and makes its proxy, which the link then knows by
+/// `wanted.open.handle`. Calls `done` in a thread of the middleware, before anything that the peer
+/// sends to the proxy.
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,
                   const std::shared_ptr<PeerLink>& link, const WantedInterface& wanted,
                   const std::function<void(const OpenedInterface&)>& done);

@@ -22,25 +22,25 @@ namespace tendon {
 
 class PeerLink;
 
-/// Hears of links, on the worker.
+/// Receives changes of links, on the worker.
 class PeerListener {
  public:
   virtual ~PeerListener() = default;
   virtual void OnLinkClosed(const PeerLink& link, const Error& reason) = 0;
-  /// The provided interface of one connection is gone; `handle` is our number of it.
+  /// The provided interface of one connection is gone; `handle` is our number for it.
   virtual void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                  const Error& reason) = 0;
-  /// A component over there has faulted, or was started anew.
+  /// A remote component has become faulted, or was started again.
   virtual void OnServerChanged() = 0;
 };
 
-/// The channel to one other process, opened by this one; all its connections to that process share
-/// it. Closes by itself when the peer hangs.
+/// The channel to one other process, opened by this one and shared by all connections to that
+/// process. Closes by itself when the peer hangs.
 class PeerLink final : public ChannelHandler, public std::enable_shared_from_this<PeerLink> {
  public:
   using Opened = std::function<void(const Result<std::shared_ptr<PeerLink>>&)>;
 
-  /// As OpenChannel(), within a second. kUnreachable when another process is found there.
+  /// As OpenChannel(), within a second. kUnreachable if another process answers there.
   static void Open(const ProcessContext& context, PeerListener& listener,
                    const std::string& process, const std::string& address, Opened opened);
 
@@ -49,18 +49,17 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
 
   [[nodiscard]] const std::shared_ptr<Channel>& channel() const { return channel_; }
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
-  /// To the peer and back, as measured last; below 0 where it has not answered yet. Any thread.
+  /// The last measured round trip; below 0 before the first answer. Any thread.
   [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
-  /// For how long the peer has said nothing, though it is asked twice a second.
+  /// How long the peer has been silent, though it is pinged twice a second.
   [[nodiscard]] std::chrono::nanoseconds silence() const {
     return SteadyClock().Now() - last_heard_.Get();
   }
-  /// Copies of what is read over there, in the order of `wanted`: what comes from now on is put
-  /// into them as long as somebody else has them. In a thread of the middleware, before the first
-  /// comes.
+  /// Makes copies of remote values, in the order of `mirrored`, and updates them while another
+  /// object holds them. Call it in a thread of the middleware, before the first value arrives.
   using Mirrored = std::vector<std::shared_ptr<MirroredValue>>;
   Result<Mirrored> Receive(const message::Mirrored& mirrored);
-  /// Our numbers of connections and event handlers.
+  /// Our numbers for connections and event handlers.
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
  private:
@@ -71,7 +70,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override;
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
-  /// Of kRows and kRowsEnded. Whoever has no use for a copy any more is asked to send no others.
+  /// Handles kRows and kRowsEnded. Unsubscribes from copies that nobody uses any more.
   void OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
               std::span<const std::byte> body);
   void EndUnread();
@@ -80,14 +79,14 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   void Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body);
 
   const std::shared_ptr<Worker> worker_;
-  PeerListener& listener_;  // on the worker only
+  PeerListener& listener_;  // only on the worker
   std::shared_ptr<Channel> channel_;
   Published<std::chrono::nanoseconds> round_trip_{std::chrono::nanoseconds(-1)};
   Published<SteadyTime> last_heard_;
   HandleTable<ProvidedInterfaceProxy> handles_;
 
-  std::mutex mutex_;   // of what follows
-  ClockOffset clock_;  // of the process at the other end
+  std::mutex mutex_;                                                // for all that follows
+  ClockOffset clock_;                                               // of the peer
   std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's numbers
 };
 

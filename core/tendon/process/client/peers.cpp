@@ -16,8 +16,7 @@ std::int64_t Rounded(std::chrono::nanoseconds time) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
 }
 
-/// It has left more than one question open; a large message that is on its way or in hand may hold
-/// the answers up.
+/// True if more than one ping is unanswered, and no large message explains it.
 bool IsSilent(const PeerLink& link) {
   constexpr std::chrono::milliseconds kMoreThanOneQuestion(750);
   return link.silence() > kMoreThanOneQuestion &&
@@ -91,14 +90,14 @@ void Peers::Finish(const std::string& process, const Place& tried,
   if (silent_.empty() || silent_.front() != process) return;
   silent_.pop_front();
   if (silent_.empty()) return;
-  const std::string next = silent_.front();  // which may be gone before Open() returns
+  const std::string next = silent_.front();  // a copy: the entry may go before Open() returns
   Open(next);
 }
 
 void Peers::Remember(const std::string& process, const Place& tried,
                      const Result<std::shared_ptr<PeerLink>>& opened) {
   constexpr std::chrono::milliseconds kShortestRest(500);
-  constexpr std::chrono::milliseconds kLongestRest(1500);  // no longer than connections pause
+  constexpr std::chrono::milliseconds kLongestRest(1500);  // at most the pause of connections
   if (opened || opened.error().code != ErrorCode::kTimeout) {
     silences_.erase(process);
     return;
@@ -114,7 +113,7 @@ void Peers::CloseOutdated() {
     const auto instance = InstanceOf(process);
     if (instance && link->instance() != *instance) link->channel()->Close();
     if (instance || !link->channel()->is_open()) continue;
-    if (!IsSilent(*link)) continue;  // it is the GCM that is cut off from it
+    if (!IsSilent(*link)) continue;  // only the GCM has lost the process
     link->channel()->CutOff("has not answered for " + std::to_string(Rounded(link->silence())) +
                             " ms, and its GCM has lost it");
   }

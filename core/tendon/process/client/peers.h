@@ -14,28 +14,27 @@
 
 namespace tendon {
 
-/// The other processes: which there are, and the links to those that are needed. On the worker
-/// only.
+/// The other processes, and the links to those that are needed. Only on the worker.
 class Peers {
  public:
   Peers(ProcessContext& context, PeerListener& listener) : context_(context), listener_(listener) {}
 
-  /// All that there are, as the GCM says. Links stand, whatever it says: it may not know yet.
+  /// Sets the present processes, as the GCM reports them. Keeps links: the GCM may lag behind.
   void Update(const std::vector<ProcessDescription>& processes);
-  /// One of them.
+  /// Adds or updates one process.
   void Learn(const std::string& process, const std::string& address, std::uint64_t instance);
 
   [[nodiscard]] std::vector<std::string> names() const;
-  /// Which instance of it is there; nothing when it is not.
+  /// The present instance of a process; nothing if it is absent.
   [[nodiscard]] std::optional<std::uint64_t> InstanceOf(const std::string& process) const;
 
   using Done = PeerLink::Opened;
 
-  /// The link to it, opened if need be; `done` is called at once where there is nothing to open.
-  /// Those who did not answer the last time wait behind the others, and for one another.
+  /// Calls `done` with the link to the process; at once if nothing must be opened. Processes that
+  /// did not answer last time are opened one at a time.
   void LinkTo(const std::string& process, Done done);
-  /// Closes links to other instances than the one that is there, and those to processes that the
-  /// GCM has lost where we hear nothing of them either.
+  /// Closes links to outdated instances, and links to processes that the GCM has lost and that are
+  /// silent here too.
   void CloseOutdated();
   void CloseAll();
 
@@ -47,8 +46,8 @@ class Peers {
     bool operator==(const Place&) const = default;
   };
 
-  /// It accepts connections and does not answer: not asked again for a while, for that would hold
-  /// up those that do.
+  /// A process that accepts connections but does not answer. It rests for a while, because it would
+  /// delay others.
   struct Silence {
     Place place;
     Error error;
@@ -66,9 +65,9 @@ class Peers {
   PeerListener& listener_;
   std::map<std::string, Place> places_;
   std::map<std::string, std::shared_ptr<PeerLink>> links_;
-  std::map<std::string, std::vector<Done>> openings_;  // and who waits for each
+  std::map<std::string, std::vector<Done>> openings_;  // with the functions that wait for each
   std::map<std::string, Silence> silences_;
-  std::deque<std::string> silent_;  // to be opened; the first of them is
+  std::deque<std::string> silent_;  // to be opened one at a time; the first one is being opened
 };
 
 }  // namespace tendon

@@ -14,50 +14,50 @@
 
 namespace tendon {
 
-/// The connections of this process' required interfaces to provided interfaces elsewhere: those
-/// that stand, those that wait for the other process, those that it refused. One that was lost is
-/// made again when its peer is there again; nothing that was under way is repeated.
+/// The connections from required interfaces of this process to provided interfaces of others:
+/// active, pending and refused ones. A lost connection is made again when its peer returns;
+/// interrupted calls are not repeated.
 ///
-/// Without a remark, functions are called on the worker.
+/// Functions are called on the worker unless noted.
 class RemoteConnections final : private PeerListener {
  public:
   using Done = std::function<void(const Result<ConnectionDescription>&)>;
 
   explicit RemoteConnections(ProcessContext& context) : context_(context), peers_(context, *this) {}
 
-  /// Wants the connection from now on, and says when it stands or waits. It is not wanted after an
-  /// error: kNotFound for our end, kExists, kIncompatible. All ends are named with their processes.
+  /// Keeps the connection from now on; calls `done` once it is active or pending. Not kept after an
+  /// error: kNotFound for our end, kExists, kIncompatible. All names include the process.
   void Connect(const message::Wire& wire, Done done);
 
-  /// Which processes there are: makes what can be made.
+  /// Sets the present processes, and makes the connections that are now possible.
   void UpdatePeers(const std::vector<ProcessDescription>& processes);
   void LearnPeer(const std::string& process, const std::string& address, std::uint64_t instance);
 
   // Any thread.
 
   [[nodiscard]] bool Has(const InterfaceName& required) const;
-  /// Ends and forgets it; what was accepted is sent first.
+  /// Ends and forgets the connection, after sending accepted calls.
   Result<void> Disconnect(const InterfaceName& required);
-  /// Before the component goes.
+  /// Call it before the component is removed.
   void RemoveComponent(const std::string& component);
   [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
-  /// kFailed where it does not stand: why, and for how long.
+  /// kFailed if the connection is not active, with the reason and since when.
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
-  /// Whether calls of the component were accepted that its servers may still execute.
+  /// Whether servers may still execute accepted calls of the component.
   [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
 
-  /// Once the worker has stopped: ends all. What was accepted is sent until `deadline`.
+  /// Ends all connections, once the worker has stopped; sends accepted calls until `deadline`.
   void Close(SteadyTime deadline);
 
  private:
   struct Entry {
     ConnectionDescription description;
-    SteadyTime since{};                  // it does not stand
-    Done done;                           // of Connect(), until the first outcome
-    std::uint64_t attempt = 0;           // the newest; outcomes of earlier ones are void
-    bool is_opening = false;             // and its outcome is still to come
-    std::uint64_t refused_by = 0;        // the instance that refused it
+    SteadyTime since{};                  // when it is not active
+    Done done;                           // from Connect(), until the first outcome
+    std::uint64_t attempt = 0;           // the newest; outcomes of earlier ones are ignored
+    bool is_opening = false;             // an attempt has no outcome yet
+    std::uint64_t refused_by = 0;        // the instance of the process that refused it
     std::chrono::milliseconds pause{0};  // before the next attempt
     std::shared_ptr<PeerLink> link;
     std::uint32_t handle = 0;  // our number on the link
@@ -66,7 +66,7 @@ class RemoteConnections final : private PeerListener {
   };
   using Entries = std::map<ConnectionId, Entry>;
 
-  /// An attempt that has been sent.
+  /// A request that was sent.
   struct Attempt {
     ConnectionId id = 0;
     std::uint64_t number = 0;

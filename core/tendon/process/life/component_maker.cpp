@@ -11,7 +11,7 @@ namespace {
 
 using message::LifeOrder;
 
-/// In one line of ASCII, as catalogues and files keep it. Of JSON that a class has understood.
+/// Valid JSON as one line of ASCII, as in catalogues and files.
 std::string Compact(const std::string& json) {
   if (json.empty()) return json;
   const auto parsed = ParseStrictJson(json);
@@ -41,7 +41,7 @@ Result<void> ComponentMaker::Load(const std::string& library, const Begin& begin
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
   if (auto begun = begin(); !begun) return begun;
-  (void)loader_->files()->Look();  // of one that is loaded already
+  (void)loader_->files()->Look();  // updates the state of a plug-in that is loaded already
   return loader_->Load(library);
 }
 

@@ -12,26 +12,26 @@
 
 namespace tendon {
 
-/// Makes components of the classes of plug-ins, as orders say; one after the other, for plug-ins
-/// may know nothing of threads. Thread-safe.
+/// Creates components from the classes of plug-ins, one at a time, because plug-ins need not be
+/// thread-safe. Thread-safe.
 class ComponentMaker {
  public:
-  /// Called once it is one's turn: whether the order is still to be carried out.
+  /// Called when the order's turn has come; returns whether it is still to be executed.
   using Begin = std::function<Result<void>()>;
-  /// A component, not yet in its process.
+  /// A component that is not in its process yet.
   struct Made {
     std::unique_ptr<Component> component;
     ComponentOrigin origin;
   };
 
-  /// `loader` is nobody else's from now on; null: there is none, and every order is refused.
+  /// Do not use `loader` elsewhere afterwards. Null: every order is refused.
   ComponentMaker(std::string process, std::shared_ptr<ComponentLoader> loader)
       : process_(std::move(process)), loader_(std::move(loader)) {}
 
   Result<void> Load(const std::string& library, const Begin& begin);
   Result<Made> Make(const message::LifeOrder& order, const Begin& begin);
   [[nodiscard]] message::Classes classes();
-  /// The files of its plug-ins; null where there is no loader.
+  /// The files of the loaded plug-ins; null without a loader.
   [[nodiscard]] std::shared_ptr<PluginFiles> files() const;
 
  private:
@@ -40,7 +40,7 @@ class ComponentMaker {
 
   const std::string process_;
   const std::shared_ptr<ComponentLoader> loader_;
-  std::mutex mutex_;  // of what the loader knows, and does
+  std::mutex mutex_;  // for the loader
 };
 
 }  // namespace tendon

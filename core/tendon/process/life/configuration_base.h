@@ -5,16 +5,16 @@
 
 #include <string>
 
-/// Of two who change the same configuration at once the second is told, for its change was made
-/// from what is there no more.
+/// Detects two concurrent changes of one configuration: the second is refused, because it was made
+/// from a configuration that is gone.
 namespace tendon {
 
-/// What an order says of the configuration that it was made from: JSON as the catalogue has it,
-/// empty where the component was told nothing. Never of zeros.
+/// The fingerprint of the configuration that an order is based on: JSON as in the catalogue, or
+/// empty for the defaults. Never all zeros.
 [[nodiscard]] Fingerprint BaseOf(const std::string& configuration);
 
-/// Whether the order may replace `now`. kFailed says what to look at; `by` whose change it was, as
-/// " by gcm set at 2025-11-21 15:40:03", or is empty.
+/// Whether the order may replace `now`. kFailed says what to check. `by` names the author of `now`,
+/// as " by gcm set at 2025-11-21 15:40:03", or is empty.
 Result<void> CheckBase(const message::LifeOrder& order, const std::string& now,
                        const std::string& by = "");
 

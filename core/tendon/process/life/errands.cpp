@@ -57,7 +57,7 @@ void Errands::Run(const std::function<void()>& task, Threads::iterator self) {
   changed_.notify_all();
 }
 
-/// With the lock held, which the threads have let go of for the last time.
+/// With the lock held; these threads do not need it any more.
 void Errands::JoinEnded() {
   for (std::thread& thread : ended_) thread.join();
   ended_.clear();

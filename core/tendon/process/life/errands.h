@@ -14,25 +14,25 @@
 
 namespace tendon {
 
-/// Does things in a thread each, for none may wait for another: what an author's code does there
-/// may take long, or never end. Thread-safe.
+/// Executes each task in a thread of its own, so that none waits for another: code of component
+/// authors may take long, or never return. Thread-safe.
 class Errands {
  public:
-  /// `most` may be under way at once; `owner` is the process that stands in errors and in the log.
+  /// `most` tasks may run at a time. `owner` is the process named in errors and in the log.
   Errands(std::string owner, std::size_t most) : owner_(std::move(owner)), most_(most) {}
   Errands(const Errands&) = delete;
   Errands& operator=(const Errands&) = delete;
   /// Stop().
   ~Errands() { Stop(); }
 
-  /// An error where so many are under way, where there is no further thread, and after Stop(): the
-  /// task is not done then.
+  /// An error if too many tasks run, no thread can be started, or Stop() was called; then the task
+  /// is not executed.
   Result<void> Do(std::function<void()> task);
-  /// From now on nothing is begun.
+  /// Starts no tasks from now on.
   void Close();
-  /// Whether nothing is under way within `patience`.
+  /// Returns whether all tasks have ended within `patience`.
   [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds patience);
-  /// Waits for what is under way, and begins nothing any more. Not from a task.
+  /// Waits for running tasks; starts no more. Must not be called from a task.
   void Stop();
 
  private:

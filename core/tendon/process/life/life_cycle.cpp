@@ -16,7 +16,7 @@ using message::LifeOrder;
 
 constexpr Patience kLongestPatience = std::chrono::hours(1);
 
-/// Never kNoWait, which would take what has only begun for done.
+/// At least 1 ms: kNoWait would count a change that has only begun as done.
 Patience Left(SteadyTime deadline) {
   return std::max<Patience>(std::chrono::milliseconds(1), deadline - SteadyClock().Now());
 }
@@ -26,7 +26,7 @@ std::string WordsFor(const LifeOrder& order) {
   return std::string(ToString(order.verb)) + " '" + object + "'";
 }
 
-/// Of an order that was obeyed by a component that was there before.
+/// For an order to a component that existed before.
 message::LifeOutcome OutcomeAfter(const ComponentDescription& before) {
   return {.state = before.state, .class_name = before.class_name, .library = before.library};
 }
@@ -39,7 +39,7 @@ bool IsAmong(const std::vector<ConnectionDescription>& all, const ConnectionDesc
 
 }  // namespace
 
-/// One order at a time for a component; a stop is told to it.
+/// Reserves a component for one order, and passes a stop on to that.
 class LifeCycle::Claim {
  public:
   Claim(LifeCycle& life, std::string component) : life_(life), component_(std::move(component)) {
@@ -192,7 +192,7 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
   return follows.error();
 }
 
-/// The new one is made first: where its class refuses, the old one is untouched.
+/// Creates the new component first: if its class refuses, the old one stays as it is.
 LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   const std::string& component = given.order.component;
   const auto before = FindOfClass(component, "configured anew");
@@ -244,8 +244,8 @@ LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
   return OutcomeAfter(*before);
 }
 
-/// No claim keeps it away, nor a GCM that is slow to consent or gone. What it is to end is told of
-/// it first.
+/// A stop waits neither for claims nor for the GCM's consent if that is slow or gone. It first
+/// marks the claim of the order that it interrupts.
 LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
@@ -277,8 +277,7 @@ LifeCycle::Outcome LifeCycle::Restart(const Given& given, const Claim& claim) {
   return OutcomeAfter(*before);
 }
 
-/// A stop that has come before is found in the claim, one that comes later finds the component
-/// starting.
+/// An earlier stop is found in the claim; a later stop finds the component starting.
 Result<void> LifeCycle::StartUnlessStopped(const Given& given, const Claim& claim) {
   return parts_.manager.Start(given.order.component, Left(given.deadline),
                               [&claim] { return !claim.is_to_stop(); });
@@ -299,7 +298,7 @@ LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
   return outcome;
 }
 
-/// Its connections end once it is known that it can be removed.
+/// Ends the connections only when it is known that the component can be removed.
 Result<void> LifeCycle::TakeOut(const std::string& component, SteadyTime deadline) {
   const auto connections = ConnectionsOf(component);
   const auto stopped = parts_.manager.Stop(component, Left(deadline));
@@ -328,12 +327,12 @@ Result<void> LifeCycle::Add(ComponentMaker::Made made) {
   try {
     parts_.manager.Add(std::move(made.component), std::move(made.origin));
     return {};
-  } catch (const ConfigurationError& error) {  // the program was faster
+  } catch (const ConfigurationError& error) {  // the program has added one of this name
     return Error{ErrorCode::kExists, error.what()};
   }
 }
 
-/// Each that is missing is tried; the error names the first that is missing still.
+/// Tries all connections; the error names the first that is still missing.
 Result<void> LifeCycle::Reconnect(const std::vector<ConnectionDescription>& connections) {
   Result<void> outcome;
   for (const ConnectionDescription& one : connections) {

@@ -16,52 +16,51 @@
 
 namespace tendon {
 
-/// Does in a process what is ordered from afar: loads plug-ins, makes components of their classes,
-/// configures, starts, suspends, stops and removes them. Each order has a thread of its own, for
-/// plug-ins and components may take their time there: no order waits for another one, unless both
-/// need a plug-in. Of one component there is one order at a time, but a stop is always obeyed; what
-/// it interrupts does not start the component any more. There is always room for stops, whatever
-/// else is under way. Thread-safe.
+/// Executes orders from the GCM in a process: loads plug-ins, creates components of their classes,
+/// configures, starts, suspends, stops and removes them. Each order has a thread of its own,
+/// because plug-ins and components may take long; orders wait for each other only if both need a
+/// plug-in. A component takes one order at a time, but always a stop, which keeps the interrupted
+/// order from starting the component again. Stops never lack room. Thread-safe.
 ///
-/// What a program has made by itself, it may hold on to: that can be started and stopped, but only
-/// the program removes it.
+/// A component that the program itself created can be started and stopped, but only the program
+/// removes it.
 class LifeCycle {
  public:
-  /// Where it happens. Both outlive Stop().
+  /// The process in which orders are executed. `manager` and `loader` outlive Stop().
   struct Parts {
     LocalManager& manager;
     std::string process;                      ///< its name
-    std::shared_ptr<ComponentLoader> loader;  ///< nobody else's from now on; null: there is none
+    std::shared_ptr<ComponentLoader> loader;  ///< do not use it elsewhere; null: there is none
   };
   template <typename T>
   using Done = std::function<void(const Result<T>&)>;
-  /// Asks whether the order still holds; called once, before it is carried out, if it is.
+  /// Asks whether the order still holds. Called at most once, just before execution.
   using Begin = ComponentMaker::Begin;
 
   explicit LifeCycle(Parts parts) : parts_(std::move(parts)) {}
 
-  /// `done` is called in a thread of the orders. What has not begun when the order's patience ends
-  /// is refused, and not done later.
+  /// Calls `done` in a thread for orders. An order that has not begun when its patience ends is
+  /// refused and not executed later.
   void Obey(const message::LifeOrder& order, Begin begin, Done<message::LifeOutcome> done);
   void ListClasses(Done<message::Classes> done);
 
-  /// From now on `changed` is called when plugins() tells something else, in a thread of its own,
-  /// until Stop(). Does nothing where there is no loader.
+  /// Calls `changed`, in a thread of its own, whenever plugins() changes, until Stop(). Does
+  /// nothing without a loader.
   void WatchPlugins(std::function<void()> changed);
-  /// Those that are loaded, and what has become of their files.
+  /// The loaded plug-ins and the state of their files.
   [[nodiscard]] std::vector<PluginDescription> plugins() const;
 
-  /// From now on orders are refused, and those under way start no component any more.
+  /// Refuses new orders; those under way start no more components.
   void Close();
-  /// Close(), and waits for what is under way, which may be long: the components are told to stop
-  /// before, then.
+  /// Calls Close() and waits for orders under way, which may take long; tells the components to
+  /// stop first.
   void Stop();
 
  private:
   using Outcome = Result<message::LifeOutcome>;
   class Claim;
 
-  /// An order, and until when it is to be carried out.
+  /// An order and its deadline.
   struct Given {
     const message::LifeOrder& order;
     SteadyTime deadline;
@@ -72,14 +71,14 @@ class LifeCycle {
   Outcome Execute(const Given& given);
   Outcome Load(const Given& given);
   Outcome StopIt(const Given& given);
-  // Of a component that is claimed.
+  // These need the component's claim.
   Outcome Create(const Given& given);
   Outcome Configure(const Given& given);
   Outcome Steer(const Given& given, const Claim& claim);
   Outcome Restart(const Given& given, const Claim& claim);
   Outcome Remove(const Given& given);
 
-  /// Whether the order still holds; afterwards it counts as begun.
+  /// Whether the order still holds. If so, it counts as begun.
   [[nodiscard]] Result<void> BeginNow(const Given& given) const;
   Result<void> StartUnlessStopped(const Given& given, const Claim& claim);
 
@@ -88,8 +87,8 @@ class LifeCycle {
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;
   Result<void> Reconnect(const std::vector<ConnectionDescription>& connections);
-  /// A component that was made of a class and that nobody runs after, or why it is not to be made
-  /// anew or removed.
+  /// Finds a component that was created from a class and that no other runs after; else says why it
+  /// cannot be replaced or removed.
   [[nodiscard]] Result<ComponentDescription> FindOfClass(const std::string& component,
                                                          const std::string& what) const;
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;
@@ -97,7 +96,7 @@ class LifeCycle {
   const Parts parts_;
   ComponentMaker maker_{parts_.process, parts_.loader};
   std::mutex claims_mutex_;
-  std::map<std::string, bool> claims_;  // components with an order; whether they are to stop
+  std::map<std::string, bool> claims_;  // components with an order, and whether a stop has come
   bool is_ending_ = false;
   Errands errands_{parts_.process, 64};
   Errands stops_{parts_.process, 64};

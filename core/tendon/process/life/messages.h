@@ -15,15 +15,15 @@
 
 namespace tendon {
 
-/// What can be asked of a process and its components from afar.
+/// What an order does with a process or its components.
 enum class LifeVerb : std::int32_t {
-  kLoad,       ///< a plug-in
-  kCreate,     ///< a component of a class
-  kConfigure,  ///< makes a component at rest anew with another configuration
+  kLoad,       ///< loads a plug-in
+  kCreate,     ///< creates a component of a class
+  kConfigure,  ///< creates a stopped component anew with another configuration
   kStart,
   kSuspend,
   kStop,
-  kRestart,  ///< stops it where it runs, then starts it
+  kRestart,  ///< stops it if it runs, then starts it
   kRemove,
 };
 
@@ -37,83 +37,83 @@ inline constexpr auto kPayload<LifeVerb> = DescribeEnum(
 /// "load", "create", ...
 [[nodiscard]] constexpr std::string_view ToString(LifeVerb verb) noexcept { return NameOf(verb); }
 
-/// A class of which a process can make components.
+/// A class from which a process can create components.
 struct ClassDescription {
   std::string name;
   std::string library;
-  std::string configuration;  ///< Schema::TextWithHelp(); of None where it takes none
-  std::string defaults;       ///< the configuration of one that is told nothing, as JSON
+  std::string configuration;  ///< Schema::TextWithHelp(); of None if it takes no configuration
+  std::string defaults;       ///< the default configuration, as JSON
 
   bool operator==(const ClassDescription&) const = default;
 };
 
 }  // namespace tendon
 
-/// Orders for the life of components, from a viewer to its GCM and from that to the LCM. Each
-/// struct is the body of a frame; all are requests.
+/// Orders for the life cycle of components, from a viewer to its GCM and from there to the LCM.
+/// Each struct is the body of a frame; all are requests.
 namespace tendon::message {
 
-// LifeOrder -> LifeOutcome; the LCM reports what has changed before it answers
+// LifeOrder -> LifeOutcome; the LCM reports the changes before it answers
 inline constexpr auto kLife = static_cast<MessageType>(0x317);
 inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
-// From an LCM to its GCM, BeginOrder -> None: asked before an order is carried out. A refusal makes
-// it void, for nobody waits for it any more: a process that was stopped for a while, or was busy,
-// does nothing late.
+// From an LCM to its GCM, BeginOrder -> None, before it executes an order. A refusal cancels the
+// order, because nobody waits for it any more: a process that was stopped or busy for a while does
+// not execute it late.
 inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
 
 /// The longest configuration, in bytes.
 inline constexpr std::size_t kLongestConfiguration = std::size_t{1} << 16U;
 
-/// One verb, for one component or library. What the verb has no use for is empty.
+/// One verb, for one component or library. Fields that the verb does not use are empty.
 struct LifeOrder {
-  std::uint64_t id = 0;  ///< the GCM's
+  std::uint64_t id = 0;  ///< issued by the GCM
   LifeVerb verb = LifeVerb::kStart;
   std::string process;
-  std::uint64_t instance = 0;  ///< of the process that is meant; 0: whichever is there
+  std::uint64_t instance = 0;  ///< of the intended process; 0: any instance
   std::string component;       ///< all but load
   std::string class_name;      ///< create
-  /// Load; create, where empty stands for the one loaded library that has the class.
+  /// Load; create, where empty means the only loaded library with this class.
   std::string library;
-  std::string configuration;  ///< create, configure: JSON, or empty for the defaults
-  /// Configure: BaseOf() the configuration that this one was made from. A component that has
-  /// another one by now keeps that. Zeros: it replaces whichever there is.
+  std::string configuration;  ///< create, configure: JSON; empty for the defaults
+  /// Configure: BaseOf() the configuration that this one was made from. Refused if the component
+  /// has another one by now. Zeros: replaces any configuration.
   Fingerprint based_on;
-  std::string thread;  ///< create: ThreadOptions as JSON, or empty for those of the class
-  std::string leader;  ///< create: the component after which it runs, or empty
-  /// Start: refused where a required interface that the component needs is not connected.
+  std::string thread;  ///< create: ThreadOptions as JSON; empty for those of the class
+  std::string leader;  ///< create: the component that it runs after, or empty
+  /// Start: refuses if a required interface that the component needs is not connected.
   bool is_strict = false;
-  /// How long it may take; 0: as long as who passes it on finds right. What has not begun by then
-  /// is not done any more.
+  /// The time limit; 0: the forwarding program chooses. An order that has not begun by then is not
+  /// executed.
   std::chrono::nanoseconds patience{0};
 };
 
-/// What was there before an order that was obeyed.
+/// The state before an executed order.
 struct LifeOutcome {
   ComponentState state = ComponentState::kConstructed;  ///< all but load and create
   std::string class_name;                               ///< all but load
   std::string library;                                  ///< all but load
-  std::string former;                                   ///< configure, remove: its configuration
-  std::string configuration;                            ///< create, configure: as it was understood
-  std::string thread;                                   ///< remove: as LifeOrder has it
-  std::string leader;                                   ///< remove: likewise
-  std::string warning;  ///< what is not as it was meant, though it was obeyed
+  std::string former;                                   ///< configure, remove: the old one
+  std::string configuration;                            ///< create, configure: as understood
+  std::string thread;                                   ///< remove: as in LifeOrder
+  std::string leader;                                   ///< remove: as in LifeOrder
+  std::string warning;  ///< what differs from the order, though it was executed
 };
 
-/// Which order an LCM is about to carry out.
+/// The order that an LCM is about to execute.
 struct BeginOrder {
   std::uint64_t id = 0;
 };
 
-/// Which classes a process can make components of.
+/// Asks for the classes from which a process can create components.
 struct GetClasses {
   std::string process;
 };
 
 /// The answer to GetClasses.
 struct Classes {
-  std::vector<ClassDescription> classes;  ///< of the plug-ins that are loaded, by library and name
-  std::vector<std::string> plugins;       ///< all that are in the process' plug-in folders
-  std::vector<PluginDescription> loaded{};  ///< as of now
+  std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, by library and name
+  std::vector<std::string> plugins;         ///< all in the plug-in folders of the process
+  std::vector<PluginDescription> loaded{};  ///< the loaded ones
 };
 
 }  // namespace tendon::message

@@ -10,15 +10,15 @@
 
 namespace tendon {
 
-/// Looks once a second at the files of the plug-ins that a process has loaded, in a thread of its
-/// own: a slow disk holds up nobody but orders that load.
+/// Checks the files of the loaded plug-ins of a process once a second, in a thread of its own, so
+/// that a slow disk delays only orders that load.
 class PluginWatch {
  public:
-  /// `changed` is called in that thread whenever something is other than before.
+  /// Calls `changed` in that thread after each change.
   PluginWatch(std::shared_ptr<PluginFiles> files, std::function<void()> changed);
   PluginWatch(const PluginWatch&) = delete;
   PluginWatch& operator=(const PluginWatch&) = delete;
-  /// `changed` is not called any more.
+  /// After it returns, `changed` is not called any more.
   ~PluginWatch();
 
  private:
@@ -29,7 +29,7 @@ class PluginWatch {
   std::mutex mutex_;
   std::condition_variable ending_;
   bool is_ending_ = false;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;  // last, because it uses the others
 };
 
 }  // namespace tendon

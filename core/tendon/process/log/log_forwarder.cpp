@@ -40,8 +40,8 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
   return false;
 }
 
-/// With the lock held, and a channel. What is suppressed meanwhile is told the next time: who logs
-/// without a pause would have a record to be sent for ever.
+/// With the lock held, and a channel. Reports suppressed records only once in a call: otherwise a
+/// source that logs without pause would keep this loop running.
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {

@@ -12,20 +12,20 @@
 
 namespace tendon {
 
-/// Sends what this process logs to its GCM: the logging thread puts a record into a queue, the
-/// network thread sends what is there every 20 ms. While there is no GCM, or its link is full, the
-/// queue keeps the newest records. It logs nothing itself, so that it never has itself to send.
+/// Sends the log records of this process to its GCM. The logging thread puts records into a queue,
+/// which the network thread sends every 20 ms. Without a GCM, or while the link is full, the queue
+/// keeps the newest. Logs nothing itself, which would cause endless records.
 class LogForwarder final : private NetworkJob {
  public:
   static constexpr std::chrono::milliseconds kBetweenBatches{20};
-  static constexpr std::size_t kMostInBatch = 256;  ///< besides one about those that are lost
+  static constexpr std::size_t kMostInBatch = 256;  ///< plus one that counts the lost
 
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;
 
-  /// Any thread: the channel that has joined the GCM, or null where it is lost.
+  /// Any thread: the channel to the joined GCM; null while there is none.
   void SetChannel(std::shared_ptr<Channel> channel);
-  /// Any thread: sends all that waits, as far as the link takes it, and nothing afterwards.
+  /// Any thread: sends all queued records that the link accepts, and nothing afterwards.
   void Finish();
 
  private:
@@ -37,11 +37,11 @@ class LogForwarder final : private NetworkJob {
 
   std::mutex mutex_;
   std::shared_ptr<Channel> channel_;
-  Bytes unsent_;            // a batch for which the link had no room
-  std::uint64_t sent_ = 0;  // records, with those in `unsent_`
+  Bytes unsent_;            // a batch that the link refused
+  std::uint64_t sent_ = 0;  // records, including those in `unsent_`
   SteadyTime next_batch_{};
 
-  LogTap tap_;  // last: it uses the others
+  LogTap tap_;  // last, because it uses the others
 };
 
 }  // namespace tendon

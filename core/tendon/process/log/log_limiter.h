@@ -14,31 +14,31 @@
 
 namespace tendon {
 
-/// How many records of each source go out, so that one that raves drowns no other: a token bucket a
-/// source, as the generic cell rate algorithm (ITU-T I.371, virtual scheduling), which keeps one
-/// time instead of a level and a time. What may not go out is counted, and told. Not thread-safe.
+/// Limits how many log records of each source are sent, so that a flood does not displace other
+/// sources. A token bucket for each, as the generic cell rate algorithm (ITU-T I.371, virtual
+/// scheduling), which stores one time. Counts and reports what it suppresses. Not thread-safe.
 class LogLimiter {
  public:
-  /// After a silence `burst` records at once; then one in each `interval`.
+  /// `burst` records at once after a silence, then one in each `interval`.
   struct Rate {
     int burst = 200;
     std::chrono::nanoseconds interval = std::chrono::milliseconds(10);
   };
-  /// Sources beyond these share one bucket, that of kOthers, until others have been silent.
+  /// Further sources share the bucket of kOthers, until one of these has been silent.
   static constexpr std::size_t kMostSources = 256;
   static constexpr std::string_view kOthers = "others";
-  /// Bytes of a source's name that tell it from others.
+  /// Source names are compared up to this many bytes.
   static constexpr std::size_t kLongestSource = 64;
-  /// So long after the first that may not go out the count of them is told.
+  /// The count of suppressed records is reported this long after the first of them.
   static constexpr std::chrono::seconds kUntilTold{1};
 
   LogLimiter() : LogLimiter(Rate{}) {}
   explicit LogLimiter(Rate rate) : rate_(rate) {}
 
-  /// Whether a record of this source may go out now; otherwise it is counted.
+  /// Whether a record of this source may be sent now; if not, counts it.
   bool Admit(std::string_view source, LogLevel level, SteadyTime now);
 
-  /// Records of one source that did not go out.
+  /// Suppressed records of one source.
   struct Suppressed {
     std::string source;
     LogLevel level = LogLevel::kDebug;  ///< the highest of them
@@ -46,17 +46,17 @@ class LogLimiter {
 
     bool operator==(const Suppressed&) const = default;
   };
-  /// Those to be told now; SteadyTime::max() means all.
+  /// Returns and removes the counts that are due; all of them for SteadyTime::max().
   std::vector<Suppressed> TakeSuppressed(SteadyTime now);
-  /// Whether there are some to be told, now or later.
+  /// Whether there are suppressed records to report, now or later.
   [[nodiscard]] bool owes() const { return owing_ > 0; }
 
  private:
   struct Bucket {
-    SteadyTime due{};  // when the next record would come if they came evenly
+    SteadyTime due{};  // when the next record would be due at an even rate
     std::uint64_t suppressed = 0;
     LogLevel level = LogLevel::kDebug;
-    SteadyTime since{};  // the first suppressed one
+    SteadyTime since{};  // of the first suppressed record
   };
 
   Bucket& BucketOf(std::string_view source, SteadyTime now);

@@ -16,31 +16,31 @@
 
 namespace tendon {
 
-/// Records of this process that wait to be sent: so many of each source as LogLimiter lets through,
-/// and of those the newest. Nothing is lost in silence: a record says how many were suppressed, or
-/// lost because nobody took them.
+/// Log records of this process that wait to be sent: as many of each source as LogLimiter admits,
+/// and the newest of those. A record reports how many were suppressed, or were lost because the
+/// queue was full.
 ///
-/// Thread-safe. Nobody waits for another longer than a record takes to be copied.
+/// Thread-safe. A thread waits for another at most while that copies a record.
 class LogQueue {
  public:
   static constexpr std::size_t kCapacity = 1024;
-  /// Bytes of a text that are kept; "..." stands for the others.
+  /// Longer texts are cut to this many bytes, and end with "...".
   static constexpr std::size_t kLongestText = 1024;
 
   explicit LogQueue(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Whether there was no news before. Allocates.
+  /// Returns whether the queue had no news before. Allocates.
   bool Add(LogLevel level, std::string_view source, std::string_view text);
 
-  /// The oldest, at most `most` and one about the lost. What was suppressed is told by the time
-  /// `now`; SteadyTime::max() for what is the last.
+  /// The oldest records, at most `most`, and one about lost ones. Reports suppressed records that
+  /// are due at `now`; pass SteadyTime::max() in the last call.
   std::vector<message::LogRecord> Take(std::size_t most, SteadyTime now);
 
-  /// Whether Take() will have something, now or within LogLimiter::kUntilTold. Wait-free.
+  /// Whether Take() will return records, now or within LogLimiter::kUntilTold. Wait-free.
   [[nodiscard]] bool has_news() const noexcept { return has_news_.Get(); }
 
  private:
-  /// A record, and how many of those that were logged are lost with it.
+  /// A record, and the number of logged records that are lost if it is.
   struct Waiting {
     message::LogRecord record;
     std::uint64_t stands_for = 1;
@@ -51,7 +51,7 @@ class LogQueue {
   std::mutex mutex_;
   LogLimiter limiter_;
   std::deque<Waiting> records_;
-  std::uint64_t lost_ = 0;  // and not told
+  std::uint64_t lost_ = 0;  // records not reported yet
   Flag has_news_{false};
 };
 

@@ -8,11 +8,11 @@
 namespace tendon {
 namespace {
 
-/// The one sink of all taps.
+/// The one sink that serves all taps.
 class Taps {
  public:
   static Taps& All() {
-    static Taps& taps = *new Taps;  // for ever, as the log
+    static Taps& taps = *new Taps;  // never destroyed, as the log
     return taps;
   }
 

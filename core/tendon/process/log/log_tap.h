@@ -4,14 +4,14 @@
 
 namespace tendon {
 
-/// A sink with an end: hears what the program logs while it lives, where AddLogSink() keeps its
-/// sinks for ever. The sink must not log, nor make or end a tap.
+/// A log sink that can be removed, unlike those of AddLogSink(): it hears what the program logs
+/// while the tap lives. The sink must not log, and must not create or destroy a tap.
 class LogTap {
  public:
   explicit LogTap(LogSink sink);
   LogTap(const LogTap&) = delete;
   LogTap& operator=(const LogTap&) = delete;
-  /// Waits for the call that is under way; the sink hears nothing any more.
+  /// Waits for a call under way; the sink is not called afterwards.
   ~LogTap();
 };
 

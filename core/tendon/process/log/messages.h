@@ -23,24 +23,24 @@ inline constexpr auto kPayload<LogLevel> = DescribeEnum("tendon.LogLevel",
 
 }  // namespace tendon
 
-/// What processes log, on its way to a GCM and from there to its viewers. Each struct is the body
-/// of a frame.
+/// Log records of processes, on their way to a GCM and from there to its viewers. Each struct is
+/// the body of a frame.
 namespace tendon::message {
 
-// notice, from an LCM to its GCM and from that to a viewer that watches the log: LogRecords
+// notice, from an LCM to its GCM and from there to a viewer that watches the log: LogRecords
 inline constexpr auto kLogRecords = static_cast<MessageType>(0x340);
-// request, from a viewer to its GCM and from that to the LCM: SetLogLevel -> None
+// request, from a viewer to its GCM and from there to the LCM: SetLogLevel -> None
 inline constexpr auto kSetLogLevel = static_cast<MessageType>(0x341);
 
-/// Bytes of the largest kLogRecords that a GCM reads.
+/// The largest kLogRecords that a GCM reads, in bytes.
 inline constexpr std::size_t kLargestLogBatch = std::size_t{1} << 20U;
 
-/// One line for people.
+/// One line of the log, for people.
 struct LogRecord {
-  std::int64_t time = 0;  ///< ns since 1970, by the clock of the process' host
+  std::int64_t time = 0;  ///< ns since 1970, on the clock of the process's host
   LogLevel level = LogLevel::kInfo;
-  std::string process;  ///< empty from an LCM: the GCM knows it
-  std::string source;   ///< a component's or a part's name
+  std::string process;  ///< empty if an LCM sends it: the GCM knows the name
+  std::string source;   ///< the name of a component or a part of the program
   std::string text;
 
   bool operator==(const LogRecord&) const = default;
@@ -48,12 +48,12 @@ struct LogRecord {
 
 /// The next records, oldest first.
 struct LogRecords {
-  /// How many the sender has sent before, or, from a GCM, had before: a hole is a loss.
+  /// Records that the sender sent before; from a GCM, that it received before. A gap is a loss.
   std::uint64_t before = 0;
   std::vector<LogRecord> records;
 };
 
-/// What is below `level` is dropped, in the whole process, until it is set again.
+/// Drops records below `level` in the whole process, until it is set again.
 struct SetLogLevel {
   std::string process;
   LogLevel level = LogLevel::kInfo;

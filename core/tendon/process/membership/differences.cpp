@@ -51,7 +51,7 @@ std::vector<CatalogChange> Differences(const ProcessContent& before, const Proce
         there.push_back(ChangeOf(ChangeKind::kComponent));
         there.back().components = {component};
       });
-  std::vector<CatalogChange> changes;  // connections go before components, and come after them
+  std::vector<CatalogChange> changes;  // connections: removed before components, added after
   Compare(
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),

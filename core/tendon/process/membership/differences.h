@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// What a process tells a GCM of itself.
+/// What a process reports to a GCM about itself.
 struct ProcessContent {
   std::vector<ComponentDescription> components;
   std::vector<ConnectionDescription> connections;
@@ -15,9 +15,9 @@ struct ProcessContent {
   bool operator==(const ProcessContent&) const = default;
 };
 
-/// The steps from one to the other, without those of the process itself, in an order in which each
-/// makes sense; their revisions and process names are empty. No two components, and no two
-/// connections, of one name or id.
+/// The changes from one to the other, without those of the process itself, in a valid order;
+/// revisions and process names are left empty. Components must have unique names, connections
+/// unique ids.
 [[nodiscard]] std::vector<CatalogChange> Differences(const ProcessContent& before,
                                                      const ProcessContent& after);
 

@@ -43,7 +43,7 @@ void HealthTeller::TellNow(Channel& channel) {
   channel.Request<message::GcmClock>(
       message::kTellHealth, 0, health, kTimeout,
       [clock = clock_, sent](const Result<message::GcmClock>& answer) {
-        if (!answer) return;  // it will be told again
+        if (!answer) return;  // the next report replaces it
         const std::scoped_lock lock(clock->mutex);
         const SteadyTime there{std::chrono::nanoseconds(answer->time)};
         clock->offset.Add(sent, there, SteadyClock().Now());

@@ -9,12 +9,11 @@
 
 namespace tendon {
 
-/// Tells a GCM each second what this process takes of its machine, and measures the GCM's clock by
-/// its answers. Of one thread, but for the answers.
+/// Reports to a GCM every second which resources this process uses, and estimates the GCM's clock
+/// from the answers. One thread, apart from the answers.
 class HealthTeller {
  public:
-  /// Tells it if a second has passed, or the channel is another one than last time. Brings `next`
-  /// forward to when it wants to be called again.
+  /// Reports if a second has passed or the channel is another one. Lowers `next` to the next time.
   void Tell(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
 
  private:
@@ -26,7 +25,7 @@ class HealthTeller {
   void TellNow(Channel& channel);
 
   std::weak_ptr<Channel> channel_;
-  std::shared_ptr<GcmsClock> clock_;  // shared with what waits for an answer
+  std::shared_ptr<GcmsClock> clock_;  // shared with handlers of pending answers
   SteadyTime next_{};
 };
 

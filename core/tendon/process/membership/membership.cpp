@@ -23,11 +23,11 @@ constexpr std::chrono::milliseconds kLeaveTimeout(300);
 constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
-constexpr std::chrono::milliseconds kSilence(1500);  // of a GCM that is lost
+constexpr std::chrono::milliseconds kSilence(1500);  // until a GCM counts as lost
 constexpr std::chrono::milliseconds kShortestGcmPause(100);
 constexpr std::chrono::milliseconds kLongestGcmPause(2000);
 
-/// Refused by a GCM, which will not change its mind soon.
+/// Whether a GCM has refused, so that an early retry is pointless.
 bool IsRefusal(const Error& error) {
   return error.code == ErrorCode::kExists || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid;
@@ -35,7 +35,7 @@ bool IsRefusal(const Error& error) {
 
 }  // namespace
 
-/// Hears the channel to the GCM; passes everything on to the worker.
+/// The handler of the channel to the GCM; posts everything to the worker.
 class Membership::GcmHandler final : public ChannelHandler {
  public:
   GcmHandler(std::shared_ptr<Worker> worker, Membership& membership)
@@ -50,7 +50,7 @@ class Membership::GcmHandler final : public ChannelHandler {
       if (!wiring) return shared->Refuse(wiring.error());
       worker_->Post([&membership = membership_, wiring = *wiring, shared] {
         membership.delegate_.MakeConnection(wiring, [&membership, shared](const auto& made) {
-          membership.Report();  // the GCM knows before its viewers hear the answer
+          membership.Report();  // the GCM must know before its viewers get the answer
           shared->Answer(made);
         });
       });
@@ -108,7 +108,7 @@ class Membership::GcmHandler final : public ChannelHandler {
   }
 
   const std::shared_ptr<Worker> worker_;
-  Membership& membership_;  // on the worker only
+  Membership& membership_;  // only on the worker
 };
 
 Membership::Membership(ProcessContext& context, MembershipDelegate& delegate, Options options)
@@ -169,7 +169,7 @@ Error Membership::WhyNotThere(const Error& error) const {
   return is_away ? NoGcm(options_.gcm, error.message) : error;
 }
 
-/// Before the GCM shows us to viewers, who then ask for rows.
+/// Before the GCM shows this process to viewers, which then ask for rows.
 void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
   Ask<message::FanOutPlace>(
       *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
@@ -197,8 +197,8 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
       });
 }
 
-/// `gcm` is its address in numbers: a name may take its time to be found. It may be elsewhere than
-/// the last time, or this host.
+/// `gcm` is a numeric address, since resolving a name may take long. Called for each attempt: the
+/// GCM or this host may have moved.
 ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
   const auto place = ParseAddress(gcm, 1);
   const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();
@@ -293,7 +293,7 @@ void Membership::Report() {
     is_report_due_ = false;
     channel = channel_;
   }
-  if (!channel) return;  // joining tells all
+  if (!channel) return;  // joining reports everything
   ProcessContent content = delegate_.content();
   message::Report report{.changes = Differences(reported_, content)};
   if (content.plugins != reported_.plugins) {
@@ -316,7 +316,7 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(mutex_);
     if (!channel_) return false;
     channel = channel_;
-    // What the GCM has answered may wait behind a large message, as may our question.
+    // A large message may delay our request or the GCM's answer.
     const SteadyTime lost =
         std::max({last_renewed_->Get(), channel->last_part(), LargeInHand::Last(now)}) + kSilence;
     is_silent = now >= lost;
@@ -341,13 +341,13 @@ void Membership::Renew(const std::shared_ptr<Channel>& channel) {
         if (renewed) {
           last_renewed->Set(SteadyClock().Now());
         } else if (renewed.error().code == ErrorCode::kDenied) {
-          channel->Close();  // given up: join again
+          channel->Close();  // the membership has ended: join again
         }
       },
       kOwnLane);
 }
 
-/// The same line once; what is in brackets, as the time of a renewal, makes no other.
+/// Logs a line unless it repeats the last one. Text in brackets, as a time, is not compared.
 void Membership::Log(const std::string& text) {
   const std::string line = text.substr(0, text.find(" ("));
   if (line == logged_) return;
@@ -355,7 +355,7 @@ void Membership::Log(const std::string& text) {
   tendon::Log(LogLevel::kInfo, context_.name, text);
 }
 
-/// Once, until it is another one.
+/// Warns unless the text repeats the last one.
 void Membership::Warn(const std::string& text) {
   if (std::exchange(warned_, text) == text || text.empty()) return;
   tendon::Log(LogLevel::kWarning, context_.name, "process '" + context_.name + "' " + text);

@@ -20,38 +20,38 @@
 
 namespace tendon {
 
-/// What a GCM wants of a process; called on the worker.
+/// The requests of a GCM to a process; called on the worker.
 class MembershipDelegate {
  public:
   virtual ~MembershipDelegate() = default;
   [[nodiscard]] virtual ProcessContent content() const = 0;
-  /// Where others are told to reach us, before they are.
+  /// The address that others will be told.
   virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
-  /// Where the broker for rows is that many watch; empty where there is none.
+  /// The address of the multicast broker for rows; empty if there is none.
   virtual void OnFanOut(const std::string& address) = 0;
   /// `done` is called on the worker.
   virtual void MakeConnection(const message::Wiring& wiring,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
-  /// `begin` is called in a thread that may wait, and says whether the order still holds; `done` is
-  /// called on the worker.
+  /// `begin` is called in a thread that may wait, and returns whether the order still holds. `done`
+  /// is called on the worker.
   virtual void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
                     std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 
-/// The process as a member of a GCM: joins, keeps it informed, sends it what is logged, tells it
-/// its health, renews the lease four times a second, and joins again when the GCM was lost, was
-/// started anew, or has given us up. Without a GCM, or when the name is somebody else's, the
-/// process runs on, and it is tried again.
+/// The membership of the process in a GCM: joins, reports changes, log and health, and renews the
+/// lease four times a second. Joins again if the GCM was lost, was restarted or has ended the
+/// membership. Without a GCM, or if the name is taken, the process runs on, and joining is tried
+/// again.
 class Membership final : private NetworkJob {
  public:
-  /// Which GCM to join, and as what.
+  /// The GCM, and how to join it.
   struct Options {
-    std::string gcm;  ///< its address
+    std::string gcm;  ///< the GCM's address
     bool retry = true;
-    ProcessDescription process;  ///< but for its address
+    ProcessDescription process;  ///< all but its address
     std::string listens;         ///< see OwnAddressOf()
     std::string advertise;
   };
@@ -59,16 +59,16 @@ class Membership final : private NetworkJob {
   ~Membership() override;
 
   void Begin();
-  /// Says good-bye. Once the worker has stopped.
+  /// Tells the GCM that the process leaves. Call it after the worker has stopped.
   void Leave();
 
-  /// Until we are a member; the error is the GCM's refusal at once, or, after `timeout`, the last.
+  /// Waits for the membership. Returns a refusal at once, the last error after `timeout`.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
-  /// Any thread: something has changed; the GCM will hear of it.
+  /// Any thread: something has changed; it is reported soon.
   void ReportSoon();
-  /// On the worker: tells the GCM what has changed since the last report.
+  /// On the worker: reports the changes since the last report.
   void Report();
 
  private:
@@ -95,25 +95,25 @@ class Membership final : private NetworkJob {
   MembershipDelegate& delegate_;
   Options options_;
   LogForwarder log_;
-  HealthTeller health_;  // of the lease's thread
+  HealthTeller health_;  // only in the lease's thread
 
-  // Of the worker.
-  std::shared_ptr<Channel> candidate_;  // has been asked to let us join
+  // Only on the worker.
+  std::shared_ptr<Channel> candidate_;  // was asked to let us join
   ProcessContent reported_;
   std::chrono::milliseconds pause_{0};
   std::string logged_;
   std::string warned_;
 
-  mutable std::mutex mutex_;  // of what follows
+  mutable std::mutex mutex_;  // for all that follows
   mutable std::condition_variable changed_;
-  std::shared_ptr<Channel> channel_;  // while we are a member
+  std::shared_ptr<Channel> channel_;  // while the process is a member
   std::optional<Error> failure_;      // of the last attempt
   bool is_report_due_ = false;
   SteadyTime next_renewal_{};
   const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
       std::make_shared<Published<SteadyTime>>();
 
-  /// Renews the lease while that of the process copies large messages. Last: it uses the others.
+  /// Renews the lease while the network thread copies large messages. Last: it uses the others.
   NetworkThread lease_thread_{"lease"};
 };
 

@@ -5,7 +5,7 @@
 namespace tendon {
 namespace {
 
-/// "nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway.
+/// From "nobody answers at 127.0.0.1:10705 (Connection refused)", the text in brackets.
 std::string Briefly(const std::string& reason) {
   const std::size_t open = reason.find(" (");
   if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;

@@ -6,11 +6,11 @@
 
 namespace tendon {
 
-/// " --gcm 10.0.0.1:10705", behind a command for the GCM there; empty for the usual one.
+/// " --gcm 10.0.0.1:10705", to append to a command; empty for the default GCM.
 [[nodiscard]] std::string GcmWords(const std::string& address);
 
 /// kUnreachable: "no GCM at 127.0.0.1:10705 (connection refused); start one with: gcm serve".
-/// `reason` is why it could not be reached, which may say the address again.
+/// `reason` says why it cannot be reached, and may repeat the address.
 [[nodiscard]] Error NoGcm(const std::string& address, const std::string& reason);
 
 }  // namespace tendon

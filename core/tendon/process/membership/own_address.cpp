@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Nothing where the address is not made of a host and a port, as those of some middlewares.
+/// Nothing if the address is not a host and a port, as with some middlewares.
 std::optional<HostPort> HostPortOf(const std::string& address) {
   auto place = ParseAddress(address, 0);
   return place ? std::optional(*std::move(place)) : std::nullopt;
@@ -24,7 +24,7 @@ bool IsHostAlone(const std::string& address) {
   return address.find(':') == std::string::npos || address.ends_with(']');
 }
 
-/// As a person types it behind --listen.
+/// As typed after --listen.
 std::string AnyPortOf(const std::string& host) { return ToString(HostPort{host, 0}); }
 
 std::string OutOfReach(const std::string& address, const std::string& host) {
@@ -33,7 +33,7 @@ std::string OutOfReach(const std::string& address, const std::string& host) {
          AnyPortOf(host);
 }
 
-/// Of one that listens at every address, beside its GCM, which it reaches by loopback.
+/// For a process that listens at every address and reaches its GCM by loopback.
 std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
   return "listens at " + listens + ", but reaches its GCM by loopback, and tells others " + told +
          ", which leads nowhere from other hosts; where those are to reach it, start it with "

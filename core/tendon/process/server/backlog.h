@@ -7,16 +7,16 @@
 
 namespace tendon {
 
-/// What one peer has asked of a thread that has not come to it yet: a peer may ask faster than it
-/// is served, and what it has asked takes memory. Thread-safe.
+/// Bounds the requests of one peer that wait for a thread: a peer may send faster than it is
+/// served, and its requests take memory. Thread-safe.
 class Backlog : public std::enable_shared_from_this<Backlog> {
  public:
-  /// Four times what a viewer may have of subscriptions.
+  /// Four times the subscriptions that a viewer may have.
   static constexpr std::size_t kMostTasks = 8192;
-  /// Of messages; one alone may not be larger either.
+  /// Bytes of messages; also the limit of a single one.
   static constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
 
-  /// While it lives, something waits.
+  /// Counts one waiting request while it lives.
   class Place {
    public:
     Place(std::shared_ptr<Backlog> backlog, std::size_t bytes)
@@ -30,7 +30,7 @@ class Backlog : public std::enable_shared_from_this<Backlog> {
     const std::size_t bytes_;
   };
 
-  /// Null where that would be too much.
+  /// Null if that would exceed the bounds.
   [[nodiscard]] std::shared_ptr<Place> Enter(std::size_t bytes);
 
  private:

@@ -6,10 +6,10 @@
 
 namespace tendon {
 
-/// One command, ready to be called. A read has no mailbox and is bound alone.
+/// One command, ready to be called. A read needs no mailbox or connection.
 class MemberCalls::Target : public std::enable_shared_from_this<Target>, private BegunCalls::Owner {
  public:
-  /// `line` is where its calls are made; null where none runs code of the component.
+  /// `line` executes its calls; null if none runs component code.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
          std::shared_ptr<CallLine> line)
       : description_(offer.description()),
@@ -29,7 +29,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   Target& operator=(const Target&) = delete;
   ~Target() override { Close(); }
 
-  /// Any thread. Answers at once; or when the call was executed, where that may take its time.
+  /// Any thread. Answers at once, or after the call was executed if that may take long.
   void Call(const std::shared_ptr<message::CallMember>& call, NetworkThread& network,
             const std::shared_ptr<Responder>& responder) {
     const auto execute = [self = shared_from_this(), call, &network, responder,
@@ -42,15 +42,15 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
                                                interface_ + " wait: call it again later"});
   }
 
-  /// Network thread: those that have ended.
+  /// Network thread: answers the calls that have ended.
   void Answer(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(begun_mutex_);
     begun_.Answer(now, next);
   }
 
-  /// Afterwards nothing of the component is touched.
+  /// Afterwards the component is not used any more.
   void Close() {
-    is_closed_.Set(true);  // for those that wait for mutex_ as well
+    is_closed_.Set(true);  // also for threads that wait for mutex_
     const std::scoped_lock lock(mutex_);
     {
       const std::scoped_lock begun_lock(begun_mutex_);
@@ -61,7 +61,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   }
 
  private:
-  /// Answers, or leaves that to Answer() in the network thread, which is then told.
+  /// Answers, or leaves that to Answer() and notifies the network thread.
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
     if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
@@ -103,7 +103,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
     responder.Reply(EncodeBody(called), kOwnLane);
   }
 
-  /// `command` is set where the caller waits for the component.
+  /// Sets `command` if the caller waits for the component.
   Status Begin(std::span<const std::byte> argument, Bytes& result, NetworkThread& network,
                CommandBase*& command, std::size_t& call) {
     if (read_) {
@@ -117,7 +117,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
 
   const MemberDescription description_;
   const std::string interface_;
-  const Flag& enabled_;  // of the component
+  const Flag& enabled_;  // belongs to the component
   const std::shared_ptr<CallLine> line_;
   Flag is_closed_;
   std::mutex mutex_;
@@ -125,7 +125,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   RequiredInterface required_;
   std::unique_ptr<FunctionProxy> function_;
   std::unique_ptr<Connection> connection_;
-  std::mutex begun_mutex_;  // taken after mutex_, under which code of the component may run
+  std::mutex begun_mutex_;  // taken after mutex_, which is held while component code runs
   BegunCalls begun_{*this};
 };
 
@@ -184,7 +184,7 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
   return target;
 }
 
-/// Commands of one interface keep their order, and so share one; null where none is needed.
+/// The line for the commands of one interface, which keeps their order; null if none is needed.
 std::shared_ptr<CallLine> MemberCalls::LineFor(const Offer& offer,
                                                const ProvidedInterface& provided,
                                                const message::CallMember& call) {

@@ -16,20 +16,20 @@
 
 namespace tendon {
 
-/// Executes any command of this process by its name, for consoles and windows. What was called once
-/// stays connected, through a mailbox of its own, until its component is removed.
+/// Executes any command of this process by its name, for consoles and windows. After its first call
+/// a member stays connected, with a mailbox of its own, until its component is removed.
 class MemberCalls final : private NetworkJob {
  public:
   explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
   ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// In a thread of the middleware: answers at once; at the first call of a member, soon; where the
-  /// caller waits for the component, or runs its code, when that is done. Refusals: kNotFound with
-  /// a suggestion, kFailed where too many calls wait.
+  /// In a thread of the middleware. Answers at once; later at a member's first call, if the caller
+  /// waits for the component, or if the call runs component code. Refusals: kNotFound with a
+  /// suggestion, kFailed if too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 
-  /// Any thread: before the component goes.
+  /// Any thread: call it before the component is removed.
   void RemoveComponent(const std::string& component);
 
  private:

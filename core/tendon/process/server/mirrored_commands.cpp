@@ -15,7 +15,7 @@ void MirroredCommands::Remove(const std::string& component) {
   std::erase_if(known_, [&](const Known& one) { return one.command.component == component; });
 }
 
-/// Where the link has no room, again the next time.
+/// Tries again at the next call if the link is full.
 void MirroredCommands::Tell() {
   std::erase_if(known_, [](const Known& one) { return !one.command.channel->is_open(); });
   for (Known& one : known_) {

@@ -10,10 +10,10 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::milliseconds kAnswerTimeout(400);  // the opener waits for us meanwhile
+constexpr std::chrono::milliseconds kAnswerTimeout(400);  // the opener waits meanwhile
 constexpr std::size_t kMostTypes = 8;
 
-/// The types of `members` that do not fit and that this process does not know.
+/// Adds the incompatible types of `members` that this process does not know.
 void AddUnknown(const std::vector<MemberDescription>& members, const Compatibility& compatibility,
                 std::vector<Fingerprint>& unknown) {
   for (const Mismatch& mismatch : compatibility.mismatches) {

@@ -8,9 +8,9 @@
 
 namespace tendon {
 
-/// Refuses a connection to `provided`, which does not fit, and names what differs first. Types that
-/// only the opener knows are asked for there; it is refused without them when it does not answer.
-/// `timer` sees to that. `why` is what can be said without asking.
+/// Refuses a connection to the incompatible interface `provided`, and names the first difference.
+/// Asks the opener for types that only it knows. If it does not answer, which `timer` detects,
+/// refuses with `why`.
 void RefuseMisfit(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::OpenInterface& open, const ProvidedDescription& provided,
                   const Error& why, const std::shared_ptr<Responder>& responder);

@@ -46,8 +46,8 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
                            ? EncodeBody(message::MarkedOpened{
                                  .opened = opened, .latest_only = (*server)->latest_only()})
                            : EncodeBody(opened);
-  responder->Reply(answer, entry.proxy->lane());      // events must not pass it
-  context_.proxies.Add(entry.required, entry.proxy);  // only now it sends
+  responder->Reply(answer, entry.proxy->lane());      // events must not overtake it
+  context_.proxies.Add(entry.required, entry.proxy);  // starts to send
 }
 
 Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {
@@ -108,7 +108,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   }
 }
 
-/// A stranger says how much memory it takes here.
+/// Bounds the memory that another process can request here.
 Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, std::size_t bytes) {
   constexpr std::size_t kMostCalls = 65536;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
@@ -138,7 +138,7 @@ void ServedConnections::RemoveComponent(const std::string& component) {
     Channel& channel = *entry.client->channel;
     const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
                                        entry.proxy->lane());
-    // A client that is not told would call into nothing for ever; it opens the channel again.
+    // A client that does not know would send calls in vain; it opens the channel again.
     if (told == Status(Status::kQueueFull)) channel.Close();
   }
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
@@ -163,7 +163,7 @@ void ServedConnections::CloseWhere(Predicate predicate) {
     if (predicate(*entry)) {
       TakeOff(*entry);
       if (!entry->proxy->Drain(deadline)) {
-        entry->proxy->DropCommands();  // beside those of its next connection they would be too late
+        entry->proxy->DropCommands();  // too late once its next connection sends commands
         hanging_.splice(hanging_.end(), entries_, entry);
       }
     }
@@ -173,7 +173,7 @@ void ServedConnections::CloseWhere(Predicate predicate) {
   if (none_hung && !hanging_.empty()) LookAfterHanging();
 }
 
-/// On the worker, and again until there are none.
+/// On the worker; repeats until there are none.
 void ServedConnections::LookAfterHanging() {
   constexpr std::chrono::milliseconds kUntilNextLook(50);
   context_.worker->PostAfter(kUntilNextLook, [this] {
@@ -188,7 +188,7 @@ void ServedConnections::LookAfterHanging() {
 template <typename Predicate>
 void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
                                       SteadyTime deadline) {
-  for (Entry& entry : entries) {  // so that none waits for reads that others begin meanwhile
+  for (Entry& entry : entries) {  // first all, so that none waits for reads that others start
     if (predicate(entry)) TakeOff(entry);
   }
   for (auto entry = entries.begin(); entry != entries.end();) {
@@ -201,7 +201,7 @@ void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predi
   }
 }
 
-/// From now on nothing that its client sends reaches it.
+/// Ignores all later messages from its client.
 void ServedConnections::TakeOff(Entry& entry) {
   entry.client->handles.Remove(entry.handle);
   entry.proxy->DropReads();

@@ -16,47 +16,46 @@
 
 namespace tendon {
 
-/// Another process that has opened a channel to this one, with the numbers issued to it.
+/// Another process that has opened a channel to this one, and the numbers issued to it.
 struct Client {
   std::shared_ptr<Channel> channel;
-  AuditLog audit;  ///< of its connections
+  AuditLog audit;  ///< for its connections
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
 /// "robot/arm/Control for desk/operator/Robot", for the audit log.
 [[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
 
-/// The connections of other processes' required interfaces to provided interfaces here. Of one that
-/// may bring commands the audit log says when it stands, and when it ends how many came.
+/// The connections from required interfaces of other processes to provided interfaces here. The
+/// audit log has the opening and closing of each that may bring commands, and how many came.
 ///
-/// Without a remark, functions are called on the worker.
+/// Functions are called on the worker unless noted.
 class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
-  /// Whoever only listens may be a viewer: a client has so many of them at most, all clients
-  /// together some more, and nobody waits until one has taken what it was sent. Who knows marks is
-  /// answered with a MarkedOpened.
+  /// A listener for events only may be a viewer; their number is limited for each client and in
+  /// total, and closing one does not wait until it has received all. With kAllMarked the answer is
+  /// a MarkedOpened.
   enum class Use { kAll, kAllMarked, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
   static constexpr std::ptrdiff_t kMostListeners = 256;
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
-  /// large, kFailed for a listener too many.
+  /// large, kFailed for too many listeners.
   void Open(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted, Use use,
             const std::shared_ptr<Responder>& responder);
-  /// Executes first what has arrived; `handle` is our number of it. Where a call of it hangs in
-  /// code of the component, the connection is freed once that has returned, and nobody waits for
-  /// it.
+  /// Executes what has arrived, then closes; `handle` is our number for the connection. If a call
+  /// hangs in component code, the connection is freed when that returns, and no thread waits.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
-  /// All of a client that is gone, likewise.
+  /// Closes all connections of a client that is gone, in the same way.
   void CloseAll(const std::shared_ptr<Client>& client);
 
-  /// Any thread: before the component goes; its clients are told. Waits for calls that hang in it.
+  /// Any thread: call it before the component is removed. Tells clients; waits for hanging calls.
   void RemoveComponent(const std::string& component);
-  /// Once the worker has stopped and no channel is open. Waits for calls that run no longer than
-  /// until `deadline`, as far as they may be left alone.
+  /// Call it after the worker has stopped and all channels are closed. Waits for running calls
+  /// until `deadline`; longer only for calls that must not be abandoned.
   void Close(SteadyTime deadline);
 
  private:
@@ -78,18 +77,18 @@ class ServedConnections {
                      Use use, ProvidedInterface& provided);
   static void TakeOff(Entry& entry);
   void TakeDown(Entry& entry, SteadyTime deadline);
-  /// Those of `entries` that it holds for.
+  /// Takes down the entries for which `predicate` holds.
   template <typename Predicate>
   void TakeDownWhere(std::list<Entry>& entries, Predicate predicate, SteadyTime deadline);
   void LookAfterHanging();
-  /// In the audit log, where it may bring commands.
+  /// Writes to the audit log if the connection may bring commands.
   static void WriteDown(const Entry& entry, const std::string& what);
   template <typename Predicate>
   void CloseWhere(Predicate predicate);
 
   ProcessContext& context_;
   std::list<Entry> entries_;  // under the manager's lock
-  std::list<Entry> hanging_;  // likewise: closed, but for a call that has not returned
+  std::list<Entry> hanging_;  // likewise: closed, but a call has not returned
 };
 
 }  // namespace tendon

@@ -59,7 +59,7 @@ void Session::OnAllowedNotice(const SharedChannel& channel, const FrameHeader& h
     });
   } else if (header.type == message::kUnsubscribe) {
     const auto place = backlog_->Enter(0);
-    if (!place) return;  // who is sent more rows says so again
+    if (!place) return;  // a viewer that still gets rows unsubscribes again
     services_.context.worker->Post([place, &services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
@@ -114,7 +114,7 @@ void Session::OpenMarked(Body body, Responder responder) {
   Open(*wanted, ServedConnections::Use::kAllMarked, std::move(responder));
 }
 
-/// Who listens may be a viewer, to whom calls are denied.
+/// A listener may be a viewer, which must not call functions.
 void Session::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
@@ -137,8 +137,8 @@ void Session::Open(const message::OpenMarked& wanted, ServedConnections::Use use
   });
 }
 
-/// What may wait for the manager's lock is done on the worker. Before it is decoded, where it takes
-/// more memory, it must have found its place.
+/// Serves on the worker what may wait for the manager's lock. Reserves room in the backlog before
+/// it decodes, because decoding takes more memory.
 template <typename Wanted>
 void Session::Post(Body body, Responder responder,
                    std::function<void(const Wanted&, const std::shared_ptr<Responder>&)> serve) {
@@ -158,7 +158,7 @@ void Session::Post(Body body, Responder responder,
        answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
 }
 
-/// Who is not answered cannot be refused.
+/// A notice cannot be refused, so the peer is cut off.
 void Session::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
   const auto place = backlog_->Enter(0);
   if (!place) return channel->CutOff("sends more than this process comes to");

@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// What a process does for others.
+/// The services of a process for others.
 struct Services {
   ProcessContext& context;
   ServedConnections connections;
@@ -23,8 +23,8 @@ struct Services {
   TelemetryServer telemetry;
 };
 
-/// One channel that another process or a viewer has opened: passes on what arrives. Commands and
-/// reads are executed in the middleware's thread; whatever might wait goes to the worker.
+/// Serves one channel that another process or a viewer has opened. Executes commands and reads in
+/// the middleware's thread; posts everything that might wait to the worker.
 class Session final : public GuardedHandler {
  public:
   explicit Session(Services& services) : services_(services) {}
@@ -52,7 +52,7 @@ class Session final : public GuardedHandler {
   void GetCounts(Body body, Responder responder);
   void GetFill(Body body, Responder responder);
   void CallMember(Body body, Responder responder);
-  /// Directly, or by a topic, as `type` says.
+  /// Directly, or through a topic, as `type` says.
   void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
   void Mirror(const SharedChannel& channel, Body body, Responder responder);
 

@@ -11,17 +11,17 @@
 
 namespace tendon {
 
-/// Whether the viewer at the other end of one channel lives. It asks twice a second whether we do;
-/// where it has once asked and then was silent for 1.5 s, the channel is closed, and with it end
-/// its subscriptions: a viewer that hangs does not close it, and would be sent rows for ever. One
-/// that was only slow opens the channel again and knows what it has missed.
+/// Closes the channel of a viewer that hangs. A viewer pings twice a second; after its first ping,
+/// a silence of 1.5 s closes the channel and ends its subscriptions. Otherwise a viewer that hangs
+/// would be sent rows for ever. A viewer that was only slow opens the channel again and counts what
+/// it missed.
 class ViewerWatch final : public std::enable_shared_from_this<ViewerWatch> {
  public:
   explicit ViewerWatch(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}
 
-  /// It has asked. Any thread; wait-free.
+  /// Notes a ping. Any thread; wait-free.
   void Hear() noexcept { heard_.Set(SteadyClock().Now()); }
-  /// From now on, on the worker, as long as the channel is open. Again does nothing; one thread.
+  /// Starts checking on the worker while the channel is open. Further calls do nothing; one thread.
   void Begin(const std::shared_ptr<Channel>& channel);
 
  private:
@@ -29,7 +29,7 @@ class ViewerWatch final : public std::enable_shared_from_this<ViewerWatch> {
   void Look(SteadyTime due);
 
   const std::weak_ptr<Worker> worker_;
-  std::weak_ptr<Channel> channel_;  // of the worker, once it has begun
+  std::weak_ptr<Channel> channel_;  // only on the worker, once it has begun
   bool has_begun_ = false;
   Published<SteadyTime> heard_;
 };

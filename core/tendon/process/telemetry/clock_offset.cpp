@@ -7,8 +7,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds::rep kDrift = 10'000;  // a clock gains at most one in so many on another
-constexpr nanoseconds::rep kSlew = 2'000;    // a correction changes by one in so many
+constexpr nanoseconds::rep kDrift = 10'000;  // drift: at most one in this many
+constexpr nanoseconds::rep kSlew = 2'000;    // correction: changes by one in this many
 constexpr std::chrono::milliseconds kStep(128);
 
 }  // namespace

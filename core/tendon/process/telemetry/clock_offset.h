@@ -8,22 +8,22 @@
 
 namespace tendon {
 
-/// How far the steady clock of another process is ahead of ours, from questions that it answers
-/// with its time; by the clock filter of NTP (RFC 5905, section 10):
+/// Estimates how far the steady clock of another process is ahead of ours, from requests that it
+/// answers with its time; by the clock filter of NTP (RFC 5905, section 10):
 ///
-///  - The answer was given somewhere between question and arrival, so half the round trip bounds
-///    the error, however unlike the two ways are. Of the last eight answers that with the smallest
-///    bound counts. A bound grows with its age, as two clocks may drift apart by 100 ppm.
-///  - Where zero is within the bound, the offset is zero: processes of one host share one clock.
-///  - Answers that cannot both be true show that a clock has jumped. The older ones are forgotten.
+///  - The answer was given between request and arrival. So the error is at most half the round
+///    trip, even if the two ways differ. Of the last eight answers the best one counts. Its bound
+///    grows with age, because two clocks may drift apart by 100 ppm.
+///  - If zero is within the bound, the offset is zero: processes of one host share one clock.
+///  - If two answers contradict each other, a clock has jumped. The older ones are forgotten.
 ///
-/// What rows are corrected by follows the estimate smoothly: by at most 500 ppm, unless it is over
-/// 128 ms away, where that would take minutes.
+/// The correction of rows follows the estimate smoothly, by at most 500 ppm, but jumps if it is
+/// over 128 ms away, because that would take minutes.
 ///
 /// Not thread-safe; a copy is cheap.
 class ClockOffset {
  public:
-  /// The other's clock minus ours is within `uncertainty` of `offset`.
+  /// The other clock minus ours is within `uncertainty` of `offset`.
   struct Estimate {
     std::chrono::nanoseconds offset{0};
     std::chrono::nanoseconds uncertainty = kUnknown;
@@ -31,18 +31,18 @@ class ClockOffset {
   /// The uncertainty before the first answer.
   static constexpr std::chrono::nanoseconds kUnknown = std::chrono::nanoseconds::max();
 
-  /// A time that another process claims, as one that sums and differences do not overflow with:
-  /// from 0 to 50 years.
+  /// Limits a time that another process claims to 0 to 50 years, so that sums and differences do
+  /// not overflow.
   [[nodiscard]] static SteadyTime Sensible(SteadyTime time);
 
-  /// A question was sent and its answer has arrived, by our clock; the other's showed `there` in
-  /// between. An answer that cannot be is passed over.
+  /// Adds a measurement: when a request was sent and its answer arrived, on our clock, and `there`
+  /// on the other clock in between. Ignores impossible answers.
   void Add(SteadyTime sent, SteadyTime there, SteadyTime arrived);
 
-  /// By our clock.
+  /// `now` is on our clock.
   [[nodiscard]] Estimate At(SteadyTime now) const;
-  /// To be taken off the time of what happened at `there`, by the other's clock. A line without
-  /// jumps, but for those above.
+  /// The correction for a row: subtract it from the time `there`, on the other clock. Continuous,
+  /// except for the jumps described above.
   [[nodiscard]] std::chrono::nanoseconds SlewedAt(SteadyTime there) const;
 
  private:
@@ -55,8 +55,8 @@ class ClockOffset {
   [[nodiscard]] Estimate Best(SteadyTime now) const;
 
   std::array<Answer, 8> answers_;
-  std::size_t count_ = 0;  // of answers ever, or since a jump
-  // What rows are corrected by: from `offset_` at `since_`, by the other's clock, towards target_.
+  std::size_t count_ = 0;  // answers since the start or a jump
+  // The correction moves from `offset_` at `since_`, on the other clock, towards target_.
   SteadyTime since_;
   std::chrono::nanoseconds offset_{0};
   std::chrono::nanoseconds target_{0};

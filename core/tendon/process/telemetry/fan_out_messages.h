@@ -4,13 +4,13 @@
 
 #include <string>
 
-/// How viewers come to hear rows by a broker, all of them what the process has sent once.
+/// How viewers get rows through a broker: the process sends them once for all viewers.
 namespace tendon::message {
 
-// From a viewer to a process: as kSubscribe, but the rows come by a topic. What it says of the
-// handle holds: kUnsubscribe from the viewer ends it, kRowsEnded from the process. A message of the
-// topic is the body of kRows; `rows_before` counts what was sent to the topic ever, and a message
-// comes at least each second, if without rows, so that whoever missed something learns of it.
+// From a viewer to a process: as kSubscribe, but the rows come through a topic. kUnsubscribe and
+// kRowsEnded work as usual with the handle. A message of the topic is the body of kRows, and
+// `rows_before` counts all rows ever sent to the topic. At least one message comes each second,
+// perhaps without rows, so that losses are noticed.
 inline constexpr auto kJoinTopic =
     static_cast<MessageType>(0x20a);  // request: Subscribe -> TopicJoined
 // From a viewer or a process to a GCM.
@@ -18,13 +18,13 @@ inline constexpr auto kFanOut = static_cast<MessageType>(0x31c);  // request: No
 
 /// The answer to kJoinTopic.
 struct TopicJoined {
-  Subscribed subscribed;  ///< `first_tick` means nothing: it is that of the first row to come
+  Subscribed subscribed;  ///< `first_tick` has no meaning: the first arriving row sets it
   std::string topic;
 };
 
-/// Where the broker is.
+/// The address of the broker.
 struct FanOutPlace {
-  std::string address;  ///< empty where there is none
+  std::string address;  ///< empty if there is none
 };
 
 }  // namespace tendon::message

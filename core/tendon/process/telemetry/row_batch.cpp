@@ -42,7 +42,7 @@ void RowBatchWriter::Clear() {
 
 void RowBatchWriter::BeginRow(std::uint64_t tick, std::int64_t time) {
   position_ = body_.size();
-  body_.resize(position_ + row_size_);  // zeroes
+  body_.resize(position_ + row_size_);  // filled with zeroes
   std::memcpy(body_.data() + position_, &tick, sizeof tick);
   std::memcpy(body_.data() + position_ + sizeof tick, &time, sizeof time);
   position_ += kStampSize;
@@ -75,7 +75,7 @@ std::span<const std::byte> RowBatchWriter::Finish(message::RowsHeader header) {
   return body_;
 }
 
-/// So far their offsets count from the first of them.
+/// Appends the cells of variable size and makes their offsets absolute.
 void RowBatchWriter::JoinLooseCells() {
   is_joined_ = true;
   const auto start = static_cast<std::uint32_t>(body_.size());

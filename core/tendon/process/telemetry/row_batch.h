@@ -11,22 +11,22 @@
 
 namespace tendon {
 
-/// Builds the body of kRows. Reused for batch after batch, it allocates nothing once warm.
+/// Builds the body of kRows. Reused for all batches; allocates nothing once warm.
 class RowBatchWriter {
  public:
-  /// `sizes`: bytes of a cell of each column, 0 where they differ from row to row.
+  /// `sizes`: bytes of a cell of each column, 0 if they differ from row to row.
   explicit RowBatchWriter(std::vector<std::uint32_t> sizes);
 
   void Clear();
   void BeginRow(std::uint64_t tick, std::int64_t time);
-  /// The next cell of the row: of the column's size; of any size, also empty, where that is 0.
+  /// Adds the next cell of the row, of the column's size; of any size if that is 0.
   void AddCell(std::span<const std::byte> cell);
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
-  /// Bytes that the body will have.
+  /// Bytes of the finished body.
   [[nodiscard]] std::size_t size() const { return body_.size() + loose_.size(); }
-  /// The body. Of the header, `rows` and `columns` are filled in; the rest may differ from viewer
-  /// to viewer.
+  /// Returns the body. Fills in `rows` and `columns` of the header; the rest may differ between
+  /// viewers.
   std::span<const std::byte> Finish(message::RowsHeader header);
 
  private:
@@ -40,19 +40,19 @@ class RowBatchWriter {
   std::size_t position_ = 0;  // of the next cell
   bool is_joined_ = false;
   Bytes body_;
-  Bytes loose_;  // cells of no fixed size, until they are put behind the rows
+  Bytes loose_;  // cells of variable size, until they are appended to the rows
 };
 
-/// Reads the body of kRows, of any origin.
+/// Reads the body of kRows, which is untrusted.
 class RowBatchReader {
  public:
-  /// Nothing when the body is not laid out as it should be. It must outlive the reader.
+  /// Returns nothing if the layout of the body is invalid. The body must outlive the reader.
   static std::optional<RowBatchReader> Open(std::span<const std::byte> body);
 
   [[nodiscard]] const message::RowsHeader& header() const { return header_; }
   [[nodiscard]] std::uint64_t tick(std::size_t row) const;
   [[nodiscard]] std::int64_t time(std::size_t row) const;
-  /// Empty where there was no value.
+  /// Empty if there was no value.
   [[nodiscard]] std::span<const std::byte> cell(std::size_t row, std::size_t column) const;
 
  private:

@@ -7,16 +7,16 @@
 
 namespace tendon {
 
-/// What becomes of rows that a viewer is not ready for.
+/// What happens to rows that a viewer is not ready for.
 enum class RowDelivery : std::uint8_t {
-  kAll,    ///< they wait on the link, as far as that has room; the others are lost, and counted
-  kNewest  ///< a newer one takes the place of what has not been sent: nothing waits, none is lost
+  kAll,    ///< wait on the link while it has room; others are lost, and counted
+  kNewest  ///< a newer row replaces an unsent one: nothing waits, nothing counts as lost
 };
 
 /// Which rows of a state table a viewer wants.
 struct RowChoice {
-  /// 0: every row. Otherwise the first row of each such stretch of the source's steady clock: at
-  /// most so many a second, the same ones for whoever asks for the same period.
+  /// 0: every row. Otherwise the first row in each period of the source's steady clock, the same
+  /// rows for all viewers with this period.
   std::chrono::nanoseconds period{0};
   RowDelivery delivery = RowDelivery::kAll;
 

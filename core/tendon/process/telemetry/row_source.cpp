@@ -12,11 +12,10 @@ namespace {
 constexpr std::chrono::milliseconds kSourceOpenTimeout(1000);
 constexpr std::chrono::milliseconds kSourceAnswerTimeout(2000);
 constexpr std::chrono::milliseconds kListenTimeout(5000);
-constexpr std::chrono::seconds kBrokerRest(30);  // of one that did not let us listen
+constexpr std::chrono::seconds kBrokerRest(30);  // after a failed subscription
 constexpr std::chrono::milliseconds kShortestSourcePause(100);
 constexpr std::chrono::milliseconds kLongestSourcePause(1000);
-constexpr std::chrono::seconds kLongestSilence(
-    5);  // of a topic, which says something twice a second
+constexpr std::chrono::seconds kLongestSilence(5);  // of a topic, which sends twice a second
 
 message::Subscribe RequestFor(const TableSubscription& wanted) {
   return {.component = wanted.component,
@@ -50,7 +49,7 @@ void RowSource::Close() {
   if (const auto channel = std::exchange(channel_, nullptr)) channel->Close();
 }
 
-/// Goes on with all that do not stand.
+/// Continues all subscriptions that are not active.
 void RowSource::Pursue() {
   if (items_.empty()) return;
   if (const auto opened = Open(); !opened) {
@@ -74,8 +73,8 @@ Result<void> RowSource::Open() {
   channel_ = *std::move(channel);
   {
     const std::scoped_lock lock(mutex_);
-    standing_.clear();  // what stood on the channel before is asked for again
-    clock_ = {};        // a process that has moved has another
+    standing_.clear();  // subscriptions of the old channel are requested again
+    clock_ = {};        // a process that has moved has another clock
   }
   for (Item& item : items_) {
     item.stage = Stage::kWanted;
@@ -85,7 +84,7 @@ Result<void> RowSource::Open() {
   return {};
 }
 
-/// Each sign of life tells the time, the first before any rows come.
+/// Each ping measures the clock, the first one before any rows come.
 void RowSource::MeasureClock() {
   WatchOver(pulse_, channel_,
             [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
@@ -111,7 +110,7 @@ void RowSource::AskDirectly(Item& item) {
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::Subscribed>& answer) {
         auto outcome = answer;
-        if (answer) {  // before its first rows arrive
+        if (answer) {  // before the first rows arrive
           const auto begun = self->Begin(*channel, subscription, *answer);
           if (!begun) outcome = begun.error();
         }
@@ -164,10 +163,10 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
   }
 }
 
-/// What comes before the subscription has begun is not told of: it begins with what comes next.
+/// Ignores messages until the subscription has begun; it starts with the next one.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::TopicJoined& joined) {
-  if (MustRest(broker)) {  // another has waited for it since this one asked
+  if (MustRest(broker)) {  // another subscription failed there meanwhile
     return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
   }
   const auto line = std::make_shared<TopicLine>();
@@ -281,7 +280,7 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   const auto found = standing_.find({&channel, handle});
-  if (found == standing_.end()) {  // it has ended, or its answer came after we had given it up
+  if (found == standing_.end()) {  // it has ended, or the answer came after its timeout
     lock.unlock();
     (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
     return;
@@ -290,7 +289,7 @@ void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const s
   const ClockOffset clock = clock_;
   lock.unlock();
   standing.subscription->Deliver(standing.beginning, body, clock);
-  // Not told, the process would send no more; on a new channel it is asked again.
+  // The process sends no more rows until it hears this. A new channel subscribes again.
   const bool must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
   if (must_tell && !channel.Notify(message::kRowTaken, handle, Bytes())) channel.Close();
 }

@@ -19,23 +19,23 @@
 
 namespace tendon {
 
-/// A viewer's channel to one process, and its subscriptions there. Opened when there is one, closed
-/// when there is none; what was lost is asked for again, ever more rarely, at least once a second.
+/// The viewer's channel to one process, and its subscriptions there. Open while there are
+/// subscriptions. Lost ones are requested again, with growing pauses of at most a second.
 ///
-/// Without a remark, functions are called on the worker.
+/// Functions are called on the worker unless noted.
 class RowSource final : public ChannelHandler, public std::enable_shared_from_this<RowSource> {
  public:
-  /// How channels are opened; outlives the worker.
+  /// What is needed to open channels; outlives the worker.
   struct Access {
     std::shared_ptr<Middleware> middleware;
     ResolveAddress resolve;
     Hello hello;
     FindFanOut find_fan_out{};
-    // When they last did not let us listen, by address; of the worker.
+    // When a subscription at a broker last failed, by address; only on the worker.
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();
   };
-  /// `pulse` shows the process that we live, while the worker waits for another one.
+  /// `pulse` sends pings to the process even while the worker waits for another process.
   RowSource(const Access& access, std::shared_ptr<Worker> worker, std::shared_ptr<Worker> pulse,
             std::string process)
       : access_(access),
@@ -44,11 +44,11 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
         process_(std::move(process)) {}
 
   void Add(const std::shared_ptr<RowSubscription>& subscription);
-  /// Ends it there; here it must have been ended before.
+  /// Ends the subscription at the process; it must have been ended here before.
   void Remove(const std::shared_ptr<RowSubscription>& subscription);
   /// Tries again at once.
   void Retry();
-  /// Once the worker has stopped.
+  /// Call it after the worker has stopped.
   void Close();
 
  private:
@@ -57,15 +57,15 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
-    bool is_direct = false;           // for the fan-out has failed it, on this channel
-    std::shared_ptr<TopicLine> line;  // where the rows come by a topic, as the next
+    bool is_direct = false;           // the broker has failed it on this channel
+    std::shared_ptr<TopicLine> line;  // if the rows come through a topic, as the next
     std::unique_ptr<FanOut::Reception> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct Standing {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
-    std::shared_ptr<TopicLine> line{};  // where the rows come by a topic
+    std::shared_ptr<TopicLine> line{};  // if the rows come through a topic
   };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -77,9 +77,9 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void MeasureClock();
   void Ask(Item& item);
   void AskDirectly(Item& item);
-  /// Where there is a broker, and what is wanted goes by it.
+  /// The broker, if there is one and it supports this subscription; else empty.
   [[nodiscard]] std::string BrokerFor(const Item& item) const;
-  /// It has just let somebody wait in vain.
+  /// Whether a subscription at the broker has failed recently.
   [[nodiscard]] bool MustRest(const std::string& broker) const;
   void AskForTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
@@ -102,7 +102,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
-  const Access& access_;  // on the worker only: a channel that is closed later may outlive it
+  const Access& access_;  // only on the worker: a channel that closes later may outlive it
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;
@@ -110,12 +110,12 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   std::vector<Item> items_;
   std::chrono::milliseconds pause_{0};
   bool is_retry_due_ = false;
-  std::string fallen_back_;  // why, as it was logged
+  std::string fallen_back_;  // the reason, as it was logged
 
-  std::mutex mutex_;  // of what the middleware's thread uses
-  // By channel, too: the end of an old one may be heard when the next is open already.
+  std::mutex mutex_;  // for what the middleware's thread uses
+  // By channel too: the end of an old channel may come after the next has opened.
   std::map<std::pair<const Channel*, std::uint32_t>, Standing> standing_;
-  ClockOffset clock_;  // of the process at the other end
+  ClockOffset clock_;  // of the peer
 };
 
 }  // namespace tendon

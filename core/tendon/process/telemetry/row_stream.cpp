@@ -76,14 +76,14 @@ void RowStream::Take(std::uint64_t tick, std::int64_t time, std::span<const std:
   newest_tick_ = tick;
 }
 
-/// The very first row, and the first of each stretch that begins later.
+/// The very first row, and the first row of each new period.
 bool RowStream::Wants(std::int64_t time) {
   if (rows_.period.count() == 0) return true;
   return std::exchange(stretch_, time / rows_.period.count()) != time / rows_.period.count();
 }
 
 bool RowStream::is_full() const {
-  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;  // with one row more: one piece
+  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;  // plus one row: one piece
   return rows_.delivery == RowDelivery::kAll && batch_.size() >= kMostBytes;
 }
 
@@ -102,7 +102,7 @@ void RowStream::SendAll(Viewer& viewer, std::uint64_t lost, std::uint64_t next_t
   if (batch_.rows() == 0 && viewer.lost_table == 0 && !viewer.is_owed) return;
   const auto body = batch_.Finish(
       {.rows_before = viewer.rows_before, .lost_table = viewer.lost_table, .next_tick = next_tick});
-  viewer.rows_before += batch_.rows();  // whether it arrives or not: the viewer sees the hole
+  viewer.rows_before += batch_.rows();  // even if refused: the viewer sees the gap
   viewer.is_owed = !viewer.channel->Notify(message::kRows, viewer.handle, body, viewer.lane);
   if (!viewer.is_owed) viewer.lost_table = 0;
 }
@@ -121,7 +121,7 @@ void RowStream::End(const Error& reason) {
   for (const Viewer& viewer : viewers_) {
     const Status told =
         viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-    // Not told, it would wait for rows for ever; it opens the channel again, and hears why.
+    // Without this it would wait for rows for ever. It opens the channel again, and learns why.
     if (told == Status(Status::kQueueFull)) viewer.channel->Close();
   }
   viewers_.clear();

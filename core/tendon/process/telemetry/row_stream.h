@@ -19,11 +19,11 @@
 
 namespace tendon {
 
-/// Certain columns of certain rows of a table, put together once for all viewers who want the same.
-/// A viewer that does not keep up loses rows of its own, which it can count, or passes over those
-/// that are no longer the newest, as it has chosen; the others lose none for it.
+/// Rows with certain columns of a table, built once for all viewers that want the same. A slow
+/// viewer loses rows that it can count, or skips outdated ones, as it has chosen; other viewers are
+/// not affected.
 ///
-/// One thread at a time. The table must live as long.
+/// One thread at a time. The table must outlive the stream.
 class RowStream {
  public:
   RowStream(const StateTable& table, std::vector<std::size_t> columns, RowChoice rows);
@@ -32,29 +32,29 @@ class RowStream {
     return columns_ == columns && rows_ == rows;
   }
 
-  /// Cells that are read of each row: at least one, for the row itself.
+  /// Cells read for each row: at least one, for the row itself.
   [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
-  /// `lane` is of its rows alone: nothing else waits for them.
+  /// `lane` is for these rows only, so that nothing else waits for them.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
-  /// `make` makes the topic where there is none yet. Returns its name.
+  /// Calls `make` if there is no topic yet. Returns the topic's name.
   const std::string& AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
                                 std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
-  /// These viewers have taken the newest row, and may have the next.
+  /// These viewers have received the newest row and may get the next.
   void OnRowsTaken(const RowReceipts& receipts);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 
-  /// The next row of the table, whether it is wanted or not; `row` as copied by CopyRow().
+  /// Adds the next row of the table if it is wanted; `row` is as copied by CopyRow().
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);
-  /// As large as a batch should be: send it.
+  /// The batch has its full size: call Send().
   [[nodiscard]] bool is_full() const;
-  /// Sends what was taken since. `lost` rows of the table among them were overwritten, or just
-  /// before it; the next row will be that of `next_tick`.
+  /// Sends the rows taken since the last call. `lost` rows of the table were overwritten in or just
+  /// before this batch; the next row will be `next_tick`.
   void Send(std::uint64_t lost, std::uint64_t next_tick);
-  /// Tells the viewers that there will be no more; closes the channel of one that cannot be told.
+  /// Reports the end to all viewers; closes the channel of a viewer that cannot be told.
   void End(const Error& reason);
 
  private:
@@ -63,10 +63,10 @@ class RowStream {
     std::uint32_t handle = 0;
     Lane lane = kCommonLane;
     std::uint64_t rows_before = 0;
-    std::uint64_t lost_table = 0;  // since the last batch that was sent
-    bool is_owed = false;          // a batch was refused: it does not know yet what it has lost
-    bool is_busy = false;          // with the newest row that it was sent
-    std::uint64_t next_tick = 0;   // it has been sent older rows only
+    std::uint64_t lost_table = 0;  // since the last sent batch
+    bool is_owed = false;          // a batch was refused: the viewer does not know of the loss yet
+    bool is_busy = false;          // has not acknowledged the newest row
+    std::uint64_t next_tick = 0;   // only older rows were sent to it
   };
 
   [[nodiscard]] bool Wants(std::int64_t time);
@@ -78,9 +78,9 @@ class RowStream {
   const RowChoice rows_;
   RowBatchWriter batch_;
   std::uint64_t newest_tick_ = 0;        // in the batch
-  std::optional<std::int64_t> stretch_;  // of the last row that was wanted, where there is a period
+  std::optional<std::int64_t> stretch_;  // period of the last wanted row, if there are periods
   std::vector<Viewer> viewers_;
-  std::unique_ptr<RowTopic> topic_;  // where it has viewers
+  std::unique_ptr<RowTopic> topic_;  // if it has viewers
 };
 
 }  // namespace tendon

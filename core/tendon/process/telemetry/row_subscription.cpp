@@ -43,7 +43,7 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
   if (goes_on_ && wanted_.rows == RowChoice{}) {
     lost_between_ += first_tick - std::min(next_tick_, first_tick);
   }
-  // Of the newest row alone the first is the one that is there, which was written before.
+  // With the newest row only, the first row may have been written before the subscription.
   if (wanted_.rows.delivery != RowDelivery::kNewest) {
     next_tick_ = first_tick;
   } else if (!goes_on_) {
@@ -55,7 +55,7 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
 bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
   const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
-  // Not with what the batch tells as lost before it: that may have been before we listened.
+  // Ignores the loss that the batch reports: it may have been before we listened.
   GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
@@ -91,8 +91,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   if (sink_) counts_.lost_viewer += sink_->OnRows(batch);
 }
 
-/// Whether no row of it was heard before, by its numbers. Those that jump are of rows that are
-/// lost.
+/// Whether all rows of the batch are new. Gaps between ticks are lost rows.
 bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   const message::RowsHeader& header = batch.header();
   if (header.rows_before < rows_ || header.rows_before + header.rows < header.rows_before) {
@@ -106,7 +105,7 @@ bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   return header.next_tick >= next;
 }
 
-/// Of a topic, which is of every row, the numbers tell: the batch that would have told may be lost.
+/// For a topic the ticks tell the loss, even if the batch that reported it was lost.
 std::uint64_t RowSubscription::LostInTable(const message::RowsHeader& header,
                                            std::uint64_t lost_here) const {
   if (!is_of_topic_) return header.lost_table;
@@ -124,7 +123,7 @@ void RowSubscription::ReadStamps(const RowBatchReader& reader) {
 }
 
 std::chrono::nanoseconds RowSubscription::Correction(const ClockOffset& clock) {
-  constexpr std::chrono::seconds kMost(1);  // further back is no matter of correction
+  constexpr std::chrono::seconds kMost(1);  // a larger step back is a jump, not a correction
   if (times_.empty()) return {};
   const auto time_at = [](std::int64_t time) {
     return ClockOffset::Sensible(SteadyTime(std::chrono::nanoseconds(time)));

@@ -15,8 +15,8 @@ namespace tendon {
 
 class RowBatchReader;
 
-/// One subscription of a viewer: turns what arrives into calls of its sink, and counts what did not
-/// arrive. Any thread, one after the other; after End() the sink is not called any more.
+/// One subscription of a viewer: passes arriving batches to its sink, and counts losses. Any
+/// thread, one at a time. After End() the sink is not called any more.
 class RowSubscription {
  public:
   RowSubscription(TableSubscription wanted, std::shared_ptr<RowSink> sink)
@@ -24,15 +24,15 @@ class RowSubscription {
 
   [[nodiscard]] const TableSubscription& wanted() const { return wanted_; }
 
-  /// It stands; an error when the answer makes no sense. What was written since it stood before is
-  /// lost. Returns how often it has stood: a number for its batches.
+  /// The subscription is active. Returns an error if the answer is invalid; otherwise the number of
+  /// this activation, which its batches carry. Rows written while it was inactive count as lost.
   Result<std::uint64_t> Begin(const message::Subscribed& subscribed);
-  /// The same where the rows come by a topic: it goes on with the first batch that arrives.
+  /// The same for rows through a topic: it starts with the first batch that arrives.
   Result<std::uint64_t> BeginTopic(const message::Subscribed& subscribed);
-  /// A batch of the `beginning`; one of an earlier or malformed is passed over, and so are its
-  /// rows.
+  /// Delivers a batch of activation `beginning`. Ignores batches that are malformed, out of order
+  /// or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
-  /// There are no rows for now; said once for a reason.
+  /// There are no rows for now. Tells the sink once for each reason.
   void Interrupt(const Error& reason);
   void End();
 
@@ -41,15 +41,15 @@ class RowSubscription {
  private:
   enum class From { kFirstTick, kFirstBatch };
   Result<std::uint64_t> Begin(const message::Subscribed& subscribed, From from);
-  /// What was written since the last row is lost; now comes that of `first_tick`.
+  /// Counts the rows since the last one as lost, and continues at `first_tick`.
   void GoOn(std::uint64_t first_tick);
-  /// False where the batch is of before.
+  /// Returns false if the batch is older than the last row.
   bool GoOnWith(const RowBatchReader& batch);
   [[nodiscard]] bool GoesForward(const RowBatchReader& batch) const;
   [[nodiscard]] std::uint64_t LostInTable(const message::RowsHeader& header,
                                           std::uint64_t lost_here) const;
   void ReadStamps(const RowBatchReader& reader);
-  /// What is taken off the times of the rows of this batch.
+  /// The correction for the times of this batch.
   [[nodiscard]] std::chrono::nanoseconds Correction(const ClockOffset& clock);
 
   const TableSubscription wanted_;
@@ -58,14 +58,14 @@ class RowSubscription {
   Error interruption_;
   std::uint64_t beginnings_ = 0;
   std::uint64_t epoch_ = 0;
-  bool has_begun_ = false;  // next_tick_ means something
-  bool goes_on_ = false;    // with the ticks of before
+  bool has_begun_ = false;  // next_tick_ is valid
+  bool goes_on_ = false;    // ticks continue from before
   bool is_of_topic_ = false;
-  bool waits_for_batch_ = false;      // which says where it begins
-  std::uint64_t next_tick_ = 0;       // what has become of earlier rows is known
-  std::uint64_t rows_ = 0;            // that were sent since it stands, as far as is known
-  std::uint64_t lost_between_ = 0;    // while it did not stand, until a batch tells the sink
-  std::optional<SteadyTime> newest_;  // row, corrected
+  bool waits_for_batch_ = false;      // whose ticks say where it begins
+  std::uint64_t next_tick_ = 0;       // earlier rows are accounted for
+  std::uint64_t rows_ = 0;            // known rows sent since it was activated
+  std::uint64_t lost_between_ = 0;    // while inactive; reported with the next batch
+  std::optional<SteadyTime> newest_;  // corrected time of the newest row
   RowCounts counts_;
   std::vector<std::uint64_t> ticks_;
   std::vector<std::int64_t> times_;

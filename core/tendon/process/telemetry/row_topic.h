@@ -13,8 +13,8 @@
 
 namespace tendon {
 
-/// The rows of one stream, said once for all viewers who hear them by a broker. What becomes of
-/// them there nobody tells: the numbers in the batches let each viewer see it.
+/// Publishes the rows of one stream once, for all viewers that use a broker. The process does not
+/// learn which arrive: the numbers in the batches let each viewer see losses.
 ///
 /// One thread at a time.
 class RowTopic {
@@ -24,14 +24,14 @@ class RowTopic {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Viewers are known by their channels, which carry everything but rows.
+  /// A viewer is known by its channel, which carries everything but rows.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
-  /// As RowStream::Send(). A batch without rows goes out now and then, though there is nothing new.
+  /// As RowStream::Send(). Without new rows it still sends an empty batch regularly.
   void Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick);
   /// As RowStream::End().
   void End(const Error& reason);
@@ -46,7 +46,7 @@ class RowTopic {
   const std::unique_ptr<FanOut::Topic> topic_;
   std::vector<Viewer> viewers_;
   std::uint64_t rows_before_ = 0;
-  std::uint64_t lost_table_ = 0;  // since the last batch that was sent
+  std::uint64_t lost_table_ = 0;  // since the last sent batch
   int silence_ = 0;               // calls of Send() since then
 };
 

@@ -19,7 +19,7 @@ std::vector<std::string> NamesOf(const List& list) {
   return names;
 }
 
-/// Of one column, without a number.
+/// The newest value of one column, without a number.
 message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
   message::MirroredColumn newest;
   newest.capacity = static_cast<std::uint32_t>(table.columns()[column]->layout().bytes);
@@ -56,7 +56,7 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   subscribed.handle = ++last_handle_;
   subscribed.first_tick = feed.next_tick();
   const Lane lane = channel->NewLane();
-  if (!responder.TryReply(EncodeBody(subscribed), lane)) return;  // which rows must not pass
+  if (!responder.TryReply(EncodeBody(subscribed), lane)) return;  // rows must not overtake it
   feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
 }
@@ -96,7 +96,7 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   context_.network->Notify();
 }
 
-/// With the mutex.
+/// With the mutex held.
 Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Subscribe& wanted,
                                          const Channel& viewer) const {
   std::size_t count = 0;
@@ -122,7 +122,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
                    "the same period"};
 }
 
-/// With the mutex.
+/// With the mutex held.
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
   if (context_.middleware->fan_out() == nullptr || broker_.empty()) {
@@ -197,7 +197,7 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
     column.handle = ++last_handle_;
   }
   const Lane lane = channel->NewLane();
-  if (!responder.TryReply(EncodeBody(mirrored), lane)) return;  // which rows must not pass
+  if (!responder.TryReply(EncodeBody(mirrored), lane)) return;  // rows must not overtake it
   const RowChoice newest{.delivery = RowDelivery::kNewest};
   for (std::size_t i = 0; i < sources->size(); ++i) {
     const Source& source = (*sources)[i];
@@ -227,7 +227,7 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
                                             " twice, but copies each once: name it once"};
     }
     const Offer* command = (*provided)->FindCommand(name);
-    if (command == nullptr) {  // whether that is right is said when the interface is opened
+    if (command == nullptr) {  // opening the interface checks that
       sources.emplace_back();
       continue;
     }
@@ -279,7 +279,7 @@ bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   const bool is_time = now >= next_gathering_;
   const RowReceipts receipts = is_time ? receipts_.TakeAll() : RowReceipts();
   bool more = false;
-  for (TableFeed& feed : feeds_) {  // a batch of each, in turn
+  for (TableFeed& feed : feeds_) {  // one batch each, in turn
     if (!receipts.empty()) feed.OnRowsTaken(receipts);
     if (is_time || feed.has_more()) more = feed.Gather() || more;
   }

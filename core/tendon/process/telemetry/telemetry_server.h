@@ -18,38 +18,38 @@
 
 namespace tendon {
 
-/// Sends the rows of this process' state tables to viewers: every 20 ms what was written since,
-/// gathered by the network thread, once for all who watch the same table.
+/// Sends rows of this process's state tables to viewers. Every 20 ms the network thread reads the
+/// new rows of each table once for all its viewers.
 ///
-/// Without a remark, functions are called on the worker.
+/// Functions are called on the worker unless noted.
 class TelemetryServer final : public NetworkJob {
  public:
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// What one viewer may have, by one channel, so that it is in nobody's way: so many
-  /// subscriptions, and of one table so much that for each row all columns are read so often.
-  /// Subscriptions of the same columns and rows are read once; what a process mirrors, which takes
-  /// an operator's right, is not refused for its number.
+  /// The limits of one viewer, by its channel, so that it does not crowd out others: its number of
+  /// subscriptions, and for each table the cells read for a row, as a multiple of its columns.
+  /// Subscriptions to the same columns and rows are read once. Mirrors, which need an operator's
+  /// right, have no limit of their number.
   ///
-  /// All viewers together have no bound: a few could use it up.
+  /// There is no common limit for all viewers, because a few could exhaust it.
   static constexpr std::size_t kMostSubscriptions = 2048;
   static constexpr std::size_t kMostReadings = 32;
 
-  /// Answers before the first row is sent; where the answer cannot be sent there is no
-  /// subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below zero, or a
-  /// column named twice; kFailed for more than one viewer may have.
+  /// Answers before the first row is sent; if the answer cannot be sent there is no subscription.
+  /// Refusals: kNotFound with a suggestion; kInvalid for a period below zero, or a column named
+  /// twice; kFailed above the limits of a viewer.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// The rows come by a topic of the broker. Refusals: also kNotFound where there is none, or the
-  /// middleware has no way to it; kInvalid for what it cannot carry.
+  /// The rows come through a topic of the broker. Refusals: also kNotFound if there is no broker or
+  /// the middleware does not support it; kInvalid for rows that it cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// Sends copies of what read commands answer with. Refusals: kNotFound; kIncompatible for a
-  /// command that does not answer with the newest value of a column; kInvalid for one named twice.
+  /// Sends copies of the answers of read commands. Refusals: kNotFound; kIncompatible for a command
+  /// that does not return the newest value of a column; kInvalid for one named twice.
   void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
               Responder& responder);
-  /// Of topics that are made from now on; empty where there is none.
+  /// For topics that are created from now on; empty for none.
   void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   /// Any thread.
@@ -57,7 +57,7 @@ class TelemetryServer final : public NetworkJob {
     receipts_.Add(channel, handle);
   }
 
-  /// Any thread: before the component goes; its viewers are told.
+  /// Any thread: call it before the component is removed. Notifies its viewers.
   void RemoveComponent(const std::string& component);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -66,7 +66,7 @@ class TelemetryServer final : public NetworkJob {
   struct Source {
     const StateTable* table = nullptr;
     std::vector<std::size_t> columns;
-    const Flag* enabled = nullptr;  // of the command that reads it, if it is one
+    const Flag* enabled = nullptr;  // of the read command; null for a plain column
   };
 
   [[nodiscard]] Result<void> HasRoomFor(const Source& source, const message::Subscribe& wanted,

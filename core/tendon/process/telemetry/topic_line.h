@@ -7,19 +7,19 @@
 
 namespace tendon {
 
-/// How a subscription hears a topic: what the thread that hears it has to say to the one that made
-/// it. Thread-safe.
+/// The shared state of the thread that receives a topic and the subscription that uses it.
+/// Thread-safe.
 class TopicLine {
  public:
-  /// From now on batches are of this beginning of the subscription.
+  /// Batches from now on belong to this activation of the subscription.
   void Begin(std::uint64_t beginning) {
     const std::scoped_lock lock(mutex_);
     beginning_ = beginning;
   }
-  /// The subscription hears no more of it.
+  /// The subscription gets no more batches.
   void End() { Begin(0); }
 
-  /// While it lives, something is heard.
+  /// A message is being handled while this lives.
   class Hearing {
    public:
     explicit Hearing(TopicLine& line) : line_(line) { line_.SetBusy(true); }
@@ -30,12 +30,12 @@ class TopicLine {
    private:
     TopicLine& line_;
   };
-  /// 0 where there is none.
+  /// 0 if there is none.
   [[nodiscard]] std::uint64_t beginning() const {
     const std::scoped_lock lock(mutex_);
     return beginning_;
   }
-  /// None while it is the viewer who takes his time.
+  /// Zero while the viewer is handling a message.
   [[nodiscard]] SteadyTime::duration silence() const {
     const std::scoped_lock lock(mutex_);
     return is_busy_ ? SteadyTime::duration(0) : SteadyClock().Now() - last_;

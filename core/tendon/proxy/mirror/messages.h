@@ -7,29 +7,29 @@
 #include <string>
 #include <vector>
 
-/// How a process comes to copies of what it reads of another one.
+/// Messages for copies of values that another process reads.
 namespace tendon::message {
 
-// From the process of a required interface, before it opens the provided one. The copies come as
-// rows of one column, the newest only: what follows is as after kSubscribe.
+// From the process of a required interface, before it opens the provided one. The copies arrive as
+// rows of one column, the newest only, as after kSubscribe.
 inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> Mirrored
 
-// From the other.
-// notice: bool: whether the read command is on; the handle is that of its copies
+// From the peer.
+// notice: bool, whether the read command is enabled; the handle is that of its copies
 inline constexpr auto kMirrorTurned = static_cast<MessageType>(0x20c);
 
-/// Read commands that answer with the newest value of a column.
+/// Asks for copies of read commands that return the newest value of a column.
 struct Mirror {
   InterfaceName provided;
   std::vector<std::string> commands;
 };
 
-/// One of them; all zero where there is no such command.
+/// One mirrored command; all zero if there is no such command.
 struct MirroredColumn {
   std::uint32_t handle = 0;      ///< of the frames with its copies
   std::uint32_t capacity = 0;    ///< bytes of its largest value
   std::int64_t time = 0;         ///< of the newest row, ns on the source's steady clock
-  std::vector<std::byte> value;  ///< in that row; empty where there is none
+  std::vector<std::byte> value;  ///< in that row; empty if there is none
 };
 
 /// The answer to kMirror, in the order asked for.

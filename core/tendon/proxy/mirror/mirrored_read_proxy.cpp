@@ -28,7 +28,7 @@ class MirroredReadCommand final : public CommandBase {
   [[nodiscard]] std::chrono::nanoseconds age() const override {
     const std::chrono::nanoseconds written = written_.Get();
     if (written == kNever || value_->has_ended()) return kNever;
-    // What has come from another host may seem to be of a moment later.
+    // The clock of another host may seem to be ahead.
     const auto now = SteadyClock().Now().time_since_epoch();
     return std::max(now - written, std::chrono::nanoseconds(0));
   }
@@ -38,7 +38,7 @@ class MirroredReadCommand final : public CommandBase {
 
   const std::shared_ptr<const MirroredValue> value_;
   Scratch<std::vector<std::byte>> read_;
-  Published<std::chrono::nanoseconds> written_{kNever};  // the value that was read last
+  Published<std::chrono::nanoseconds> written_{kNever};  // time of the value that was read last
 };
 
 }  // namespace

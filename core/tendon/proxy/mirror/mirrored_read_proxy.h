@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// Answers from the copy of a value: nobody is asked. kNoSample before the first copy,
-/// kDisabled while the command is off over there, kNotConnected when the peer is gone.
+/// Answers a read from the local copy of a value, without asking the peer. kNoSample before the
+/// first copy, kDisabled while the command is disabled there, kNotConnected when the peer is gone.
 class MirroredReadProxy final : public Offer {
  public:
   MirroredReadProxy(MemberDescription description, std::shared_ptr<const MirroredValue> value)

@@ -11,7 +11,7 @@ namespace tendon {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint64_t);
-constexpr std::size_t kCopies = 3;  // that can be read while the next is written
+constexpr std::size_t kCopies = 3;  // readable while the next is written
 
 std::size_t WordsFor(std::size_t bytes) { return 1 + (bytes + kWord - 1) / kWord; }
 
@@ -39,7 +39,7 @@ Status MirroredValue::Read(std::vector<std::byte>& body, SteadyTime& time) const
   const RowResult result = copies_.ReadNewest(tick, [&](const RowRing<>::Word* words) {
     std::array<std::byte, kWord> word{};
     LoadWord(words[0], word.data());
-    const auto size = std::bit_cast<std::uint64_t>(word);  // of a torn copy: anything
+    const auto size = std::bit_cast<std::uint64_t>(word);  // any number if the copy is torn
     body.resize(std::min<std::uint64_t>(size, capacity_));
     for (std::size_t at = 0; at < body.size(); at += kWord) {
       LoadWord(words[1 + at / kWord], word.data());

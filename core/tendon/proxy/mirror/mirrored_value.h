@@ -12,31 +12,31 @@
 
 namespace tendon {
 
-/// The copy of a value of another process, as it has come last.
+/// The newest copy of a value of another process.
 ///
-/// Thread safety: one thread at a time puts, any thread reads, turns and ends it. No reader waits;
-/// one that is overtaken by several copies tries again.
+/// Thread safety: one thread at a time calls Put(); all else may be called by any thread. Readers
+/// do not wait; a reader that several newer copies overtake tries again.
 class MirroredValue {
  public:
-  /// Allocates all it needs, for values of at most `capacity` bytes on the wire.
+  /// Allocates everything, for values of at most `capacity` bytes on the wire.
   explicit MirroredValue(std::size_t capacity);
 
-  /// `time`: when it was written, by our clock. An empty body: there was no value. False where it
-  /// is too large, which leaves the one before.
+  /// `time` is when the value was written, on our clock. An empty body means that there was no
+  /// value. Returns false and keeps the old value if the body is too large.
   bool Put(SteadyTime time, std::span<const std::byte> body);
-  /// Whether it is given to readers.
+  /// Whether readers get the value.
   void SetEnabled(bool enabled) noexcept { is_enabled_.Set(enabled); }
-  /// No newer one comes: the last is not given any more.
+  /// No newer value will come; readers do not get the last one any more.
   void End() noexcept { has_ended_.Set(true); }
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_.Get(); }
 
-  /// kNoSample before the first, and where there was no value; kDisabled while it is not given;
-  /// kNotConnected once it has ended. Allocates where `body` must grow.
+  /// kNoSample before the first value, or if there was none; kDisabled while disabled;
+  /// kNotConnected after End(). Allocates only if `body` must grow.
   Status Read(std::vector<std::byte>& body, SteadyTime& time) const;
 
  private:
   const std::size_t capacity_;
-  std::vector<std::uint64_t> words_;  // of who puts: the size, and the body
+  std::vector<std::uint64_t> words_;  // buffer of Put(): size and body
   RowRing<> copies_;
   Flag is_enabled_{true};
   Flag has_ended_{false};

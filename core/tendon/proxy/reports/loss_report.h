@@ -10,17 +10,17 @@
 
 namespace tendon {
 
-/// Tells the other end of a connection how many events this one has lost, soon after each change.
-/// Of the network thread.
+/// Reports to the other end of a connection how many events this end has lost, soon after each
+/// change. Network thread only.
 class LossReport {
  public:
-  /// `handle` is the connection's, of the other end.
+  /// `handle` is the number of the connection at the other end.
   LossReport(std::shared_ptr<Channel> channel, std::uint32_t handle)
       : channel_(std::move(channel)), handle_(handle) {}
 
-  /// Of one event handler.
+  /// The total of one event handler.
   void Set(std::size_t handler, std::uint64_t lost);
-  /// Brings `next` forward to when it has something to tell.
+  /// Reports if there is something new. Lowers `next` to when it must report again.
   void Tell(SteadyTime now, SteadyTime& next);
 
  private:

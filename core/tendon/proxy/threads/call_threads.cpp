@@ -13,7 +13,7 @@
 
 namespace tendon {
 
-/// Under the pool's lock.
+/// With the pool's lock held.
 struct CallLine::Queue {
   struct Waiting {
     Call call;
@@ -26,8 +26,8 @@ struct CallLine::Queue {
 
   const std::size_t most_calls;
   const std::size_t most_bytes;
-  std::deque<Waiting> calls{};  // the first one may run
-  std::size_t bytes = 0;        // of them
+  std::deque<Waiting> calls{};  // the first one may be running
+  std::size_t bytes = 0;        // total of calls
 };
 
 class CallThreads::Pool {
@@ -74,12 +74,12 @@ class CallThreads::Pool {
 
  private:
   using Self = std::list<std::thread>::iterator;
-  /// Who takes what is ready: this thread, which has just done with another call, or another one.
+  /// Who takes a ready call: this thread, which has just finished another, or another thread.
   enum class Taker { kThis, kOther };
 
   // With the lock held.
 
-  /// False where there is no thread for it, nor memory.
+  /// Returns false if there is no thread for it, or no memory.
   bool Serve(const Queue& queue, Taker taker) {
     try {
       ready_.push_back(queue);
@@ -106,7 +106,7 @@ class CallThreads::Pool {
     }
   }
 
-  /// What waits is destroyed without the lock: it may own anything.
+  /// Destroys the dropped calls without the lock: they may own anything.
   static void Drop(CallLine::Queue& queue, std::unique_lock<std::mutex>& lock) {
     auto dropped = std::exchange(queue.calls, {});
     queue.bytes = 0;
@@ -149,9 +149,9 @@ class CallThreads::Pool {
   std::mutex mutex_;
   std::condition_variable work_;
   std::condition_variable progress_;
-  std::deque<Queue> ready_;  // of which a call is to be executed
+  std::deque<Queue> ready_;  // lines with a call to execute
   std::list<std::thread> threads_;
-  std::list<std::thread> ended_;  // to be joined
+  std::list<std::thread> ended_;  // threads to be joined
   std::size_t idle_ = 0;
   bool is_stopping_ = false;
 };

@@ -12,9 +12,9 @@ namespace tendon {
 
 class CallLine;
 
-/// Threads that execute what another process has called and what runs in its caller's thread: code
-/// of components, which may take its time, and no thread of the middleware waits for it. At most
-/// kMost, which are started when they are needed and end when they were idle for long. Thread-safe.
+/// A thread pool for calls from other processes that run component code in their caller's thread.
+/// Such code may take long, and threads of the middleware must not wait for it. At most kMost
+/// threads; they start on demand and end after a long idle time. Thread-safe.
 class CallThreads {
  public:
   static constexpr std::size_t kMost = 4;
@@ -22,11 +22,11 @@ class CallThreads {
   explicit CallThreads(std::string name);
   CallThreads(const CallThreads&) = delete;
   CallThreads& operator=(const CallThreads&) = delete;
-  /// Waits for the calls that run; those that wait are not executed. Not from a call.
+  /// Waits for running calls; drops queued ones. Must not be called from a call.
   ~CallThreads();
 
-  /// Of calls of which at most so many wait, with bytes together unless it is one alone. It may
-  /// outlive this.
+  /// A line holds at most `most_calls`, and `most_bytes` in total unless it is a single call. It
+  /// may outlive this object.
   [[nodiscard]] std::shared_ptr<CallLine> MakeLine(
       std::size_t most_calls, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
@@ -37,8 +37,7 @@ class CallThreads {
   const std::shared_ptr<Pool> pool_;
 };
 
-/// Calls of which one runs at a time, in their order; those of several lines run side by side.
-/// Thread-safe.
+/// Executes its calls one at a time, in order. Different lines run in parallel. Thread-safe.
 class CallLine {
  public:
   using Call = std::function<void()>;
@@ -47,10 +46,10 @@ class CallLine {
   CallLine& operator=(const CallLine&) = delete;
   ~CallLine();
 
-  /// What it throws is logged. False, and it is left alone, where too much waits or nobody executes
-  /// calls any more. `bytes` is what it takes beside itself.
+  /// Logs what `call` throws. Returns false without an effect if too much waits or the pool has
+  /// ended. `bytes` is the memory that the call owns.
   bool Post(Call call, std::size_t bytes = 0);
-  /// Waits until none runs and none waits; false where one still does at `deadline`.
+  /// Waits until no call runs or waits; returns false if one still does at `deadline`.
   bool Drain(SteadyTime deadline);
 
  private:
@@ -63,8 +62,8 @@ class CallLine {
   const std::shared_ptr<Queue> queue_;
 };
 
-/// The threads of one process, apart for each sort of call: those of one sort that hang hold up no
-/// other.
+/// The thread pools of one process, one for each kind of call, so that calls that hang delay only
+/// their own kind.
 struct SortsOfCalls {
   CallThreads reads{"reads"};
   CallThreads commands{"commands"};

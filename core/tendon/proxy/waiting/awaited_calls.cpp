@@ -6,7 +6,7 @@
 namespace tendon {
 
 Status TakeOutcome(Result<Bytes> answer, Bytes& result) {
-  // It was sent: what is no refusal may have been executed.
+  // The call was sent: unless it was refused, it may have been executed.
   if (!answer) return StatusOfRefusal(answer.error()).value_or(Status::kOutcomeUnknown);
   result = *std::move(answer);
   return TakeStatus(result);

@@ -16,12 +16,12 @@
 
 namespace tendon {
 
-/// What kWait was answered with, whose result is put into `result`; or why there is no answer.
+/// The outcome of a kWait: puts the result into `result`; or the status for its failure.
 [[nodiscard]] Status TakeOutcome(Result<Bytes> answer, Bytes& result);
 
-/// The calls of one command of another process whose callers wait here. A number leads from an
-/// answer to the caller's completion record; it is nobody's once the caller has left, so that a
-/// late answer finds nothing. Outlives the command where an answer is still to come. Thread-safe.
+/// The calls of one remote command whose callers wait here. A number leads from a reply to the
+/// caller's completion record. It becomes invalid when the caller gives up, so that a late reply
+/// finds nothing. May outlive the command while a reply is still to come. Thread-safe.
 template <typename Pool = CompletionPool, typename Mutex = std::mutex>
 class AwaitedCalls {
  public:
@@ -29,9 +29,9 @@ class AwaitedCalls {
   explicit AwaitedCalls(Pool& completions)
       : completions_(completions), of_record_(completions.size()), answers_(completions.size()) {}
 
-  // The caller.
+  // For the caller.
 
-  /// Its number. It has taken the record.
+  /// Returns the number of the call. The caller owns the record.
   std::uint64_t Enter(std::size_t record, SteadyTime deadline) {
     const std::scoped_lock lock(mutex_);
     const Awaited awaited{.record = record, .deadline = deadline};
@@ -45,39 +45,38 @@ class AwaitedCalls {
     of_record_[record] = ++last_;
     return last_;
   }
-  /// Before it returns, with what Await() said. Whether the call may have been executed: it was
-  /// sent. If not, it will not be.
+  /// Call it before returning, with the result of Await(). Returns whether the call was sent, and
+  /// so may have been executed; if not, it never will be.
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
     spare_ = awaited_.extract(call);
     assert(!spare_.empty());
     const Awaited& awaited = spare_.mapped();
-    // The thread that Await() has left the record to will find nobody, unless it was there already.
+    // The thread that would free the record no longer finds the call, unless it was there before.
     if (ending == Ending::kStarted && !awaited.has_ended) completions_[awaited.record].Free();
     return awaited.is_sent;
   }
-  /// Of the call with this record, once that is done.
+  /// The answer of the call with this record, once it is done.
   [[nodiscard]] const Bytes& answer(std::size_t record) const { return answers_[record]; }
 
-  // The network thread.
+  // For the network thread.
 
-  /// The number of the posted call with this record, which is to be sent; nothing when its caller
-  /// has left. The lock holds back the caller, who could free the record for another call between
-  /// the two steps.
+  /// Returns the number of the posted call with this record, which is to be sent; nothing if its
+  /// caller has left. The lock keeps the caller from reusing the record between the two steps.
   [[nodiscard]] std::optional<std::uint64_t> Start(std::size_t record) {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return std::nullopt;
     return of_record_[record];
   }
-  /// Instead: the posted call will not be sent.
+  /// Instead of Start(): the posted call will not be sent.
   void Drop(std::size_t record) noexcept {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return;
     Finish(awaited_.at(of_record_[record]), Status::kNotConnected);
   }
-  /// It is being sent: until when its caller waits. Nothing when that has left, or is about to, and
-  /// it must not be.
+  /// Marks the call as sent. Returns until when its caller waits; nothing if that has left or its
+  /// time is over: then the call must not be sent.
   [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -85,13 +84,13 @@ class AwaitedCalls {
     found->second.is_sent = true;
     return found->second.deadline;
   }
-  /// It was not, after all; it may be later.
+  /// Undoes Send(): the call may be sent later.
   void NotSent(std::uint64_t call) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
     if (found != awaited_.end()) found->second.is_sent = false;
   }
-  /// Nor will it be, for this reason.
+  /// The call will not be sent, for this reason.
   void Refuse(std::uint64_t call, Status why) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -100,7 +99,7 @@ class AwaitedCalls {
     Finish(found->second, why);
   }
 
-  /// Any thread: the answer to kWait, or why none will come.
+  /// Any thread: the reply to kWait, or why none will come.
   void End(std::uint64_t call, Result<Bytes> answer) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -114,7 +113,7 @@ class AwaitedCalls {
     std::size_t record = 0;
     SteadyTime deadline{};
     bool is_sent = false;
-    bool has_ended = false;  // the record was finished, which frees it if nobody waits
+    bool has_ended = false;  // the record was finished; that frees it if nobody waits
   };
 
   void Finish(Awaited& awaited, Status status) noexcept {
@@ -126,7 +125,7 @@ class AwaitedCalls {
   Mutex mutex_;
   std::uint64_t last_ = 0;
   std::map<std::uint64_t, Awaited> awaited_;                    // from Enter() to Leave()
-  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // for the next one
+  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // reused for the next call
   std::vector<std::uint64_t> of_record_;
   std::vector<Bytes> answers_;  // by record
 };

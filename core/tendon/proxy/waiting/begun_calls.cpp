@@ -21,7 +21,7 @@ void BegunCalls::Answer(SteadyTime now, SteadyTime& next) {
     ++kept;
   }
   begun_.erase(kept, begun_.end());
-  // Where calls come one after the other, none has to wake the network thread for its first look.
+  // With steady calls, none has to wake the network thread for its first check.
   if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 

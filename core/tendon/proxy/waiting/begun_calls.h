@@ -15,30 +15,29 @@
 
 namespace tendon {
 
-/// Calls from elsewhere that a component here is to execute, and whose ends somebody there waits
-/// for. Nobody waits for them here: the network thread looks, whenever it is told that one has
-/// ended. Not thread-safe.
+/// Calls from other processes that a component here executes and whose callers wait. No thread
+/// waits here: the network thread checks whenever it hears that a call has ended. Not thread-safe.
 class BegunCalls {
  public:
-  /// A call that `command` has begun, which lives until it was answered.
+  /// A call that `command` has begun. `command` lives until the call is answered.
   struct Begun {
     CommandBase* command = nullptr;
     std::size_t call = 0;
     SteadyTime since{};
     SteadyTime deadline{};
-    std::size_t function = 0;  ///< as the owner counts
+    std::size_t function = 0;  ///< the owner's index
     Responder responder;
   };
-  /// Who answers them.
+  /// Sends the answers.
   class Owner {
    public:
     virtual ~Owner() = default;
-    /// Has ended, or will not; with the result where the status is good, which is the owner's now.
+    /// The call has ended, or will not be executed. With a good status the owner may take `result`.
     virtual void OnEnd(Begun& begun, Status status, Bytes& result) = 0;
   };
 
-  /// The network thread may not be told of a call that was begun just when its server stopped: so
-  /// often it looks.
+  /// The network thread may miss a call that was begun just as its server stopped, so it checks
+  /// this often.
   static constexpr std::chrono::milliseconds kNextLook{100};
 
   explicit BegunCalls(Owner& owner) : owner_(owner) {}
@@ -46,14 +45,14 @@ class BegunCalls {
     newest_ = begun.since;
     begun_.push_back(std::move(begun));
   }
-  /// When the network thread must look at a call that is added now, unless it is told before.
+  /// When the network thread must first check a new call, unless it is notified before.
   [[nodiscard]] static SteadyTime FirstLook(const Begun& begun) {
     return std::min(begun.deadline, begun.since + 2 * kNextLook);
   }
-  /// Answers those that have ended or whose time is over, in the order in which they were begun,
-  /// many in a message; brings `next` forward to when the next is.
+  /// Answers the calls that have ended or timed out, in the order in which they were begun, many in
+  /// one message. Lowers `next` to the time of the next check.
   void Answer(SteadyTime now, SteadyTime& next);
-  /// Answers them all, for their connection ends.
+  /// Answers all calls, because their connection ends.
   void GiveUp();
 
  private:
@@ -65,9 +64,9 @@ class BegunCalls {
   Bytes result_;
 };
 
-/// The body of kWait.
+/// Appends the timeout to the body of kWait.
 void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question);
-/// Takes it off again; nothing where there is none.
+/// Removes the timeout and returns it; nothing if it is missing.
 std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question);
 
 }  // namespace tendon

@@ -20,7 +20,7 @@ struct Freed {
   }
 };
 
-/// Objects of the library that are freed with their owners.
+/// Owners of OpenSSL objects.
 template <typename T, auto kFree>
 using Handle = std::unique_ptr<T, Freed<kFree>>;
 
@@ -30,7 +30,7 @@ using RevocationList = Handle<X509_CRL, X509_CRL_free>;
 using Number = Handle<ASN1_INTEGER, ASN1_INTEGER_free>;
 using Time = Handle<ASN1_TIME, ASN1_TIME_free>;
 
-/// For calls that fail for want of memory or by a mistake of ours: throws std::runtime_error.
+/// For calls that fail only without memory or by our own bug: throws std::runtime_error.
 inline void Require(bool succeeded, const char* what) {
   if (!succeeded) throw std::runtime_error(std::string("OpenSSL failed: ") + what);
 }

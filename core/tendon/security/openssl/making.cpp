@@ -25,7 +25,7 @@ Time TimeAt(sys_seconds when) {
   return time;
 }
 
-/// Nobody can guess it, and no two are equal.
+/// Unique, and cannot be guessed.
 Number RandomSerial() {
   constexpr int kBits = 126;
   const Handle<BIGNUM, BN_free> random(BN_new());
@@ -49,7 +49,7 @@ Extension MakeExtension(X509V3_CTX& context, int kind, const std::string& value)
   return made;
 }
 
-/// A certificate in the making: what all have.
+/// A certificate with the fields that all have, not signed yet.
 CertificateHandle Begin(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate(X509_new());
   Require(certificate != nullptr, "a certificate");
@@ -98,7 +98,7 @@ long NextNumber(const X509_CRL* former) {
 
 void AddEntry(X509_CRL& list, Handle<X509_REVOKED, X509_REVOKED_free> entry) {
   Require(entry && X509_CRL_add0_revoked(&list, entry.get()) == 1, "an entry of the CRL");
-  (void)entry.release();  // the list's
+  (void)entry.release();  // now owned by the list
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ CertificateHandle MakeAuthority(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate = Begin(key, not_after);
   X509* made = certificate.get();
   constexpr std::size_t kDigits = 8;
-  // A name of its own, so that two CAs are told apart.
+  // A unique name, so that CAs can be told apart.
   SetEntry(X509_get_subject_name(made), "CN", "Tendon CA " + SerialOf(*made).substr(0, kDigits));
   Require(X509_set_issuer_name(made, X509_get_subject_name(made)) == 1, "an issuer");
   Extend(*made, *made,

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-/// From and to text.
+/// Reading and writing PEM.
 namespace tendon::openssl {
 
-// The first of its kind in a text, or null. A key behind a passphrase is none: nobody is asked.
+// The first object of its kind in a text, or null. A key with a passphrase is not read.
 [[nodiscard]] CertificateHandle ReadCertificate(std::string_view pem);
 [[nodiscard]] Key ReadKey(std::string_view pem);
 [[nodiscard]] RevocationList ReadRevocationList(std::string_view pem);
@@ -20,15 +20,15 @@ namespace tendon::openssl {
 /// Not encrypted; call Wipe() on it.
 [[nodiscard]] std::string PemOf(const EVP_PKEY& key);
 
-/// Leaves no trace of a secret in memory.
+/// Overwrites a secret in memory.
 void Wipe(std::string& secret);
 
-/// The certificate of somebody, as opposed to that of a CA. Its extensions are found out on the
-/// first call, and kept in the object.
+/// Describes a certificate that is not that of a CA. The first call parses its extensions and
+/// stores them in the object.
 Result<Certificate> Describe(X509& certificate);
 
 [[nodiscard]] std::string SerialOf(const X509& certificate);
-/// The epoch for what is no time.
+/// The epoch if `time` is invalid.
 [[nodiscard]] std::chrono::sys_seconds TimeOf(const ASN1_TIME* time);
 
 }  // namespace tendon::openssl

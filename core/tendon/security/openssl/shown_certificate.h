@@ -11,8 +11,8 @@
 
 namespace tendon::openssl {
 
-/// The certificate that this program shows, and its key: those in its files, read again when there
-/// is a renewed one. Thread-safe.
+/// The certificate and key that this program shows. Reads a renewed certificate from the files.
+/// Thread-safe.
 class ShownCertificate {
  public:
   struct Pair {
@@ -29,18 +29,17 @@ class ShownCertificate {
   };
 
  public:
-  /// Errors: those of CheckCertificate(); kNotFound where there is no key. Warns of what soon will
-  /// not be good.
+  /// Errors: those of CheckCertificate(); kNotFound without a key. Logs what will soon be wrong.
   static Result<std::unique_ptr<ShownCertificate>> Read(const Credentials& credentials);
 
-  /// What to show now. A renewed certificate takes the place of the one before as soon as it is
-  /// good, has its key and says the same of its holder; until then it is logged what is wrong with
-  /// it, and nothing changes. Reads a file.
+  /// The current certificate and key. A renewed certificate replaces the old one when it is valid,
+  /// has its key, and has the same name, role and holder. Until then the log says what is wrong,
+  /// and nothing changes. Reads a file.
   [[nodiscard]] std::shared_ptr<const Pair> Now();
 
   [[nodiscard]] const std::filesystem::path& file() const { return credentials_.certificate; }
   [[nodiscard]] const std::filesystem::path& key_file() const { return key_file_; }
-  /// As it was read first. One that takes its place has the same name, role and holder.
+  /// As first read. A renewed certificate has the same name, role and holder.
   [[nodiscard]] const Certificate& certificate() const { return certificate_; }
 
   ShownCertificate(Passkey /*only from Read()*/, Credentials credentials, Loaded loaded);
@@ -53,7 +52,7 @@ class ShownCertificate {
   const Certificate certificate_;
   const std::filesystem::path key_file_;
   std::mutex mutex_;
-  std::string text_;  // of the file that was read
+  std::string text_;  // of the file when it was read
   std::shared_ptr<const Pair> pair_;
   std::string complaint_;  // the last that was logged
 };

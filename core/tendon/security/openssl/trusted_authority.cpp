@@ -5,7 +5,7 @@
 namespace tendon::openssl {
 namespace {
 
-/// Of both files; empty where one cannot be read.
+/// The text of both files; empty if one cannot be read.
 std::string TextOf(const AuthorityFolder& files) {
   const auto certificate = ReadSmallFile(files.certificate());
   const auto revoked = ReadSmallFile(files.revoked());
@@ -18,8 +18,8 @@ Result<TrustedAuthority::Store> TrustedAuthority::Now() {
   const AuthorityFolder files{folder_};
   std::string text = TextOf(files);
   if (auto known = Find(text)) return known;
-  // What is parsed is read after `text`: where the files are just being changed it may be newer,
-  // and the next call will parse them again.
+  // Parses what is read after `text`. If the files change just now, it may be newer than `text`;
+  // then the next call parses it again.
   const auto certificate = ReadAuthority(files);
   if (!certificate) return certificate.error();
   const auto revoked = ReadRevoked(files);

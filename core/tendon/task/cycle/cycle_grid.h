@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The times at which a periodic cycle is due: equal distances on the steady clock, so it does not
-/// drift. One thread.
+/// The due times of a periodic cycle: equally spaced on the steady clock, so that it does not
+/// drift. Used by one thread.
 class CycleGrid {
  public:
   explicit CycleGrid(std::chrono::nanoseconds period) noexcept : period_(period) {}
@@ -19,12 +19,12 @@ class CycleGrid {
   [[nodiscard]] std::chrono::nanoseconds period() const noexcept { return period_; }
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }
 
-  /// A new grid, of which the first time is a period after `now`.
+  /// Starts a new grid, whose first time is one period after `now`.
   void Begin(SteadyTime now) noexcept { due_ = now + period_; }
 
-  /// Goes on to the next time; where that is a whole period ago or more, to the latest on the grid
-  /// that is not after `now`, so that nothing is caught up in a burst. Returns how many were
-  /// skipped.
+  /// Goes on to the next time. If that is a whole period or more in the past, goes on to the latest
+  /// grid time not after `now`, so that missed cycles do not come in a burst. Returns the number of
+  /// skipped times.
   std::uint64_t Next(SteadyTime now) noexcept;
 
  private:
@@ -32,11 +32,11 @@ class CycleGrid {
   SteadyTime due_{};
 };
 
-/// Its argument, or ConfigurationError where that is not 10 µs to 3600 s; `task` is named.
+/// Returns `period`; throws ConfigurationError, which names `task`, if not 10 µs to 3600 s.
 std::chrono::nanoseconds CheckedPeriod(std::chrono::nanoseconds period, const std::string& task);
 
-/// Sleeps until `time`, the last `spin` of it awake; false as soon as `interrupted()`, which a
-/// sleeper notices within 50 ms.
+/// Sleeps until `time`, but spins for the last `spin`. Returns false as soon as `interrupted()`; a
+/// sleeper notices that within 50 ms.
 template <typename Predicate>
 bool SleepUntil(SteadyTime time, std::chrono::nanoseconds spin, Predicate interrupted) {
   constexpr std::chrono::milliseconds kSlice(50);

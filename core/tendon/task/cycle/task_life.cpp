@@ -9,10 +9,10 @@
 namespace tendon {
 namespace {
 
-/// Of who runs after whom, in all tasks: a mutex a task would be locked in one order by one chain
-/// and in the other by the next.
+/// Guards the leaders of all tasks. With one mutex per task, one chain of leaders would lock them
+/// in one order, and another chain in the opposite order.
 std::mutex& LeadersMutex() {
-  static std::mutex& mutex = *new std::mutex;  // a task may end while the program does
+  static std::mutex& mutex = *new std::mutex;  // never freed: a task may end with the program
   return mutex;
 }
 
@@ -47,7 +47,7 @@ void TaskLife::Obey(Task& task) {
   ForEachFollower(task, [](Task& follower) { Obey(follower); });
 }
 
-/// False where one of the author's functions has thrown.
+/// False if one of the author's functions has thrown.
 bool TaskLife::Tell(Task& task, bool (Task::*tell)()) {
   const DeferLogging put_aside(*task.log_);
   task.inbox()->BindToThisThread();
@@ -153,7 +153,7 @@ SteadyTime TaskLife::NextExpiry(Task& task) {
 }
 
 void TaskLife::CallThread(Task& task) {
-  const std::scoped_lock lock(LeadersMutex());  // as long as the leaders are needed
+  const std::scoped_lock lock(LeadersMutex());  // the leaders must not change meanwhile
   Task& root = RootOf(task);
   root.orders_.Set(root.orders_.Get() + 1);
   root.wakeup_.Notify();
@@ -181,7 +181,7 @@ Result<void> TaskLife::RemoveFollower(Task& leader, Task& task, SteadyTime deadl
     SetLeader(task, nullptr);
     return {};
   }
-  // Back to the old one; a cycle that has begun meanwhile may use the other.
+  // Back to the old list; a cycle that has begun meanwhile may use the other one.
   leader.follower_list_.swap(next);
   leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min());
   leader.retired_lists_.push_back(std::move(next));

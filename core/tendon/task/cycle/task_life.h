@@ -6,15 +6,15 @@
 
 namespace tendon {
 
-/// What the thread that makes a task's cycles does between two of them: obeys, for the task and for
-/// those that run after it. Apart from Task, whose authors would see all these names.
+/// The work of the thread that makes a task's cycles between two of them: it obeys orders, for the
+/// task and for those that run after it. Not in Task, whose authors would see all these names.
 class TaskLife {
  public:
-  /// Obeys what has been asked of the task and of those that run after it.
+  /// Obeys the orders given to the task and to those that run after it.
   static void Obey(Task& task);
   /// Ends a task whose leader has ended.
   static void EndWithLeader(Task& task);
-  /// It and those that run after it belong to no thread until the next cycle.
+  /// Until the next cycle, the task and those that run after it belong to no thread.
   static void Unbind(Task& task);
 
   template <typename Action>
@@ -24,21 +24,21 @@ class TaskLife {
     for (Task* follower : *call.get()) action(*follower);
   }
 
-  /// When the next command must be renewed, of the task or of one that runs after it.
+  /// When the next command of the task, or of one that runs after it, must be renewed.
   [[nodiscard]] static SteadyTime NextExpiry(Task& task);
 
-  /// Has the thread that makes the task's cycles obey, whichever it is. Any thread.
+  /// Makes the thread that runs the task's cycles obey, whichever thread that is. Any thread.
   static void CallThread(Task& task);
 
   // For managers.
 
-  /// From the leader's next look at its followers on the task, which is at rest, is one of them.
+  /// Adds `task`, which is at rest. The leader sees it at the next look at its followers.
   static void AddFollower(Task& leader, Task& task);
-  /// kTimeout where a cycle of `leader` that may use the task has not ended by `deadline`: nothing
-  /// has changed then.
+  /// kTimeout if a cycle of `leader` that may use the task has not ended by `deadline`; then
+  /// nothing has changed.
   static Result<void> RemoveFollower(Task& leader, Task& task, SteadyTime deadline);
   static void SetLeader(Task& task, Task* leader);
-  /// The first of those in its thread.
+  /// The first task in its thread.
   static Task& RootOf(Task& task) {
     Task* const leader = task.leader_.Get();
     return leader == nullptr ? task : RootOf(*leader);

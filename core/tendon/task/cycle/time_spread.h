@@ -9,21 +9,21 @@
 
 namespace tendon {
 
-/// Gathers times and says how they are spread. For percentiles it counts them in buckets that
-/// divide each power of two into 16, of fixed memory. Add() takes some nanoseconds, Summary() and
-/// Clear() about a microsecond; nothing allocates. One thread.
+/// Collects times and computes their statistics. For percentiles it counts them in buckets that
+/// divide each power of two into 16, in fixed memory. Add() takes some nanoseconds, Summary() and
+/// Clear() about a microsecond; nothing allocates. Used by one thread.
 class TimeSpread {
  public:
-  /// Negative counts as 0.
+  /// A negative time counts as 0.
   void Add(std::chrono::nanoseconds time) noexcept;
   [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
-  /// All 0 when there is none.
+  /// All 0 if there are no times.
   [[nodiscard]] TimeStatistics Summary() const noexcept;
   void Clear() noexcept { *this = TimeSpread(); }
 
  private:
-  static constexpr unsigned kSubBits = 4;       // 16 buckets a power of two
-  static constexpr unsigned kLongestBits = 42;  // 2^42 ns are 73 minutes; longer ones count so
+  static constexpr unsigned kSubBits = 4;       // 16 buckets per power of two
+  static constexpr unsigned kLongestBits = 42;  // 2^42 ns are 73 minutes; longer times count so
   static constexpr std::size_t kBuckets = (kLongestBits - kSubBits + 1) << kSubBits;
 
   static std::size_t BucketOf(std::uint64_t time) noexcept;
@@ -35,7 +35,7 @@ class TimeSpread {
   std::uint64_t count_ = 0;
   std::uint64_t min_ = 0;
   std::uint64_t max_ = 0;
-  std::uint64_t first_ = 0;  // sums are of differences to it, so that they keep their precision
+  std::uint64_t first_ = 0;  // the sums hold differences to it, to keep their precision
   double sum_ = 0.0;
   double squares_ = 0.0;
   std::array<std::uint32_t, kBuckets> buckets_{};

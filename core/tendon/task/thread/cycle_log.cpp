@@ -16,7 +16,7 @@ namespace {
 template <std::size_t kSize>
 struct FixedText {
   std::size_t size = 0;
-  std::array<char, kSize> bytes;  // not initialised: only `size` of them are looked at
+  std::array<char, kSize> bytes;  // not initialised: only the first `size` are read
 
   void Set(std::string_view text) noexcept {
     constexpr std::string_view kMore = "...";
@@ -40,7 +40,7 @@ struct CycleLog::Record {
 
 std::shared_ptr<CycleLog> CycleLog::OfThisProcess() {
   static std::mutex mutex;
-  static auto& of_this_process = *new std::weak_ptr<CycleLog>;  // for ever, as the log
+  static auto& of_this_process = *new std::weak_ptr<CycleLog>;  // never freed, like the log
   const std::scoped_lock lock(mutex);
   auto log = of_this_process.lock();
   if (!log) of_this_process = log = std::make_shared<CycleLog>();
@@ -48,7 +48,7 @@ std::shared_ptr<CycleLog> CycleLog::OfThisProcess() {
 }
 
 CycleLog::CycleLog() : ring_(kCapacity, sizeof(Record), alignof(Record)) {
-  (void)IsLogged(LogLevel::kError);  // from now on the log is there, and no cycle has to make it
+  (void)IsLogged(LogLevel::kError);  // makes the log now, so that no cycle has to
   thread_ = std::thread([this] { Run(); });
 }
 
@@ -96,14 +96,14 @@ void CycleLog::Run() {
 }
 
 void CycleLog::Drain() {
-  for (std::size_t left = kCapacity; left > 0; --left) {  // one who floods it is not the last word
+  for (std::size_t left = kCapacity; left > 0; --left) {  // a flood must not keep the loop here
     const std::byte* const slot = ring_.Front();
     if (slot == nullptr) return;
     const Record& record = *std::launder(reinterpret_cast<const Record*>(slot));
     try {
       LogDeferred(record.time, record.level, record.source.text(), record.message.text());
     } catch (const std::exception&) {
-      // A sink's own fault: the other records go their way.
+      // An error of a sink must not stop the other records.
     }
     record.share->gone.Add();
     ring_.Release();
@@ -122,7 +122,7 @@ bool CycleLog::TellLost() {
   return true;
 }
 
-/// By a hash of its name (FNV-1a).
+/// Chooses by a hash of the name (FNV-1a).
 CycleLog::Share& CycleLog::ShareOf(std::string_view source) noexcept {
   std::uint32_t hash = 2166136261U;
   for (const char c : source) {

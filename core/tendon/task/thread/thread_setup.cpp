@@ -14,10 +14,10 @@ namespace {
 constexpr std::uint64_t kMostStack = std::uint64_t{4} << 20;
 constexpr std::int32_t kHighestPriority = 99;
 constexpr std::int32_t kHighestProcessor = 1023;
-constexpr std::chrono::milliseconds kMostSlack(100);  // a sleep that is to end now may last so long
+constexpr std::chrono::milliseconds kMostSlack(100);  // a sleep may end this much late
 constexpr std::chrono::seconds kMostSpin(1);
 
-/// What throws where a condition does not hold.
+/// Returns a check that throws if a condition does not hold.
 auto RequireFor(const std::string& task) {
   return [&task](bool is_right, const std::string& sentence) {
     if (!is_right) throw ConfigurationError("thread options of '" + task + "': " + sentence);
@@ -28,7 +28,7 @@ std::string Nanoseconds(std::chrono::nanoseconds time) {
   return std::to_string(time.count()) + " ns";
 }
 
-/// Says the first refusal in the life of the process: more would say the same of other tasks.
+/// Reports the first refusal in the process; the others would say the same of other tasks.
 void WarnOnce(const std::string& task, const std::string& what, const std::string& reason,
               const std::string& remedy) {
   static std::once_flag once;

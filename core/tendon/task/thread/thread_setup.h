@@ -6,13 +6,13 @@
 
 namespace tendon {
 
-/// ConfigurationError that names `task` and the option, where one makes no sense on any machine.
+/// Throws ConfigurationError, naming `task` and the option, if a value is invalid everywhere.
 void CheckThreadRanges(const ThreadOptions& options, const std::string& task);
 
-/// The same, and where one makes no sense on this machine.
+/// The same, and if a value is invalid on this machine.
 void CheckThreadOptions(const ThreadOptions& options, const std::string& task);
 
-/// Makes the calling thread that of `task`: its name and all options but the spinning.
+/// Gives the calling thread the name of `task` and all options except the spinning.
 void SetUpThisThread(const ThreadOptions& options, const std::string& task);
 
 }  // namespace tendon

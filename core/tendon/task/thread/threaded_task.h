@@ -8,42 +8,42 @@
 
 namespace tendon {
 
-/// A task with a thread of its own, unless it runs after another one. Kinds of it implement Loop().
+/// A task with a thread of its own, unless it runs after another one. Its kinds implement Loop().
 class ThreadedTask : public Task {
  public:
-  /// For managers and constructors: how its thread runs from the next start on. ConfigurationError
-  /// where an option is out of range, or names a processor that is not there.
+  /// For managers and constructors: sets how its thread runs from the next start on. Throws
+  /// ConfigurationError if a value is out of range or a processor does not exist.
   void SetThreadOptions(const ThreadOptions& options);
   [[nodiscard]] const ThreadOptions& thread_options() const { return options_; }
 
-  /// For managers: from the next start on it has no thread, but makes a cycle after each one of
-  /// `leader`, in that one's thread. It keeps its state, its tables and its statistics, and starts
-  /// and stops by itself while the leader runs; the leader's rest and end are its own. kFailed
-  /// where it is not at rest, or where the two would wait for each other; kTimeout where a cycle of
-  /// its former leader has not ended by `deadline`: nothing has changed then.
+  /// For managers: from the next start on it has no thread, but makes a cycle after each cycle of
+  /// `leader`, in the leader's thread. It keeps its own state, tables and statistics. It can start
+  /// and stop while the leader runs; when the leader pauses or ends, so does this task. kFailed if
+  /// it is not at rest, or if the two would wait for each other; kTimeout if a cycle of its former
+  /// leader has not ended by `deadline`: then nothing has changed.
   Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
-  /// That of the leader if it has one.
+  /// The leader's period if it has a leader.
   [[nodiscard]] double period() const final;
 
  protected:
   using Task::Task;
   ~ThreadedTask() override;
 
-  /// Makes cycles when they are due, until has_orders(), or until one returns false.
+  /// Makes cycles when they are due, until has_orders() or until a cycle returns false.
   virtual void Loop() = 0;
-  /// As they were at the start.
+  /// The options at the last start.
   [[nodiscard]] const ThreadOptions& options_in_use() const { return options_in_use_; }
-  /// s, in a thread of its own; 0 where its cycles have no period.
+  /// Seconds, in a thread of its own; 0 if its cycles have no period.
   [[nodiscard]] virtual double own_period() const { return 0.0; }
 
   Result<void> Launch() override;
 
-  /// Ends the thread; to be called by the destructor of every class that implements Loop(), for a
-  /// thread must not outlive what it runs.
+  /// Ends the thread. The destructor of every class that implements Loop() must call it, because a
+  /// thread must not outlive the code that it runs.
   void Join();
 
-  /// What its thread runs.
+  /// The function of its thread.
   void MakeCycles();
 
  private:

@@ -4,9 +4,9 @@
 
 namespace tendon::os {
 
-/// How often the calling thread has given up its processor in order to wait: for a lock, a file,
-/// somebody's answer. That it was put aside for another thread does not count, nor that a page of
-/// memory came from the disk. Two calls tell how often in between.
+/// How often the calling thread has given up its processor to wait: for a lock, a file or a reply.
+/// Preemption by another thread and page faults from the disk do not count. The difference of two
+/// calls is the number of waits in between.
 [[nodiscard]] std::int64_t ThreadWaits() noexcept;
 
 }  // namespace tendon::os

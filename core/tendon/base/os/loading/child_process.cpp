@@ -19,7 +19,7 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostOutput = 65536;
 
-/// The child hears every signal, whatever its parent blocks or ignores.
+/// The child receives every signal, whatever its parent blocks or ignores.
 class Attributes {
  public:
   explicit Attributes(int further_flags = 0) {
@@ -43,7 +43,7 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// The command line as the system wants it; lives as long as both.
+/// The command line in the system's form; valid as long as both arguments.
 std::vector<char*> CommandLine(const std::string& program,
                                const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(program.c_str())};
@@ -52,7 +52,7 @@ std::vector<char*> CommandLine(const std::string& program,
   return words;
 }
 
-/// What waitpid() says, without output.
+/// Converts the status of waitpid(), without output.
 ProgramOutcome OutcomeOf(int status) {
   ProgramOutcome outcome;
   if (WIFEXITED(status)) {
@@ -65,7 +65,7 @@ ProgramOutcome OutcomeOf(int status) {
   return outcome;
 }
 
-/// Returns 0 or the reason.
+/// Returns 0 or the error number.
 int Spawn(const std::string& program, const std::vector<std::string>& arguments, int out,
           pid_t& child) {
   const std::vector<char*> words = CommandLine(program, arguments);
@@ -81,7 +81,7 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
   return reason;
 }
 
-/// Reads until the other end is closed; false when that takes too long.
+/// Reads until the other end is closed; false if that takes too long.
 bool ReadAll(int descriptor, SteadyClock::time_point deadline, std::string& out) {
   std::array<char, 4096> part{};
   while (true) {
@@ -173,7 +173,7 @@ void BackgroundProgram::Terminate() { Signal(SIGTERM); }
 
 void BackgroundProgram::Kill() { Signal(SIGKILL); }
 
-/// To nobody else: the number belongs to the child until its end was heard of.
+/// To no other process: the number belongs to the child until waitpid() has reported its end.
 void BackgroundProgram::Signal(int signal) {
   if (!end_) kill(static_cast<pid_t>(pid_), signal);
 }

@@ -14,23 +14,23 @@ namespace tendon::os {
 
 /// How a program ended.
 struct ProgramOutcome {
-  std::string out;               ///< what it wrote to its standard output, at most 64 KiB
-  std::optional<int> exit_code;  ///< nothing where a signal ended it
-  std::string signal;            ///< "SIGSEGV"; "" where it ended by itself
+  std::string out;               ///< its standard output, at most 64 KiB
+  std::optional<int> exit_code;  ///< nothing if a signal ended it
+  std::string signal;            ///< "SIGSEGV"; "" if it ended by itself
 };
 
-/// Runs a program as a process of its own, without input, its errors thrown away, and waits for its
-/// end. Errors: kFailed where it cannot be run, kTimeout where it had to be killed.
+/// Runs a program as a process of its own, without input and without its error output, and waits
+/// for its end. Errors: kFailed if it cannot be run, kTimeout if it had to be killed.
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
                                   std::chrono::milliseconds patience);
 
-/// A program that runs as a process of its own and goes on when this object, or this process, ends.
-/// It has a session of its own, so that what a terminal sends to us does not reach it; no input,
-/// and none of our files. Not thread-safe.
+/// A program that runs as a process of its own, and goes on when this object, or this process,
+/// ends. It has its own session, so signals of our terminal do not reach it. It has no input and
+/// none of our files. Not thread-safe.
 class BackgroundProgram {
  public:
-  /// What it writes goes to `log`, a new file of this user alone. kFailed where it cannot be run.
+  /// Its output goes to `log`, a new file for this user alone. kFailed if it cannot be run.
   static Result<std::unique_ptr<BackgroundProgram>> Start(const std::filesystem::path& program,
                                                           const std::vector<std::string>& arguments,
                                                           const std::filesystem::path& log);
@@ -38,7 +38,7 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   [[nodiscard]] std::int64_t pid() const noexcept { return pid_; }
-  /// How it ended; nothing as long as it runs. Without output.
+  /// Its outcome, without output; nothing while it runs.
   std::optional<ProgramOutcome> Ended();
   /// Asks it to end: SIGTERM.
   void Terminate();

@@ -39,29 +39,29 @@ FileStamp FileStampOf(const struct stat& status) {
           .changed = SinceEpoch(status.st_ctim)};
 }
 
-/// Of what is open; nothing where it is no regular file.
+/// The stamp of an open file; nothing if it is not a regular file.
 std::optional<FileStamp> FileStampOf(int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return FileStampOf(status);
 }
 
-/// Nothing where there is none.
+/// Nothing if there is no such file.
 std::optional<FileStamp> FileStampOf(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return std::nullopt;
   return FileStampOf(status);
 }
 
-/// Whether the file was changed so long ago that the next change has another time: the kernel's
-/// times go on in steps of some milliseconds.
+/// True if the file was changed so long ago that the next change has a different time: the kernel's
+/// times advance in steps of some milliseconds.
 bool IsSettled(const FileStamp& stamp) {
   constexpr std::chrono::milliseconds kLongestStep(100);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::abs(now - std::chrono::nanoseconds(stamp.changed)) > kLongestStep;
 }
 
-/// The hash of the first `size` bytes, or of all where they are fewer: a file that grows as fast as
+/// The hash of the first `size` bytes, or of all if there are fewer: a file that grows as fast as
 /// it is read has no end.
 Result<std::array<std::uint64_t, 2>> ReadBytes(
     int descriptor, std::uint64_t size,

@@ -27,7 +27,7 @@ Error CannotCopy() {
   return {ErrorCode::kFailed, "cannot be copied to be loaded: " + reason.message()};
 }
 
-/// Whether nobody but this user can put a file there, to be executed by us.
+/// True if only this user can put a file there that we execute.
 bool IsOurs(const fs::path& folder) {
   constexpr mode_t kOthers = S_IWGRP | S_IWOTH;
   struct stat status {};
@@ -45,14 +45,14 @@ bool IsMade(const fs::path& folder) {
   return mkdir(folder.c_str(), kOurs) == 0 || errno == EEXIST;
 }
 
-/// "4711-52", where 4711 is this process: processes that cannot see each other may share numbers.
+/// "4711-52": 4711 is this process, but processes that cannot see each other may share it.
 std::string NameOfFolder() {
   constexpr std::uint64_t kFew = 1000;
   return std::to_string(ProcessId()) + "-" + std::to_string(RandomNumber() % kFew);
 }
 
-/// The lock of a folder, which a process holds on its own as long as it lives, whether others can
-/// see the process or not. Null where another one holds it, or the folder is gone.
+/// The lock of a folder, which this process holds alone as long as it lives, even if others cannot
+/// see the process. Null if another process holds it, or the folder is gone.
 std::unique_ptr<Descriptor> Lock(const fs::path& folder) {
   auto lock = std::make_unique<Descriptor>(
       open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
@@ -64,7 +64,7 @@ std::unique_ptr<Descriptor> Lock(const fs::path& folder) {
   return is_there ? std::move(lock) : nullptr;
 }
 
-/// The folder of this process, which is locked and goes with it.
+/// The folder of this process; it is locked, and removed at the end of the process.
 class ProcessFolder {
  public:
   ProcessFolder() {
@@ -80,13 +80,13 @@ class ProcessFolder {
   }
   ProcessFolder(const ProcessFolder&) = delete;
   ProcessFolder& operator=(const ProcessFolder&) = delete;
-  /// A child that was forked shares it with us, and leaves it.
+  /// A forked child shares it with us, and leaves it in place.
   ~ProcessFolder() {
     std::error_code ignored;
     if (!path_.empty() && process_ == ProcessId()) fs::remove_all(path_, ignored);
   }
 
-  /// A new one in it, or an empty path.
+  /// A new folder in it, or an empty path.
   fs::path MakeFolder() {
     const std::scoped_lock lock(mutex_);
     const fs::path made = path_ / std::to_string(++made_);
@@ -94,7 +94,7 @@ class ProcessFolder {
   }
 
  private:
-  /// Not where somebody else took it for one that was left behind before it was locked.
+  /// Does nothing if another process took it for an abandoned folder before it was locked.
   void TakeFolder(const fs::path& folder) {
     if (mkdir(folder.c_str(), S_IRWXU) != 0) return;
     lock_ = Lock(folder);
@@ -157,7 +157,7 @@ void LibraryCopy::Keep(std::unique_ptr<LibraryCopy> copy) {
   kept.push_back(std::move(copy));
 }
 
-/// Null where there is no such folder.
+/// Null if there is no such folder.
 std::unique_ptr<LibraryCopy> LibraryCopy::InFolder(const fs::path& original) {
   constexpr mode_t kOurs = S_IRUSR | S_IXUSR;
   const fs::path folder = OwnFolder().MakeFolder();

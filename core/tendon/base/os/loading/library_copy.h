@@ -9,29 +9,29 @@
 
 namespace tendon::os {
 
-/// The bytes of a shared library in a file of this process alone, to be loaded instead of the one
-/// that they come from: what a linker, `cp` or an installation does to that one changes nothing of
-/// what runs. A mapped file that is overwritten in place would change, or end, who runs it.
+/// A copy of a shared library in a file of this process alone, which is loaded instead of the
+/// original. So a linker, `cp` or an installation may write the original without an effect on
+/// running programs. A mapped file that is overwritten in place would change, or end, a running
+/// program.
 ///
-/// The copy has the name of its original, so that backtraces, debuggers and profilers find it under
-/// a name that says something: NAME.so in a folder of this process below RuntimeFolder(), which
-/// goes when the process ends; what a killed one leaves goes when the next one makes a copy. Where
-/// files of that folder cannot be executed, or it is none of ours, the copy is in memory alone:
-/// /proc/PID/fd/NUMBER.
+/// The copy has the name of its original, so that backtraces, debuggers and profilers show a useful
+/// name: NAME.so in a folder of this process below RuntimeFolder(). The folder is removed when the
+/// process ends; that of a killed process, when the next process makes a copy. If files of that
+/// folder cannot be executed, or it is not ours, the copy is only in memory: /proc/PID/fd/NUMBER.
 class LibraryCopy {
  public:
-  /// The error goes on after "PATH: ".
+  /// The error text continues after "PATH: ".
   static Result<std::unique_ptr<LibraryCopy>> Make(const std::filesystem::path& original);
   LibraryCopy(const LibraryCopy&) = delete;
   LibraryCopy& operator=(const LibraryCopy&) = delete;
-  /// The file goes, unless it is to be kept. What has been loaded of it stays.
+  /// Removes the file unless it is kept. A library loaded from it stays.
   ~LibraryCopy();
 
-  /// To be loaded; other processes of this user can read it, too.
+  /// The file to load; other processes of this user can read it, too.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// What was copied.
+  /// The content that was copied.
   [[nodiscard]] const FileContent& content() const { return content_; }
-  /// Keeps the file as long as this process lives.
+  /// Keeps the file for the life of this process.
   static void Keep(std::unique_ptr<LibraryCopy> copy);
 
  private:
@@ -43,7 +43,7 @@ class LibraryCopy {
 
   Descriptor descriptor_;
   std::filesystem::path path_;
-  std::filesystem::path folder_;  // of this copy alone; empty where it is in memory
+  std::filesystem::path folder_;  // of this copy alone; empty if it is in memory
   FileContent content_;
 };
 

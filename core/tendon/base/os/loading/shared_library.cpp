@@ -40,7 +40,7 @@ std::string MachineName(unsigned machine) {
 
 struct FileHead {
   Header header{};
-  std::size_t size = 0;  // of what could be read of it
+  std::size_t size = 0;  // bytes of it that could be read
 };
 
 FileHead ReadHead(std::ifstream& file) {
@@ -50,7 +50,7 @@ FileHead ReadHead(std::ifstream& file) {
   return head;
 }
 
-/// What a library must be like to fit this program.
+/// The header of this program, which a library must fit.
 const Header& OwnHeader() {
   static const Header header = [] {
     std::ifstream file("/proc/self/exe", std::ios::binary);
@@ -64,7 +64,7 @@ Error Expected(const std::string& found) {
                                   MachineName(OwnHeader().e_machine) + ", found " + found};
 }
 
-/// Where the last part of the file ends that its own header speaks of.
+/// The end of the last part of the file that its own header names.
 std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
   std::uint64_t end = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
   file.seekg(static_cast<std::streamoff>(header.e_phoff));
@@ -77,13 +77,13 @@ std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
       end, header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
 }
 
-/// What a library says of those that it needs.
+/// The libraries that a library needs, and where it looks for them.
 struct Needs {
   std::vector<std::string> names;
   std::string run_path;  // ':' between folders
 };
 
-/// Reads one part of a file of the machine's own kind after the other.
+/// Reads the parts of a file of this machine's own kind.
 class LibraryReader {
  public:
   explicit LibraryReader(const std::filesystem::path& file) : file_(file, std::ios::binary) {
@@ -130,7 +130,7 @@ class LibraryReader {
     std::getline(file_, text, '\0');
     return text;
   }
-  /// Where in the file that is which the loader puts at `address`.
+  /// The place in the file of the data that the loader puts at `address`.
   [[nodiscard]] std::uint64_t OffsetOf(std::uint64_t address) const {
     for (const Segment& one : segments_) {
       const bool is_in = address >= one.p_vaddr && address - one.p_vaddr < one.p_filesz;
@@ -143,7 +143,7 @@ class LibraryReader {
   std::vector<Segment> segments_;
 };
 
-/// The folders of a run path which it gives relative to that of its own file.
+/// The folders of a run path that are relative to the folder of its own file.
 std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& file,
                                                  const std::string& run_path) {
   std::vector<std::filesystem::path> folders;
@@ -158,8 +158,9 @@ std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& fi
   return folders;
 }
 
-/// Loads what a copy of `original` could not find from where it is; the loader knows it by its name
-/// then. What fails here fails again, with a reason, when the copy is loaded.
+/// Loads libraries that a copy of `original` could not find from the place of the original; then
+/// the loader knows them by name. A failure here comes again, with a reason, when the copy is
+/// loaded.
 void LoadNeedsBeside(const std::filesystem::path& original, const std::filesystem::path& copy) {
   const Needs needs = LibraryReader(copy).needs();
   const auto folders = FoldersBeside(original, needs.run_path);
@@ -182,7 +183,7 @@ std::string Readable(const std::string& symbol) {
   return status == 0 ? name.get() : symbol;
 }
 
-/// The loader's own words as ours.
+/// Turns the loader's message into one of ours.
 Error Explained(const std::string& words) {
   constexpr std::string_view kSymbol = "undefined symbol: ";
   constexpr std::string_view kMissing = ": cannot open shared object file";

@@ -12,8 +12,8 @@
 namespace tendon::os {
 namespace {
 
-/// What the signals of a terminal are told through: their numbers, as bytes. Made by the first who
-/// listens, and kept, for a handler may run at any time.
+/// The pipe through which a handler reports the signals of a terminal: their numbers, as bytes. The
+/// first Keyboard makes it; it is kept, because a handler may run at any time.
 std::array<int, 2> signal_pipe = {-1, -1};
 
 constexpr std::array<int, 3> kSignals = {SIGTSTP, SIGCONT, SIGWINCH};
@@ -21,7 +21,7 @@ constexpr std::array<int, 3> kSignals = {SIGTSTP, SIGCONT, SIGWINCH};
 void OnSignal(int signal) {
   const int error = errno;
   const char number = static_cast<char>(signal);
-  const auto written = write(signal_pipe[1], &number, 1);  // a full pipe wakes whoever waits, too
+  const auto written = write(signal_pipe[1], &number, 1);  // a full pipe wakes the reader, too
   static_cast<void>(written);
   errno = error;
 }
@@ -87,7 +87,7 @@ void Keyboard::TakeSignals() noexcept {
   char number = 0;
   while (read(signal_pipe[0], &number, 1) == 1) {
     if (number == SIGTSTP) is_pause_asked_ = true;
-    if (number == SIGCONT) Prepare();  // whoever had the terminal meanwhile may have changed it
+    if (number == SIGCONT) Prepare();  // another program may have changed the terminal
   }
 }
 

@@ -6,9 +6,9 @@
 
 namespace tendon::os {
 
-/// The keys of the terminal at the standard input, each at once and unseen, as long as it lives.
-/// Ctrl-C asks the process to end as ever; Ctrl-Z asks for a Pause(). For one thread, and one at a
-/// time.
+/// While it lives, reads the keys of the terminal at the standard input, each at once and without
+/// an echo. Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). For one thread,
+/// and one object at a time.
 class Keyboard {
  public:
   Keyboard();
@@ -16,13 +16,13 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
   ~Keyboard();
 
-  /// The next letter; nothing where none comes in time, or where there is no terminal. A change of
-  /// the terminal's size, the end of a pause and the wish for one cut the time short.
+  /// The next letter; nothing if none comes in time or there is no terminal. A change of the
+  /// terminal's size, the end of a pause and a request for one end the wait early.
   std::optional<char> NextKey(std::chrono::milliseconds patience) noexcept;
 
-  /// Whether Ctrl-Z was pressed, or somebody else asks for a pause; once.
+  /// True, once, if Ctrl-Z was pressed or a pause was requested in another way.
   [[nodiscard]] bool TakePause() noexcept;
-  /// Stops the process, with the terminal as it was before, until it is told to go on.
+  /// Stops the process, with the terminal as it was before, until it is continued.
   void Pause() noexcept;
 
  private:
@@ -31,12 +31,12 @@ class Keyboard {
   void GiveBack() noexcept;
   void TakeSignals() noexcept;
 
-  std::unique_ptr<Mode> former_;  // of the terminal; null where there is none
+  std::unique_ptr<Mode> former_;  // of the terminal; null if there is none
   bool is_pause_asked_ = false;
 };
 
-/// Whether there is something to read at the standard input, or its end; waits for at most
-/// `patience`, which a signal cuts short.
+/// True if the standard input has data, or has ended. Waits for at most `patience`; a signal ends
+/// the wait early.
 [[nodiscard]] bool KeyWaits(std::chrono::milliseconds patience) noexcept;
 
 }  // namespace tendon::os

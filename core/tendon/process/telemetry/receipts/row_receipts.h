@@ -12,22 +12,21 @@
 
 namespace tendon {
 
-/// By channel: the subscriptions whose viewer has taken the row that it was sent last.
+/// By channel: the subscriptions whose viewer has acknowledged the last row.
 using RowReceipts = std::map<std::shared_ptr<Channel>, std::set<std::uint32_t>>;
 
 [[nodiscard]] bool Includes(const RowReceipts& receipts, const std::shared_ptr<Channel>& channel,
                             std::uint32_t handle);
 
-/// Where receipts wait until rows are gathered again, so that each costs next to nothing.
-/// Thread-safe.
+/// Collects acknowledgements until the next gathering, so that each costs little. Thread-safe.
 class ReceiptBox {
  public:
-  /// That wait of one viewer: twice as many as it has subscriptions, which may just have ended.
+  /// The most that wait for one viewer: twice its subscriptions, some of which may just have ended.
   static constexpr std::size_t kMostOfOneViewer = 4096;
 
-  /// Cuts off a viewer that sends more.
+  /// Cuts off a viewer that exceeds this.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
-  /// Wait-free where there are none.
+  /// Wait-free if there are none.
   [[nodiscard]] RowReceipts TakeAll();
 
  private:
