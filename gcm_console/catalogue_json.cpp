@@ -3,7 +3,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/wall_time.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 
@@ -59,7 +59,7 @@ ordered_json ToJson(const tendon::PluginDescription& plugin) {
 ordered_json ToJson(const tendon::ComponentDescription& component,
                     const tendon::ProcessEntry& process) {
   ordered_json waits = ordered_json::array();
-  for (const tendon::UnmetNeed& need : WaitsOf(process, component)) {
+  for (const tendon::UnsatisfiedInterface& need : WaitsOf(process, component)) {
     waits.push_back({{"required", need.interface}, {"reason", need.reason}});
   }
   ordered_json tables = ordered_json::array();

@@ -46,10 +46,10 @@ CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
   if (!is_typed) return nullptr;
   return [&streams, session](WordKind kind, const std::string& typed) {
-    const tendon::Catalog catalog = session->catalog();
+    const tendon::Catalogue catalogue = session->catalogue();
     const std::string at = session->settings().at;
-    const std::string path = PathFrom(catalog, at, typed);
-    std::string whole = WholePath(catalog, kind, path);
+    const std::string path = PathFrom(catalogue, at, typed);
+    std::string whole = WholePath(catalogue, kind, path);
     if (whole != ResolvedPath(at, typed)) {
       streams.err << "gcm: " << Plain(typed) << " is " << (at.empty() ? "" : "/") << Plain(whole)
                   << '\n';

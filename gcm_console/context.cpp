@@ -54,17 +54,17 @@ tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmLi
   auto client =
       is_shared ? session_->Client() : OpenClient(settings_, "gcm " + verb_, std::move(listener));
   if (!client) return client.error();
-  std::optional<tendon::os::TerminationLetThrough> impatient;
+  std::optional<tendon::os::TerminationUnblockScope> impatient;
   if (session_ == nullptr) impatient.emplace();
   if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching.error();
   client_ = *std::move(client);
   if (settings_.remarks == Remarks::kMore) {
     const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(
         std::chrono::steady_clock::now() - begin);
-    const tendon::Catalog catalog = client_->catalog();
+    const tendon::Catalogue catalogue = client_->catalogue();
     err() << "gcm: GCM at " << Plain(settings_.gcm) << " answered within " << passed.count()
-          << " ms: " << tendon::Counted(catalog.processes().size(), "process", "processes")
-          << ", revision " << catalog.revision() << '\n';
+          << " ms: " << tendon::Counted(catalogue.processes().size(), "process", "processes")
+          << ", revision " << catalogue.revision() << '\n';
   }
   return client_.get();
 }

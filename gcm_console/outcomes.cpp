@@ -8,7 +8,7 @@
 
 namespace console {
 
-void PrintOutcomes(const Context& context, const Doing& doing,
+void PrintOutcomes(const Context& context, const VerbForms& doing,
                    const std::vector<Outcome>& outcomes) {
   if (context.settings().json) {
     auto results = nlohmann::ordered_json::array();

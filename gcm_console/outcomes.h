@@ -16,14 +16,14 @@ struct Outcome {
   tendon::Result<void> result;
 };
 
-struct Doing {
+struct VerbForms {
   std::string_view verb;        ///< "stop"
   std::string_view participle;  ///< "stopped"
   bool is_dry = false;          ///< a dry run: nothing is really done
 };
 
 /// Prints one line per thing, and failures to the messages; as JSON one document.
-void PrintOutcomes(const Context& context, const Doing& doing,
+void PrintOutcomes(const Context& context, const VerbForms& doing,
                    const std::vector<Outcome>& outcomes);
 
 /// The exit code of the first failure; kPartial if some things succeeded.

@@ -51,7 +51,7 @@ Result<void> FindMember(const tendon::Path& path, Place& place) {
 
 }  // namespace
 
-Result<Place> FindPlace(const tendon::Catalog& catalog, const std::string& text) {
+Result<Place> FindPlace(const tendon::Catalogue& catalogue, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
   if (!path->field.empty()) {
@@ -59,11 +59,11 @@ Result<Place> FindPlace(const tendon::Catalog& catalog, const std::string& text)
                  "'" + text + "' names a part of a value; read it with: gcm get " + text};
   }
   Place place;
-  const auto process = LookUpProcess(catalog, path->process);
+  const auto process = LookUpProcess(catalogue, path->process);
   if (!process) return process.error();
   place.process = *process;
   if (path->component.empty()) return place;
-  const auto component = LookUpComponent(catalog, path->process, path->component);
+  const auto component = LookUpComponent(catalogue, path->process, path->component);
   if (!component) return component.error();
   place.component = *component;
   if (path->interface.empty()) return place;

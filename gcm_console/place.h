@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <string>
 
@@ -20,7 +20,7 @@ struct Place {
 
 /// Finds "process/component/interface.member" or the beginning of such a path. kNotFound suggests
 /// similar names; kInvalid if the path goes on into a value.
-tendon::Result<Place> FindPlace(const tendon::Catalog& catalog, const std::string& path);
+tendon::Result<Place> FindPlace(const tendon::Catalogue& catalogue, const std::string& path);
 
 /// "arm.LinkId -> geometry_msgs.Pose", "double[7]"; empty without argument and result.
 std::string TypesOf(const tendon::MemberDescription& member);

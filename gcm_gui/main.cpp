@@ -19,7 +19,7 @@
 #include <program/lcm_launch.h>
 #include <program/network_options.h>
 #include <tendon/base/os/process.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -80,7 +80,7 @@ bool HasDisplay() {
 }
 
 /// Restores the last layout and saves changes from now on.
-void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
+void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kept) {
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
   const auto columns = QStringLiteral("catalogueColumns");
@@ -109,7 +109,7 @@ QString DemoFile() {
 }
 
 /// Starts the tour for a first-time user, only once.
-void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::KeptValues& kept) {
+void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kept) {
   const auto seen = QStringLiteral("shownAround");
   if (!kept.value(seen).isEmpty()) return;
   window.tour().start();
@@ -128,7 +128,7 @@ QStringList GcmCommand(const Options& options) {
 }
 
 int Run(const Options& options) {
-  std::optional<tendon::NoMoreOpening> end;  // outlives everything that opens links
+  std::optional<tendon::ConnectCancellation> end;  // outlives everything that opens links
   const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
 
@@ -158,7 +158,7 @@ int Run(const Options& options) {
   parts.gcm = GcmCommand(options);
   parts.demo = DemoFile();
   if (options.read_only) parts.read_only = tendon::gui::Words::tr(kReadOnly);
-  tendon::gui::KeptValues values(parts.kept + QStringLiteral("/window.json"));
+  tendon::gui::SavedSettings values(parts.kept + QStringLiteral("/window.json"));
   tendon::gui::MainWindow window(parts);
   if (!options.describe_ui.empty()) {
     new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));

@@ -5,10 +5,10 @@
 #include <tendon/base/os/termination.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/system/leaders.h>
-#include <tendon/manager/bring_to.h>
 #include <tendon/manager/component_loader.h>
-#include <tendon/manager/unmet_need.h>
-#include <tendon/process/membership/own_address.h>
+#include <tendon/manager/transition_to.h>
+#include <tendon/manager/unsatisfied_interface.h>
+#include <tendon/process/membership/advertised_address.h>
 #include <tendon/task/thread/threaded_task.h>
 
 #include <algorithm>
@@ -200,10 +200,10 @@ Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& compo
   while (true) {
     const auto all = process.components();
     const auto* description = tendon::FindNamed(all, component);
-    const auto needs = description == nullptr ? std::vector<tendon::UnmetNeed>()
+    const auto needs = description == nullptr ? std::vector<tendon::UnsatisfiedInterface>()
                                               : UnmetNeedsOf(*description, process.connections());
     const bool may_come =
-        !needs.empty() && std::ranges::all_of(needs, &tendon::UnmetNeed::has_connection);
+        !needs.empty() && std::ranges::all_of(needs, &tendon::UnsatisfiedInterface::has_connection);
     const bool is_over = !may_come || std::chrono::steady_clock::now() >= deadline;
     if (is_over) {
       const auto met = CheckNeeds(component, needs);
@@ -220,7 +220,7 @@ Result<Told> BringToState(const Share& share, tendon::Process& process,
     const auto told = AwaitNeeds(process, component, options);
     if (!told || *told == Told::kEnd) return told;
   }
-  const auto begun = BringTo(process, component, state);
+  const auto begun = TransitionTo(process, component, state);
   return begun ? Result<Told>(Told::kGoOn) : begun.error();
 }
 

@@ -3,7 +3,7 @@
 #include <program/network_options.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
-#include <tendon/process/program_messages.h>
+#include <tendon/process/version_messages.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>

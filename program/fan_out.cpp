@@ -1,7 +1,7 @@
 #include <program/fan_out.h>
 
 #ifdef TENDON_WITH_ICE
-#include <tendon/ice/fan_out/broker.h>
+#include <tendon/ice/broadcast/broker.h>
 #endif
 
 namespace program {

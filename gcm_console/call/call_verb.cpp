@@ -33,7 +33,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   if (!client) return client.error();
   const auto path = tendon::ParsePath(words.path);
   if (!path) return path.error();
-  const auto command = LookUpCommand((*client)->catalog(), *path);
+  const auto command = LookUpCommand((*client)->catalogue(), *path);
   if (!command || !TakesArgument(command->signature)) return words.argument.front();
   const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& asked, auto handler) {
     asked.GetSchema(path->process, command->signature.in, std::move(handler));
@@ -49,10 +49,10 @@ Result<void> CheckCall(Context& context, const std::string& text, const std::str
   if (!path) return path.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const tendon::Catalog catalog = (*client)->catalog();
-  const auto command = LookUpCommand(catalog, *path);
+  const tendon::Catalogue catalogue = (*client)->catalogue();
+  const auto command = LookUpCommand(catalogue, *path);
   if (!command) return command.error();
-  const auto present = RequirePresent(catalog.FindProcess(path->process)->process);
+  const auto present = RequirePresent(catalogue.FindProcess(path->process)->process);
   if (!present) return present;
   const bool is_given = !argument.empty() && argument != "null";
   if (!TakesArgument(command->signature)) {

@@ -25,20 +25,21 @@ bool IsIn(const std::set<std::string>& paths, std::string path) {
 
 bool IsGlob(const std::string& path) { return path.find('*') != path.npos; }
 
-Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalog& catalog, const std::string& glob) {
-  auto things = ThingsIn(catalog);
+Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalogue& catalogue,
+                                         const std::string& glob) {
+  auto things = ThingsIn(catalogue);
   std::erase_if(things, [&](const Thing& one) { return !tendon::MatchesGlob(glob, one.path); });
   if (!things.empty()) return things;
   return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists what there is"};
 }
 
-Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalog& catalog,
+Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& catalogue,
                                                     const std::string& glob) {
-  const auto fitting = ThingsThatFit(catalog, glob);
+  const auto fitting = ThingsThatFit(catalogue, glob);
   if (!fitting) return fitting;
   std::set<std::string> paths;
   for (const Thing& one : *fitting) paths.insert(one.path);
-  auto things = ThingsIn(catalog);
+  auto things = ThingsIn(catalogue);
   std::erase_if(things, [&](const Thing& one) { return !IsIn(paths, one.path); });
   return things;
 }

@@ -12,11 +12,11 @@ namespace console {
 [[nodiscard]] bool IsGlob(const std::string& path);
 
 /// All things that the glob matches, in the catalogue's order; kNotFound if there are none.
-tendon::Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalog& catalog,
+tendon::Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalogue& catalogue,
                                                  const std::string& glob);
 
 /// The same, with everything inside those things.
-tendon::Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalog& catalog,
+tendon::Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& catalogue,
                                                             const std::string& glob);
 
 /// The error for a verb that takes one path and got a glob: says how to list the matches.

@@ -17,17 +17,17 @@ using tendon::ErrorCode;
 using tendon::Result;
 
 /// The columns of an existing table, or the reason why the path names none.
-Result<std::vector<std::string>> ColumnsOf(const tendon::Catalog& catalog,
+Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
                                            const tendon::Path& path) {
   const std::string text = ToString(path);
-  if (auto process = LookUpProcess(catalog, path.process); !process) return process.error();
+  if (auto process = LookUpProcess(catalogue, path.process); !process) return process.error();
   if (path.component.empty()) {
     return Error{ErrorCode::kInvalid, "'" + text +
                                           "' is a process: name a column of a component's "
                                           "state table, such as " +
                                           text + "/arm/state.Joints"};
   }
-  const auto component = LookUpComponent(catalog, path.process, path.component);
+  const auto component = LookUpComponent(catalogue, path.process, path.component);
   if (!component) return component.error();
   if (!IsTable(path.interface)) {
     std::vector<std::string> tables;
@@ -38,7 +38,7 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalog& catalog,
                                            path.process + "/" + path.component + "/state" +
                                            tendon::DidYouMean(path.interface, tables)};
   }
-  const auto provided = LookUpProvided(catalog, path.interface_name());
+  const auto provided = LookUpProvided(catalogue, path.interface_name());
   if (!provided) return provided.error();
   std::vector<std::string> columns;
   for (const auto& command : (*provided)->commands) columns.push_back(command.name);
@@ -70,7 +70,7 @@ std::pair<std::string, std::string> SplitField(const std::string& pattern) {
 }
 
 /// The paths that match a glob, in the catalogue's order.
-Result<std::vector<std::string>> Expand(const tendon::Catalog& catalog,
+Result<std::vector<std::string>> Expand(const tendon::Catalogue& catalogue,
                                         const std::string& pattern) {
   const auto [glob, field] = SplitField(pattern);
   if (field.find('*') != field.npos) {
@@ -80,7 +80,7 @@ Result<std::vector<std::string>> Expand(const tendon::Catalog& catalog,
                                           glob};
   }
   std::vector<std::string> paths;
-  for (const auto& [process, entry] : catalog.processes()) {
+  for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {
       for (const auto& provided : description.provided) {
         if (!IsTable(provided.name)) continue;
@@ -156,17 +156,17 @@ bool IsTable(const std::string& interface) {
   return interface == "state" || interface.starts_with("state-");
 }
 
-Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
+Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
                                     const std::vector<std::string>& patterns) {
   ColumnChoice choice;
   for (const std::string& pattern : patterns) {
     const bool is_glob = pattern.find('*') != std::string::npos;
-    const auto texts = is_glob ? Expand(catalog, pattern) : std::vector<std::string>{pattern};
+    const auto texts = is_glob ? Expand(catalogue, pattern) : std::vector<std::string>{pattern};
     if (!texts) return texts.error();
     for (const std::string& text : *texts) {
       const auto path = tendon::ParsePath(text);
       if (!path) return path.error();
-      const auto known = ColumnsOf(catalog, *path);
+      const auto known = ColumnsOf(catalogue, *path);
       if (!known) return known.error();
       if (auto good = CheckColumn(*path, *known); !good) return good.error();
       Add(*path, is_glob, choice);
@@ -175,24 +175,25 @@ Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
   return choice;
 }
 
-Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,
+Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
                                              const std::string& text) {
   auto path = tendon::ParsePath(text);
   if (!path) return path.error();
-  const auto columns = ColumnsOf(catalog, *path);
+  const auto columns = ColumnsOf(catalogue, *path);
   if (!columns) return columns.error();
   if (path->member.empty()) path->member = columns->front();
   if (auto good = CheckColumn(*path, *columns); !good) return good.error();
   return tendon::TableSubscription{path->process, path->component, path->interface, {path->member}};
 }
 
-std::optional<OldValues> OldValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
+std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
   constexpr std::chrono::milliseconds kPatience(500);
-  const tendon::Catalog catalog = client.catalog();
-  OldValues old{
-      path.process + "/" + path.component, StandstillOf(catalog, path.process, path.component), {}};
+  const tendon::Catalogue catalogue = client.catalogue();
+  StaleValues old{path.process + "/" + path.component,
+                  StandstillOf(catalogue, path.process, path.component),
+                  {}};
   if (old.why == tendon::Standstill::kNone) return std::nullopt;
-  const auto* component = catalog.FindComponent(path.process, path.component);
+  const auto* component = catalogue.FindComponent(path.process, path.component);
   const bool has_rows = component != nullptr && !component->tables.empty() &&
                         old.why != tendon::Standstill::kNotStarted;
   if (!has_rows) return old;
@@ -211,7 +212,7 @@ std::optional<OldValues> OldValuesOf(tendon::GcmClient& client, const tendon::Pa
   return IsOld(old.why, old.age, 0) ? std::optional(old) : std::nullopt;
 }
 
-std::string ToText(const OldValues& values) {
+std::string ToText(const StaleValues& values) {
   std::string text = values.component + " is " + std::string(ToString(values.why));
   if (values.why == tendon::Standstill::kNoAnswer) text = values.component + " gives no answer";
   return values.age ? text + ": " + tendon::AgeText(*values.age) + " old" : text;

@@ -31,15 +31,15 @@ struct ColumnChoice {
 
 /// The columns that `patterns` name, in that order. A pattern may contain `*` and `**` and may go
 /// on into a part of a column. Errors name what is missing and, for a table, the columns it has.
-tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalog& catalog,
+tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
                                             const std::vector<std::string>& patterns);
 
 /// Subscribes to a table by its path (first column) or by the path of a column (that column).
-tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalog& catalog,
+tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
                                                      const std::string& path);
 
 /// Says that the values of a component are old, and how old if known.
-struct OldValues {
+struct StaleValues {
   std::string component;  ///< "robot/arm"
   tendon::Standstill why = tendon::Standstill::kNone;
   std::optional<std::chrono::nanoseconds> age;
@@ -48,10 +48,10 @@ struct OldValues {
 /// The age of the values of the component that `path` belongs to; nothing while it runs. Measures
 /// the newest row of the table, or of the component's first table if the path names none. Waits for
 /// that row up to half a second, unless the component was not started.
-[[nodiscard]] std::optional<OldValues> OldValuesOf(tendon::GcmClient& client,
-                                                   const tendon::Path& path);
+[[nodiscard]] std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client,
+                                                     const tendon::Path& path);
 
 /// "robot/arm is suspended: 12 s old".
-[[nodiscard]] std::string ToText(const OldValues& values);
+[[nodiscard]] std::string ToText(const StaleValues& values);
 
 }  // namespace console

@@ -1,7 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/catalogue/things.h>
 #include <gcm_console/place.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 namespace console {
 namespace {
 
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::InterfaceName;
 
 /// The clients of each provided interface, collected once so that long lists stay fast.
@@ -34,14 +34,15 @@ std::string DetailOf(const tendon::ProcessEntry& entry,
 
 class Walk {
  public:
-  Walk(const Catalog& catalog, const std::string& below) : catalog_(catalog), below_(below) {
-    for (const auto& connection : catalog.connections()) {
+  Walk(const Catalogue& catalogue, const std::string& below)
+      : catalogue_(catalogue), below_(below) {
+    for (const auto& connection : catalogue.connections()) {
       users_[connection.provided].push_back(connection.required);
     }
   }
 
   void Go() {
-    for (const auto& [name, entry] : catalog_.processes()) {
+    for (const auto& [name, entry] : catalogue_.processes()) {
       host_ = entry.process.host;
       Add(name, "process", "", std::string(ToString(entry.process.state)), entry.process.reason);
       for (const auto& [component, description] : entry.components) Go(entry, description);
@@ -64,10 +65,10 @@ class Walk {
     }
     for (const auto& one : component.required) {
       const InterfaceName name(process, component.name, one.name);
-      const auto* connection = catalog_.FindConnection(name);
+      const auto* connection = catalogue_.FindConnection(name);
       Add(ToString(name), "required interface", "",
           connection == nullptr ? "" : std::string(ToString(connection->state)),
-          ProviderOf(catalog_, name));
+          ProviderOf(catalogue_, name));
       AddMembers(name, "function", one.functions);
       AddMembers(name, "event handler", one.event_handlers);
     }
@@ -91,7 +92,7 @@ class Walk {
                        .host = host_});
   }
 
-  const Catalog& catalog_;
+  const Catalogue& catalogue_;
   const std::string below_;
   Users users_;
   std::string host_;
@@ -100,8 +101,8 @@ class Walk {
 
 }  // namespace
 
-std::vector<Thing> ThingsIn(const Catalog& catalog, const std::string& path) {
-  Walk walk(catalog, path);
+std::vector<Thing> ThingsIn(const Catalogue& catalogue, const std::string& path) {
+  Walk walk(catalogue, path);
   walk.Go();
   return walk.Take();
 }
@@ -134,8 +135,8 @@ int DepthOf(const std::string& path) {
          }));
 }
 
-std::string ProviderOf(const Catalog& catalog, const InterfaceName& required) {
-  const auto* connection = catalog.FindConnection(required);
+std::string ProviderOf(const Catalogue& catalogue, const InterfaceName& required) {
+  const auto* connection = catalogue.FindConnection(required);
   if (connection == nullptr) return "not connected";
   const std::string provider = "-> " + ToString(connection->provided);
   if (connection->state == tendon::ConnectionState::kActive) return provider;
@@ -143,9 +144,9 @@ std::string ProviderOf(const Catalog& catalog, const InterfaceName& required) {
          ")";
 }
 
-std::string UsersOf(const Catalog& catalog, const InterfaceName& provided) {
+std::string UsersOf(const Catalogue& catalogue, const InterfaceName& provided) {
   std::vector<InterfaceName> users;
-  for (const auto& connection : catalog.connections()) {
+  for (const auto& connection : catalogue.connections()) {
     if (connection.provided == provided) users.push_back(connection.required);
   }
   return TextOf(users);

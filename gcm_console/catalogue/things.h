@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/context.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <string>
 #include <string_view>
@@ -37,7 +37,7 @@ inline constexpr Noun kNouns[] = {{"process", "proc"},
                                   {"column", "state"}};
 
 /// All things, parents before their children; only those below `path` unless it is empty.
-std::vector<Thing> ThingsIn(const tendon::Catalog& catalog, const std::string& path = "");
+std::vector<Thing> ThingsIn(const tendon::Catalogue& catalogue, const std::string& path = "");
 
 /// Prints a table, or one JSON document.
 void PrintThings(Context& context, const std::vector<Thing>& things);
@@ -46,10 +46,10 @@ void PrintThings(Context& context, const std::vector<Thing>& things);
 [[nodiscard]] int DepthOf(const std::string& path);
 
 /// The peer of a required interface: "-> robot/arm/Control", "not connected".
-[[nodiscard]] std::string ProviderOf(const tendon::Catalog& catalog,
+[[nodiscard]] std::string ProviderOf(const tendon::Catalogue& catalogue,
                                      const tendon::InterfaceName& required);
 /// The clients of a provided interface: "<- desk/supervisor/Robot and 2 more".
-[[nodiscard]] std::string UsersOf(const tendon::Catalog& catalog,
+[[nodiscard]] std::string UsersOf(const tendon::Catalogue& catalogue,
                                   const tendon::InterfaceName& provided);
 
 }  // namespace console

@@ -45,7 +45,7 @@ Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
 
 class Collector {
  public:
-  Collector(std::string word, const AskSystem& system, std::string at)
+  Collector(std::string word, const SystemQueries& system, std::string at)
       : word_(std::move(word)), system_(system), at_(std::move(at)) {}
 
   /// Adds a complete word.
@@ -96,21 +96,22 @@ class Collector {
       prefix += std::count(prefix.begin(), prefix.end(), '/') == 2 ? "." : "/";
     }
     if (word_.ends_with("..")) return;
-    for (const std::string& path : PathsOf(system_.catalog(), kind, prefix)) {
+    for (const std::string& path : PathsOf(system_.catalogue(), kind, prefix)) {
       const bool goes_on = path.ends_with('/') || path.ends_with('.');
       found_.candidates.push_back({word_ + path.substr(prefix.size()) + (goes_on ? "" : " "), ""});
     }
   }
 
   const std::string word_;
-  const AskSystem& system_;
+  const SystemQueries& system_;
   const std::string at_;
   Completion found_;
 };
 
 /// Completes the value of "--color=", of which `value` is typed.
 Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
-                        const Standing& standing, const AskSystem& system, const std::string& at) {
+                        const Standing& standing, const SystemQueries& system,
+                        const std::string& at) {
   const auto* option = FindOption(gcm, *standing.page, begin.substr(0, begin.size() - 1));
   if (option == nullptr) return {};
   Collector collector(value, system, at);
@@ -122,8 +123,8 @@ Completion ValuesBehind(const std::string& begin, const std::string& value, cons
 
 }  // namespace
 
-Completion Complete(const Page& gcm, const std::vector<std::string>& words, const AskSystem& system,
-                    const std::string& at) {
+Completion Complete(const Page& gcm, const std::vector<std::string>& words,
+                    const SystemQueries& system, const std::string& at) {
   const std::string word = words.empty() ? "" : words.back();
   const Standing standing = StandingOf(gcm, words);
   if (const auto equals = word.find('=');

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/help/page.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <functional>
 #include <string>
@@ -23,8 +23,8 @@ struct Completion {
 };
 
 /// The sources of words from the live system. Each is called only if needed.
-struct AskSystem {
-  std::function<tendon::Catalog()> catalog;
+struct SystemQueries {
+  std::function<tendon::Catalogue()> catalogue;
   /// The words of a kind that is not a path. `before` holds the verb's earlier arguments, with
   /// complete paths.
   std::function<std::vector<std::string>(WordKind kind, const std::vector<std::string>& before)>
@@ -33,12 +33,12 @@ struct AskSystem {
 
 /// Completes the last of `words`, which may be empty. `gcm` is the page of the whole program;
 /// relative paths begin at `at`.
-Completion Complete(const Page& gcm, const std::vector<std::string>& words, const AskSystem& system,
-                    const std::string& at = "");
+Completion Complete(const Page& gcm, const std::vector<std::string>& words,
+                    const SystemQueries& system, const std::string& at = "");
 
 /// All paths of this kind, in order. Of their parents, only those one name longer than `prefix`:
 /// "robot/arm/" for "robot/a".
-std::vector<std::string> PathsOf(const tendon::Catalog& catalog, WordKind kind,
+std::vector<std::string> PathsOf(const tendon::Catalogue& catalogue, WordKind kind,
                                  const std::string& prefix);
 
 }  // namespace console

@@ -112,10 +112,10 @@ int PrintCompletions(const std::vector<std::string>& words, const Streams& strea
   const std::vector<std::string> typed(words.begin() + 1, words.end());
   const Completion found =
       Complete(CommandLine({}).page(), typed,
-               {.catalog =
+               {.catalogue =
                     [&typed] {
                       const auto client = ClientFor(typed);
-                      return client ? client->catalog() : tendon::Catalog();
+                      return client ? client->catalogue() : tendon::Catalogue();
                     },
                 .words =
                     [&typed](WordKind kind, const std::vector<std::string>& before) {

@@ -97,15 +97,15 @@ std::vector<std::string> LiveWords::Of(GcmClient& client, WordKind kind,
 }
 
 const Classes* LiveWords::ClassesOf(GcmClient& client, const std::string& process) {
-  const std::uint64_t instance = InstanceOf(client.catalog(), process);
+  const std::uint64_t instance = InstanceOf(client.catalogue(), process);
   return Ask(classes_[process], instance, deadline_,
              [&](auto handler) { client.GetClasses(process, std::move(handler)); });
 }
 
 std::vector<std::string> LiveWords::OfAllProcesses(GcmClient& client, WordKind kind) {
   std::set<std::string> all;
-  const tendon::Catalog catalog = client.catalog();
-  for (const auto& [name, entry] : catalog.processes()) {
+  const tendon::Catalogue catalogue = client.catalogue();
+  for (const auto& [name, entry] : catalogue.processes()) {
     const Classes* known = IsPresent(entry.process) ? ClassesOf(client, name) : nullptr;
     if (known == nullptr) continue;
     if (kind == WordKind::kPlugIn) all.insert(known->plugins.begin(), known->plugins.end());
@@ -120,8 +120,8 @@ std::vector<std::string> LiveWords::OfComponent(GcmClient& client, WordKind kind
   if (before.empty()) return {};
   const auto path = tendon::ParsePath(before[0]);
   if (!path || path->component.empty()) return {};
-  const tendon::Catalog catalog = client.catalog();
-  const auto component = LookUpComponent(catalog, path->process, path->component);
+  const tendon::Catalogue catalogue = client.catalogue();
+  const auto component = LookUpComponent(catalogue, path->process, path->component);
   if (!component) return {};
   const Classes* known = ClassesOf(client, path->process);
   const ClassDescription* of = known == nullptr ? nullptr : FindClass(*known, **component);
@@ -142,12 +142,12 @@ std::vector<std::string> LiveWords::OfCommand(GcmClient& client,
   if (before.empty()) return {};
   const auto path = tendon::ParsePath(before[0]);
   if (!path) return {};
-  const tendon::Catalog catalog = client.catalog();
-  const auto command = LookUpCommand(catalog, *path);
+  const tendon::Catalogue catalogue = client.catalogue();
+  const auto command = LookUpCommand(catalogue, *path);
   if (!command || !TakesArgument(command->signature)) return {};
   const tendon::Fingerprint type = command->signature.in;
   const Schema* schema =
-      Ask(schemas_[type], InstanceOf(catalog, path->process), deadline_,
+      Ask(schemas_[type], InstanceOf(catalogue, path->process), deadline_,
           [&](auto handler) { client.GetSchema(path->process, type, std::move(handler)); });
   if (schema == nullptr) return {};
   return WordsBehind(*schema, {before.begin() + 1, before.end()});

@@ -69,10 +69,10 @@ void AddComponent(const std::string& path, const tendon::ComponentDescription& c
 
 }  // namespace
 
-std::vector<std::string> PathsOf(const tendon::Catalog& catalog, WordKind kind,
+std::vector<std::string> PathsOf(const tendon::Catalogue& catalogue, WordKind kind,
                                  const std::string& prefix) {
   Steps steps(prefix);
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     if (!steps.Leads(name)) continue;
     if (kind == WordKind::kProcess || kind == WordKind::kPath) steps.Add(name);
     if (kind == WordKind::kProcess) continue;

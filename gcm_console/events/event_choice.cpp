@@ -18,12 +18,12 @@ bool FitsAny(const std::vector<std::string>& patterns, const std::string& text) 
 }
 
 /// The reason why a pattern matches no event.
-Error Misfit(const tendon::Catalog& catalog, const std::string& pattern) {
+Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
   if (pattern.find('*') != std::string::npos) {
     return {ErrorCode::kNotFound,
             "no event fits '" + pattern + "'; list them with: gcm ls -R --type event"};
   }
-  const auto place = FindPlace(catalog, pattern);
+  const auto place = FindPlace(catalogue, pattern);
   if (!place) return place.error();
   if (place->member != nullptr) {
     return {ErrorCode::kInvalid, "'" + pattern + "' is a " + place->noun + ", not an event"};
@@ -42,10 +42,10 @@ Error Misfit(const tendon::Catalog& catalog, const std::string& pattern) {
 
 }  // namespace
 
-std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalog& catalog,
+std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalogue& catalogue,
                                                      const std::vector<std::string>& patterns) {
   std::vector<tendon::EventSubscription> all;
-  for (const auto& [process, entry] : catalog.processes()) {
+  for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {
       for (const auto& provided : description.provided) {
         tendon::EventSubscription one{.provided = {process, component, provided.name},
@@ -63,10 +63,10 @@ std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalog& cata
   return all;
 }
 
-Result<void> CheckEventPatterns(const tendon::Catalog& catalog,
+Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
                                 const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns) {
-    if (EventsThatFit(catalog, {pattern}).empty()) return Misfit(catalog, pattern);
+    if (EventsThatFit(catalogue, {pattern}).empty()) return Misfit(catalogue, pattern);
   }
   return {};
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/event_sink.h>
 
 #include <string>
@@ -11,12 +11,12 @@ namespace console {
 
 /// The events that match any of `patterns`, in the catalogue's order, grouped by interface. A
 /// pattern names an interface or an event and may contain `*` and `**`.
-std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalog& catalog,
+std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalogue& catalogue,
                                                      const std::vector<std::string>& patterns);
 
 /// Fails if a pattern matches no event: kNotFound suggests similar names; kInvalid says what the
 /// pattern names instead.
-tendon::Result<void> CheckEventPatterns(const tendon::Catalog& catalog,
+tendon::Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
                                         const std::vector<std::string>& patterns);
 
 }  // namespace console

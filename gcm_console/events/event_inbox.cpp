@@ -29,8 +29,9 @@ class EventInbox::Sink final : public tendon::EventSink {
                           .path = PathOf(event),
                           .description = events_.at(event),
                           .value = {value.begin(), value.end()}},
-                         sizeof(HeardEvent) + value.size(),
-                         [&](const HeardEvent& oldest) { ++inbox_->content_.lost[oldest.path]; });
+                         sizeof(ReceivedEvent) + value.size(), [&](const ReceivedEvent& oldest) {
+                           ++inbox_->content_.lost[oldest.path];
+                         });
   }
   void OnEventsLost(std::size_t event, std::uint64_t lost) override {
     const std::scoped_lock lock(inbox_->mutex_);
@@ -70,13 +71,13 @@ void EventInbox::Complain(const tendon::Error& complaint) {
   if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);
 }
 
-void EventInbox::OnSnapshot(const tendon::Catalog& /*catalog*/) {
+void EventInbox::OnSnapshot(const tendon::Catalogue& /*catalogue*/) {
   const std::scoped_lock lock(mutex_);
   content_.is_catalog_new = true;
   if (std::exchange(is_gcm_lost_, false)) content_.is_gcm_back = true;
 }
 
-void EventInbox::OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) {
+void EventInbox::OnChanges(const std::vector<tendon::CatalogueChange>& /*changes*/) {
   const std::scoped_lock lock(mutex_);
   content_.is_catalog_new = true;
 }

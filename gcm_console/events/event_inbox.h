@@ -15,7 +15,7 @@
 namespace console {
 
 /// An event that was raised.
-struct HeardEvent {
+struct ReceivedEvent {
   /// ns since 1970 by this machine's clock, from the event's age on the steady clock.
   std::int64_t time_ns = 0;
   std::int64_t uncertainty_ns = -1;  ///< the possible error of `time_ns`; below 0: unknown
@@ -38,7 +38,7 @@ class EventInbox final : public tendon::GcmListener,
     bool is_catalog_new = false;
     std::vector<tendon::EventSubscription> begun;         ///< since the last Take()
     std::vector<tendon::MemberDescription> descriptions;  ///< the events of `begun`
-    std::deque<HeardEvent> events;
+    std::deque<ReceivedEvent> events;
     std::map<std::string, std::uint64_t> lost;  ///< since the last Take(), by path
     std::vector<tendon::Error> complaints;      ///< kUnreachable: about the GCM; else a process
     bool is_gcm_back = false;                   ///< after a complaint about it
@@ -51,8 +51,8 @@ class EventInbox final : public tendon::GcmListener,
   /// Everything since the last call; the oldest events first.
   Content Take();
 
-  void OnSnapshot(const tendon::Catalog& catalog) override;
-  void OnChanges(const std::vector<tendon::CatalogChange>& changes) override;
+  void OnSnapshot(const tendon::Catalogue& catalogue) override;
+  void OnChanges(const std::vector<tendon::CatalogueChange>& changes) override;
   void OnGcmLost(const tendon::Error& reason) override;
 
  private:
@@ -62,7 +62,7 @@ class EventInbox final : public tendon::GcmListener,
 
   std::mutex mutex_;
   Content content_;  // without the events
-  tendon::DroppingQueue<HeardEvent> events_{kMostWaiting};
+  tendon::DroppingQueue<ReceivedEvent> events_{kMostWaiting};
   bool is_gcm_lost_ = false;
 };
 

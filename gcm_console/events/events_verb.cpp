@@ -65,7 +65,7 @@ class EventWriter {
     }
   }
 
-  void Write(const HeardEvent& event) {
+  void Write(const ReceivedEvent& event) {
     ++printed_;
     const std::string value = ValueOf(event);
     if (context_.settings().json) {
@@ -80,12 +80,12 @@ class EventWriter {
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
 
  private:
-  static nlohmann::ordered_json UncertaintyOf(const HeardEvent& event) {
+  static nlohmann::ordered_json UncertaintyOf(const ReceivedEvent& event) {
     if (event.uncertainty_ns < 0) return nullptr;
     return event.uncertainty_ns;
   }
   /// As JSON; "null" if the event has no value or its type is unknown.
-  [[nodiscard]] std::string ValueOf(const HeardEvent& event) const {
+  [[nodiscard]] std::string ValueOf(const ReceivedEvent& event) const {
     const auto schema = schemas_.find(event.description.signature.in);
     if (schema == schemas_.end()) return "null";
     const auto json = tendon::ToJson(schema->second, event.value);
@@ -110,7 +110,7 @@ class Listeners {
   }
 
   void Follow(const std::vector<std::string>& patterns) {
-    for (const auto& wanted : EventsThatFit(client_.catalog(), patterns)) {
+    for (const auto& wanted : EventsThatFit(client_.catalogue(), patterns)) {
       const auto known = listeners_.find(wanted.provided);
       if (known != listeners_.end()) {
         if (known->second.events == wanted.events) continue;
@@ -165,7 +165,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
   const auto inbox = std::make_shared<EventInbox>();
   const auto client = context.Client(inbox);
   if (!client) return client.error();
-  const auto good = CheckEventPatterns((*client)->catalog(), options.patterns);
+  const auto good = CheckEventPatterns((*client)->catalogue(), options.patterns);
   if (!good) return good.error();
 
   EventWriter writer(context, **client);
@@ -188,7 +188,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     has_more = content.has_more;
     if (content.is_catalog_new) listeners.Follow(options.patterns);
     writer.Learn(content);
-    for (const HeardEvent& event : content.events) {
+    for (const ReceivedEvent& event : content.events) {
       if (is_interrupted || (options.count > 0 && writer.printed() == options.count)) break;
       writer.Write(event);
       is_interrupted = tendon::os::TerminationAsked(0ms);

@@ -62,9 +62,9 @@ class Arrangement {
   std::map<std::string, Rect> rects_;
 };
 
-void Print(const tendon::Catalog& catalog, const Arrangement& arrangement, std::ostream& out) {
+void Print(const tendon::Catalogue& catalogue, const Arrangement& arrangement, std::ostream& out) {
   out << "digraph system {\n  rankdir=LR;\n  node [shape=box];\n" << arrangement.OfGraph();
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     out << "  subgraph " << Quoted("cluster_" + name) << " {\n    label=" << Quoted(name) << ";\n"
         << arrangement.OfProcess(name);
     for (const auto& [component, description] : entry.components) {
@@ -73,7 +73,7 @@ void Print(const tendon::Catalog& catalog, const Arrangement& arrangement, std::
     }
     out << "  }\n";
   }
-  for (const auto& connection : catalog.connections()) {
+  for (const auto& connection : catalogue.connections()) {
     const bool is_active = connection.state == tendon::ConnectionState::kActive;
     out << "  " << NodeOf(connection.required) << " -> " << NodeOf(connection.provided)
         << " [label="
@@ -85,10 +85,10 @@ void Print(const tendon::Catalog& catalog, const Arrangement& arrangement, std::
 
 }  // namespace
 
-void PrintDot(const tendon::Catalog& catalog, std::ostream& out) { Print(catalog, {}, out); }
+void PrintDot(const tendon::Catalogue& catalogue, std::ostream& out) { Print(catalogue, {}, out); }
 
-void PrintDot(const tendon::Catalog& catalog, const Sheet& arranged, std::ostream& out) {
-  Print(catalog, Arrangement(arranged), out);
+void PrintDot(const tendon::Catalogue& catalogue, const Sheet& arranged, std::ostream& out) {
+  Print(catalogue, Arrangement(arranged), out);
 }
 
 }  // namespace console

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/graph/sheet.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <iosfwd>
 
@@ -9,9 +9,9 @@ namespace console {
 
 /// Prints the system for Graphviz: a box per component inside the box of its process, and an arrow
 /// from each required interface to the interface it is connected to.
-void PrintDot(const tendon::Catalog& catalog, std::ostream& out);
+void PrintDot(const tendon::Catalogue& catalogue, std::ostream& out);
 
 /// The same, with the positions of `arranged`, a sheet of the same catalogue.
-void PrintDot(const tendon::Catalog& catalog, const Sheet& arranged, std::ostream& out);
+void PrintDot(const tendon::Catalogue& catalogue, const Sheet& arranged, std::ostream& out);
 
 }  // namespace console

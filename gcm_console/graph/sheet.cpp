@@ -15,7 +15,7 @@
 namespace console {
 namespace {
 
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::ConnectionState;
 using tendon::InterfaceName;
 using tendon::graph::ColumnLayout;
@@ -42,12 +42,12 @@ std::string Counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-std::string TitleOf(const Catalog& catalog) {
+std::string TitleOf(const Catalogue& catalogue) {
   std::size_t components = 0;
-  for (const auto& [name, entry] : catalog.processes()) components += entry.components.size();
-  return Counted(catalog.processes().size(), "process", "processes") + ", " +
+  for (const auto& [name, entry] : catalogue.processes()) components += entry.components.size();
+  return Counted(catalogue.processes().size(), "process", "processes") + ", " +
          Counted(components, "component", "components") + ", " +
-         Counted(catalog.connections().size(), "connection", "connections");
+         Counted(catalogue.connections().size(), "connection", "connections");
 }
 
 /// The edges between blocks, without duplicates and loops.
@@ -109,8 +109,8 @@ std::string ProcessOf(const SheetNode& node) { return node.path.substr(0, node.p
 
 class Placement {
  public:
-  explicit Placement(const Catalog& catalog) : catalog_(catalog) {
-    for (const auto& connection : catalog.connections()) {
+  explicit Placement(const Catalogue& catalogue) : catalogue_(catalogue) {
+    for (const auto& connection : catalogue.connections()) {
       connected_.insert(connection.required);
       connected_.insert(connection.provided);
     }
@@ -118,10 +118,10 @@ class Placement {
 
   Sheet Take(const Places& shown) && {
     std::vector<ColumnLayout::Block> blocks;
-    for (const auto& [name, entry] : catalog_.processes()) AddProcess(name, entry, blocks);
+    for (const auto& [name, entry] : catalogue_.processes()) AddProcess(name, entry, blocks);
     const Size all = IsAllIn(shown) ? PlaceAs(shown) : PlaceInColumns(std::move(blocks));
-    for (const auto& one : catalog_.connections()) AddWire(one);
-    sheet_.title = TitleOf(catalog_);
+    for (const auto& one : catalogue_.connections()) AddWire(one);
+    sheet_.title = TitleOf(catalogue_);
     const double width =
         std::max({all.width, TextWidth(sheet_.title, sheet::kTitleText), sheet::kLeastWidth});
     sheet_.size = {width + 2 * sheet::kMargin, all.height + sheet::kTop + sheet::kBottom};
@@ -148,7 +148,7 @@ class Placement {
       sheet_.nodes.push_back(std::move(node));
     }
     Edges edges(inner);
-    for (const auto& one : catalog_.connections()) {
+    for (const auto& one : catalogue_.connections()) {
       edges.Add(PathOf(one.provided), PathOf(one.required));
     }
     const bool is_empty = inner.empty();
@@ -242,7 +242,7 @@ class Placement {
 
   Size PlaceInColumns(std::vector<ColumnLayout::Block> processes) {
     Edges edges(processes);
-    for (const auto& one : catalog_.connections()) {
+    for (const auto& one : catalogue_.connections()) {
       edges.Add(one.provided.process, one.required.process);
     }
     ColumnLayout outside(
@@ -288,7 +288,7 @@ class Placement {
                             .to_y = to->second.second});
   }
 
-  const Catalog& catalog_;
+  const Catalogue& catalogue_;
   std::set<InterfaceName> connected_;
   std::map<std::string, ColumnLayout> insides_;  // by process
   std::map<std::tuple<std::string, std::string, bool>, std::pair<double, double>> ends_;
@@ -297,10 +297,10 @@ class Placement {
 
 }  // namespace
 
-Sheet SheetOf(const Catalog& catalog) { return SheetOf(catalog, {}); }
+Sheet SheetOf(const Catalogue& catalogue) { return SheetOf(catalogue, {}); }
 
-Sheet SheetOf(const Catalog& catalog, const Places& shown) {
-  return Placement(catalog).Take(shown);
+Sheet SheetOf(const Catalogue& catalogue, const Places& shown) {
+  return Placement(catalogue).Take(shown);
 }
 
 double TextWidth(const std::string& text, double size) {

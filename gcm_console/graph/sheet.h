@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/graph/column_layout.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/column_layout.h>
 
 #include <map>
 #include <string>
@@ -60,15 +60,15 @@ struct Sheet {
 
 /// Lays out the system with providers to the left of their clients. Leaves out state tables without
 /// connections.
-[[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog);
+[[nodiscard]] Sheet SheetOf(const tendon::Catalogue& catalogue);
 
 /// Existing positions, for example of a window: by the path of a component and by the name of a
 /// process, whose rectangle encloses its components. In any unit of length.
 using Places = std::map<std::string, tendon::graph::Rect>;
 
 /// Keeps the arrangement of `shown`, stretched as far as necessary. If `shown` lacks a thing, the
-/// layout is that of SheetOf(catalog).
-[[nodiscard]] Sheet SheetOf(const tendon::Catalog& catalog, const Places& shown);
+/// layout is that of SheetOf(catalogue).
+[[nodiscard]] Sheet SheetOf(const tendon::Catalogue& catalogue, const Places& shown);
 
 /// The width of a text of this size in a common font, approximate and rather too small.
 [[nodiscard]] double TextWidth(const std::string& text, double size);

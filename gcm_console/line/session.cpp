@@ -35,9 +35,9 @@ bool Session::Fits(const Settings& settings) const {
          settings.timeout == settings_.timeout && settings.network == settings_.network;
 }
 
-tendon::Catalog Session::catalog() {
+tendon::Catalogue Session::catalogue() {
   const auto client = Client();
-  return client ? (*client)->catalog() : tendon::Catalog();
+  return client ? (*client)->catalogue() : tendon::Catalogue();
 }
 
 }  // namespace console

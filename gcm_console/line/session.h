@@ -25,7 +25,7 @@ class Session {
   /// True if a line with these settings uses the same GCM and the same identity.
   [[nodiscard]] bool Fits(const Settings& settings) const;
   /// The catalogue as received so far; does not wait for the GCM.
-  [[nodiscard]] tendon::Catalog catalog();
+  [[nodiscard]] tendon::Catalogue catalogue();
 
  private:
   Settings settings_;

@@ -13,8 +13,8 @@ using tendon::message::Classes;
 Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                            std::chrono::milliseconds patience,
                                            const tendon::Path& path) {
-  const tendon::Catalog catalog = client.catalog();
-  const auto component = LookUpComponent(catalog, path.process, path.component);
+  const tendon::Catalogue catalogue = client.catalogue();
+  const auto component = LookUpComponent(catalogue, path.process, path.component);
   if (!component) return component.error();
   const tendon::ComponentDescription& known = **component;
   if (known.class_name.empty()) {
@@ -33,7 +33,7 @@ Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
     return Error{ErrorCode::kFailed, "process '" + path.process + "' does not say what class '" +
                                          known.class_name + "' can be told"};
   }
-  return ConfiguredComponent{*of, known.configuration, InstanceOf(catalog, path.process)};
+  return ConfiguredComponent{*of, known.configuration, InstanceOf(catalogue, path.process)};
 }
 
 }  // namespace console

@@ -79,7 +79,7 @@ void PrintChange(const Context& context, const SetWords& words, const std::strin
 Result<void> Configure(Context& context, const LifeOrder& order, const SetWords& words) {
   const auto client = context.Client();
   if (!client) return client.error();
-  if (auto checked = CheckLife((*client)->catalog(), order); !checked) {
+  if (auto checked = CheckLife((*client)->catalogue(), order); !checked) {
     const Error& why = checked.error();
     const bool is_stop_next = why.message.find("stop it first") != std::string::npos;
     return Error{why.code, why.message + (is_stop_next ? ": gcm stop " + words.component : "")};
@@ -93,7 +93,7 @@ Result<void> Configure(Context& context, const LifeOrder& order, const SetWords&
 Result<ExitCode> Set(Context& context, const SetWords& words) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto found = LookUpComponents((*client)->catalog(), words.component);
+  const auto found = LookUpComponents((*client)->catalogue(), words.component);
   if (!found) return found.error();
   if (found->size() > 1) {
     return Error{ErrorCode::kInvalid, "'" + words.component + "' names " +

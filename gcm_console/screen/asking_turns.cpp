@@ -8,8 +8,8 @@ namespace console {
 using tendon::InterfaceName;
 using tendon::SteadyTime;
 
-std::vector<InterfaceName> AskingTurns::Begin(const std::vector<InterfaceName>& there,
-                                              SteadyTime now) {
+std::vector<InterfaceName> QueryThrottle::Begin(const std::vector<InterfaceName>& there,
+                                                SteadyTime now) {
   const std::scoped_lock lock(mutex_);
   for (auto& [required, turn] : turns_) turn.is_there = false;
   for (const InterfaceName& required : there) turns_[required].is_there = true;
@@ -45,7 +45,7 @@ std::vector<InterfaceName> AskingTurns::Begin(const std::vector<InterfaceName>& 
   return begun;
 }
 
-void AskingTurns::End(const InterfaceName& required) {
+void QueryThrottle::End(const InterfaceName& required) {
   const std::scoped_lock lock(mutex_);
   const auto found = turns_.find(required);
   if (found != turns_.end()) found->second.is_under_way = false;

@@ -14,7 +14,7 @@ namespace console {
 /// Decides which connections to ask about now. Each required interface is asked at most once a
 /// second. The number of unanswered requests is limited, in total and per process; connections that
 /// disappear and return still count. Thread-safe.
-class AskingTurns {
+class QueryThrottle {
  public:
   static constexpr std::chrono::seconds kBetween{1};
   static constexpr std::size_t kMostAtOnce = 64;

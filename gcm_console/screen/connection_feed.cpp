@@ -15,8 +15,8 @@ using tendon::ConnectionState;
 using tendon::SteadyClock;
 
 /// True if its process can be expected to answer.
-bool CanTell(const tendon::Catalog& catalog, const ConnectionDescription& connection) {
-  const auto* owner = catalog.FindProcess(connection.required.process);
+bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& connection) {
+  const auto* owner = catalogue.FindProcess(connection.required.process);
   return connection.state == ConnectionState::kActive && owner != nullptr &&
          owner->process.state == tendon::ProcessState::kAlive;
 }
@@ -66,8 +66,8 @@ struct ConnectionFeed::Heard {
 std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
   std::vector<ConnectionFigures> all;
   std::map<tendon::InterfaceName, std::shared_ptr<Heard>> there;
-  client_.Look([&](const tendon::Catalog& catalog) {
-    for (const ConnectionDescription& one : catalog.connections()) {
+  client_.Look([&](const tendon::Catalogue& catalogue) {
+    for (const ConnectionDescription& one : catalogue.connections()) {
       ConnectionFigures figures{.required = ToString(one.required),
                                 .provided = ToString(one.provided),
                                 .state = std::string(ToString(one.state))};
@@ -76,7 +76,7 @@ std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
       const bool is_same = !known.empty() && known.mapped()->id == one.id;
       const auto heard = is_same ? known.mapped() : std::make_shared<Heard>();
       heard->id = one.id;
-      heard->can_be_told = CanTell(catalog, one);
+      heard->can_be_told = CanTell(catalogue, one);
       heard->Fill(figures);
       there[one.required] = heard;
       all.push_back(std::move(figures));

@@ -26,7 +26,7 @@ struct ConnectionFigures {
 };
 
 /// Polls the processes for the health of their connections while somebody looks, within the limits
-/// of AskingTurns. A process that does not answer does not delay the others.
+/// of QueryThrottle. A process that does not answer does not delay the others.
 class ConnectionFeed {
  public:
   explicit ConnectionFeed(tendon::GcmClient& client) : client_(client) {}
@@ -42,7 +42,7 @@ class ConnectionFeed {
 
   tendon::GcmClient& client_;
   std::map<tendon::InterfaceName, std::shared_ptr<Heard>> heard_;  // by required interface
-  const std::shared_ptr<AskingTurns> turns_ = std::make_shared<AskingTurns>();
+  const std::shared_ptr<QueryThrottle> turns_ = std::make_shared<QueryThrottle>();
 };
 
 }  // namespace console

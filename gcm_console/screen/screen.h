@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/keyboard.h>
 
 #include <cstdio>
 #include <ostream>

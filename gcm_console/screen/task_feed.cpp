@@ -1,7 +1,7 @@
 #include <gcm_console/screen/task_feed.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/standstill.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 #include <tendon/payload/plot_channel.h>
 
 #include <algorithm>
@@ -104,8 +104,8 @@ std::vector<TaskFigures> TaskFeed::Look() {
   constexpr std::chrono::milliseconds kOften(200);
   std::vector<TaskFigures> all;
   std::map<std::string, Entry> there;
-  const tendon::Catalog catalog = client_.catalog();
-  for (const auto& [process, entry] : catalog.processes()) {
+  const tendon::Catalogue catalogue = client_.catalogue();
+  for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [name, component] : entry.components) {
       if (!HasColumns(component) || !IsPresent(entry.process)) continue;
       const std::string path = process + "/" + name;

@@ -4,7 +4,7 @@
 #include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
@@ -97,7 +97,7 @@ class LineEditor final : public LineReader {
     prompt_ = prompt;
     el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: from here on Ctrl-C is a key
     tendon::os::ForgetInterrupt();           // it was meant for the previous command
-    const tendon::os::TerminationLetThrough while_typing;
+    const tendon::os::TerminationUnblockScope while_typing;
     int count = 0;
     const char* typed = el_gets(editor_.get(), &count);
     if (std::exchange(is_abandoned_, false)) return "";

@@ -120,10 +120,10 @@ Result<void> Shell::GoTo(const std::string& typed) {
     const auto client = session_.Client();
     if (!client) return client.error();
     if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching;
-    const tendon::Catalog catalog = (*client)->catalog();
-    path =
-        WholePath(catalog, WordKind::kPath, PathFrom(catalog, session_.settings().at, typed + "/"));
-    const auto place = FindPlace(catalog, path);
+    const tendon::Catalogue catalogue = (*client)->catalogue();
+    path = WholePath(catalogue, WordKind::kPath,
+                     PathFrom(catalogue, session_.settings().at, typed + "/"));
+    const auto place = FindPlace(catalogue, path);
     if (!place) return place.error();
     if (place->member != nullptr) {
       return Error{ErrorCode::kInvalid, "nothing is in '" + path + "': go to its interface"};
@@ -146,7 +146,7 @@ std::vector<std::string> Shell::LiveWordsOf(WordKind kind, const Words& before) 
 Completion Shell::Complete(const Unfinished& line) {
   return console::Complete(
       page_, line.words,
-      {.catalog = [this] { return session_.catalog(); },
+      {.catalogue = [this] { return session_.catalogue(); },
        .words = [this](WordKind kind, const Words& before) { return LiveWordsOf(kind, before); }},
       session_.settings().at);
 }

@@ -2,7 +2,7 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/show/details.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <utility>
 
@@ -10,12 +10,12 @@ namespace console {
 namespace {
 
 using nlohmann::ordered_json;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::InterfaceName;
 using tendon::message::SystemHealth;
 
-void ListProcesses(const Catalog& catalog, Table& table) {
-  for (const auto& [name, entry] : catalog.processes()) {
+void ListProcesses(const Catalogue& catalogue, Table& table) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     const auto& process = entry.process;
     table.Add({name, std::string(ToString(process.state)), process.host,
                std::to_string(process.pid), std::to_string(entry.components.size()),
@@ -31,18 +31,18 @@ void ListComponents(const tendon::ProcessEntry& entry, Table& table) {
   }
 }
 
-void ListInterfaces(const Catalog& catalog, const Place& place, Table& table) {
+void ListInterfaces(const Catalogue& catalogue, const Place& place, Table& table) {
   const auto name_of = [&](const std::string& interface) {
     return InterfaceName(place.process->process.name, place.component->name, interface);
   };
   for (const auto& one : place.component->provided) {
     table.Add({one.name, "provided", std::to_string(one.commands.size() + one.events.size()),
-               UsersOf(catalog, name_of(one.name))});
+               UsersOf(catalogue, name_of(one.name))});
   }
   for (const auto& one : place.component->required) {
     table.Add({one.name, "required",
                std::to_string(one.functions.size() + one.event_handlers.size()),
-               ProviderOf(catalog, name_of(one.name))});
+               ProviderOf(catalogue, name_of(one.name))});
   }
 }
 
@@ -73,10 +73,10 @@ ordered_json JsonOf(const tendon::ProcessEntry& entry, const SystemHealth& healt
 
 }  // namespace
 
-Table ListingOf(const Catalog& catalog, const Place& place) {
+Table ListingOf(const Catalogue& catalogue, const Place& place) {
   if (place.process == nullptr) {
     Table table({"PROCESS", "STATE", "HOST", "PID", "COMPONENTS", "ADDRESS"});
-    ListProcesses(catalog, table);
+    ListProcesses(catalogue, table);
     return table;
   }
   if (place.component == nullptr) {
@@ -86,7 +86,7 @@ Table ListingOf(const Catalog& catalog, const Place& place) {
   }
   if (place.provided == nullptr && place.required == nullptr) {
     Table table({"INTERFACE", "SIDE", "MEMBERS", "CONNECTED"});
-    ListInterfaces(catalog, place, table);
+    ListInterfaces(catalogue, place, table);
     return table;
   }
   Table table({"MEMBER", "KIND", "TYPE"});
@@ -115,7 +115,7 @@ std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place)
   return fill && fill->capacity > 0 ? std::optional(*fill) : std::nullopt;
 }
 
-ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place) {
+ordered_json JsonOf(Context& context, const Catalogue& catalogue, const Place& place) {
   if (place.member != nullptr) return {{"member", ToJson(*place.member)}};
   if (place.provided != nullptr) return {{"interface", ToJson(*place.provided)}};
   if (place.required != nullptr) {
@@ -131,7 +131,8 @@ ordered_json JsonOf(Context& context, const Catalog& catalog, const Place& place
   const SystemHealth health = AskHealth(context);
   if (place.process != nullptr) return {{"process", JsonOf(*place.process, health)}};
   ordered_json processes = ordered_json::array();
-  for (const auto& [name, entry] : catalog.processes()) processes.push_back(JsonOf(entry, health));
+  for (const auto& [name, entry] : catalogue.processes())
+    processes.push_back(JsonOf(entry, health));
   return {{"processes", std::move(processes)}};
 }
 

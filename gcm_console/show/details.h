@@ -3,9 +3,9 @@
 #include <gcm_console/context.h>
 #include <gcm_console/place.h>
 #include <gcm_console/report.h>
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/messages.h>
-#include <tendon/manager/description.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/gcm_messages.h>
+#include <tendon/manager/component_description.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,10 +14,10 @@
 namespace console {
 
 /// One line for each thing inside the place.
-[[nodiscard]] Table ListingOf(const tendon::Catalog& catalog, const Place& place);
+[[nodiscard]] Table ListingOf(const tendon::Catalogue& catalogue, const Place& place);
 
 /// Everything about the place, with details from its process or the GCM that the catalogue lacks.
-[[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalog& catalog,
+[[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalogue& catalogue,
                                             const Place& place);
 
 // Each of these waits for an answer, at most --timeout.

@@ -9,13 +9,13 @@
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/find_named.h>
-#include <tendon/gcm/argument/common_fields.h>
-#include <tendon/gcm/argument/matching_read.h>
+#include <tendon/gcm/common_fields.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/gcm/matching_read.h>
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/text/wall_time.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 #include <tendon/payload/json.h>
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::InterfaceName;
 using tendon::Result;
 using tendon::message::SystemHealth;
@@ -81,7 +81,7 @@ void AddComponent(const tendon::ProcessEntry& process,
   }
   if (!component.configuration.empty()) table.Add({"configuration", component.configuration});
   table.Add({"state", std::string(ToString(component.state))});
-  for (const tendon::UnmetNeed& need : WaitsOf(process, component)) {
+  for (const tendon::UnsatisfiedInterface& need : WaitsOf(process, component)) {
     table.Add({"waiting for", need.interface + ": " + need.reason});
   }
   if (!component.fault.empty()) {
@@ -99,7 +99,7 @@ void AddComponent(const tendon::ProcessEntry& process,
 }
 
 /// The facts about a thing, one per line.
-Table Facts(Context& context, const Catalog& catalog, const Place& place) {
+Table Facts(Context& context, const Catalogue& catalogue, const Place& place) {
   Table table({"WHAT", "VALUE"});
   const auto& process = place.process->process;
   table.Add({"process", process.name});
@@ -114,14 +114,14 @@ Table Facts(Context& context, const Catalog& catalog, const Place& place) {
   };
   if (place.provided != nullptr) {
     table.Add({"provided", place.provided->name});
-    const std::string users = UsersOf(catalog, name_of(place.provided->name));
+    const std::string users = UsersOf(catalogue, name_of(place.provided->name));
     if (!users.empty()) table.Add({"connection", users});
   }
   if (place.required != nullptr) {
     table.Add({"required", place.required->name});
     const InterfaceName required = name_of(place.required->name);
-    table.Add({"connection", ProviderOf(catalog, required)});
-    const auto* connection = catalog.FindConnection(required);
+    table.Add({"connection", ProviderOf(catalogue, required)});
+    const auto* connection = catalogue.FindConnection(required);
     if (connection != nullptr) table.Add({"number", std::to_string(connection->id)});
   }
   if (place.member != nullptr && !place.member->hazard.empty()) {
@@ -249,9 +249,9 @@ void PrintPayloads(Context& context, const Place& place, const std::string& path
   if (place.noun == "command") PrintCall(context, place, path);
 }
 
-void PrintPlace(Context& context, const Catalog& catalog, const Place& place,
+void PrintPlace(Context& context, const Catalogue& catalogue, const Place& place,
                 const std::string& path) {
-  Table facts = Facts(context, catalog, place);
+  Table facts = Facts(context, catalogue, place);
   const bool is_component =
       place.component != nullptr && place.provided == nullptr && place.required == nullptr;
   if (is_component && place.component->state == tendon::ComponentState::kActive) {
@@ -264,7 +264,7 @@ void PrintPlace(Context& context, const Catalog& catalog, const Place& place,
   if (place.required != nullptr) AddCounts(context, place, facts);
   context.Print(facts);
   context.out() << '\n';
-  context.Print(ListingOf(catalog, place));
+  context.Print(ListingOf(catalogue, place));
   if (place.member != nullptr) PrintPayloads(context, place, path);
 }
 
@@ -272,20 +272,20 @@ void PrintPlace(Context& context, const Catalog& catalog, const Place& place,
 Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
-  const auto things = ThingsThatFit(catalog, glob);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto things = ThingsThatFit(catalogue, glob);
   if (!things) return things.error();
   auto all = nlohmann::ordered_json::array();
   for (const Thing& thing : *things) {
-    const auto place = FindPlace(catalog, thing.path);
+    const auto place = FindPlace(catalogue, thing.path);
     if (!place) continue;
     if (context.settings().json) {
       all.push_back({{"path", thing.path}});
-      all.back().update(JsonOf(context, catalog, *place));
+      all.back().update(JsonOf(context, catalogue, *place));
       continue;
     }
     context.out() << (&thing == &things->front() ? "" : "\n") << Plain(thing.path) << ":\n";
-    PrintPlace(context, catalog, *place, thing.path);
+    PrintPlace(context, catalogue, *place, thing.path);
   }
   if (context.settings().json) context.PrintJson({{"things", std::move(all)}});
   return program::kOk;
@@ -295,13 +295,13 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   if (IsGlob(path)) return ShowAll(context, path);
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
-  const auto place = FindPlace(catalog, path);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto place = FindPlace(catalogue, path);
   if (!place) return place.error();
   if (context.settings().json) {
-    context.PrintJson(JsonOf(context, catalog, *place));
+    context.PrintJson(JsonOf(context, catalogue, *place));
   } else {
-    PrintPlace(context, catalog, *place, path);
+    PrintPlace(context, catalogue, *place, path);
   }
   return program::kOk;
 }

@@ -23,7 +23,7 @@ namespace console {
 namespace {
 
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::ClassDescription;
 using tendon::Error;
 using tendon::ErrorCode;
@@ -43,10 +43,10 @@ struct ClassArguments {
 };
 
 /// The named process; else the only one that is present.
-Result<std::string> ProcessOf(const Catalog& catalog, const std::string& named) {
+Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& named) {
   if (!named.empty()) return named;
   std::vector<std::string> present;
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     if (IsPresent(entry.process)) present.push_back(name);
   }
   if (present.size() == 1) return present.front();
@@ -106,7 +106,7 @@ void WarnOfOld(const Context& context, const std::string& process,
 /// Checks in advance, as far as possible, that the order would succeed.
 Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
-  if (auto checked = CheckLife(client.catalog(), order); !checked) return checked;
+  if (auto checked = CheckLife(client.catalogue(), order); !checked) return checked;
   if (order.verb == LifeVerb::kConfigure) {
     const auto component = FindConfigured(client, context.settings().timeout,
                                           {.process = order.process, .component = order.component});
@@ -150,7 +150,7 @@ Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::stri
 Result<ExitCode> Load(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto process = ProcessOf((*client)->catalog(), arguments.process);
+  const auto process = ProcessOf((*client)->catalogue(), arguments.process);
   if (!process) return process.error();
   const LifeOrder order{.verb = LifeVerb::kLoad, .process = *process, .library = arguments.library};
   return Carry(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
@@ -168,7 +168,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
                                           "its name alone with --in process"};
   }
   const auto process =
-      ProcessOf((*client)->catalog(), is_whole ? path->process : arguments.process);
+      ProcessOf((*client)->catalogue(), is_whole ? path->process : arguments.process);
   if (!process) return process.error();
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
@@ -188,7 +188,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
 Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto found = LookUpComponents((*client)->catalog(), arguments.component);
+  const auto found = LookUpComponents((*client)->catalogue(), arguments.component);
   if (!found) return found.error();
   if (found->size() > 1) {
     return Error{ErrorCode::kInvalid, "'" + arguments.component + "' names " +
@@ -263,7 +263,7 @@ Result<void> Choose(Classes& all, const std::string& class_name) {
 Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto process = ProcessOf((*client)->catalog(), arguments.process);
+  const auto process = ProcessOf((*client)->catalogue(), arguments.process);
   if (!process) return process.error();
   auto all = AskForClasses(context, *process);
   if (!all) return all.error();

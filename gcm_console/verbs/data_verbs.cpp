@@ -30,7 +30,7 @@ namespace {
 using nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-ordered_json JsonOf(const OldValues& old) {
+ordered_json JsonOf(const StaleValues& old) {
   ordered_json json;
   json["why"] = ToString(old.why);
   if (old.age) json["age_s"] = std::chrono::duration<double>(*old.age).count();
@@ -38,13 +38,13 @@ ordered_json JsonOf(const OldValues& old) {
 }
 
 /// Remarks once on each component that stands still.
-class OldComponents {
+class StaleComponents {
  public:
-  explicit OldComponents(Context& context, tendon::GcmClient& client)
+  explicit StaleComponents(Context& context, tendon::GcmClient& client)
       : context_(context), client_(client) {}
 
   /// Whether the values of the path's component are old; prints a remark the first time.
-  const std::optional<OldValues>& Of(const std::string& text) {
+  const std::optional<StaleValues>& Of(const std::string& text) {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
     const auto [known, is_new] = known_.try_emplace(component);
@@ -58,7 +58,7 @@ class OldComponents {
  private:
   Context& context_;
   tendon::GcmClient& client_;
-  std::map<std::string, std::optional<OldValues>> known_;
+  std::map<std::string, std::optional<StaleValues>> known_;
 };
 
 /// Prints one value and nothing else; its age is a remark.
@@ -67,8 +67,8 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
   if (!path) return path.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  const tendon::Catalog catalog = (*client)->catalog();
-  if (const auto* provided = catalog.FindProvided(path->interface_name())) {
+  const tendon::Catalogue catalogue = (*client)->catalogue();
+  if (const auto* provided = catalogue.FindProvided(path->interface_name())) {
     for (const auto& command : provided->commands) {
       if (command.name != path->member || command.signature.kind == tendon::CommandKind::kRead) {
         continue;
@@ -94,17 +94,17 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
 }
 
 /// The read commands and columns, or parts of columns, that a glob matches.
-Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalog& catalog,
+Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalogue& catalogue,
                                                  const std::string& glob) {
   std::vector<std::string> paths;
-  const auto things = ThingsThatFit(catalog, glob);
+  const auto things = ThingsThatFit(catalogue, glob);
   for (const Thing& one : things ? *things : std::vector<Thing>()) {
     if (one.noun != "command") continue;
-    const auto place = FindPlace(catalog, one.path);
+    const auto place = FindPlace(catalogue, one.path);
     const bool is_read = place && place->member->signature.kind == tendon::CommandKind::kRead;
     if (is_read) paths.push_back(one.path);
   }
-  const auto columns = ColumnsThatFit(catalog, {glob});
+  const auto columns = ColumnsThatFit(catalogue, {glob});
   if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
   if (!paths.empty()) return paths;
   if (!things) return columns.error();
@@ -116,10 +116,10 @@ Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalog& catalog,
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto paths = ReadableThatFit((*client)->catalog(), glob);
+  const auto paths = ReadableThatFit((*client)->catalogue(), glob);
   if (!paths) return paths.error();
   std::vector<Outcome> outcomes;
-  OldComponents old_components(context, **client);
+  StaleComponents old_components(context, **client);
   ordered_json values = ordered_json::array();
   for (const std::string& path : *paths) {
     const auto value = context.Ask<std::string>(
@@ -153,11 +153,11 @@ struct WatchOptions {
 /// Remembers that a GCM was lost after it had been found.
 class LostGcm final : public tendon::GcmListener {
  public:
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {
+  void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {
     const std::scoped_lock lock(mutex_);
     was_there_ = true;
   }
-  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogueChange>& /*changes*/) override {}
   void OnGcmLost(const Error& reason) override {
     const std::scoped_lock lock(mutex_);
     if (was_there_) reason_ = reason;
@@ -367,9 +367,9 @@ class RowWriter {
 /// Reports once when a watched component stands still, and once when it runs again. Stops after a
 /// component whose age it must wait for, and goes on with the next one in the next Look(), so that
 /// signals are noticed in time.
-class StandstillRemarks {
+class StandstillNotices {
  public:
-  StandstillRemarks(Context& context, tendon::GcmClient& client,
+  StandstillNotices(Context& context, tendon::GcmClient& client,
                     const std::vector<TableChoice>& tables)
       : context_(context), client_(client) {
     for (const TableChoice& table : tables) {
@@ -386,9 +386,9 @@ class StandstillRemarks {
   void Look() {
     constexpr std::chrono::milliseconds kOften(500);
     if (std::chrono::steady_clock::now() < next_round_) return;
-    const tendon::Catalog catalog = client_.catalog();
+    const tendon::Catalogue catalogue = client_.catalogue();
     while (next_ < watched_.size()) {
-      if (LookAt(catalog, watched_[next_++])) return;
+      if (LookAt(catalogue, watched_[next_++])) return;
     }
     next_ = 0;
     next_round_ = std::chrono::steady_clock::now() + kOften;
@@ -403,8 +403,8 @@ class StandstillRemarks {
   };
 
   /// Returns true if it may have waited.
-  bool LookAt(const tendon::Catalog& catalog, Watched& watched) {
-    const Standstill why = StandstillOf(catalog, watched.path.process, watched.path.component);
+  bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
+    const Standstill why = StandstillOf(catalogue, watched.path.process, watched.path.component);
     // A lost process is reported as the end of its rows.
     if (why == watched.told || why == Standstill::kLost) return false;
     if (why == Standstill::kNone) {
@@ -471,13 +471,13 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   const auto lost_gcm = options.ends_with_link ? std::make_shared<LostGcm>() : nullptr;
   const auto client = context.Client(lost_gcm);
   if (!client) return client.error();
-  const auto columns = ColumnsThatFit((*client)->catalog(), options.paths);
+  const auto columns = ColumnsThatFit((*client)->catalogue(), options.paths);
   if (!columns) return columns.error();
 
   Watching watching((*client)->telemetry(), columns->tables, ChoiceOf(options));
   const auto begin = std::chrono::steady_clock::now();
   RowWriter writer(context, options, columns->paths);
-  StandstillRemarks remarks(context, **client, columns->tables);
+  StandstillNotices remarks(context, **client, columns->tables);
   bool wants_more = true;
   bool interrupted = false;
   std::optional<Error> broken;

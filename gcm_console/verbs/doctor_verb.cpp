@@ -8,10 +8,10 @@
 #include <tendon/gcm/text/health_text.h>
 #include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/text/version_text.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 #include <tendon/middleware/hello.h>
-#include <tendon/process/membership/own_address.h>
-#include <tendon/process/program_messages.h>
+#include <tendon/process/membership/advertised_address.h>
+#include <tendon/process/version_messages.h>
 #include <tendon/security/certificate_check.h>
 
 #include <CLI/CLI.hpp>
@@ -92,8 +92,8 @@ class Doctor {
       return std::move(findings_);
     }
     ExamineGcm(**client);
-    const tendon::Catalog catalog = (*client)->catalog();
-    if (catalog.processes().empty()) {
+    const tendon::Catalogue catalogue = (*client)->catalogue();
+    if (catalogue.processes().empty()) {
       Bad("processes", "none has joined this GCM",
           "lcm --name NAME --gcm " + context_.settings().gcm);
     }
@@ -101,11 +101,11 @@ class Doctor {
             [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); })) {
       health_ = *std::move(health);
     }
-    for (const auto& [name, entry] : catalog.processes()) {
+    for (const auto& [name, entry] : catalogue.processes()) {
       ExamineProcess(**client, entry);
       ExamineComponents(entry);
     }
-    ExamineConnections(catalog);
+    ExamineConnections(catalogue);
     return std::move(findings_);
   }
 
@@ -171,7 +171,7 @@ class Doctor {
     }
     AddVersion("GCM", AskForVersion(""),
                place + ", answers within " + Milliseconds(passed) + ", revision " +
-                   std::to_string(client.catalog().revision()),
+                   std::to_string(client.catalogue().revision()),
                "start it anew with this release of gcm serve; the system runs on meanwhile");
   }
   void ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
@@ -292,9 +292,9 @@ class Doctor {
       Bad("component " + path, WaitingReasons(waits), verb + path + "/" + waits.front().interface);
     }
   }
-  void ExamineConnections(const tendon::Catalog& catalog) {
+  void ExamineConnections(const tendon::Catalogue& catalogue) {
     std::size_t active = 0;
-    for (const auto& connection : catalog.connections()) {
+    for (const auto& connection : catalogue.connections()) {
       if (connection.state == tendon::ConnectionState::kActive) {
         ++active;
         continue;

@@ -19,7 +19,7 @@ namespace {
 using nlohmann::ordered_json;
 using program::ExitCode;
 using tendon::Candidate;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::Diagnosis;
 using tendon::DiagnosisStep;
 using tendon::Error;
@@ -47,7 +47,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   const auto client = context.Client();
   if (!client) return client.error();
   LearnDisputedTypes(context);
-  const auto candidates = RankCandidates((*client)->catalog(), *required);
+  const auto candidates = RankCandidates((*client)->catalogue(), *required);
   if (!candidates) return candidates.error();
   if (context.settings().json) {
     ordered_json all = ordered_json::array();
@@ -69,9 +69,9 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
 
 /// The provided interface to explain if the user names none: the connected one, else the best
 /// candidate.
-Result<InterfaceName> LikelyProvider(const Catalog& catalog, const InterfaceName& required) {
-  if (const auto* connection = catalog.FindConnection(required)) return connection->provided;
-  const auto candidates = RankCandidates(catalog, required);
+Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const InterfaceName& required) {
+  if (const auto* connection = catalogue.FindConnection(required)) return connection->provided;
+  const auto candidates = RankCandidates(catalogue, required);
   if (!candidates) return candidates.error();
   if (!candidates->empty()) return candidates->front().provided;
   return Error{ErrorCode::kIncompatible,
@@ -171,12 +171,13 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   const auto client = context.Client();
   if (!client) return client.error();
   LearnDisputedTypes(context);
-  const Catalog catalog = (*client)->catalog();
-  const auto provided = ends.provided.empty() ? LikelyProvider(catalog, *required)
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto provided = ends.provided.empty() ? LikelyProvider(catalogue, *required)
                                               : tendon::ParseInterfaceName(ends.provided);
   if (!provided) return provided.error();
-  if (auto good = CheckOrder("explain", catalog, *required, *provided); !good) return good.error();
-  auto diagnosis = Diagnose(catalog, {*required, *provided});
+  if (auto good = CheckOrder("explain", catalogue, *required, *provided); !good)
+    return good.error();
+  auto diagnosis = Diagnose(catalogue, {*required, *provided});
   if (!diagnosis) return diagnosis.error();
   if (!diagnosis->failure && diagnosis->is_connected) {
     AddHealth(*diagnosis, AskForFlaws(context, *required));
@@ -184,8 +185,8 @@ Result<ExitCode> Explain(Context& context, const Ends& ends) {
   if (!diagnosis->failure || IsTrying(*diagnosis)) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
-  AddActivity(*diagnosis, catalog);
-  if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalog, Served(context, *diagnosis));
+  AddActivity(*diagnosis, catalogue);
+  if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalogue, Served(context, *diagnosis));
   if (context.settings().json) {
     context.PrintJson(ToJson(*diagnosis));
   } else {

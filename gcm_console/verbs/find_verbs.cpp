@@ -7,7 +7,7 @@
 #include <gcm_console/verb.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/plugin_text.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
@@ -55,7 +55,7 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
 /// The reasons that processes give soon. Asks at most the number that may be asked at once.
-Waits AskForWaits(tendon::GcmClient& client, const Catalog& catalog) {
+Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   constexpr std::chrono::milliseconds kSoon(500);
   struct Answers {
     std::mutex mutex;
@@ -64,12 +64,12 @@ Waits AskForWaits(tendon::GcmClient& client, const Catalog& catalog) {
     Waits waits;
   };
   std::vector<tendon::InterfaceName> broken;
-  for (const auto& one : catalog.connections()) {
-    const auto* owner = catalog.FindProcess(one.required.process);
+  for (const auto& one : catalogue.connections()) {
+    const auto* owner = catalogue.FindProcess(one.required.process);
     const bool can_tell = owner != nullptr && IsPresent(owner->process);
     if (one.state != tendon::ConnectionState::kActive && can_tell) broken.push_back(one.required);
   }
-  const auto asked = AskingTurns().Begin(broken, tendon::SteadyClock().Now());
+  const auto asked = QueryThrottle().Begin(broken, tendon::SteadyClock().Now());
   const auto answers = std::make_shared<Answers>();
   answers->missing = asked.size();
   for (const auto& one : asked) {
@@ -122,14 +122,14 @@ void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDesc
   const auto waits = WaitsOf(entry, component);
   if (waits.empty()) return;
   add(WaitingReasons(waits));
-  if (std::ranges::all_of(waits, &tendon::UnmetNeed::has_connection)) return;
+  if (std::ranges::all_of(waits, &tendon::UnsatisfiedInterface::has_connection)) return;
   ++health.wrong;
   health.verbs.insert("gcm candidates");
 }
 
-std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, Health& health) {
+std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits, Health& health) {
   std::vector<StatusRow> rows;
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     const auto& process = entry.process;
     const bool is_alive = process.state == tendon::ProcessState::kAlive;
     const bool is_well = is_alive && process.reason.empty();
@@ -148,13 +148,13 @@ std::vector<StatusRow> StatusRows(const Catalog& catalog, const Waits& waits, He
       AddComponent(entry, description, rows, health);
     }
   }
-  for (const auto& connection : catalog.connections()) {
+  for (const auto& connection : catalogue.connections()) {
     ++health.connections;
     const bool is_well = connection.state == tendon::ConnectionState::kActive;
     health.wrong += is_well ? 0 : 1;
     if (!is_well) health.verbs.insert("gcm explain");
     for (const tendon::InterfaceName* end : {&connection.required, &connection.provided}) {
-      const auto* component = catalog.FindComponent(end->process, end->component);
+      const auto* component = catalogue.FindComponent(end->process, end->component);
       const bool rests = component != nullptr && component->fault.empty() &&
                          component->state != tendon::ComponentState::kActive;
       if (is_well && rests) health.at_rest.insert(end->process + "/" + end->component);
@@ -192,15 +192,15 @@ Result<ExitCode> Status(Context& context) {
   const auto client = context.Client();
   if (!client) return client.error();
   Health health;
-  const Catalog catalog = (*client)->catalog();
-  const auto rows = StatusRows(catalog, AskForWaits(**client, catalog), health);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto rows = StatusRows(catalogue, AskForWaits(**client, catalogue), health);
   if (context.settings().json) {
     ordered_json all = ordered_json::array();
     for (const auto& [kind, name, state, detail] : rows) {
       all.push_back({{"kind", kind}, {"name", name}, {"state", state}, {"detail", detail}});
     }
     context.PrintJson({{"wrong", health.wrong},
-                       {"content_hash", ToString(catalog.ContentHash())},
+                       {"content_hash", ToString(catalogue.ContentHash())},
                        {"things", std::move(all)}});
     return program::kOk;
   }
@@ -222,7 +222,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   }
   const auto client = context.Client();
   if (!client) return client.error();
-  auto things = ThingsIn((*client)->catalog());
+  auto things = ThingsIn((*client)->catalogue());
   std::erase_if(things, [&terms](const Thing& thing) {
     return !std::ranges::all_of(terms, [&](const FindTerm& term) { return term.Fits(thing); });
   });
@@ -237,13 +237,13 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
 }
 
 /// Each component with its connections, and the unconnected interfaces.
-void PrintText(const Catalog& catalog, std::ostream& out) {
-  for (const auto& [name, entry] : catalog.processes()) {
+void PrintText(const Catalogue& catalogue, std::ostream& out) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {
       out << Plain(name) << '/' << Plain(component) << '\n';
       for (const auto& one : description.required) {
         out << "  " << Plain(one.name) << "  "
-            << Plain(ProviderOf(catalog, {name, component, one.name})) << '\n';
+            << Plain(ProviderOf(catalogue, {name, component, one.name})) << '\n';
       }
     }
   }
@@ -257,25 +257,25 @@ struct GraphOptions {
 Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
+  const Catalogue catalogue = (*client)->catalogue();
   if (context.settings().json) {
     ordered_json nodes = ordered_json::array();
     ordered_json edges = ordered_json::array();
-    for (const Thing& thing : ThingsIn(catalog)) {
+    for (const Thing& thing : ThingsIn(catalogue)) {
       if (thing.noun == "component") nodes.push_back(thing.path);
     }
-    for (const auto& connection : catalog.connections()) {
+    for (const auto& connection : catalogue.connections()) {
       edges.push_back({{"required", ToString(connection.required)},
                        {"provided", ToString(connection.provided)},
                        {"state", ToString(connection.state)}});
     }
     context.PrintJson({{"components", std::move(nodes)}, {"connections", std::move(edges)}});
   } else if (options.is_dot) {
-    PrintDot(catalog, context.out());
+    PrintDot(catalogue, context.out());
   } else if (options.is_svg) {
-    PrintSvg(SheetOf(catalog), context.out());
+    PrintSvg(SheetOf(catalogue), context.out());
   } else {
-    PrintText(catalog, context.out());
+    PrintText(catalogue, context.out());
   }
   return program::kOk;
 }

@@ -111,8 +111,8 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
 }
 
 /// True if the process may return with its state, so that the step waits and is not skipped.
-bool MayComeBack(const tendon::Catalog& catalog, const HistoryEntry& step) {
-  const auto* owner = catalog.FindProcess(tendon::ProcessOf(step));
+bool MayComeBack(const tendon::Catalogue& catalogue, const HistoryEntry& step) {
+  const auto* owner = catalogue.FindProcess(tendon::ProcessOf(step));
   return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&
          owner->process.instance == step.instance;
 }
@@ -124,8 +124,9 @@ Result<tendon::message::History> AskForHistory(Context& context) {
 
 /// Checks that the newest step can be undone, or may be skipped. Cannot check older steps, which
 /// depend on the result.
-Result<void> CheckNewest(const tendon::Catalog& catalog, const tendon::message::History& history,
-                         const UndoWords& words, Undone& undone) {
+Result<void> CheckNewest(const tendon::Catalogue& catalogue,
+                         const tendon::message::History& history, const UndoWords& words,
+                         Undone& undone) {
   const Error nothing{ErrorCode::kFailed, "there is nothing to undo"};
   if (undone.steps.empty()) return nothing;
   const HistoryEntry newest = undone.steps.front();
@@ -134,11 +135,11 @@ Result<void> CheckNewest(const tendon::Catalog& catalog, const tendon::message::
                                          " is not the newest any more, but " +
                                          tendon::WholeText(newest) + "; see: gcm history"};
   }
-  auto checked = CheckUndoOf(catalog, history, newest);
-  if (checked || !words.skip || MayComeBack(catalog, newest)) return checked;
+  auto checked = CheckUndoOf(catalogue, history, newest);
+  if (checked || !words.skip || MayComeBack(catalogue, newest)) return checked;
   undone.passed_over.push_back(newest);
   undone.steps.erase(undone.steps.begin());
-  return undone.steps.empty() ? nothing : CheckUndoOf(catalog, history, undone.steps.front());
+  return undone.steps.empty() ? nothing : CheckUndoOf(catalogue, history, undone.steps.front());
 }
 
 Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) {
@@ -151,7 +152,7 @@ Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) 
   for (auto step = history->entries.rbegin(); step != history->entries.rend(); ++step) {
     if (!step->undone && !step->passed_over) undone.steps.push_back(*step);
   }
-  const auto checked = CheckNewest((*client)->catalog(), *history, words, undone);
+  const auto checked = CheckNewest((*client)->catalogue(), *history, words, undone);
   if (!checked && undone.passed_over.empty()) return checked.error();
   const auto count = checked ? static_cast<std::size_t>(words.count) : 0;
   if (undone.steps.size() > count) undone.steps.resize(count);

@@ -23,7 +23,7 @@ namespace console {
 namespace {
 
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::LifeVerb;
@@ -75,16 +75,16 @@ void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path
 }
 
 /// Clients before their servers, so that the servers still execute the clients' last commands.
-void PutClientsFirst(const Catalog& catalog, std::vector<Path>& paths) {
+void PutClientsFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
-      tendon::EndOrder(tendon::SystemOf(catalog, "").file),
+      tendon::EndOrder(tendon::SystemOf(catalogue, "").file),
       [](const Path& path) { return tendon::ComponentPath(path.process, path.component); }, paths);
 }
 
 /// The same for whole processes.
-void PutClientProcessesFirst(const Catalog& catalog, std::vector<Path>& paths) {
+void PutClientProcessesFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
-      tendon::ProcessEndOrder(tendon::SystemOf(catalog, "").file),
+      tendon::ProcessEndOrder(tendon::SystemOf(catalogue, "").file),
       [](const Path& path) { return path.process; }, paths);
 }
 
@@ -92,19 +92,20 @@ LifeOrder OrderOf(LifeVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
 }
 
-Result<Targets> FindTargets(const Catalog& catalog, LifeVerb verb, const LifeArguments& arguments) {
+Result<Targets> FindTargets(const Catalogue& catalogue, LifeVerb verb,
+                            const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     const bool is_glob = IsGlob(pattern);
-    const auto found = LookUpComponents(catalog, pattern);
+    const auto found = LookUpComponents(catalogue, pattern);
     if (!found) return found.error();
     targets.has_glob = targets.has_glob || is_glob;
     for (const Path& path : *found) {
-      targets.Add(path, is_glob, CheckLife(catalog, OrderOf(verb, path)).ok());
+      targets.Add(path, is_glob, CheckLife(catalogue, OrderOf(verb, path)).ok());
     }
   }
   const bool is_end = verb == LifeVerb::kStop || verb == LifeVerb::kRemove;
-  if (is_end && targets.paths.size() > 1) PutClientsFirst(catalog, targets.paths);
+  if (is_end && targets.paths.size() > 1) PutClientsFirst(catalogue, targets.paths);
   return targets;
 }
 
@@ -136,8 +137,8 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArgum
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
-  const Catalog catalog = (*client)->catalog();
-  const auto targets = FindTargets(catalog, wording.verb, arguments);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto targets = FindTargets(catalogue, wording.verb, arguments);
   if (!targets) return targets.error();
   SayWhatIsLeftOut(context, *targets, wording.done);
   if (!IsConfirmed(context, wording.infinitive, "components", *targets, arguments)) {
@@ -148,7 +149,7 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArgum
     LifeOrder order = OrderOf(wording.verb, path);
     order.is_strict = arguments.is_strict;
     outcomes.push_back(
-        {ToString(path), arguments.dry_run ? CheckLife(catalog, order) : Carry(context, order)});
+        {ToString(path), arguments.dry_run ? CheckLife(catalogue, order) : Carry(context, order)});
   }
   PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
@@ -180,12 +181,12 @@ struct ProcessWording {
   std::string_view done;
   bool needs_ours;
   /// Checks if it is possible; `ours` are the processes started by the GCM, if it tells them.
-  Result<void> (*check)(const Catalog& catalog, const Ours& ours, const std::string& process);
+  Result<void> (*check)(const Catalogue& catalogue, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
 
-Result<void> CheckKill(const Catalog& catalog, const Ours& ours, const std::string& process) {
-  const auto entry = LookUpProcess(catalog, process);
+Result<void> CheckKill(const Catalogue& catalogue, const Ours& ours, const std::string& process) {
+  const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   const bool is_ours =
       ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
@@ -202,8 +203,9 @@ Result<void> Kill(Context& context, const std::string& process) {
                            tendon::GcmClient::kOrdersOfAProcess);
 }
 
-Result<void> CheckForget(const Catalog& catalog, const Ours& /*ours*/, const std::string& process) {
-  const auto entry = LookUpProcess(catalog, process);
+Result<void> CheckForget(const Catalogue& catalogue, const Ours& /*ours*/,
+                         const std::string& process) {
+  const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   if ((*entry)->process.state == tendon::ProcessState::kStarting) {
     return Error{ErrorCode::kFailed,
@@ -220,7 +222,7 @@ Result<void> Forget(Context& context, const std::string& process) {
 }
 
 /// Leaves unknown names to the GCM, and processes that it has not started.
-Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
+Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
                               const ProcessWording& wording, const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
@@ -230,19 +232,19 @@ Result<Targets> FindProcesses(const Catalog& catalog, const Ours& ours,
     }
     targets.has_glob = true;
     bool is_found = false;
-    for (const auto& [name, entry] : catalog.processes()) {
+    for (const auto& [name, entry] : catalogue.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
       // Keeps a present process that this GCM has not started: the GCM says where to end it.
       const bool is_of_use =
-          wording.check(catalog, ours, name).ok() || wording.check(catalog, {}, name).ok();
+          wording.check(catalogue, ours, name).ok() || wording.check(catalogue, {}, name).ok();
       targets.Add({.process = name}, true, is_of_use);
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
                  "no process fits '" + pattern + "'; gcm ls lists what there is"};
   }
-  if (targets.paths.size() > 1) PutClientProcessesFirst(catalog, targets.paths);
+  if (targets.paths.size() > 1) PutClientProcessesFirst(catalogue, targets.paths);
   return targets;
 }
 
@@ -260,10 +262,10 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
-  const Catalog catalog = (*client)->catalog();
+  const Catalogue catalogue = (*client)->catalogue();
   const auto ours = wording.needs_ours ? AskForOurs(context) : Result<Ours>(Ours());
   if (!ours) return ours.error();
-  const auto targets = FindProcesses(catalog, *ours, wording, arguments);
+  const auto targets = FindProcesses(catalogue, *ours, wording, arguments);
   if (!targets) return targets.error();
   SayWhatIsLeftOut(context, *targets, wording.done);
   if (!IsConfirmed(context, wording.infinitive, "processes", *targets, arguments)) {
@@ -272,7 +274,7 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
     outcomes.push_back({path.process, arguments.dry_run
-                                          ? wording.check(catalog, *ours, path.process)
+                                          ? wording.check(catalogue, *ours, path.process)
                                           : wording.carry(context, path.process)});
   }
   PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);

@@ -67,11 +67,11 @@ class LogInbox final : public tendon::GcmListener {
     std::string complaint;
   };
 
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {
+  void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {
     const std::scoped_lock lock(mutex_);
     content_.is_gcm_back = std::exchange(is_gcm_lost_, false) || content_.is_gcm_back;
   }
-  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogueChange>& /*changes*/) override {}
   void OnGcmLost(const Error& reason) override {
     const std::scoped_lock lock(mutex_);
     content_.complaint = reason.message;
@@ -150,8 +150,8 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
   if (!options.from.empty() && !IsGlob(name) && !processes.contains(name)) {
     const auto client = context.Client();
     if (!client) return client.error();
-    const tendon::Catalog catalog = (*client)->catalog();
-    if (const auto known = LookUpProcess(catalog, name); !known) return known.error();
+    const tendon::Catalogue catalogue = (*client)->catalogue();
+    if (const auto known = LookUpProcess(catalogue, name); !known) return known.error();
   }
   const std::string from = options.from.empty() ? "" : "from '" + Plain(options.from) + "' ";
   context.err() << "gcm: nothing that is kept is " << from << "at level " << options.level
@@ -220,8 +220,8 @@ Result<void> CheckOrder(Context& context, const LevelOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto client = context.Client();
   if (!client) return client.error();
-  const tendon::Catalog catalog = (*client)->catalog();
-  const auto entry = LookUpProcess(catalog, order.process);
+  const tendon::Catalogue catalogue = (*client)->catalogue();
+  const auto entry = LookUpProcess(catalogue, order.process);
   return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
 }
 
@@ -236,9 +236,9 @@ Result<void> Carry(Context& context, const LevelOrder& order) {
 Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const tendon::Catalog catalog = (*client)->catalog();
+  const tendon::Catalogue catalogue = (*client)->catalogue();
   std::vector<Outcome> outcomes;
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     if (!tendon::MatchesGlob(order.process, name) || !IsPresent(entry.process)) continue;
     outcomes.push_back({name, Carry(context, {name, order.level, order.dry_run})});
   }

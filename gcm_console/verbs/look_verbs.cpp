@@ -6,7 +6,7 @@
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
 #include <tendon/gcm/text/health_text.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace console {
 namespace {
 
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::Result;
 using tendon::message::SystemHealth;
 
@@ -31,7 +31,7 @@ struct ListOptions {
 };
 
 /// Adds the processor and memory use of processes without another detail.
-void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& things) {
+void AddHealth(Context& context, const Catalogue& catalogue, std::vector<Thing>& things) {
   const auto lacks_detail = [&](const Thing& thing) {
     return thing.noun == "process" && thing.detail.empty();
   };
@@ -39,28 +39,29 @@ void AddHealth(Context& context, const Catalog& catalog, std::vector<Thing>& thi
   const SystemHealth health = AskHealth(context);
   for (Thing& thing : things) {
     if (!lacks_detail(thing)) continue;
-    const auto* of_process = FindHealth(health, catalog.FindProcess(thing.path)->process);
+    const auto* of_process = FindHealth(health, catalogue.FindProcess(thing.path)->process);
     thing.detail =
         "cpu " + tendon::CpuText(of_process) + ", memory " + tendon::MemoryText(of_process);
   }
 }
 
 /// Everything below a path, or only directly in it; for a glob its matches, or all in them, too.
-Result<std::vector<Thing>> ThingsOf(const Catalog& catalog, const ListOptions& options) {
+Result<std::vector<Thing>> ThingsOf(const Catalogue& catalogue, const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
   if (IsGlob(options.path)) {
-    return is_deep ? ThingsThatFitOrAreInside(catalog, options.path)
-                   : ThingsThatFit(catalog, options.path);
+    return is_deep ? ThingsThatFitOrAreInside(catalogue, options.path)
+                   : ThingsThatFit(catalogue, options.path);
   }
   const int deepest = DepthOf(options.path) + 1;
-  auto things = ThingsIn(catalog, options.path);
+  auto things = ThingsIn(catalogue, options.path);
   std::erase_if(things, [&](const Thing& one) { return !is_deep && DepthOf(one.path) > deepest; });
   return things;
 }
 
 /// Lists things by path and not by name, perhaps only of some kinds.
-Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const ListOptions& options) {
-  auto found = ThingsOf(catalog, options);
+Result<ExitCode> ListThings(Context& context, const Catalogue& catalogue,
+                            const ListOptions& options) {
+  auto found = ThingsOf(catalogue, options);
   if (!found) return found.error();
   auto& things = *found;
   std::erase_if(things, [&](const Thing& thing) {
@@ -69,7 +70,7 @@ Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const List
     return !options.types.empty() &&
            std::find(options.types.begin(), options.types.end(), noun->code) == options.types.end();
   });
-  if (options.is_long) AddHealth(context, catalog, things);
+  if (options.is_long) AddHealth(context, catalogue, things);
   PrintThings(context, things);
   return program::kOk;
 }
@@ -77,30 +78,30 @@ Result<ExitCode> ListThings(Context& context, const Catalog& catalog, const List
 Result<ExitCode> List(Context& context, const std::string& path) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
-  const auto place = path.empty() ? Result<Place>(Place{}) : FindPlace(catalog, path);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto place = path.empty() ? Result<Place>(Place{}) : FindPlace(catalogue, path);
   if (!place) return place.error();
   if (context.settings().json) {
-    context.PrintJson(JsonOf(context, catalog, *place));
+    context.PrintJson(JsonOf(context, catalogue, *place));
   } else {
-    context.Print(ListingOf(catalog, *place));
+    context.Print(ListingOf(catalogue, *place));
   }
   return program::kOk;
 }
 
-void PrintTree(const Catalog& catalog, std::ostream& out) {
-  for (const auto& [process_name, entry] : catalog.processes()) {
+void PrintTree(const Catalogue& catalogue, std::ostream& out) {
+  for (const auto& [process_name, entry] : catalogue.processes()) {
     out << Plain(process_name) << "  " << ToString(entry.process.state) << '\n';
     for (const auto& [name, component] : entry.components) {
       out << "  " << Plain(name) << "  " << Plain(StateText(entry, component)) << '\n';
       for (const auto& one : component.provided) {
-        const std::string users = UsersOf(catalog, {process_name, name, one.name});
+        const std::string users = UsersOf(catalogue, {process_name, name, one.name});
         out << "    " << Plain(one.name) << "  provided" << (users.empty() ? "" : "  ")
             << Plain(users) << '\n';
       }
       for (const auto& one : component.required) {
         out << "    " << Plain(one.name) << "  required  "
-            << Plain(ProviderOf(catalog, {process_name, name, one.name})) << '\n';
+            << Plain(ProviderOf(catalogue, {process_name, name, one.name})) << '\n';
       }
     }
   }
@@ -115,18 +116,18 @@ Result<ExitCode> List(Context& context, const ListOptions& options) {
   }
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
+  const Catalogue catalogue = (*client)->catalogue();
   const bool is_place = !wanted.path.empty() && !is_glob;
-  const auto place = is_place ? FindPlace(catalog, wanted.path) : Result<Place>(Place{});
+  const auto place = is_place ? FindPlace(catalogue, wanted.path) : Result<Place>(Place{});
   if (!place) return place.error();
-  return ListThings(context, catalog, wanted);
+  return ListThings(context, catalogue, wanted);
 }
 
 Result<ExitCode> Tree(Context& context) {
   if (context.settings().json) return List(context, "");
   const auto client = context.Client();
   if (!client) return client.error();
-  PrintTree((*client)->catalog(), context.out());
+  PrintTree((*client)->catalogue(), context.out());
   return program::kOk;
 }
 

@@ -5,7 +5,7 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
-#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 
@@ -127,7 +127,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto choice = ColumnsThatFit((*client)->catalog(), options.paths);
+  const auto choice = ColumnsThatFit((*client)->catalogue(), options.paths);
   if (!choice) return choice.error();
   const int columns = context.columns() > 0 ? context.columns() : kUsualColumns;
   const std::chrono::duration<double> dot(options.window / (2.0 * columns));

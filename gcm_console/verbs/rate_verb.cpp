@@ -148,7 +148,7 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto subscription = WholeTable((*client)->catalog(), options.path);
+  const auto subscription = WholeTable((*client)->catalogue(), options.path);
   if (!subscription) return subscription.error();
   const auto meter = std::make_shared<RateMeter>();
   const auto id = (*client)->telemetry().Subscribe(*subscription, meter);

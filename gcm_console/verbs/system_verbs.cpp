@@ -128,7 +128,7 @@ Result<ExitCode> Save(Context& context, const SaveWords& words) {
   if (!client) return client.error();
   const std::string stem = std::filesystem::path(words.file).stem().string();
   const std::string name = *former ? (*former)->name : stem;
-  tendon::RunningSystem running = SystemOf((*client)->catalog(), name);
+  tendon::RunningSystem running = SystemOf((*client)->catalogue(), name);
   std::vector<std::string> kept;
   if (*former) kept = KeepFrom(**former, running);
   const auto children = context.Ask<tendon::message::Children>(
@@ -183,7 +183,7 @@ Result<SystemFile> SecondOf(Context& context, const DiffWords& words) {
   if (!words.second.empty()) return tendon::ReadSystemFile(words.second);
   const auto client = context.Client();
   if (!client) return client.error();
-  return SystemOf((*client)->catalog(), "").file;
+  return SystemOf((*client)->catalogue(), "").file;
 }
 
 Result<ExitCode> Diff(Context& context, const DiffWords& words) {
@@ -232,14 +232,14 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   const auto client = context.Client();
   if (!client) return client.error();
   LearnDisputedTypes(context);
-  const tendon::Catalog catalog = (*client)->catalog();
+  const tendon::Catalogue catalogue = (*client)->catalogue();
   tendon::KnownClasses known;
-  for (const std::string& process : ProcessesToAsk(catalog, *wanted)) {
+  for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {
     const auto classes = context.Ask<tendon::message::Classes>(
         [&process](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process, handler); });
     if (classes) known[process] = *classes;  // else the process refuses what it cannot create
   }
-  return MakeCheckedPlan(catalog, *wanted, known);
+  return MakeCheckedPlan(catalogue, *wanted, known);
 }
 
 Result<ExitCode> PrintPlan(Context& context, const std::string& file) {

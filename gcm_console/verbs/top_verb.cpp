@@ -5,7 +5,7 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/os/screen/keyboard.h>
+#include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/standstill.h>
@@ -120,10 +120,10 @@ Table TableOf(const std::vector<ConnectionFigures>& connections) {
 }
 
 /// The processes with the highest use, because not all fit.
-Table BusiestOf(const tendon::Catalog& catalog, const SystemHealth& health) {
+Table BusiestOf(const tendon::Catalogue& catalogue, const SystemHealth& health) {
   constexpr std::size_t kMost = 5;
   std::vector<const tendon::ProcessDescription*> processes;
-  for (const auto& [name, entry] : catalog.processes()) processes.push_back(&entry.process);
+  for (const auto& [name, entry] : catalogue.processes()) processes.push_back(&entry.process);
   const auto cpu = [&](const auto* process) {
     const auto* known = FindHealth(health, *process);
     return known == nullptr ? -1.0 : known->cpu;
@@ -139,9 +139,9 @@ Table BusiestOf(const tendon::Catalog& catalog, const SystemHealth& health) {
   return table;
 }
 
-nlohmann::ordered_json JsonOf(const tendon::Catalog& catalog, const SystemHealth& health) {
+nlohmann::ordered_json JsonOf(const tendon::Catalogue& catalogue, const SystemHealth& health) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     all.push_back({{"name", name},
                    {"state", ToString(entry.process.state)},
                    {"health", HealthOf(health, entry.process)}});
@@ -212,7 +212,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   }
   const auto health = context.Ask<SystemHealth>(
       [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); });
-  context.PrintJson({{"processes", JsonOf(client.catalog(), health ? *health : SystemHealth{})},
+  context.PrintJson({{"processes", JsonOf(client.catalogue(), health ? *health : SystemHealth{})},
                      {what, JsonOf(all)}});
   return program::kOk;
 }
@@ -286,7 +286,7 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
   Screen screen(context.out());
   TopKeys keys;
   while (!keys.wants_end) {
-    const Table processes = BusiestOf(client.catalog(), health.Look());
+    const Table processes = BusiestOf(client.catalogue(), health.Look());
     Layout layout = context.layout();
     layout.columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
     const auto draw = [&](auto all, const char* what) {

@@ -2,12 +2,12 @@
 
 namespace console {
 
-tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalog& catalog,
+tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue& catalogue,
                                 const tendon::InterfaceName& required,
                                 const tendon::InterfaceName& provided) {
-  const bool is_swapped = catalog.FindRequired(required) == nullptr &&
-                          catalog.FindProvided(required) != nullptr &&
-                          catalog.FindRequired(provided) != nullptr;
+  const bool is_swapped = catalogue.FindRequired(required) == nullptr &&
+                          catalogue.FindProvided(required) != nullptr &&
+                          catalogue.FindRequired(provided) != nullptr;
   if (!is_swapped) return {};
   return tendon::Error{tendon::ErrorCode::kInvalid,
                        ToString(required) +

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <string>
 
@@ -9,7 +9,7 @@ namespace console {
 
 /// Refuses swapped ends (provided first, required second) and says how to call `verb`. A swapped
 /// order has no other meaning.
-tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalog& catalog,
+tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue& catalogue,
                                 const tendon::InterfaceName& required,
                                 const tendon::InterfaceName& provided);
 

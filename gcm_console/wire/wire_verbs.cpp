@@ -5,7 +5,7 @@
 #include <gcm_console/wire/disputed_types.h>
 #include <gcm_console/wire/order.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/wiring/matching.h>
+#include <tendon/gcm/matching.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -16,7 +16,7 @@ namespace console {
 namespace {
 
 using program::ExitCode;
-using tendon::Catalog;
+using tendon::Catalogue;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::InterfaceName;
@@ -61,15 +61,15 @@ Result<tendon::ConnectionDescription> Carry(Context& context, const InterfaceNam
 }
 
 /// Like PlanConnect(), but only checks.
-Result<void> CheckConnect(const Catalog& catalog, const InterfaceName& required,
+Result<void> CheckConnect(const Catalogue& catalogue, const InterfaceName& required,
                           const InterfaceName& provided, bool replace) {
   using tendon::Occupied;
-  const auto plan = PlanConnect(catalog, {required, provided},
+  const auto plan = PlanConnect(catalogue, {required, provided},
                                 replace ? Occupied::kReplaced : Occupied::kRefused);
   return plan ? Result<void>() : plan.error();
 }
 
-ExitCode Print(Context& context, const Doing& doing, const std::vector<Outcome>& outcomes) {
+ExitCode Print(Context& context, const VerbForms& doing, const std::vector<Outcome>& outcomes) {
   PrintOutcomes(context, doing, outcomes);
   return ExitCodeOf(outcomes);
 }
@@ -115,8 +115,8 @@ Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (ends.dry_run) LearnDisputedTypes(context);
-  const Catalog catalog = (*client)->catalog();
-  const auto matches = MatchInterfaces(catalog, {ends.required, ends.provided});
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto matches = MatchInterfaces(catalogue, {ends.required, ends.provided});
   if (!matches) return matches.error();
   if (matches->empty()) {
     context.err() << "gcm: all that '" << Plain(ends.required) << "' names are connected\n";
@@ -131,7 +131,7 @@ Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
     if (!IsClear(match)) {
       result = Unmatched(match, ends.provided);
     } else if (ends.dry_run) {
-      result = CheckConnect(catalog, match.required, match.provided.front(), false);
+      result = CheckConnect(catalogue, match.required, match.provided.front(), false);
     } else if (auto made = Carry(context, match.required, match.provided.front(), false); !made) {
       result = made.error();
     }
@@ -152,22 +152,22 @@ Result<ExitCode> Connect(Context& context, const Ends& ends) {
   if (!provided) return provided.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  if (auto good = CheckOrder("connect", (*client)->catalog(), *required, *provided); !good) {
+  if (auto good = CheckOrder("connect", (*client)->catalogue(), *required, *provided); !good) {
     return good.error();
   }
   if (ends.dry_run) {
     LearnDisputedTypes(context);
-    auto checked = CheckConnect((*client)->catalog(), *required, *provided, ends.replace);
+    auto checked = CheckConnect((*client)->catalogue(), *required, *provided, ends.replace);
     if (!checked) return checked.error();
     const ExitCode printed =
         Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
-    const auto provider = LookUpProcess((*client)->catalog(), provided->process);
+    const auto provider = LookUpProcess((*client)->catalogue(), provided->process);
     return provider ? printed : WarnOfUnknown(context, provider.error(), ends);
   }
   const auto made = Carry(context, *required, *provided, ends.replace);
   if (!made) return made.error();
-  const Catalog catalog = (*client)->catalog();
-  const auto provider = LookUpProcess(catalog, provided->process);
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto provider = LookUpProcess(catalogue, provided->process);
   const bool is_unknown = !provider && made->state == tendon::ConnectionState::kPending;
   const std::string state(tendon::ToString(made->state));
   if (context.settings().json) {
@@ -194,10 +194,10 @@ Result<void> CarryEnd(Context& context, const InterfaceName& required) {
 Result<ExitCode> DisconnectAll(Context& context, const Ends& ends) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const Catalog catalog = (*client)->catalog();
+  const Catalogue catalogue = (*client)->catalogue();
   std::vector<tendon::ConnectionDescription> found;
   std::string question;
-  for (const auto& one : catalog.connections()) {
+  for (const auto& one : catalogue.connections()) {
     if (!tendon::MatchesGlob(ends.required, ToString(one.required))) continue;
     found.push_back(one);
     question += " " + ToString(one.required);
@@ -212,7 +212,7 @@ Result<ExitCode> DisconnectAll(Context& context, const Ends& ends) {
   if (asks && !Confirm(context, question)) return Declined();
   std::vector<Outcome> outcomes;
   for (const auto& one : found) {
-    const auto plan = PlanDisconnect(catalog, one.required);
+    const auto plan = PlanDisconnect(catalogue, one.required);
     Result<void> result = plan ? Result<void>() : plan.error();
     if (plan && !ends.dry_run) result = CarryEnd(context, one.required);
     outcomes.push_back({WireText(one.required, one.provided), std::move(result)});
@@ -225,10 +225,10 @@ Result<ExitCode> Disconnect(Context& context, const Ends& ends) {
   if (IsGlob(ends.required)) return DisconnectAll(context, ends);
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto required = LookUpConnected((*client)->catalog(), ends.required);
+  const auto required = LookUpConnected((*client)->catalogue(), ends.required);
   if (!required) return required.error();
   if (ends.dry_run) {
-    const auto plan = PlanDisconnect((*client)->catalog(), *required);
+    const auto plan = PlanDisconnect((*client)->catalogue(), *required);
     if (!plan) return plan.error();
     return Print(context, {"disconnect", "disconnected", true},
                  {{WireText(plan->required, plan->provided), {}}});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/name.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 
 #include <QAbstractTableModel>
 #include <QString>

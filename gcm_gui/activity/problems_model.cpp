@@ -48,7 +48,7 @@ void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections
     }
     auto waits = WaitsOf(connections, entry, component);
     const auto& waiting = component.name;
-    std::erase_if(waits, [&](const UnmetNeed& need) {  // already a problem of its own
+    std::erase_if(waits, [&](const UnsatisfiedInterface& need) {  // already a problem of its own
       const auto* connection = connections.Of({process.name, waiting, need.interface});
       return connection != nullptr && connection->state == ConnectionState::kFailed;
     });
@@ -85,7 +85,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-void ProblemsModel::update(const Catalog& catalogue) {
+void ProblemsModel::update(const Catalogue& catalogue) {
   of_system_.clear();
   const ConnectionIndex connections(catalogue);
   for (const auto& [name, entry] : catalogue.processes()) {
@@ -95,7 +95,7 @@ void ProblemsModel::update(const Catalog& catalogue) {
   show();
 }
 
-void ProblemsModel::dropAnswered(const Catalog& catalogue) {
+void ProblemsModel::dropAnswered(const Catalogue& catalogue) {
   for (auto it = refusals_.begin(); it != refusals_.end();) {
     const auto* connection = catalogue.FindConnection(it->first);
     const bool connected = connection != nullptr && connection->state == ConnectionState::kActive;

@@ -4,7 +4,7 @@
 #include <gcm_gui/fence/fence.h>
 #include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <QString>
 #include <compare>
@@ -36,7 +36,7 @@ class ProblemsModel : public RowListModel<Problem> {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
  public Q_SLOTS:
-  void update(const tendon::Catalog& catalogue);
+  void update(const tendon::Catalogue& catalogue);
   void hear(const tendon::gui::Action& finished);
   void showFaults(const QList<tendon::gui::ViewFault>& faults);
 
@@ -45,7 +45,7 @@ class ProblemsModel : public RowListModel<Problem> {
 
  private:
   void show();
-  void dropAnswered(const Catalog& catalogue);
+  void dropAnswered(const Catalogue& catalogue);
 
   std::vector<Problem> of_system_;
   std::map<InterfaceName, Problem> refusals_;  // by the required interface

@@ -9,7 +9,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link.h>
-#include <tendon/gcm/argument/common_fields.h>
+#include <tendon/gcm/common_fields.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
@@ -462,7 +462,7 @@ void CallPanel::focusFirst() {
 }
 
 void CallPanel::copyCommand() const {
-  QGuiApplication::clipboard()->setText(CallLine(path_, ToQString(argument())));
+  QGuiApplication::clipboard()->setText(SerialExecutor(path_, ToQString(argument())));
 }
 
 }  // namespace tendon::gui

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <gcm_gui/session/command_calls.h>
-#include <tendon/gcm/argument/matching_read.h>
-#include <tendon/interface/description.h>
+#include <tendon/gcm/matching_read.h>
+#include <tendon/interface/interface_description.h>
 
 #include <QHash>
 #include <QString>

@@ -34,12 +34,12 @@ QHash<QString, QByteArray> ValuesIn(const QString& name) {
 
 }  // namespace
 
-KeptValues::KeptValues(const QString& name) : file_(name) {
+SavedSettings::SavedSettings(const QString& name) : file_(name) {
   QDir().mkpath(QFileInfo(name).path());
   values_ = ValuesIn(name);
 }
 
-void KeptValues::set(const QString& name, const QByteArray& value) {
+void SavedSettings::set(const QString& name, const QByteArray& value) {
   values_.insert(name, value);
   set_.insert(name, value);
   const auto fill = [file = file_, set = set_](QIODevice& device) {

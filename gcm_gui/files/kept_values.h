@@ -9,10 +9,10 @@ namespace tendon::gui {
 /// Values that a program keeps from one run to the next, by name. The file is read once, at the
 /// start. The FileWriter saves the values set since and keeps the other values as another program
 /// has written them meanwhile; a failure is reported on stderr. GUI thread.
-class KeptValues {
+class SavedSettings {
  public:
   /// If the file cannot be read, no earlier value is known.
-  explicit KeptValues(const QString& file);
+  explicit SavedSettings(const QString& file);
 
   /// Empty if there is none.
   [[nodiscard]] QByteArray value(const QString& name) const { return values_.value(name); }

@@ -4,7 +4,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/reports/counts_text.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/wiring/connection_health.h>
+#include <tendon/gcm/connection_health.h>
 
 #include <QPointer>
 #include <algorithm>

@@ -114,7 +114,7 @@ const EdgeItem* GraphScene::edge(const QString& required) const {
 
 bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
-void GraphScene::showCatalogue(const Catalog& catalogue, const Touched& touched) {
+void GraphScene::showCatalogue(const Catalogue& catalogue, const Touched& touched) {
   layout_->arrange(updater_.update(catalogue, touched), placesByHand());
   if (layout_->isAtWork()) showItems(false);  // items that already have a place
 }

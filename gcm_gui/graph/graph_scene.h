@@ -91,7 +91,7 @@ class GraphScene : public QGraphicsScene {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
-  void showCatalogue(const Catalog& catalogue, const Touched& touched);
+  void showCatalogue(const Catalogue& catalogue, const Touched& touched);
   void showItems(bool moved);
   void showArrangement(bool moved);
   void showContents();

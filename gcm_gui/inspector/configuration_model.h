@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/row_list_model.h>
-#include <tendon/manager/description.h>
+#include <tendon/manager/component_description.h>
 
 #include <QString>
 

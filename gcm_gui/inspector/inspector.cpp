@@ -22,9 +22,9 @@
 #include <gcm_gui/views/tab_panel.h>
 #include <tendon/base/find_named.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/argument/matching_read.h>
+#include <tendon/gcm/matching_read.h>
 #include <tendon/gcm/text/wall_time.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <QHBoxLayout>
 #include <QHeaderView>

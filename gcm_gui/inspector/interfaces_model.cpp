@@ -16,7 +16,7 @@ using Kind = InterfaceRow::Kind;
 
 class RowBuilder {
  public:
-  RowBuilder(const Catalog& catalogue, const std::string& process,
+  RowBuilder(const Catalogue& catalogue, const std::string& process,
              const ComponentDescription& component)
       : catalogue_(catalogue), connections_(catalogue), process_(process), component_(component) {}
 
@@ -110,7 +110,7 @@ class RowBuilder {
   static QString PathOf(const InterfaceName& name) { return ToQString(tendon::ToString(name)); }
   void Add(InterfaceRow row) { rows_.push_back(std::move(row)); }
 
-  const Catalog& catalogue_;
+  const Catalogue& catalogue_;
   ConnectionIndex connections_;
   const std::string& process_;
   const ComponentDescription& component_;
@@ -162,7 +162,7 @@ QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-void InterfacesModel::show(const Catalog& catalogue, const std::string& process,
+void InterfacesModel::show(const Catalogue& catalogue, const std::string& process,
                            const std::string& component) {
   std::vector<InterfaceRow> fresh;
   if (const auto* description = catalogue.FindComponent(process, component)) {

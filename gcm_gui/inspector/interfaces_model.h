@@ -3,7 +3,7 @@
 #include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <QHash>
 #include <QString>
@@ -37,7 +37,7 @@ class InterfacesModel : public RowListModel<InterfaceRow> {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
   /// Shows a component, or nothing if it does not exist.
-  void show(const Catalog& catalogue, const std::string& process, const std::string& component);
+  void show(const Catalogue& catalogue, const std::string& process, const std::string& component);
   /// The row of exactly this path; -1 if there is none.
   [[nodiscard]] int rowOf(const QString& path) const;
   /// The health of the interfaces' connections, by interface path.

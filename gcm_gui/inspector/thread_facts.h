@@ -2,7 +2,7 @@
 
 #include <gcm_gui/inspector/cycle_figures.h>
 #include <gcm_gui/views/fact_grid.h>
-#include <tendon/manager/description.h>
+#include <tendon/manager/component_description.h>
 
 #include <QList>
 

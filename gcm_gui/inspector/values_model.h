@@ -4,7 +4,7 @@
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/base/clock.h>
-#include <tendon/manager/description.h>
+#include <tendon/manager/component_description.h>
 
 #include <QAbstractTableModel>
 #include <QList>

@@ -2,7 +2,7 @@
 
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/payload/plot_channel.h>
 
 #include <QString>

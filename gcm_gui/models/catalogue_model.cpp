@@ -140,7 +140,7 @@ const CatalogueItem& CatalogueModel::itemFor(const QModelIndex& index) const {
                          : *root_;
 }
 
-void CatalogueModel::update(const Catalog& catalogue, const Touched& touched) {
+void CatalogueModel::update(const Catalogue& catalogue, const Touched& touched) {
   const ConnectionIndex connections(catalogue);
   const std::string* whole = nullptr;
   for (const TouchedPart& part : touched) {  // a process precedes its components
@@ -154,7 +154,7 @@ void CatalogueModel::update(const Catalog& catalogue, const Touched& touched) {
   }
 }
 
-void CatalogueModel::updateProcess(const Catalog& catalogue, const ConnectionIndex& connections,
+void CatalogueModel::updateProcess(const Catalogue& catalogue, const ConnectionIndex& connections,
                                    const std::string& name) {
   const ProcessEntry* entry = catalogue.FindProcess(name);
   const QString path = ToQString(name);
@@ -175,7 +175,7 @@ void CatalogueModel::updateProcess(const Catalog& catalogue, const ConnectionInd
   }
 }
 
-void CatalogueModel::updateComponent(const Catalog& catalogue, const ConnectionIndex& connections,
+void CatalogueModel::updateComponent(const Catalogue& catalogue, const ConnectionIndex& connections,
                                      const TouchedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
   CatalogueItem* process = by_path_.value(ToQString(part.process));

@@ -59,7 +59,7 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
  public Q_SLOTS:
-  void update(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
+  void update(const tendon::Catalogue& catalogue, const tendon::gui::Touched& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
   /// Names the columns with a subscription; silence means something only for those.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
@@ -69,9 +69,9 @@ class CatalogueModel : public QAbstractItemModel {
   void setOutdated(bool outdated);
 
  private:
-  void updateProcess(const Catalog& catalogue, const ConnectionIndex& connections,
+  void updateProcess(const Catalogue& catalogue, const ConnectionIndex& connections,
                      const std::string& name);
-  void updateComponent(const Catalog& catalogue, const ConnectionIndex& connections,
+  void updateComponent(const Catalogue& catalogue, const ConnectionIndex& connections,
                        const TouchedPart& part);
   void merge(CatalogueItem& item, CatalogueItem& fresh);
   void mergeChildren(CatalogueItem& parent, std::vector<std::unique_ptr<CatalogueItem>> fresh);

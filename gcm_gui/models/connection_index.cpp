@@ -4,7 +4,7 @@
 
 namespace tendon::gui {
 
-ConnectionIndex::ConnectionIndex(const Catalog& catalogue) {
+ConnectionIndex::ConnectionIndex(const Catalogue& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [id, connection] : entry.connections) {
       by_required_[connection.required] = &connection;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <map>
 #include <vector>
@@ -11,7 +11,7 @@ namespace tendon::gui {
 /// catalogue, so it must not outlive the next change.
 class ConnectionIndex {
  public:
-  explicit ConnectionIndex(const Catalog& catalogue);
+  explicit ConnectionIndex(const Catalogue& catalogue);
 
   /// Null if there is none.
   [[nodiscard]] const ConnectionDescription* Of(const InterfaceName& required) const;

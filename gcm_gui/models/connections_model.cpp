@@ -79,7 +79,7 @@ int ConnectionsModel::rowOf(const QString& required) const {
   return it == rows_.end() ? -1 : static_cast<int>(it - rows_.begin());
 }
 
-void ConnectionsModel::update(const Catalog& catalogue) {
+void ConnectionsModel::update(const Catalogue& catalogue) {
   std::vector<ConnectionDescription> fresh = catalogue.connections();
   std::sort(fresh.begin(), fresh.end(), ByRequired);
   for (std::size_t row = rows_.size(); row-- > 0;) {

@@ -30,7 +30,7 @@ class ConnectionsModel : public QAbstractTableModel {
  public Q_SLOTS:
   /// The link is lost: shows everything in its last known state.
   void setOutdated(bool outdated);
-  void update(const tendon::Catalog& catalogue);
+  void update(const tendon::Catalogue& catalogue);
 
  private:
   std::vector<ConnectionDescription> rows_;

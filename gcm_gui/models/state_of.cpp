@@ -2,7 +2,7 @@
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 
 #include <QStringList>
 
@@ -58,25 +58,26 @@ StateMark MarkOf(const ConnectionDescription* connection) {
   return connection == nullptr ? StateMark::kNotConnected : MarkOf(connection->state);
 }
 
-std::vector<UnmetNeed> WaitsOf(const ConnectionIndex& connections, const ProcessEntry& process,
-                               const ComponentDescription& component) {
+std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
+                                          const ProcessEntry& process,
+                                          const ComponentDescription& component) {
   return tendon::WaitsOf(process, component, [&](const std::string& interface) {
     return connections.Of({process.process.name, component.name, interface});
   });
 }
 
-StateMark MarkOf(ComponentState state, const std::vector<UnmetNeed>& waits) {
+StateMark MarkOf(ComponentState state, const std::vector<UnsatisfiedInterface>& waits) {
   return waits.empty() ? MarkOf(state) : StateMark::kWarning;
 }
 
-QString WordOf(ComponentState state, const std::vector<UnmetNeed>& waits) {
+QString WordOf(ComponentState state, const std::vector<UnsatisfiedInterface>& waits) {
   return waits.empty() ? WordOf(MarkOf(state))
                        : Words::tr("waiting for ") + ToQString(NamesOf(waits));
 }
 
-QString ReasonsText(const std::vector<UnmetNeed>& waits) {
+QString ReasonsText(const std::vector<UnsatisfiedInterface>& waits) {
   QStringList reasons;
-  for (const UnmetNeed& need : waits) {
+  for (const UnsatisfiedInterface& need : waits) {
     const QString reason =
         need.has_connection ? ToQString(need.reason) : WordOf(StateMark::kNotConnected);
     reasons << ToQString(need.interface) + QStringLiteral(": ") + reason;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <gcm_gui/theme/state_mark.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/standstill.h>
-#include <tendon/manager/unmet_need.h>
+#include <tendon/manager/unsatisfied_interface.h>
 
 #include <QMetaType>
 #include <QString>
@@ -26,15 +26,16 @@ class ConnectionIndex;
 /// "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age);
 /// The unmet needs of a component, by core's rules; `connections` is of the same catalogue.
-[[nodiscard]] std::vector<UnmetNeed> WaitsOf(const ConnectionIndex& connections,
-                                             const ProcessEntry& process,
-                                             const ComponentDescription& component);
+[[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
+                                                        const ProcessEntry& process,
+                                                        const ComponentDescription& component);
 /// The mark of a component; a warning if it runs but waits.
-[[nodiscard]] StateMark MarkOf(ComponentState state, const std::vector<UnmetNeed>& waits);
+[[nodiscard]] StateMark MarkOf(ComponentState state,
+                               const std::vector<UnsatisfiedInterface>& waits);
 /// "waiting for Robot", in the user's language; the state if it waits for nothing.
-[[nodiscard]] QString WordOf(ComponentState state, const std::vector<UnmetNeed>& waits);
+[[nodiscard]] QString WordOf(ComponentState state, const std::vector<UnsatisfiedInterface>& waits);
 /// "Robot: not connected", in the user's language; empty if it waits for nothing.
-[[nodiscard]] QString ReasonsText(const std::vector<UnmetNeed>& waits);
+[[nodiscard]] QString ReasonsText(const std::vector<UnsatisfiedInterface>& waits);
 
 /// "alive", "no answer", "lost", in the user's language.
 [[nodiscard]] QString WordOf(ProcessState state);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/manager/description.h>
+#include <tendon/manager/component_description.h>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/description.h>
+#include <tendon/interface/interface_description.h>
 #include <tendon/payload/plot_channel.h>
 
 #include <QString>
@@ -59,7 +59,7 @@ enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString ShellWord(QString word);
 
 /// The shell command for a call: "gcm call robot/arm/Control.MoveTo '{...}'".
-[[nodiscard]] QString CallLine(const QString& path, const QString& json);
+[[nodiscard]] QString SerialExecutor(const QString& path, const QString& json);
 
 /// The present time in ns since 1970, like ProcessDescription::since.
 [[nodiscard]] std::int64_t WallClock();

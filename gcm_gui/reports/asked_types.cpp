@@ -4,11 +4,11 @@
 
 namespace tendon::gui {
 
-void AskedTypes::want(Fingerprint type, const std::string& process) {
+void TypeRequests::want(Fingerprint type, const std::string& process) {
   wanted_[type].process = process;
 }
 
-std::vector<std::pair<Fingerprint, std::string>> AskedTypes::takeDue(SteadyTime now) {
+std::vector<std::pair<Fingerprint, std::string>> TypeRequests::takeDue(SteadyTime now) {
   std::vector<std::pair<Fingerprint, std::string>> due;
   for (auto& [type, one] : wanted_) {
     const bool is_known = one.answer && one.answer->ok();
@@ -19,7 +19,7 @@ std::vector<std::pair<Fingerprint, std::string>> AskedTypes::takeDue(SteadyTime 
   return due;
 }
 
-void AskedTypes::hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
+void TypeRequests::hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
   Wanted& one = wanted_[type];
   one.is_asking = false;
   one.answer = answer;
@@ -27,7 +27,7 @@ void AskedTypes::hear(Fingerprint type, const Result<Schema>& answer, SteadyTime
   one.pause = std::min<std::chrono::nanoseconds>(2 * one.pause, kLongestPause);
 }
 
-const Result<Schema>* AskedTypes::find(Fingerprint type) const {
+const Result<Schema>* TypeRequests::find(Fingerprint type) const {
   const auto found = wanted_.find(type);
   return found == wanted_.end() || !found->second.answer ? nullptr : &*found->second.answer;
 }

@@ -14,7 +14,7 @@ namespace tendon::gui {
 
 /// Schedules requests for types, by fingerprint. A failed request is repeated after a pause that
 /// doubles from kFirstPause to kLongestPause. Not thread-safe.
-class AskedTypes {
+class TypeRequests {
  public:
   static constexpr std::chrono::seconds kFirstPause{1};
   static constexpr std::chrono::seconds kLongestPause{30};

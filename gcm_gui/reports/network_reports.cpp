@@ -109,7 +109,7 @@ void NetworkReports::learn(const console::EventInbox::Content& content) {
   }
 }
 
-std::optional<QString> NetworkReports::valueOf(const console::HeardEvent& event) const {
+std::optional<QString> NetworkReports::valueOf(const console::ReceivedEvent& event) const {
   const Signature& signature = event.description.signature;
   if (!TakesArgument(signature)) return QString();
   const Result<Schema>* type = types_.find(signature.in);
@@ -125,16 +125,16 @@ void NetworkReports::drain() {
   console::EventInbox::Content content = inbox_->Take();
   learn(content);
   for (const auto& [path, count] : content.lost) Q_EMIT eventsLost(ToQString(path), count);
-  for (console::HeardEvent& event : content.events) waiting_.push_back(std::move(event));
+  for (console::ReceivedEvent& event : content.events) waiting_.push_back(std::move(event));
   std::map<std::string, std::uint64_t> too_many;
   while (waiting_.size() > kMostAtOnce) {
     ++too_many[waiting_.front().path];
     waiting_.pop_front();
   }
   for (const auto& [path, count] : too_many) Q_EMIT eventsLost(ToQString(path), count);
-  std::vector<HeardEvent> heard;
-  std::deque<console::HeardEvent> unread;
-  for (console::HeardEvent& event : waiting_) {
+  std::vector<ReceivedEvent> heard;
+  std::deque<console::ReceivedEvent> unread;
+  for (console::ReceivedEvent& event : waiting_) {
     if (const auto value = valueOf(event)) {
       heard.push_back({event.time_ns, ToQString(event.path), *value});
     } else {

@@ -51,7 +51,7 @@ class NetworkReports final : public SystemReports {
 
   void learn(const console::EventInbox::Content& content);
   /// The event's value as text; nothing while its type is being requested.
-  [[nodiscard]] std::optional<QString> valueOf(const console::HeardEvent& event) const;
+  [[nodiscard]] std::optional<QString> valueOf(const console::ReceivedEvent& event) const;
 
   GcmClient& client_;
   const CatalogueStore& store_;
@@ -60,8 +60,8 @@ class NetworkReports final : public SystemReports {
   std::map<const QObject*, QStringList> wanted_;
   QSet<const QObject*> known_owners_;
   std::map<InterfaceName, Listener> listeners_;
-  AskedTypes types_;
-  std::deque<console::HeardEvent> waiting_;
+  TypeRequests types_;
+  std::deque<console::ReceivedEvent> waiting_;
   QTimer drain_timer_;
   QTimer follow_soon_;
 };

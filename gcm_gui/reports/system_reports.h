@@ -12,14 +12,14 @@
 namespace tendon::gui {
 
 /// An event that was raised.
-struct HeardEvent {
+struct ReceivedEvent {
   /// The time of the event in ns since 1970 by this machine's clock, computed from the event's age
   /// on the steady clock.
   std::int64_t when = 0;
   QString path;   ///< "robot/arm/Control.GoalReached"
   QString value;  ///< JSON; empty if it has none
 
-  bool operator==(const HeardEvent&) const = default;
+  bool operator==(const ReceivedEvent&) const = default;
 };
 
 /// The system's reports beside its catalogue: log, events, and the health of processes and
@@ -54,7 +54,7 @@ class SystemReports : public QObject {
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
   /// In order of arrival, except that events of a new type wait until the type is known.
-  void eventsArrived(const std::vector<tendon::gui::HeardEvent>& events);
+  void eventsArrived(const std::vector<tendon::gui::ReceivedEvent>& events);
   /// `count` more events were lost, for lack of room or time.
   void eventsLost(const QString& path, std::uint64_t count);
 };

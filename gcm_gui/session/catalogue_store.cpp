@@ -17,26 +17,26 @@ void TouchConnections(Touched& touched, const ProcessEntry& entry) {
 }
 
 /// The parts that `change` touches, in the catalogue before it is applied.
-void Touch(Touched& touched, const Catalog& before, const CatalogChange& change) {
+void Touch(Touched& touched, const Catalogue& before, const CatalogueChange& change) {
   const ProcessEntry* entry = before.FindProcess(change.process);
   switch (change.kind) {
-    case CatalogChange::Kind::kProcess:
-    case CatalogChange::Kind::kProcessRemoved:
+    case CatalogueChange::Kind::kProcess:
+    case CatalogueChange::Kind::kProcessRemoved:
       touched.insert({change.process, {}});
       if (entry) TouchConnections(touched, *entry);
       break;
-    case CatalogChange::Kind::kComponent:
+    case CatalogueChange::Kind::kComponent:
       for (const auto& component : change.components) {
         touched.insert({change.process, component.name});
       }
       break;
-    case CatalogChange::Kind::kComponentRemoved:
+    case CatalogueChange::Kind::kComponentRemoved:
       touched.insert({change.process, change.component});
       break;
-    case CatalogChange::Kind::kConnection:
+    case CatalogueChange::Kind::kConnection:
       for (const auto& connection : change.connections) Touch(touched, connection);
       break;
-    case CatalogChange::Kind::kConnectionRemoved:
+    case CatalogueChange::Kind::kConnectionRemoved:
       if (!entry) break;
       if (const auto it = entry->connections.find(change.connection);
           it != entry->connections.end()) {
@@ -46,7 +46,7 @@ void Touch(Touched& touched, const Catalog& before, const CatalogChange& change)
   }
 }
 
-void TouchAll(Touched& touched, const Catalog& catalogue) {
+void TouchAll(Touched& touched, const Catalogue& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     touched.insert({name, {}});
     TouchConnections(touched, entry);
@@ -59,7 +59,7 @@ std::int64_t Now() {
 
 /// Moves about `most` components from the front of `parts` to the result; a whole process counts as
 /// all its components.
-Touched TakeSome(Touched& parts, const Catalog& catalogue, std::size_t most) {
+Touched TakeSome(Touched& parts, const Catalogue& catalogue, std::size_t most) {
   Touched some;
   for (std::size_t count = 0; !parts.empty() && count < most;) {
     const TouchedPart part = *parts.begin();
@@ -105,7 +105,7 @@ std::optional<std::int64_t> CatalogueStore::stateSince(const std::string& proces
   return known == states_.end() ? std::nullopt : known->second.since;
 }
 
-void CatalogueStore::replace(Catalog catalogue) {
+void CatalogueStore::replace(Catalogue catalogue) {
   std::erase_if(states_, [&](const auto& known) {
     return catalogue.FindComponent(known.first.process, known.first.component) == nullptr;
   });
@@ -120,14 +120,14 @@ void CatalogueStore::replace(Catalog catalogue) {
   tell();
 }
 
-void CatalogueStore::apply(const std::vector<CatalogChange>& changes) {
+void CatalogueStore::apply(const std::vector<CatalogueChange>& changes) {
   for (const auto& change : changes) {
     Touched here;
     Touch(here, catalogue_, change);
     if (!catalogue_.Apply(change)) continue;
     untold_.merge(here);
     for (const auto& component : change.components) noteState(change.process, component, Now());
-    if (change.kind == CatalogChange::Kind::kComponentRemoved) {
+    if (change.kind == CatalogueChange::Kind::kComponentRemoved) {
       states_.erase(TouchedPart{change.process, change.component});
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <QObject>
 #include <QTimer>
@@ -34,7 +34,7 @@ class CatalogueStore : public QObject {
 
   explicit CatalogueStore(QObject* parent = nullptr);
 
-  [[nodiscard]] const Catalog& catalogue() const { return catalogue_; }
+  [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
 
   /// The time, ns since 1970, at which a component entered its state; nothing if that was before
   /// this window watched.
@@ -42,16 +42,16 @@ class CatalogueStore : public QObject {
                                                        const std::string& component) const;
 
   /// Takes a snapshot; everything old and new counts as touched.
-  void replace(Catalog catalogue);
+  void replace(Catalogue catalogue);
   /// Takes the next changes. Ignores changes after a missing one: a snapshot will follow.
-  void apply(const std::vector<CatalogChange>& changes);
+  void apply(const std::vector<CatalogueChange>& changes);
   /// True while the views do not know all changes yet.
   [[nodiscard]] bool isTelling() const { return !untold_.empty(); }
 
  Q_SIGNALS:
   /// Announces changes that arrived together; if they touch many components, in steps from the
   /// event loop, so that no step blocks the window.
-  void changed(const tendon::Catalog& catalogue, const tendon::gui::Touched& touched);
+  void changed(const tendon::Catalogue& catalogue, const tendon::gui::Touched& touched);
   /// FindSchema() now knows more types of the catalogue.
   void typesLearned();
 
@@ -65,7 +65,7 @@ class CatalogueStore : public QObject {
   void noteState(const std::string& process, const ComponentDescription& component,
                  std::optional<std::int64_t> changed_at);
 
-  Catalog catalogue_;
+  Catalogue catalogue_;
   std::map<TouchedPart, KnownState> states_;
   Touched untold_;
   QTimer next_;

@@ -3,24 +3,24 @@
 
 namespace tendon::gui {
 
-void GcmLink::setAddress(const QString& address, bool hosted) {
+void LinkState::setAddress(const QString& address, bool hosted) {
   address_ = address;
   hosted_ = hosted;
   since_ = WallClock();
   Q_EMIT changed();
 }
 
-void GcmLink::setConnected() {
+void LinkState::setConnected() {
   reason_.clear();
   enter(State::kConnected);
 }
 
-void GcmLink::setUnreachable(const QString& reason) {
+void LinkState::setUnreachable(const QString& reason) {
   reason_ = reason;
   enter(state_ == State::kSearching ? State::kSearching : State::kLost);
 }
 
-void GcmLink::enter(State state) {
+void LinkState::enter(State state) {
   if (state != state_) since_ = WallClock();
   state_ = state;
   Q_EMIT changed();

@@ -7,7 +7,7 @@
 namespace tendon::gui {
 
 /// The state of the window's link to its GCM. GUI thread.
-class GcmLink : public QObject {
+class LinkState : public QObject {
   Q_OBJECT
 
  public:

@@ -20,9 +20,9 @@ std::string FieldOf(const QString& column, const QString& signal) {
 }
 
 /// A subscription to every row only gets new rows. This one gets the row written before.
-class StandingRow final : public RowSink {
+class InitialRowSink final : public RowSink {
  public:
-  explicit StandingRow(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
+  explicit InitialRowSink(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
 
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
   std::size_t OnRows(const RowBatch& batch) override {
@@ -116,7 +116,7 @@ void LiveSignals::seekStandingRow(Column& column) {
   if (column.standing || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
   TableSubscription wanted = column.table;
   wanted.rows.delivery = RowDelivery::kNewest;
-  column.standing = telemetry_.Subscribe(wanted, std::make_shared<StandingRow>(column.feed));
+  column.standing = telemetry_.Subscribe(wanted, std::make_shared<InitialRowSink>(column.feed));
 }
 
 void LiveSignals::endStanding(Column& column) {

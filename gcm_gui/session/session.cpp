@@ -49,10 +49,10 @@ class Session::Listener final : public GcmListener {
   Listener(Session& session, std::shared_ptr<Courier> courier)
       : session_(session), courier_(std::move(courier)) {}
 
-  void OnSnapshot(const Catalog& catalogue) override {
+  void OnSnapshot(const Catalogue& catalogue) override {
     courier_->post([this, catalogue] { session_.hearSnapshot(catalogue); });
   }
-  void OnChanges(const std::vector<CatalogChange>& changes) override {
+  void OnChanges(const std::vector<CatalogueChange>& changes) override {
     courier_->post([this, changes] { session_.hearChanges(changes); });
   }
   void OnGcmLost(const Error& reason) override {
@@ -81,7 +81,7 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
   plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
-  connect(&link_, &GcmLink::wantedAnew, this, [this] { client_->Resync(); });
+  connect(&link_, &LinkState::wantedAnew, this, [this] { client_->Resync(); });
 }
 
 Session::~Session() {
@@ -92,18 +92,18 @@ Session::~Session() {
   client_.reset();
 }
 
-void Session::hearSnapshot(const Catalog& catalogue) {
+void Session::hearSnapshot(const Catalogue& catalogue) {
   store_.replace(catalogue);
   giveUpCalls();
   link_.setConnected();
   learnTypes();
 }
 
-void Session::hearChanges(const std::vector<CatalogChange>& changes) {
+void Session::hearChanges(const std::vector<CatalogueChange>& changes) {
   store_.apply(changes);
   giveUpCalls();
-  const auto is_component = [](const CatalogChange& change) {
-    return change.kind == CatalogChange::Kind::kComponent;
+  const auto is_component = [](const CatalogueChange& change) {
+    return change.kind == CatalogueChange::Kind::kComponent;
   };
   if (std::any_of(changes.begin(), changes.end(), is_component)) learnTypes();
 }
@@ -276,7 +276,7 @@ void Session::giveUpCalls() {
 }
 
 void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
-  const Catalog& catalogue = store_.catalogue();
+  const Catalogue& catalogue = store_.catalogue();
   const Result<Diagnosis> diagnosis = Diagnose(catalogue, wire);
   if (!diagnosis) return courier_->post([handler, diagnosis] { handler(diagnosis); });
   const auto tell = [this, courier = courier_, handler](Diagnosis complete,

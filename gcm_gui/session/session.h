@@ -38,7 +38,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   ~Session() override;
 
   [[nodiscard]] CatalogueStore& store() { return store_; }
-  [[nodiscard]] GcmLink& link() { return link_; }
+  [[nodiscard]] LinkState& link() { return link_; }
   [[nodiscard]] ActivityModel& activity() { return activity_; }
   [[nodiscard]] LiveSignals& liveSignals() { return *live_signals_; }
   [[nodiscard]] SystemReports& reports() { return *reports_; }
@@ -69,8 +69,8 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
     AnswerHandler handler;
   };
 
-  void hearSnapshot(const Catalog& catalogue);
-  void hearChanges(const std::vector<CatalogChange>& changes);
+  void hearSnapshot(const Catalogue& catalogue);
+  void hearChanges(const std::vector<CatalogueChange>& changes);
   void hearLost(const Error& reason);
   void learnTypes();
   /// Adds the action to the list; the returned function takes its result from any thread.
@@ -84,7 +84,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;
-  GcmLink link_;
+  LinkState link_;
   ActivityModel activity_;
   UndoChoice undo_choice_;
   std::map<ActivityModel::Id, OpenCall> open_calls_;

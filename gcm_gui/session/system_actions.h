@@ -2,7 +2,7 @@
 
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 
 #include <string>
 

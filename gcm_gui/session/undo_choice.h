@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 
 #include <chrono>
 #include <cstdint>

@@ -30,7 +30,7 @@ SteerRow::SteerRow(QWidget* parent) : QWidget(parent) {
   }
 }
 
-void SteerRow::show(const Catalog& catalogue, const std::string& process,
+void SteerRow::show(const Catalogue& catalogue, const std::string& process,
                     const std::string& component) {
   for (std::size_t i = 0; i < kSteerVerbs.size(); ++i) {
     const auto checked =

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/steer/steer_words.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <QWidget>
 #include <array>
@@ -20,7 +20,7 @@ class SteerRow : public QWidget {
   explicit SteerRow(QWidget* parent = nullptr);
 
   /// Disables the buttons that the component would refuse in its state; their tool tips say why.
-  void show(const Catalog& catalogue, const std::string& process, const std::string& component);
+  void show(const Catalogue& catalogue, const std::string& process, const std::string& component);
 
  Q_SIGNALS:
   void chosen(tendon::LifeVerb verb);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 #include <tendon/task/component_state.h>
 
 #include <QString>

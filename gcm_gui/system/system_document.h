@@ -38,7 +38,7 @@ class SystemDocument : public QObject {
   /// "demo.gcm.json".
   [[nodiscard]] QString name() const { return path_.section('/', -1); }
   [[nodiscard]] const SystemFile& file() const { return file_; }
-  [[nodiscard]] const Catalog& catalogue() const { return store_.catalogue(); }
+  [[nodiscard]] const Catalogue& catalogue() const { return store_.catalogue(); }
   /// The comparison of the file with the running system.
   [[nodiscard]] const SystemComparison& comparison() const { return comparison_; }
   /// "demo.gcm.json", "demo.gcm.json, modified since 12:04"; empty without a file.

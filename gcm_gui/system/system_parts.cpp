@@ -78,7 +78,7 @@ SystemFile WithPartOf(SystemFile base, const SystemFile& from, const std::string
   return base;
 }
 
-SystemFile WholeSystem(const Catalog& catalogue) {
+SystemFile WholeSystem(const Catalogue& catalogue) {
   RunningSystem running = SystemOf(catalogue, "running");
   auto& connections = running.file.connections;
   connections.insert(connections.end(), running.loose.begin(), running.loose.end());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/system_file.h>
 
 #include <string>
@@ -13,6 +13,6 @@ namespace tendon::gui {
                                     const std::string& what);
 
 /// The running system, including connections whose other end does not exist now.
-[[nodiscard]] SystemFile WholeSystem(const Catalog& catalogue);
+[[nodiscard]] SystemFile WholeSystem(const Catalogue& catalogue);
 
 }  // namespace tendon::gui

@@ -24,7 +24,7 @@ void Refusals::hear(const Action& finished) {
   Q_EMIT changed();
 }
 
-void Refusals::update(const Catalog& catalogue) {
+void Refusals::update(const Catalogue& catalogue) {
   const auto is_over = [&](const auto& entry) {
     const auto& [required, refused] = entry;
     const auto* connection = catalogue.FindConnection(required);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <QObject>
 #include <QString>
@@ -35,7 +35,7 @@ class Refusals : public QObject {
 
  public Q_SLOTS:
   void hear(const tendon::gui::Action& finished);
-  void update(const tendon::Catalog& catalogue);
+  void update(const tendon::Catalogue& catalogue);
 
  Q_SIGNALS:
   void changed();

@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-std::optional<InterfaceName> RequiredOf(const Catalog& catalogue, const QString& path) {
+std::optional<InterfaceName> RequiredOf(const Catalogue& catalogue, const QString& path) {
   const auto name = ParseInterfaceName(path.section('.', 0, 0).toStdString());
   if (!name.ok() || catalogue.FindRequired(*name) == nullptr) return std::nullopt;
   return *name;
@@ -36,7 +36,7 @@ WhyBinding::WhyBinding(WhyCard& card, const CatalogueStore& store, ConnectionChe
 }
 
 void WhyBinding::open(const QString& path) {
-  const Catalog& catalogue = store_.catalogue();
+  const Catalogue& catalogue = store_.catalogue();
   const auto required = RequiredOf(catalogue, path);
   if (!required) {
     Q_EMIT notice(Words::tr("Select a required interface to see why it is connected or not"));
@@ -83,7 +83,7 @@ void WhyBinding::show(const message::Wire& wire, const Result<Diagnosis>& diagno
   WhyReport report{*diagnosis, std::nullopt, {}};
   const auto* refused = refusals_.find(wire.required);
   if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;
-  const Catalog& catalogue = store_.catalogue();
+  const Catalogue& catalogue = store_.catalogue();
   const bool is_tried = report.refusal || diagnosis->is_connected;
   if (is_tried && diagnosis->failure) {
     for (const auto& line : LeftoverTexts(*diagnosis)) report.leftovers.append(ToQString(line));
@@ -95,7 +95,7 @@ void WhyBinding::retry() {
   if (wire_) actions_.replaceConnection(wire_->required, wire_->provided);
 }
 
-void WhyBinding::follow(const Catalog& catalogue, const Touched& touched) {
+void WhyBinding::follow(const Catalogue& catalogue, const Touched& touched) {
   refusals_.update(catalogue);
   if (!wire_) return;
   const auto is_about_it = [this](const TouchedPart& part) {

@@ -40,7 +40,7 @@ class WhyBinding : public QObject {
   void hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
   void show(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
   void retry();
-  void follow(const Catalog& catalogue, const Touched& touched);
+  void follow(const Catalogue& catalogue, const Touched& touched);
 
   WhyCard& card_;
   const CatalogueStore& store_;

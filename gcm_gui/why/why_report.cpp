@@ -65,7 +65,7 @@ QString WhyReport::text() const {
   return lines.join('\n') + '\n';
 }
 
-std::optional<InterfaceName> LikelyProvider(const Catalog& catalogue, const Refusals& refusals,
+std::optional<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Refusals& refusals,
                                             const InterfaceName& required) {
   if (const auto* refused = refusals.find(required)) return refused->provided;
   if (const auto* connection = catalogue.FindConnection(required)) return connection->provided;

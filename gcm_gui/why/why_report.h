@@ -27,7 +27,7 @@ struct WhyReport {
 
 /// The provided interface that the user probably means when asking why `required` is not connected:
 /// the refused one, else the connected one, else the best candidate.
-[[nodiscard]] std::optional<InterfaceName> LikelyProvider(const Catalog& catalogue,
+[[nodiscard]] std::optional<InterfaceName> LikelyProvider(const Catalogue& catalogue,
                                                           const Refusals& refusals,
                                                           const InterfaceName& required);
 

@@ -20,7 +20,7 @@ namespace {
 constexpr int kTextWidth = 540;
 
 /// True if a GCM there would start processes on this machine.
-bool IsHere(const GcmLink& link) {
+bool IsHere(const LinkState& link) {
   return link.isHosted() || link.address().startsWith(QStringLiteral("127.")) ||
          link.address().startsWith(QStringLiteral("localhost:")) ||
          link.address().startsWith(QStringLiteral("[::1]"));
@@ -28,7 +28,7 @@ bool IsHere(const GcmLink& link) {
 
 }  // namespace
 
-EmptyState::EmptyState(const GcmLink& link, Offers offers, QWidget* parent)
+EmptyState::EmptyState(const LinkState& link, Offers offers, QWidget* parent)
     : QWidget(parent),
       link_(link),
       offers_(offers),
@@ -69,7 +69,7 @@ EmptyState::EmptyState(const GcmLink& link, Offers offers, QWidget* parent)
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);
   middle->addStretch(1);
-  connect(&link, &GcmLink::changed, this, Fenced(this, &EmptyState::refresh));
+  connect(&link, &LinkState::changed, this, Fenced(this, &EmptyState::refresh));
   refresh();
 }
 
@@ -109,7 +109,7 @@ QLayout* EmptyState::buildWaysOn() {
 
 void EmptyState::refresh() {
   const QString gcm = ToQString(GcmWords(link_.address().toStdString()));
-  const bool is_connected = link_.state() == GcmLink::State::kConnected;
+  const bool is_connected = link_.state() == LinkState::State::kConnected;
   if (is_connected) {
     title_->setText(Words::tr("Nothing is running yet."));
     text_->setText(Words::tr("A process that joins this GCM appears here by itself."));

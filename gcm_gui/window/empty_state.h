@@ -24,7 +24,7 @@ class EmptyState : public QWidget {
     bool demo = false;
   };
 
-  EmptyState(const GcmLink& link, Offers offers, QWidget* parent = nullptr);
+  EmptyState(const LinkState& link, Offers offers, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// The user wants to start a GCM because none answers.
@@ -39,7 +39,7 @@ class EmptyState : public QWidget {
   [[nodiscard]] QLayout* buildWaysOn();
   void refresh();
 
-  const GcmLink& link_;
+  const LinkState& link_;
   const Offers offers_;
   QLabel* title_;
   QLabel* text_;

@@ -297,7 +297,7 @@ void MainWindow::connectViews() {
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
   top_bar_->showProblemCount(problems_.rowCount());
-  connect(&parts_.link, &GcmLink::changed, this, Fenced(this, &MainWindow::showLink));
+  connect(&parts_.link, &LinkState::changed, this, Fenced(this, &MainWindow::showLink));
   connectModeToViews();
   connectWhy();
 }
@@ -437,13 +437,13 @@ void MainWindow::showPage() {
 
 void MainWindow::showLink() {
   // Names the system, in case several windows are open.
-  const GcmLink& link = parts_.link;
+  const LinkState& link = parts_.link;
   const QString file = files_->document().title();
   setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
                  (link.isHosted() ? Words::tr("Hosting the GCM at %1 – gcm-gui")
                                   : Words::tr("GCM at %1 – gcm-gui"))
                      .arg(link.address()));
-  const bool outdated = parts_.link.state() == GcmLink::State::kLost;
+  const bool outdated = parts_.link.state() == LinkState::State::kLost;
   if (!outdated && lost_since_ > 0) {
     notice_->tell(Words::tr("The GCM is back after ") + AgeText(WallClock() - lost_since_));
   }

@@ -112,7 +112,7 @@ void MainWindow::addSystemCommands() {
   });
   add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { revealSelection(); });
   add(Words::tr("Ask for everything a&new"), Qt::Key_F5, [this] {
-    const bool is_there = parts_.link.state() == GcmLink::State::kConnected;
+    const bool is_there = parts_.link.state() == LinkState::State::kConnected;
     notice_->tell(is_there ? Words::tr("The GCM is asked for everything anew")
                            : Words::tr("There is no GCM; it is looked for each second"));
     parts_.link.askAnew();

@@ -49,7 +49,7 @@ QString Word(PortItem::Role role) {
   return QStringLiteral("unfit");
 }
 
-QJsonObject Processes(const Catalog& catalogue) {
+QJsonObject Processes(const Catalogue& catalogue) {
   QJsonObject processes;
   for (const auto& [name, entry] : catalogue.processes()) {
     QJsonObject components;
@@ -62,7 +62,7 @@ QJsonObject Processes(const Catalog& catalogue) {
   return processes;
 }
 
-QJsonObject Connections(const Catalog& catalogue) {
+QJsonObject Connections(const Catalogue& catalogue) {
   QJsonObject connections;
   for (const auto& connection : catalogue.connections()) {
     connections[ToQString(ToString(connection.required))] =
@@ -183,10 +183,10 @@ QJsonObject UiDescription::candidates() const {
 
 QJsonObject UiDescription::facts() const {
   const WindowParts& parts = window_.parts();
-  const Catalog& catalogue = parts.store.catalogue();
+  const Catalogue& catalogue = parts.store.catalogue();
   QJsonObject facts{{"gcm", window_.topBar().linkText()},
                     {"gcmAddress", parts.link.address()},
-                    {"gcmConnected", parts.link.state() == GcmLink::State::kConnected},
+                    {"gcmConnected", parts.link.state() == LinkState::State::kConnected},
                     {"hosted", parts.link.isHosted()},
                     {"revision", static_cast<double>(catalogue.revision())},
                     {"items", window_.catalogueModel().itemCount()},

@@ -1,6 +1,6 @@
 #include <gcm_gui/window/watched_application.h>
-#include <tendon/base/os/accounting/thread_waits.h>
 #include <tendon/base/os/thread.h>
+#include <tendon/base/os/thread_waits.h>
 
 #include <QEvent>
 

@@ -10,7 +10,7 @@ class ActivityModel;
 class CatalogueStore;
 class CommandCalls;
 class ConnectionChecks;
-class GcmLink;
+class LinkState;
 class PlanRunner;
 class Session;
 class SignalSource;
@@ -20,7 +20,7 @@ class SystemReports;
 /// The objects that a window shows and controls; all must outlive the window.
 struct WindowParts {
   CatalogueStore& store;
-  GcmLink& link;
+  LinkState& link;
   ActivityModel& activity;
   SystemActions& actions;
   SignalSource& source;

@@ -19,6 +19,7 @@ MAX_FUNCTION_LINES = 60
 CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
 NETWORK_ROWS = (("security",), ("middleware",), ("proxy",), ("process",), ("gcm",))
 ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
+ALL_OF_CORE = "core/tendon/tendon.h"
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
 CORE = {folder for row in CORE_ROWS for folder in row}
 
@@ -50,6 +51,7 @@ DEFINES_TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:\[\[\w+\]\
 PRIVATE_NAME = re.compile(r"(?:constexpr|constinit|const|static|thread_local)\b[^=({]*?\b(k\w+)\b"
                           r"|using (\w+) =|(?:class|struct|enum class) (\w+)\b(?!;)")
 NO_FUNCTION = re.compile(r"\s*(inline namespace|namespace|class|struct|enum|union|extern|export)\b")
+INSTALLED = re.compile(r"FILE_SET HEADERS BASE_DIRS \S+\s+FILES\s+([\w/.\s]+)")
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
 CODE = {".h", ".cpp"}
@@ -96,6 +98,8 @@ class SourceFile:
     @property
     def core_folder(self):
         """`state` for core/tendon/state/column.h, None outside of core/tendon."""
+        if self.path == ALL_OF_CORE:
+            return "manager"  # the highest one that it includes
         return self.path.split("/")[2] if self.is_under("core/tendon") else None
 
     @cached_property
@@ -140,7 +144,7 @@ def components_need_core_alone(file):
     if file.part != "components" or file.is_test:
         return
     for include in file.includes:
-        in_core = any(include.is_of(f"core/tendon/{folder}") for folder in CORE)
+        in_core = include.target == ALL_OF_CORE or any(include.is_of(f"core/tendon/{folder}") for folder in CORE)
         standard = "/" not in include.name and "." not in include.name
         if not (in_core or standard or include.is_of("components") or include.name.startswith("Eigen/")):
             yield include.line, f"a component needs tendon::core alone, not <{include.name}>"
@@ -262,6 +266,23 @@ def joined_sources_share_no_names(files):
                 yield f"{file.path}:{number}: {name} is private to {place}, too, and the two are compiled together"
 
 
+def installed_headers_include_no_internal_ones(files):
+    """A header in the file set HEADERS is installed; a user's compiler must find whatever it includes."""
+    installed = set()
+    for file in files:
+        if file.name != "CMakeLists.txt" or not file.path.startswith("core/"):
+            continue
+        folder = str(PurePosixPath(file.path).parent)
+        for names in INSTALLED.findall("\n".join(file.lines)):
+            installed.update(f"{folder}/{name}" for name in names.split())
+    for file in files:
+        if file.path not in installed:
+            continue
+        for include in file.includes:
+            if include.is_of("core/tendon") and include.target not in installed:
+                yield f"{file.path}:{include.line}: it is installed, but <{include.name}> is not: see the file sets"
+
+
 def folders_are_built(files):
     """A folder that the one above forgets is a library that is missing, or a test that never runs."""
     lists = {str(PurePosixPath(file.path).parent): "\n".join(file.lines) for file in files
@@ -307,7 +328,8 @@ FILE_RULES = (
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
     scripts_are_narrow, functions_are_short)
-TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, folders_are_built)
+TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names,
+              installed_headers_include_no_internal_ones, folders_are_built)
 
 
 def folders_of(root):

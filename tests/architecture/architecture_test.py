@@ -19,6 +19,10 @@ def in_namespace(*definitions):
     return "\n".join(("#pragma once", "namespace tendon {", *definitions, "}  // namespace tendon\n"))
 
 
+def installs(*names):
+    return f"target_sources(a\n  PUBLIC FILE_SET HEADERS BASE_DIRS core\n  FILES\n    {' '.join(names)}\n)\n"
+
+
 def function(lines, indent=""):
     """A function of that many lines, its signature being two of them."""
     text = ["Result<int> Run(int first,", "                int last) {", *["  Step();"] * (lines - 3), "}"]
@@ -67,6 +71,8 @@ BROKEN = {
          "core/tendon/task/a.cpp:1", "not below it"),
         ({"core/tendon/task/a.cpp": include("tendon/helpers/b.h")}, "core/tendon/task/a.cpp:2", "not below it"),
         ({"core/tendon/helpers/a.h": include()}, "core/tendon/helpers/a.h:1", "is no layer"),
+        ({"core/tendon/tendon.h": include("tendon/process/b.h")}, "core/tendon/tendon.h:2", "not below it"),
+        ({"core/tendon/task/a.h": include("tendon/tendon.h")}, "core/tendon/task/a.h:2", "not below it"),
     ],
     "core_headers_need_the_standard_library_alone": [
         ({"core/tendon/base/log.h": include("spdlog/spdlog.h")}, "core/tendon/base/log.h:2", "standard library alone"),
@@ -116,6 +122,11 @@ BROKEN = {
           "core/tendon/gcm/b.cpp": in_namespace("namespace {\nusing Kind = Flaw::Kind;\n}  // namespace")},
          "core/tendon/gcm/b.cpp:4", "Kind is private to"),
     ],
+    "installed_headers_include_no_internal_ones": [
+        ({"core/tendon/base/CMakeLists.txt": installs("a.h"), "core/tendon/base/a.h": include("tendon/base/b.h"),
+          "core/tendon/base/b.h": include()},
+         "core/tendon/base/a.h:2", "<tendon/base/b.h> is not"),
+    ],
     "folders_are_built": [
         ({"CMakeLists.txt": "add_subdirectory(lcm)\n", "lcm/CMakeLists.txt": "", "lcms/CMakeLists.txt": ""},
          "lcms/CMakeLists.txt:1", "nobody builds it; add it to ./CMakeLists.txt"),
@@ -130,7 +141,7 @@ KEPT = {
         {"lcm/a.cpp": include("queue"), "lcm/queue.h": include(), "lcm/b.cpp": '#include "queue.h"\n'},
     ],
     "parts_include_what_they_may": [
-        {"gcm_gui/a.cpp": include("gcm_console/table.h"), "gcm_console/table.h": include("tendon/gcm/catalog.h")},
+        {"gcm_gui/a.cpp": include("gcm_console/table.h"), "gcm_console/table.h": include("tendon/gcm/catalogue.h")},
         {"tests/gcm_gui/a_test.cpp": include("gcm_gui/session.h"), "gcm_gui/session.h": include()},
     ],
     "components_need_core_alone": [
@@ -140,7 +151,8 @@ KEPT = {
     ],
     "layers_look_down": [
         {"core/tendon/state/a.h": include("tendon/base/b.h", "tendon/lockfree/b.h", "tendon/state/b.h"),
-         "core/tendon/ice/a.h": include("tendon/gcm/b.h", "tendon/middleware/b.h")},
+         "core/tendon/ice/a.h": include("tendon/gcm/b.h", "tendon/middleware/b.h"),
+         "core/tendon/tendon.h": include("tendon/manager/b.h", "tendon/task/b.h")},
     ],
     "core_headers_need_the_standard_library_alone": [
         {"core/tendon/base/log.cpp": include("spdlog/spdlog.h"), "core/tendon/payload/eigen.h": include("Eigen/Core")},
@@ -177,6 +189,11 @@ KEPT = {
          "core/tendon/gcm/b.cpp": in_namespace("namespace server {\nnamespace {\nclass A {\n};\n}  // namespace",
                                                "}  // namespace server"),
          "core/tendon/gcm/c.cpp": in_namespace("namespace {\nclass A {\n};\n}  // namespace")},
+    ],
+    "installed_headers_include_no_internal_ones": [
+        {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h") + "target_sources(a PRIVATE c.h)\n",
+         "core/tendon/base/a.h": include("tendon/base/b.h", "string"), "core/tendon/base/b.h": include(),
+         "core/tendon/base/c.h": include("tendon/base/d.h")},
     ],
     "folders_are_built": [
         {"CMakeLists.txt": "foreach(folder lcm core)\n", "lcm/CMakeLists.txt": "",

@@ -109,7 +109,7 @@ class LaterAnswerContract : public Contract {
     listener_.reset();
     pair_ = {};
   }
-  std::unique_ptr<LeftAnswer> Ask() {
+  std::unique_ptr<ReplySlot> Ask() {
     EXPECT_EQ(asker_->Ask(FrameOf(1)), Status(Status::kQueued));
     return keeper_->Take();
   }

@@ -1,7 +1,7 @@
 #include "targets.h"
 
 #include <tendon/middleware/frame.h>
-#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/handshake.h>
 #include <tendon/middleware/requests/reply_batch.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/json.h>

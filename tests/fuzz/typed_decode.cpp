@@ -2,7 +2,7 @@
 
 #include <support/encoded.h>
 #include <tendon/middleware/body.h>
-#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/handshake.h>
 #include <tendon/payload/eigen.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/robot/image.h>

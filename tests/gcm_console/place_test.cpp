@@ -10,7 +10,7 @@ using tendon::ErrorCode;
 class PlaceTest : public testing::Test {
  protected:
   PlaceTest() {
-    using Kind = tendon::CatalogChange::Kind;
+    using Kind = tendon::CatalogueChange::Kind;
     Apply({.kind = Kind::kProcess,
            .process = "robot",
            .processes = {tendon::test::ProcessNamed("robot", 1)}});
@@ -19,33 +19,33 @@ class PlaceTest : public testing::Test {
     }
   }
 
-  void Apply(tendon::CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    EXPECT_TRUE(catalog_.Apply(change));
+  void Apply(tendon::CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    EXPECT_TRUE(catalogue_.Apply(change));
   }
 
   /// The type column of a member.
   std::string Types(const std::string& path) {
-    const auto place = FindPlace(catalog_, path);
+    const auto place = FindPlace(catalogue_, path);
     EXPECT_TRUE(place) << place.error().message;
     return place ? TypesOf(*place->member) : "";
   }
   tendon::Error ErrorOf(const std::string& path) {
-    const auto place = FindPlace(catalog_, path);
+    const auto place = FindPlace(catalogue_, path);
     EXPECT_FALSE(place) << path;
     return place ? tendon::Error{} : place.error();
   }
 
-  tendon::Catalog catalog_;
+  tendon::Catalogue catalogue_;
 };
 
 TEST_F(PlaceTest, GoesAsDeepAsThePath) {
-  EXPECT_EQ(FindPlace(catalog_, "robot")->component, nullptr);
-  EXPECT_EQ(FindPlace(catalog_, "robot/arm")->component->name, "arm");
-  EXPECT_EQ(FindPlace(catalog_, "robot/arm/Control")->provided->name, "Control");
-  EXPECT_EQ(FindPlace(catalog_, "robot/teleoperation/Robot")->required->name, "Robot");
-  EXPECT_EQ(FindPlace(catalog_, "robot/arm/Control.Stop")->noun, "command");
-  EXPECT_EQ(FindPlace(catalog_, "robot/teleoperation/Robot.MoveTo")->noun, "function");
+  EXPECT_EQ(FindPlace(catalogue_, "robot")->component, nullptr);
+  EXPECT_EQ(FindPlace(catalogue_, "robot/arm")->component->name, "arm");
+  EXPECT_EQ(FindPlace(catalogue_, "robot/arm/Control")->provided->name, "Control");
+  EXPECT_EQ(FindPlace(catalogue_, "robot/teleoperation/Robot")->required->name, "Robot");
+  EXPECT_EQ(FindPlace(catalogue_, "robot/arm/Control.Stop")->noun, "command");
+  EXPECT_EQ(FindPlace(catalogue_, "robot/teleoperation/Robot.MoveTo")->noun, "function");
 }
 
 TEST_F(PlaceTest, TypesAreShownWhereSomethingGoesInOrOut) {

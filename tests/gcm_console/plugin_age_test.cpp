@@ -161,11 +161,11 @@ TEST_F(PluginAgeTest, APlanJudgesByWhatTheProcessWouldRun) {
     return (home.path() / "wanted.json").string();
   };
 
-  const Outcome refused = Gcm({"plan", write("Newcomer")});
+  const Outcome refused = Gcm({"plan", write("PendingHandshake")});
   EXPECT_EQ(refused.exit_code, program::kRefused);
   EXPECT_THAT(refused.err,
               AllOf(HasSubstr("robot/new cannot be made as the file says: process 'robot' has no "
-                              "class 'Newcomer' in ageing"),
+                              "class 'PendingHandshake' in ageing"),
                     HasSubstr("the file was written again at 20")));
 
   const Outcome planned = Gcm({"plan", write("Ageing")});
@@ -208,7 +208,7 @@ TEST_F(PluginAgeTest, AProcessThatIsStartedAnewRunsTheNewCode) {
   ASSERT_EQ(Gcm({"start", "robot/new"}).exit_code, program::kOk);
 
   EXPECT_EQ(RowsOf("new", 2), 200U);
-  EXPECT_EQ(Create("newer", "Newcomer").exit_code, program::kOk);
+  EXPECT_EQ(Create("newer", "PendingHandshake").exit_code, program::kOk);
   EXPECT_THAT(Gcm({"load", "ageing"}).err, Not(HasSubstr("again")));
 }
 

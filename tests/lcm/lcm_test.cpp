@@ -4,7 +4,7 @@
 #include <program/exit_code.h>
 #include <sys/socket.h>
 #include <sys/time.h>
-#include <tendon/process/program_messages.h>
+#include <tendon/process/version_messages.h>
 #include <unistd.h>
 
 #include <algorithm>

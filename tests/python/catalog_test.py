@@ -2,7 +2,7 @@
 import unittest
 
 from tendon import Failed, Invalid, NotFound, Unreachable
-from tendon.catalog import Catalog
+from tendon.catalog import Catalogue
 from tendon.errors import Denied
 from tendon.middleware.address import gcm_address, parse_address
 from tendon.paths import Path, parse_interface, parse_path, select
@@ -21,7 +21,7 @@ def change(revision, kind, process="robot", **more):
 
 
 def filled():
-    catalog = Catalog(10)
+    catalog = Catalogue(10)
     for step in (change(11, "process", processes=[ROBOT]),
                  change(12, "component", components=[ARM]),
                  change(13, "connection", connections=[LINK])):

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/messages.h>
-#include <tendon/middleware/handshake/handshake.h>
-#include <tendon/process/messages.h>
+#include <tendon/gcm/gcm_messages.h>
+#include <tendon/middleware/handshake.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <tendon/proxy/component_proxy.h>
 #include <tendon/task/periodic_task.h>
 
 #include "support/network_test.h"

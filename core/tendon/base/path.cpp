@@ -17,19 +17,19 @@ Result<Path> ParsePath(std::string_view text) {
   std::string_view rest = text;
   const auto take = [&rest](char separator) {
     const std::size_t end = rest.find(separator);
-    const std::string part(rest.substr(0, end));
-    rest = end == rest.npos ? std::string_view() : rest.substr(end + 1);
+    std::string part(rest.substr(0, end));
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     return part;
   };
   path.process = take('/');
   path.component = take('/');
   const std::size_t dot = rest.find('.');
   path.interface = std::string(rest.substr(0, dot));
-  if (dot != rest.npos) {
+  if (dot != std::string_view::npos) {
     const std::string_view after = rest.substr(dot + 1);
     const std::size_t end = after.find_first_of(".[");
     path.member = std::string(after.substr(0, end));
-    if (end != after.npos) path.field = std::string(after.substr(end));
+    if (end != std::string_view::npos) path.field = std::string(after.substr(end));
     if (path.member.empty()) return NoPath(text, "nothing follows the '.'");
   }
   if (auto checked = CheckName("process", path.process); !checked) {

@@ -1,14 +1,15 @@
 #include <tendon/base/os/process.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/client.h>
-#include <tendon/gcm/client/caller.h>
 #include <tendon/gcm/client/event_feed.h>
 #include <tendon/gcm/client/gcm_link.h>
-#include <tendon/gcm/client/once.h>
+#include <tendon/gcm/client/once_callback.h>
 #include <tendon/gcm/client/process_links.h>
+#include <tendon/gcm/client/process_requests.h>
 #include <tendon/gcm/disputed_types.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/telemetry/make_telemetry_client.h>
 
 #include <algorithm>
 #include <mutex>
@@ -24,8 +25,8 @@ Result<void> Ignored(const Result<None>& result) {
 }
 
 /// The present process, as in the catalogue.
-Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& process) {
-  const auto entry = LookUpProcess(catalog, process);
+Result<ProcessDescription> PlaceOf(const Catalogue& catalogue, const std::string& process) {
+  const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   if (auto present = RequirePresent((*entry)->process); !present) return present.error();
   if ((*entry)->process.address.empty()) {
@@ -35,9 +36,9 @@ Result<ProcessDescription> PlaceOf(const Catalog& catalog, const std::string& pr
 }
 
 /// The events as in the catalogue, in the order asked for.
-Result<std::vector<MemberDescription>> LookUpEvents(const Catalog& catalog,
+Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                                                     const EventSubscription& wanted) {
-  const auto provided = LookUpProvided(catalog, wanted.provided);
+  const auto provided = LookUpProvided(catalogue, wanted.provided);
   if (!provided) return provided.error();
   std::vector<MemberDescription> events;
   for (const std::string& name : wanted.events) {
@@ -135,8 +136,8 @@ class GcmClient::Implementation {
   void Steer(message::LifeOrder order, DoneHandler done) {
     if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
     if (order.instance == 0) {
-      order.instance = link_->WithCatalog([&](const Catalog& catalog) {
-        const ProcessEntry* entry = catalog.FindProcess(order.process);
+      order.instance = link_->WithCatalog([&](const Catalogue& catalogue) {
+        const ProcessEntry* entry = catalogue.FindProcess(order.process);
         return entry == nullptr ? std::uint64_t{0} : entry->process.instance;
       });
     }
@@ -166,7 +167,8 @@ class GcmClient::Implementation {
     return [weak = std::weak_ptr(link)](const std::string& process) -> Result<ProcessDescription> {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
-      return alive->WithCatalog([&](const Catalog& catalog) { return PlaceOf(catalog, process); });
+      return alive->WithCatalog(
+          [&](const Catalogue& catalogue) { return PlaceOf(catalogue, process); });
     };
   }
 
@@ -176,7 +178,7 @@ class GcmClient::Implementation {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
       return alive->WithCatalog(
-          [&](const Catalog& catalog) { return LookUpEvents(catalog, wanted); });
+          [&](const Catalogue& catalogue) { return LookUpEvents(catalogue, wanted); });
     };
   }
 
@@ -193,8 +195,8 @@ class GcmClient::Implementation {
     return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
-      const auto place = Wait<message::FanOutPlace>(timeout, [&](auto handler) {
-        alive->Request<message::FanOutPlace>(message::kFanOut, None{}, std::move(handler));
+      const auto place = Wait<message::BroadcastAddress>(timeout, [&](auto handler) {
+        alive->Request<message::BroadcastAddress>(message::kFanOut, None{}, std::move(handler));
       });
       if (!place) return place.error();
       return place->address;
@@ -266,12 +268,12 @@ Result<void> GcmClient::WaitUntilWatching() { return implementation_->link().Wai
 
 void GcmClient::Resync() { implementation_->link().Resync(); }
 
-void GcmClient::Look(const std::function<void(const Catalog&)>& look) const {
-  implementation_->link().WithCatalog([&look](const Catalog& catalog) { look(catalog); });
+void GcmClient::Look(const std::function<void(const Catalogue&)>& look) const {
+  implementation_->link().WithCatalog([&look](const Catalogue& catalogue) { look(catalogue); });
 }
 
-Catalog GcmClient::catalog() const {
-  return implementation_->link().WithCatalog([](const Catalog& catalog) { return catalog; });
+Catalogue GcmClient::catalogue() const {
+  return implementation_->link().WithCatalog([](const Catalogue& catalogue) { return catalogue; });
 }
 
 void GcmClient::Connect(const InterfaceName& required, const InterfaceName& provided,
@@ -324,25 +326,25 @@ void GcmClient::GetClasses(const std::string& process,
 }
 
 void GcmClient::Undo(StepHandler handler, std::uint64_t step) {
-  const message::WhichStep which{.id = step, .patience = implementation_->timeout() * 2 / 3};
+  const message::StepSelection which{.id = step, .patience = implementation_->timeout() * 2 / 3};
   implementation_->link().Request<message::HistoryEntry>(
       message::kUndo, which, implementation_->Guarded(std::move(handler)), kOrdersOfAnUndo);
 }
 
 void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
   implementation_->link().Request<message::HistoryEntry>(
-      message::kPassOver, message::WhichStep{.id = step},
+      message::kPassOver, message::StepSelection{.id = step},
       implementation_->Guarded(std::move(handler)));
 }
 
 void GcmClient::TakePlanTurn(DoneHandler handler) {
-  implementation_->link().Request<None>(message::kPlanTurn, message::PlanTurn{.is_wanted = true},
+  implementation_->link().Request<None>(message::kPlanTurn, message::PlanLock{.is_wanted = true},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
 void GcmClient::GivePlanTurnBack() {
-  implementation_->link().Request<None>(message::kPlanTurn, message::PlanTurn{.is_wanted = false},
+  implementation_->link().Request<None>(message::kPlanTurn, message::PlanLock{.is_wanted = false},
                                         [](const auto& /*answer*/) {});
 }
 
@@ -413,10 +415,10 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
         if (!parsed) return done(parsed.error());
         if (parsed->member.empty()) return done(NoCommand(path));
         const auto command = implementation_->link().WithCatalog(
-            [&](const Catalog& catalog) -> Result<MemberDescription> {
-              auto found = LookUpCommand(catalog, *parsed);
+            [&](const Catalogue& catalogue) -> Result<MemberDescription> {
+              auto found = LookUpCommand(catalogue, *parsed);
               if (!found) return found;
-              const auto place = PlaceOf(catalog, parsed->process);
+              const auto place = PlaceOf(catalogue, parsed->process);
               return place ? found : Result<MemberDescription>(place.error());
             });
         if (!command) return done(command.error());

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/event_sink.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/supervisor/children_messages.h>
-#include <tendon/process/program_messages.h>
+#include <tendon/middleware/middleware.h>
 #include <tendon/process/telemetry_client.h>
+#include <tendon/process/version_messages.h>
 #include <tendon/security/role.h>
 
 #include <chrono>
@@ -32,9 +33,9 @@ class GcmListener {
  public:
   virtual ~GcmListener() = default;
   /// The whole catalogue: after the first connect, after a gap, and when the GCM came back.
-  virtual void OnSnapshot(const Catalog& catalog) = 0;
+  virtual void OnSnapshot(const Catalogue& catalogue) = 0;
   /// The next changes, which follow the last ones without a gap.
-  virtual void OnChanges(const std::vector<CatalogChange>& changes) = 0;
+  virtual void OnChanges(const std::vector<CatalogueChange>& changes) = 0;
   /// The GCM cannot be reached; the client tries again every second.
   virtual void OnGcmLost(const Error& reason) = 0;
   /// Called after GcmClient::WatchLog(). Texts and sources are printable.
@@ -84,10 +85,10 @@ class GcmClient {
   Result<void> WaitUntilWatching();
 
   /// A copy of the current catalogue.
-  [[nodiscard]] Catalog catalog() const;
+  [[nodiscard]] Catalogue catalogue() const;
   /// Calls `look` with the current catalogue, without a copy. The client is locked meanwhile, so
   /// `look` must be short and must not use the client.
-  void Look(const std::function<void(const Catalog&)>& look) const;
+  void Look(const std::function<void(const Catalogue&)>& look) const;
 
   /// Asks the GCM for the whole catalogue again, for the listener. Does nothing if that is under
   /// way or there is no GCM.

@@ -2,7 +2,7 @@
 #include <tendon/base/os/route.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/process/membership/own_address.h>
+#include <tendon/process/membership/advertised_address.h>
 
 #include <algorithm>
 #include <array>
@@ -37,10 +37,10 @@ class Examination {
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
   /// As in the catalogue, if the required side is present, since only that side knows.
-  void SetConnected(const Catalog& catalog) {
+  void SetConnected(const Catalogue& catalogue) {
     const message::Wire& wire = diagnosis_.wire;
-    const ProcessEntry* owner = catalog.FindProcess(wire.required.process);
-    const auto* now = catalog.FindConnection(wire.required);
+    const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
+    const auto* now = catalogue.FindConnection(wire.required);
     diagnosis_.is_connected = owner != nullptr && IsPresent(owner->process) && now != nullptr &&
                               now->provided == wire.provided;
   }
@@ -57,9 +57,9 @@ class Examination {
 };
 
 /// A connection to an end that is not in the catalogue waits for it.
-void CheckAbsent(const Catalog& catalog, const message::Wire& wire, const Error& missing,
+void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Error& missing,
                  Examination& examination) {
-  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
   if (provider != nullptr && IsPresent(provider->process)) {
     examination.Good("process " + wire.provided.process + " is there");
   }
@@ -97,8 +97,8 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
 }
 
 /// Step 3: the current connection of the required interface.
-void CheckFree(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
-  const auto* connection = catalog.FindConnection(wire.required);
+void CheckFree(const Catalogue& catalogue, const message::Wire& wire, Examination& examination) {
+  const auto* connection = catalogue.FindConnection(wire.required);
   if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
   if (connection->provided == wire.provided) return examination.Good("the connection is wanted");
   examination.Bad(ErrorCode::kExists,
@@ -138,10 +138,11 @@ std::string FixOfPending(const ProcessDescription& required, const ProcessDescri
 }
 
 /// Steps 5 and 6.
-void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examination& examination) {
-  const ProcessDescription& required = catalog.FindProcess(wire.required.process)->process;
-  const ProcessDescription& provided = catalog.FindProcess(wire.provided.process)->process;
-  const auto* connection = catalog.FindConnection(wire.required);
+void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
+                     Examination& examination) {
+  const ProcessDescription& required = catalogue.FindProcess(wire.required.process)->process;
+  const ProcessDescription& provided = catalogue.FindProcess(wire.provided.process)->process;
+  const auto* connection = catalogue.FindConnection(wire.required);
   if (IsOutOfReach(required, provided)) {
     return examination.Bad(
         ErrorCode::kUnreachable,
@@ -163,14 +164,14 @@ void CheckConnection(const Catalog& catalog, const message::Wire& wire, Examinat
                   "disconnect it: gcm disconnect " + ToString(wire.required));
 }
 
-Remainder LeftAtRequired(const Catalog& catalog, const message::Wire& wire) {
+Remainder LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) {
   using Kind = Remainder::Verdict;
   const std::string& process = wire.required.process;
-  const ProcessEntry* entry = catalog.FindProcess(process);
+  const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr || !IsPresent(entry->process)) {
     return {process, Kind::kUnknown, "not known, for process '" + process + "' is not there"};
   }
-  const auto* other = catalog.FindConnection(wire.required);
+  const auto* other = catalogue.FindConnection(wire.required);
   const std::string nothing = "nothing of it is left in " + process;
   if (other == nullptr) return {process, Kind::kNothing, nothing};
   return {process, Kind::kNothing,
@@ -178,7 +179,7 @@ Remainder LeftAtRequired(const Catalog& catalog, const message::Wire& wire) {
               " is connected to " + ToString(other->provided)};
 }
 
-Remainder LeftAtProvider(const Catalog& catalog, const message::Wire& wire,
+Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
                          const Result<ConnectionCounts>& served) {
   using Kind = Remainder::Verdict;
   const std::string& process = wire.provided.process;
@@ -186,7 +187,7 @@ Remainder LeftAtProvider(const Catalog& catalog, const message::Wire& wire,
     return {process, Kind::kUnknown,
             "not known of " + process + ", which does not tell: " + served.error().message};
   }
-  const auto* other = catalog.FindConnection(wire.required);
+  const auto* other = catalogue.FindConnection(wire.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
   if (!served || serves_another) {
     return {process, Kind::kNothing, "nothing of it is left in " + process};
@@ -204,28 +205,28 @@ auto RankOf(const Candidate& candidate) {
 
 }  // namespace
 
-Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire) {
-  const auto required = LookUpRequired(catalog, wire.required);
+Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire) {
+  const auto required = LookUpRequired(catalogue, wire.required);
   if (!required) return required.error();
-  const auto provided = LookUpProvided(catalog, wire.provided);
+  const auto provided = LookUpProvided(catalogue, wire.provided);
   Examination examination(wire);
-  examination.SetConnected(catalog);
+  examination.SetConnected(catalogue);
   if (!provided) {
-    const auto* connection = catalog.FindConnection(wire.required);
+    const auto* connection = catalogue.FindConnection(wire.required);
     if (connection == nullptr || connection->provided != wire.provided) return provided.error();
-    CheckAbsent(catalog, wire, provided.error(), examination);
+    CheckAbsent(catalogue, wire, provided.error(), examination);
     return std::move(examination).Take();
   }
-  CheckProcesses(catalog.FindProcess(wire.required.process)->process,
-                 catalog.FindProcess(wire.provided.process)->process, examination);
+  CheckProcesses(catalogue.FindProcess(wire.required.process)->process,
+                 catalogue.FindProcess(wire.provided.process)->process, examination);
   if (examination.goes_on()) {
-    CheckComponents(*catalog.FindComponent(wire.required.process, wire.required.component),
-                    *catalog.FindComponent(wire.provided.process, wire.provided.component),
+    CheckComponents(*catalogue.FindComponent(wire.required.process, wire.required.component),
+                    *catalogue.FindComponent(wire.provided.process, wire.provided.component),
                     examination);
   }
-  if (examination.goes_on()) CheckFree(catalog, wire, examination);
+  if (examination.goes_on()) CheckFree(catalogue, wire, examination);
   if (examination.goes_on()) CheckSignatures(wire, **required, **provided, examination);
-  if (examination.goes_on()) CheckConnection(catalog, wire, examination);
+  if (examination.goes_on()) CheckConnection(catalogue, wire, examination);
   return std::move(examination).Take();
 }
 
@@ -290,12 +291,12 @@ std::string FixOfUnreached(const std::string& name, const std::string& host, con
          name + " with --advertise and one that leads to it";
 }
 
-void AddActivity(Diagnosis& diagnosis, const Catalog& catalog) {
+void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
   const bool stands =
       diagnosis.is_connected && diagnosis.steps.at(kReached).verdict == Verdict::kGood;
   if (!stands) return;
   for (const InterfaceName* end : {&diagnosis.wire.required, &diagnosis.wire.provided}) {
-    const auto* component = catalog.FindComponent(end->process, end->component);
+    const auto* component = catalogue.FindComponent(end->process, end->component);
     if (component == nullptr || component->state == ComponentState::kActive) continue;
     const std::string effect = end == &diagnosis.wire.required
                                    ? "it asks for nothing"
@@ -310,22 +311,22 @@ void AddActivity(Diagnosis& diagnosis, const Catalog& catalog) {
   }
 }
 
-void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,
+void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
                    const Result<ConnectionCounts>& served) {
   const message::Wire& wire = diagnosis.wire;
   if (diagnosis.is_connected) return;
-  diagnosis.remainders = {LeftAtRequired(catalog, wire)};
+  diagnosis.remainders = {LeftAtRequired(catalogue, wire)};
   if (wire.provided.process == wire.required.process) return;
-  diagnosis.remainders.push_back(LeftAtProvider(catalog, wire, served));
+  diagnosis.remainders.push_back(LeftAtProvider(catalogue, wire, served));
 }
 
-Result<std::vector<Candidate>> RankCandidates(const Catalog& catalog,
+Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,
                                               const InterfaceName& required) {
-  const auto wanted = LookUpRequired(catalog, required);
+  const auto wanted = LookUpRequired(catalogue, required);
   if (!wanted) return wanted.error();
-  const auto* connection = catalog.FindConnection(required);
+  const auto* connection = catalogue.FindConnection(required);
   std::vector<Candidate> candidates;
-  for (const auto& [process, entry] : catalog.processes()) {
+  for (const auto& [process, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     for (const auto& [component, description] : entry.components) {
       for (const ProvidedDescription& provided : description.provided) {

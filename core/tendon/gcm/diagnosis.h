@@ -1,8 +1,8 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/wiring/connection_health.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/connection_health.h>
 #include <tendon/interface/compatibility.h>
 #include <tendon/process/membership_messages.h>
 
@@ -48,7 +48,7 @@ struct Diagnosis {
 /// Checks what the catalogue knows: the presence of processes and components, that the required
 /// interface is free, the signatures, and the state of a wanted connection. Errors: kInvalid;
 /// kNotFound if an end is not in the catalogue, unless a connection waits for it.
-Result<Diagnosis> Diagnose(const Catalog& catalog, const message::Wire& wire);
+Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire);
 
 /// Adds flaws of an active connection, which the catalogue does not know: losses to step 6, delays
 /// to step 7. Does nothing if a step is bad already.
@@ -64,12 +64,12 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 
 /// Adds to step 2 of an active connection that a component at one end does not run, which may
 /// explain later problems.
-void AddActivity(Diagnosis& diagnosis, const Catalog& catalog);
+void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
 /// Adds whether both processes have removed a refused or failed connection: the required side from
 /// the catalogue, the provider from the answer of GcmClient::GetServed(). Does nothing if the
 /// connection is wanted, because its required side keeps trying.
-void AddRemainders(Diagnosis& diagnosis, const Catalog& catalog,
+void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
                    const Result<ConnectionCounts>& served);
 
 /// The remedy if `host` could not reach process `name`: it is silent or absent, or `host` has no
@@ -87,7 +87,7 @@ struct Candidate {
 /// The provided interfaces of present processes with at least one matching member, the best first:
 /// those that fit, then by the number of matching members, then by name. Errors of
 /// LookUpRequired().
-Result<std::vector<Candidate>> RankCandidates(const Catalog& catalog,
+Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,
                                               const InterfaceName& required);
 
 }  // namespace tendon

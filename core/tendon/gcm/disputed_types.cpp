@@ -50,22 +50,22 @@ class TypesByName {
 
 }  // namespace
 
-std::map<std::string, message::GetSchemas> DisputedTypes(const Catalog& catalog) {
+std::map<std::string, message::GetSchemas> DisputedTypes(const Catalogue& catalogue) {
   TypesByName types;
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     for (const auto& [component_name, component] : entry.components) types.Add(component, name);
   }
   return types.Disputed();
 }
 
-std::map<std::string, message::GetSchemas> DisputedTypesBetween(const Catalog& catalog,
+std::map<std::string, message::GetSchemas> DisputedTypesBetween(const Catalogue& catalogue,
                                                                 const message::Wire& wire) {
   TypesByName types;
-  if (const auto* required = catalog.FindRequired(wire.required)) {
+  if (const auto* required = catalogue.FindRequired(wire.required)) {
     types.Add(*required, wire.required.process);
   }
-  if (const auto* provided = catalog.FindProvided(wire.provided)) {
+  if (const auto* provided = catalogue.FindProvided(wire.provided)) {
     types.Add(*provided, wire.provided.process);
   }
   return types.Disputed();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/process/membership_messages.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <map>
 #include <string>
@@ -12,10 +12,10 @@ namespace tendon {
 /// For each present process, the payload types that share their name with another type, as with two
 /// versions of a component, and that FindSchema() does not know. When they are learned, Compare()
 /// can name the difference. Linear in the members.
-[[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypes(const Catalog& catalog);
+[[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypes(const Catalogue& catalogue);
 
 /// The same for two interfaces only; each process is asked for its own types.
 [[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypesBetween(
-    const Catalog& catalog, const message::Wire& wire);
+    const Catalogue& catalogue, const message::Wire& wire);
 
 }  // namespace tendon

@@ -3,7 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/error.h>
 #include <tendon/base/name.h>
-#include <tendon/interface/description.h>
+#include <tendon/interface/interface_description.h>
 
 #include <chrono>
 #include <cstddef>

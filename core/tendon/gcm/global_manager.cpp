@@ -81,7 +81,7 @@ GlobalManager::~GlobalManager() {
   listener_.reset();
 }
 
-Catalog GlobalManager::catalog() const { return server_->catalog(); }
+Catalogue GlobalManager::catalogue() const { return server_->catalogue(); }
 
 void GlobalManager::Tick() { server_->Tick(); }
 

@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/supervisor/launch.h>
 #include <tendon/middleware/middleware.h>
 
@@ -52,7 +52,7 @@ class GlobalManager {
   /// New at each start.
   [[nodiscard]] std::uint64_t instance() const { return instance_; }
   /// A copy of the current catalogue.
-  [[nodiscard]] Catalog catalog() const;
+  [[nodiscard]] Catalogue catalogue() const;
 
   /// Checks the leases, as its thread does every 100 ms. For tests that set the clock.
   void Tick();

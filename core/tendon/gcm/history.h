@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/process/worker.h>
 
 #include <cstddef>

@@ -89,10 +89,10 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
 }
 
 /// An active connection is not replaced by one that would wait for its provider.
-Result<void> CheckReplacement(const Catalog& catalog, const ConnectionDescription& connection,
+Result<void> CheckReplacement(const Catalogue& catalogue, const ConnectionDescription& connection,
                               const std::string& provider) {
   if (connection.state != ConnectionState::kActive) return {};
-  const auto entry = LookUpProcess(catalog, provider);
+  const auto entry = LookUpProcess(catalogue, provider);
   const auto present = entry ? RequirePresent((*entry)->process) : entry.error();
   if (present) return {};
   return Error{present.error().code,
@@ -119,16 +119,16 @@ std::vector<MemberDescription> CommandsOf(const ComponentDescription& component,
 
 }  // namespace
 
-Result<const ProcessEntry*> LookUpProcess(const Catalog& catalog, const std::string& process) {
+Result<const ProcessEntry*> LookUpProcess(const Catalogue& catalogue, const std::string& process) {
   if (auto checked = CheckName("process", process); !checked) return checked.error();
-  if (const ProcessEntry* entry = catalog.FindProcess(process)) return entry;
-  return NotFound("process", process, process, KeysOf(catalog.processes()));
+  if (const ProcessEntry* entry = catalogue.FindProcess(process)) return entry;
+  return NotFound("process", process, process, KeysOf(catalogue.processes()));
 }
 
-Result<const ComponentDescription*> LookUpComponent(const Catalog& catalog,
+Result<const ComponentDescription*> LookUpComponent(const Catalogue& catalogue,
                                                     const std::string& process,
                                                     const std::string& component) {
-  const auto entry = LookUpProcess(catalog, process);
+  const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   if (auto checked = CheckName("component", component); !checked) return checked.error();
   const auto found = (*entry)->components.find(component);
@@ -136,9 +136,9 @@ Result<const ComponentDescription*> LookUpComponent(const Catalog& catalog,
   return NotFound("component", process + "/" + component, component, KeysOf((*entry)->components));
 }
 
-Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
+Result<const ProvidedDescription*> LookUpProvided(const Catalogue& catalogue,
                                                   const InterfaceName& name) {
-  const auto component = LookUpComponent(catalog, name.process, name.component);
+  const auto component = LookUpComponent(catalogue, name.process, name.component);
   if (!component) return component.error();
   if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
   const ComponentDescription& owner = **component;
@@ -149,9 +149,9 @@ Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
   return NotFound("provided interface", ToString(name), name.interface, NamesIn(owner.provided));
 }
 
-Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
+Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
                                                   const InterfaceName& name) {
-  const auto component = LookUpComponent(catalog, name.process, name.component);
+  const auto component = LookUpComponent(catalogue, name.process, name.component);
   if (!component) return component.error();
   if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
   const ComponentDescription& owner = **component;
@@ -162,8 +162,8 @@ Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
   return NotFound("required interface", ToString(name), name.interface, NamesIn(owner.required));
 }
 
-Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path) {
-  const auto component = LookUpComponent(catalog, path.process, path.component);
+Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path) {
+  const auto component = LookUpComponent(catalogue, path.process, path.component);
   if (!component) return component.error();
   const ComponentDescription& owner = **component;
   if (FindNamed(owner.provided, path.interface) == nullptr &&
@@ -189,25 +189,25 @@ bool TakesArgument(const Signature& signature) {
          kind == CommandKind::kWriteReturn;
 }
 
-Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
+Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                     Occupied occupied) {
   for (const InterfaceName& name : {wire.required, wire.provided}) {
     if (auto checked = CheckFullName(name); !checked) return checked.error();
   }
-  const auto required = LookUpRequired(catalog, wire.required);
+  const auto required = LookUpRequired(catalogue, wire.required);
   if (!required) return required.error();
-  const ProcessDescription& owner = catalog.FindProcess(wire.required.process)->process;
+  const ProcessDescription& owner = catalogue.FindProcess(wire.required.process)->process;
   if (auto present = RequirePresent(owner); !present) return present.error();
-  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
   const bool is_there = provider != nullptr && IsPresent(provider->process);
-  const auto provided = LookUpProvided(catalog, wire.provided);
+  const auto provided = LookUpProvided(catalogue, wire.provided);
   if (!provided && is_there) return provided.error();
-  const auto* connection = catalog.FindConnection(wire.required);
+  const auto* connection = catalogue.FindConnection(wire.required);
   if (connection != nullptr && occupied == Occupied::kRefused) {
     return Error{ErrorCode::kExists, Connected(*connection, wire.provided)};
   }
   if (connection != nullptr) {
-    const auto checked = CheckReplacement(catalog, *connection, wire.provided.process);
+    const auto checked = CheckReplacement(catalogue, *connection, wire.provided.process);
     if (!checked) return checked.error();
   }
   if (provided) {
@@ -216,28 +216,28 @@ Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire&
                    Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
     }
   }
-  return WiringOf(catalog, wire);
+  return WiringOf(catalogue, wire);
 }
 
-message::Wiring WiringOf(const Catalog& catalog, const message::Wire& wire) {
-  const ProcessEntry* provider = catalog.FindProcess(wire.provided.process);
+message::Wiring WiringOf(const Catalogue& catalogue, const message::Wire& wire) {
+  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
   if (provider == nullptr || !IsPresent(provider->process)) return {.wire = wire};
   return {
       .wire = wire, .address = provider->process.address, .instance = provider->process.instance};
 }
 
-Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog,
+Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,
                                              const InterfaceName& required) {
   if (auto checked = CheckFullName(required); !checked) return checked.error();
-  if (const auto found = LookUpRequired(catalog, required); !found) return found.error();
-  const ProcessDescription& owner = catalog.FindProcess(required.process)->process;
+  if (const auto found = LookUpRequired(catalogue, required); !found) return found.error();
+  const ProcessDescription& owner = catalogue.FindProcess(required.process)->process;
   if (auto present = RequirePresent(owner); !present) return present.error();
-  if (const auto* connection = catalog.FindConnection(required)) return *connection;
+  if (const auto* connection = catalogue.FindConnection(required)) return *connection;
   return Error{ErrorCode::kFailed,
                ToString(required) + " is not connected: there is nothing to disconnect"};
 }
 
-Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text) {
+Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string process = slash == std::string::npos ? "" : text.substr(0, slash);
   const std::string number = slash == std::string::npos ? text : text.substr(slash + 1);
@@ -246,7 +246,7 @@ Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string&
   const bool is_number = code == std::errc() && end == number.data() + number.size();
   if (!is_number) return ParseInterfaceName(text);
   std::vector<InterfaceName> found;
-  for (const ConnectionDescription& one : catalog.connections()) {
+  for (const ConnectionDescription& one : catalogue.connections()) {
     const bool is_meant = process.empty() || one.required.process == process;
     if (is_meant && one.id == id) found.push_back(one.required);
   }
@@ -259,8 +259,8 @@ Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string&
   return Error{ErrorCode::kInvalid, "more than one connection has the number " + text + ": " + all};
 }
 
-std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process) {
-  const ProcessEntry* entry = catalog.FindProcess(process);
+std::uint64_t InstanceOf(const Catalogue& catalogue, const std::string& process) {
+  const ProcessEntry* entry = catalogue.FindProcess(process);
   return entry == nullptr ? 0 : entry->process.instance;
 }
 

@@ -2,7 +2,7 @@
 
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/process/membership_messages.h>
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 /// name what is missing and similar names. The pointers are valid until the catalogue changes.
 namespace tendon {
 
-Result<const ProcessEntry*> LookUpProcess(const Catalog& catalog, const std::string& process);
-Result<const ComponentDescription*> LookUpComponent(const Catalog& catalog,
+Result<const ProcessEntry*> LookUpProcess(const Catalogue& catalogue, const std::string& process);
+Result<const ComponentDescription*> LookUpComponent(const Catalogue& catalogue,
                                                     const std::string& process,
                                                     const std::string& component);
-Result<const ProvidedDescription*> LookUpProvided(const Catalog& catalog,
+Result<const ProvidedDescription*> LookUpProvided(const Catalogue& catalogue,
                                                   const InterfaceName& name);
-Result<const RequiredDescription*> LookUpRequired(const Catalog& catalog,
+Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
                                                   const InterfaceName& name);
 
 /// A command, or a column of a state table as a read command.
-Result<MemberDescription> LookUpCommand(const Catalog& catalog, const Path& path);
+Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
 /// Whether a call or an event carries an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
@@ -36,22 +36,23 @@ enum class Occupied { kRefused, kReplaced };
 /// kFailed if its process is absent. An absent or unknown provider process is allowed, and the
 /// connection will be pending; but it must not replace an active one (kFailed, kNotFound). A
 /// missing interface of a present process is an error.
-Result<message::Wiring> PlanConnect(const Catalog& catalog, const message::Wire& wire,
+Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                     Occupied occupied = Occupied::kRefused);
 
 /// The same order, unchecked.
-[[nodiscard]] message::Wiring WiringOf(const Catalog& catalog, const message::Wire& wire);
+[[nodiscard]] message::Wiring WiringOf(const Catalogue& catalogue, const message::Wire& wire);
 
 /// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed if it is not
 /// connected or its process is absent.
-Result<ConnectionDescription> PlanDisconnect(const Catalog& catalog, const InterfaceName& required);
+Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,
+                                             const InterfaceName& required);
 
 /// The required interface that `text` names: by its path, or by the number of its connection: "12",
 /// or "desk/12" if several processes have a connection of that number (else kInvalid).
-Result<InterfaceName> LookUpConnected(const Catalog& catalog, const std::string& text);
+Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::string& text);
 
 /// Changes at each start of the process; 0 if there is no process of that name.
-[[nodiscard]] std::uint64_t InstanceOf(const Catalog& catalog, const std::string& process);
+[[nodiscard]] std::uint64_t InstanceOf(const Catalogue& catalogue, const std::string& process);
 
 /// Whether the process can be reached: it is there, perhaps slow.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);

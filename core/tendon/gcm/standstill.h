@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <algorithm>
 #include <chrono>
@@ -57,9 +57,9 @@ enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNo
 }
 
 /// A component that is not in the catalogue counts as lost.
-[[nodiscard]] inline Standstill StandstillOf(const Catalog& catalog, const std::string& process,
+[[nodiscard]] inline Standstill StandstillOf(const Catalogue& catalogue, const std::string& process,
                                              const std::string& component) {
-  const ProcessEntry* entry = catalog.FindProcess(process);
+  const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr) return Standstill::kLost;
   const auto found = entry->components.find(component);
   if (found == entry->components.end()) return Standstill::kLost;

@@ -3,15 +3,15 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/fan_out/ice_fan_out.h>
+#include <tendon/ice/broadcast/ice_broadcast.h>
 #include <tendon/ice/ice_middleware.h>
+#include <tendon/ice/pending_handshakes.h>
 #include <tendon/ice/sequence_size_check.h>
 #include <tendon/ice/servants.h>
 #include <tendon/ice/settings.h>
-#include <tendon/ice/strangers/newcomers.h>
 #include <tendon/ice/tls.h>
-#include <tendon/middleware/handover.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
+#include <tendon/middleware/one_shot_value.h>
 
 #include <cerrno>
 #include <exception>
@@ -35,9 +35,9 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
 }
 
 /// Releases calls that are open for long, in the thread of Ice's timer.
-class LookAtOpenCalls final : public IceUtil::TimerTask {
+class PendingCallsTimer final : public IceUtil::TimerTask {
  public:
-  explicit LookAtOpenCalls(std::shared_ptr<Links> links) : links_(std::move(links)) {}
+  explicit PendingCallsTimer(std::shared_ptr<Links> links) : links_(std::move(links)) {}
   void runTimerTask() override { links_->ReleaseOldCalls(SteadyClock().Now()); }
 
  private:
@@ -48,14 +48,14 @@ class LookAtOpenCalls final : public IceUtil::TimerTask {
 std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls,
                                                     const std::shared_ptr<Links>& links) {
   auto settings = Settings();
-  const auto newcomers = std::make_shared<Newcomers>(links);
+  const auto newcomers = std::make_shared<PendingHandshakes>(links);
   settings.observer = newcomers;
   if (tls) tls->AddTo(*settings.properties);
   auto communicator = Ice::initialize(settings);
   newcomers->Watch(communicator);
   IceInternal::getInstanceTimer(communicator)
-      ->scheduleRepeated(std::make_shared<LookAtOpenCalls>(links),
-                         IceUtil::Time::milliSeconds(OpenCalls::kOpenAtMost.count()));
+      ->scheduleRepeated(std::make_shared<PendingCallsTimer>(links),
+                         IceUtil::Time::milliSeconds(PendingCalls::kOpenAtMost.count()));
   if (tls) tls->Judge(*communicator);
   return communicator;
 }
@@ -82,15 +82,15 @@ Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const T
 }
 
 /// The reason if nobody waits for the link any more.
-struct NobodyWaitsForIt {};
-std::exception_ptr NobodyWaits() { return std::make_exception_ptr(NobodyWaitsForIt()); }
+struct ConnectCancellationSignal {};
+std::exception_ptr NobodyWaits() { return std::make_exception_ptr(ConnectCancellationSignal()); }
 
 Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
                    std::chrono::milliseconds timeout, Tls* tls) {
   try {
     std::rethrow_exception(why);
-  } catch (const NobodyWaitsForIt&) {
-    return OpeningIsOver();
+  } catch (const ConnectCancellationSignal&) {
+    return ConnectCancelledError();
   } catch (const Ice::DNSException&) {
     return {ErrorCode::kUnreachable, "host '" + place.host + "' is unknown"};
   } catch (const Ice::TimeoutException&) {
@@ -149,7 +149,8 @@ class IceMiddleware final : public Middleware {
     const std::uint64_t door = NewNumber();
     try {
       const auto adapter = MakeListeningAdapter(
-          *communicator_, std::string(Newcomers::kDoor) + std::to_string(door), EndpointAt(*place));
+          *communicator_, std::string(PendingHandshakes::kDoor) + std::to_string(door),
+          EndpointAt(*place));
       const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
       adapter->add(servant, EndpointIdentity());
       adapter->activate();
@@ -211,7 +212,7 @@ class IceMiddleware final : public Middleware {
     const auto proxy =
         communicator_->stringToProxy("tendon:" + EndpointAt(place))
             ->ice_connectionId(std::to_string(NewNumber()));  // a new connection for each link
-    const auto connected = std::make_shared<Handover<Connected>>();
+    const auto connected = std::make_shared<OneShotValue<Connected>>();
     try {
       proxy->ice_getConnectionAsync(
           [connected](const std::shared_ptr<Ice::Connection>& connection) {
@@ -224,7 +225,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       connected->Give({nullptr, std::current_exception()});
     }
-    const WaitForLink wait([&connected] { connected->Give({nullptr, NobodyWaits()}); });
+    const CancellableConnect wait([&connected] { connected->Give({nullptr, NobodyWaits()}); });
     return connected->WaitUntil(deadline);
   }
 
@@ -233,7 +234,7 @@ class IceMiddleware final : public Middleware {
   std::optional<std::exception_ptr> Greet(const std::shared_ptr<IceLink>& link,
                                           const std::shared_ptr<Ice::Connection>& connection,
                                           SteadyTime deadline) {
-    const auto answered = std::make_shared<Handover<std::exception_ptr>>();
+    const auto answered = std::make_shared<OneShotValue<std::exception_ptr>>();
     const auto give = [answered](const std::exception_ptr& why) { answered->Give(why); };
     try {
       connection->setAdapter(opened_);
@@ -246,7 +247,7 @@ class IceMiddleware final : public Middleware {
     } catch (const Ice::Exception&) {
       give(std::current_exception());
     }
-    const WaitForLink wait([&answered] { answered->Give(NobodyWaits()); });
+    const CancellableConnect wait([&answered] { answered->Give(NobodyWaits()); });
     return answered->WaitUntil(deadline);
   }
 
@@ -255,7 +256,7 @@ class IceMiddleware final : public Middleware {
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
   const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections opened here
-  IceFanOut fan_out_;
+  IceBroadcast fan_out_;
   std::mutex mutex_;
   std::uint64_t last_number_ = 0;
 };

@@ -2,7 +2,7 @@
 
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
-#include <tendon/ice/answers/open_calls.h>
+#include <tendon/ice/pending_calls.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/middleware.h>
@@ -50,13 +50,13 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// may return with the call. Ice does not report when such replies have left, and queues any
   /// number. So above 2 MiB a marker is sent after them, and while over 4 MiB have not left,
   /// replies use Send() and its window.
-  bool DeliverAsked(std::span<const std::byte> frame, LeftAnswer& answer);
+  bool DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer);
   /// Whether a reply may still return with its call.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
   /// Counts a reply of `size` bytes that returned with its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
   /// Calls with deferred replies; released when the link ends.
-  [[nodiscard]] OpenCalls& open_calls() { return open_calls_; }
+  [[nodiscard]] PendingCalls& open_calls() { return open_calls_; }
   /// Closes because of the peer's fault, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -114,7 +114,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   SharedCounter<> returned_;                              // bytes of all returned replies
   Published<std::uint64_t> left_;                         // of these, known to have left
   Flag is_sign_on_way_;
-  OpenCalls open_calls_;
+  PendingCalls open_calls_;
 };
 
 /// The links of one communicator. Thread-safe.
@@ -126,7 +126,7 @@ class Links {
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
   std::shared_ptr<IceLink> Find(const Ends& ends);
 
-  /// Calls OpenCalls::ReleaseOld() of all links.
+  /// Calls PendingCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
   /// Closes the links accepted at `door`; for 0 all present and future links. Their handlers have

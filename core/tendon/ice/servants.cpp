@@ -1,6 +1,6 @@
 #include <Ice/Incoming.h>
-#include <tendon/ice/answers/returned_frame.h>
 #include <tendon/ice/bounded_reader.h>
+#include <tendon/ice/replies.h>
 #include <tendon/ice/servants.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
 
 /// Writes the reply, the only parameter: nothing or one frame. Returns false if it is deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
-  ReturnedFrame answer(link, incoming);
+  ImmediateReply answer(link, incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
   if (answer.is_deferred()) return false;
   if (!answer.has_begun()) {

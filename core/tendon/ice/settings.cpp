@@ -1,8 +1,8 @@
 #include <tendon/base/log.h>
 #include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
-#include <tendon/middleware/complaints.h>
 #include <tendon/middleware/parts/part_sender.h>
+#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/process/access/audit_log.h>
 
 #include <string>
@@ -44,7 +44,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
   }
 
  private:
-  Complaints warnings_{"ice"};
+  RateLimitedWarning warnings_{"ice"};
   AuditLog audit_;
 };
 
@@ -91,10 +91,10 @@ Ice::InitializationData Settings() {
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
-  set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open: see OpenCalls
+  set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open: see PendingCalls
   // One thread serves all opened connections, another all accepted ones. A pool that may grow wakes
   // a thread for each message, to wait for the next (4 futex and 2 epoll calls). It is not needed,
-  // because CallThreads executes what may take long. One thread also keeps the order on each
+  // because WorkerPool executes what may take long. One thread also keeps the order on each
   // connection.
   set("Ice.ThreadPool.Server.Size", "1");
   set("Ice.ThreadPool.Server.SizeMax", "1");

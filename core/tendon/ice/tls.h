@@ -3,7 +3,7 @@
 #include <Ice/Ice.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
-#include <tendon/ice/strangers/handshakes.h>
+#include <tendon/ice/pending_tls_handshakes.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>
@@ -63,7 +63,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
   const Credentials credentials_;
   const std::unique_ptr<openssl::ShownCertificate> own_;
   openssl::TrustedAuthority authority_;
-  Handshakes handshakes_;
+  PendingTlsHandshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
   std::optional<Refused> refused_;  // the last refused peer of an opened link

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/description.h>
+#include <tendon/interface/interface_description.h>
 #include <tendon/payload/schema.h>
 
 #include <functional>

@@ -38,10 +38,10 @@ class Connection {
   ~Connection();
 
   /// Stops new calls and events; both ends get at most `patience` to execute those accepted.
-  /// Callers that still wait then get kNotConnected, and everything is freed; the data of a handler
-  /// that does not return is freed when it returns. Both components are told in their own threads
-  /// (Component::OnDisconnected, OnClientGone); if that of `required` has no thread, it is told
-  /// here, before all else. Returns the number of accepted calls and events that were dropped.
+  /// CallerThreads that still wait then get kNotConnected, and everything is freed; the data of a
+  /// handler that does not return is freed when it returns. Both components are told in their own
+  /// threads (Component::OnDisconnected, OnClientGone); if that of `required` has no thread, it is
+  /// told here, before all else. Returns the number of accepted calls and events that were dropped.
   /// Never call it from a thread that executes a mailbox of either end.
   std::size_t Close(std::chrono::milliseconds patience);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/execution/caller.h>
+#include <tendon/interface/execution/member_caller.h>
 #include <tendon/lockfree/counter.h>
 
 #include <memory>
@@ -35,7 +35,7 @@ class EventBase : public Caller {
   [[nodiscard]] bool is_enabled() const noexcept { return enabled_.Get(); }
 
   /// Called before the event is raised; see Gate.
-  void SetRaisers(Callers raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
+  void SetRaisers(CallerThreads raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
 
  protected:
   /// A connected handler. `adapter` converts if its type has a different layout.

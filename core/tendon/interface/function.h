@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/execution/caller.h>
+#include <tendon/interface/execution/member_caller.h>
 
 #include <chrono>
 #include <cstddef>

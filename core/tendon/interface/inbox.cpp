@@ -11,7 +11,7 @@ Inbox::Inbox(Wakeup<>* wakeup) { server_.wakeup = wakeup; }
 
 Inbox::~Inbox() { current_.Exchange(nullptr); }
 
-Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, Callers callers,
+Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, CallerThreads callers,
                      SteadyTime* event_time) {
   const std::scoped_lock lock(mutex_);
   auto next = Copy();

@@ -32,7 +32,8 @@ class Inbox {
   /// Adds a mailbox, which the inbox owns until Remove(). If `event_time` is given, it holds the
   /// time of the post while a call is executed. Locks and allocates.
   Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument,
-                Callers callers = Callers::kOneThread, SteadyTime* event_time = nullptr);
+                CallerThreads callers = CallerThreads::kOneThread,
+                SteadyTime* event_time = nullptr);
 
   /// Closes and removes `mailbox`, and frees it with the commands that its slots refer to, when no
   /// thread executes from it. If a handler has not returned by `deadline`, they are freed later.

@@ -1,5 +1,5 @@
 #include <tendon/base/clock.h>
-#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/interface/mailbox.h>
 
 #include <algorithm>
@@ -26,8 +26,9 @@ std::size_t Mailbox::SlotBytes(const SlotShape& argument, std::size_t before) {
   return StrideOf(ArgumentOffset(argument, before) + argument.size, argument.alignment);
 }
 
-Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
-                 ReadyFlag<>& ready, SteadyTime* event_time, std::uint64_t number)
+Mailbox::Mailbox(std::size_t capacity, SlotShape argument, CallerThreads callers,
+                 const Server& server, ReadyFlag<>& ready, SteadyTime* event_time,
+                 std::uint64_t number)
     : capacity_(capacity),
       argument_offset_(
           ArgumentOffset(argument, event_time == nullptr ? kEntryBytes : kTimedEntryBytes)),
@@ -38,7 +39,7 @@ Mailbox::Mailbox(std::size_t capacity, SlotShape argument, Callers callers, cons
       completions_(std::bit_ceil(std::max<std::size_t>(capacity + argument.reserve, 1))) {
   const std::size_t size = argument_offset_ + argument.size;
   const std::size_t alignment = std::max(alignof(Entry*), argument.alignment);
-  if (callers == Callers::kOneThread) {
+  if (callers == CallerThreads::kOneThread) {
     one_.emplace(capacity, size, alignment, argument.reserve);
   } else {
     many_.emplace(capacity, size, alignment, argument.reserve);
@@ -58,10 +59,10 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   Publish(argument, nothing);
 }
 
-/// Null at once in a thread without PatientCalls, and in the thread that would have to make room.
+/// Null at once in a thread without BlockWhenFull, and in the thread that would have to make room.
 std::byte* Mailbox::AwaitRoom() noexcept {
   constexpr std::chrono::microseconds kBetweenLooks(200);
-  const SteadyTime deadline = PatientCalls::deadline();
+  const SteadyTime deadline = BlockWhenFull::deadline();
   std::byte* slot = nullptr;
   while (slot == nullptr && is_open() && !is_executed_here() && SteadyClock().Now() < deadline) {
     std::this_thread::sleep_for(kBetweenLooks);

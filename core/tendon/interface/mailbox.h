@@ -18,7 +18,7 @@
 namespace tendon {
 
 /// The threads that call through an interface or raise its events.
-enum class Callers {
+enum class CallerThreads {
   kOneThread,    ///< one at a time: the task's own thread
   kManyThreads,  ///< concurrently: of components without a thread, or of driver callbacks
 };
@@ -27,7 +27,7 @@ enum class Callers {
 /// one ring; a slot holds the command and its argument together, usually in one cache line.
 ///
 /// Thread safety: one thread or many, as constructed, post (Claim, Publish); one thread executes
-/// (ExecuteOne). Posting never locks or allocates, and waits only in a thread with PatientCalls.
+/// (ExecuteOne). Posting never locks or allocates, and waits only in a thread with BlockWhenFull.
 class Mailbox {
  public:
   /// Executes the content of a slot.
@@ -66,7 +66,7 @@ class Mailbox {
 
   /// `server` and `ready` must outlive it; `ready` is raised after every post. If `event_time` is
   /// given, each slot holds the time of its post, which is written there when the slot is executed.
-  Mailbox(std::size_t capacity, SlotShape argument, Callers callers, const Server& server,
+  Mailbox(std::size_t capacity, SlotShape argument, CallerThreads callers, const Server& server,
           ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
 
   /// Unique among all mailboxes that its inbox has ever had.
@@ -74,7 +74,7 @@ class Mailbox {
 
   /// Room for the argument of the next call; if there are many callers, it must be published. Null
   /// if the mailbox is not open, or full, which is counted; nothing has happened then. In a thread
-  /// with PatientCalls it first waits for room.
+  /// with BlockWhenFull it first waits for room.
   std::byte* Claim() noexcept;
   /// Room in the reserve; null if its owner takes more slots than it has reserved.
   std::byte* ClaimReserved() noexcept;

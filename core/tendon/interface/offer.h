@@ -1,10 +1,10 @@
 #pragma once
 
-#include <tendon/interface/description.h>
 #include <tendon/interface/execution/direct_command.h>
 #include <tendon/interface/execution/filtered_command.h>
 #include <tendon/interface/execution/latest_command.h>
 #include <tendon/interface/execution/queued_command.h>
+#include <tendon/interface/interface_description.h>
 #include <tendon/payload/schema.h>
 
 #include <chrono>
@@ -91,8 +91,8 @@ class Offer {
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// Callers of a disabled command get kDisabled; calls that already wait are still executed. Any
-  /// thread.
+  /// CallerThreads of a disabled command get kDisabled; calls that already wait are still executed.
+  /// Any thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }

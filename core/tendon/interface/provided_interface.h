@@ -37,8 +37,8 @@ class ProvidedInterface {
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
   [[nodiscard]] const Host* host() const { return host_; }
   /// The threads that raise its events: any thread if the component has no thread of its own.
-  [[nodiscard]] Callers raisers() const {
-    return inbox_ == nullptr ? Callers::kManyThreads : Callers::kOneThread;
+  [[nodiscard]] CallerThreads raisers() const {
+    return inbox_ == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread;
   }
 
   // Queued to the component's thread; runs in its ProcessQueuedCommands().

@@ -45,7 +45,7 @@ void RequiredInterface::AdmitPeer() noexcept {
 
 void RequiredInterface::AdmitPeerAtRest() noexcept {
   const Peer* const peer = announced_.Get();
-  if (peer == nullptr || callers() == Callers::kManyThreads) return;
+  if (peer == nullptr || callers() == CallerThreads::kManyThreads) return;
   binding_.Exchange(peer->members);
   if (peer->events != nullptr) peer->events->Release();
 }

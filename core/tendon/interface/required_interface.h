@@ -2,7 +2,7 @@
 
 #include <tendon/base/name.h>
 #include <tendon/base/source_place.h>
-#include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/event_waiter.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/function.h>
@@ -31,7 +31,7 @@ class RequiredInterface {
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
                     const Host* host = nullptr)
       : name_(std::move(name)), inbox_(inbox), host_(host), need_(need) {
-    SetCallers(inbox == nullptr ? Callers::kManyThreads : Callers::kOneThread);
+    SetCallers(inbox == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread);
   }
   RequiredInterface(const RequiredInterface&) = delete;
   RequiredInterface& operator=(const RequiredInterface&) = delete;
@@ -96,8 +96,8 @@ class RequiredInterface {
 
   /// The threads that call its functions. For a task, this is its own thread, unless its
   /// constructor allows others here, such as callbacks of a driver.
-  void SetCallers(Callers callers) { binding_.SetCallers(callers, inbox_); }
-  [[nodiscard]] Callers callers() const { return binding_.callers(); }
+  void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
+  [[nodiscard]] CallerThreads callers() const { return binding_.callers(); }
 
   /// Capacity for calls at the server, and for events here: 1 to 2^24, default 64. Set it before
   /// the connection is made.

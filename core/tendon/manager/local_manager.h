@@ -2,9 +2,9 @@
 
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
-#include <tendon/manager/description.h>
+#include <tendon/manager/component_description.h>
 #include <tendon/manager/orderly_end.h>
-#include <tendon/manager/turns.h>
+#include <tendon/manager/request_serializer.h>
 #include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
 #include <tendon/task/thread_options.h>
@@ -176,7 +176,7 @@ class LocalManager {
     std::unique_ptr<Connection> connection;
   };
 
-  /// Seals the component; then it is ready for TakeIn().
+  /// Seals the component; then it is ready for Sanitize().
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
@@ -212,12 +212,12 @@ class LocalManager {
   /// Afterwards, `given` is the former entry.
   Result<void> TryReplace(Entry& given, SteadyTime deadline);
   void PutInPlace(Entry& given, Component& former);
-  void TakeIn(Component& component);
+  void Sanitize(Component& component);
   void LetGo(Component& component);
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
-  Turns turns_;  // serialises requests; under mutex_
+  RequestSerializer turns_;  // serialises requests; under mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;

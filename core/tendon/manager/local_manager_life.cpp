@@ -55,7 +55,8 @@ Result<void> LocalManager::Stop(const std::string& component, Patience patience)
   if (!found) return found.error();
   const SteadyTime deadline = DeadlineAfter(patience);
   (void)StopInOrder([&](const Component& one) { return RunsAfter(one, **found); }, deadline);
-  const Patience left = std::max<Patience>(Turns::kShortest, deadline - SteadyClock().Now());
+  const Patience left =
+      std::max<Patience>(RequestSerializer::kShortest, deadline - SteadyClock().Now());
   const auto stopped = AskAll({*found}, &tendon::Stop, ComponentState::kFinished, left);
   if (stopped) {
     LetExecute(**found, std::min<SteadyTime>(deadline, SteadyClock().Now() + kDrainPatience));
@@ -209,7 +210,7 @@ Result<void> LocalManager::AskAll(const Components& components, const Request& r
 Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& component,
                                        const Request& request, SteadyTime deadline) {
   auto lock = Lock();
-  const Turns::Turn turn(turns_, *component, lock, deadline);
+  const RequestSerializer::Turn turn(turns_, *component, lock, deadline);
   if (!turn.is_ours()) return TurnTaken(component->name());
   if (Find(component->name()) != component.get()) {
     return Error{ErrorCode::kNotFound,
@@ -291,7 +292,7 @@ void LocalManager::PutInPlace(Entry& given, Component& former) {
   const auto place =
       std::ranges::find(entries_, &former, [](const Entry& one) { return one.component.get(); });
   std::swap(*place, given);
-  TakeIn(*place->component);
+  Sanitize(*place->component);
   for (const ConnectionDescription& ends : own) (void)Join(ends.required, ends.provided);
 }
 

@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/manager/orderly_end.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ OrderlyEnd::OrderlyEnd(std::vector<Member> members, Actions actions)
       drained_by_(members_.size()) {}
 
 Result<void> OrderlyEnd::Run(SteadyTime deadline) {
-  const PatientCalls all_together;  // one limit for all that end in this very thread
+  const BlockWhenFull all_together;  // one limit for all that end in this very thread
   while (!Advance()) {
     if (SteadyClock().Now() >= deadline) {
       GiveUp();

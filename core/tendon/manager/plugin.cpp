@@ -1,7 +1,7 @@
-#include <tendon/base/os/loading/child_process.h>
-#include <tendon/base/os/loading/library_copy.h>
-#include <tendon/base/os/loading/shared_library.h>
+#include <tendon/base/os/child_process.h>
+#include <tendon/base/os/library_copy.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/os/shared_library.h>
 #include <tendon/base/printable.h>
 #include <tendon/manager/plugin.h>
 #include <tendon/manager/plugin_abi.h>

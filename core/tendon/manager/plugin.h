@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/base/os/loading/file_content.h>
+#include <tendon/base/os/file_content.h>
 #include <tendon/manager/component_registry.h>
 
 #include <chrono>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/base/os/loading/file_content.h>
-#include <tendon/manager/description.h>
+#include <tendon/base/os/file_content.h>
+#include <tendon/manager/component_description.h>
 
 #include <mutex>
 #include <string>

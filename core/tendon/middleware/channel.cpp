@@ -1,8 +1,8 @@
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/complaints.h>
-#include <tendon/middleware/handshake/openings.h>
-#include <tendon/middleware/requests/asked.h>
-#include <tendon/middleware/requests/awaited_answer.h>
+#include <tendon/middleware/connect_cancellation.h>
+#include <tendon/middleware/rate_limited_warning.h>
+#include <tendon/middleware/requests/blocking_request.h>
+#include <tendon/middleware/requests/current_request.h>
 
 #include <cassert>
 #include <new>
@@ -14,11 +14,11 @@ namespace {
 /// How many calls from a middleware this thread is inside. Above 0 it must not wait for one.
 thread_local int calls_from_middleware = 0;
 
-struct CallFromMiddleware {
-  CallFromMiddleware() { ++calls_from_middleware; }
-  CallFromMiddleware(const CallFromMiddleware&) = delete;
-  CallFromMiddleware& operator=(const CallFromMiddleware&) = delete;
-  ~CallFromMiddleware() { --calls_from_middleware; }
+struct MiddlewareCallScope {
+  MiddlewareCallScope() { ++calls_from_middleware; }
+  MiddlewareCallScope(const MiddlewareCallScope&) = delete;
+  MiddlewareCallScope& operator=(const MiddlewareCallScope&) = delete;
+  ~MiddlewareCallScope() { --calls_from_middleware; }
 };
 
 /// Treats an unreadable address as on this machine, which is the stricter case.
@@ -77,7 +77,7 @@ AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHa
                              Strangers strangers) {
   return [mine = std::move(mine), choose = std::move(choose),
           strangers](const std::shared_ptr<Link>& link) -> std::shared_ptr<LinkHandler> {
-    const CallFromMiddleware mark;
+    const MiddlewareCallScope mark;
     std::shared_ptr<LinkHandler> made;
     CallGuarded(link->peer(), [&] {
       auto handler = choose();
@@ -93,11 +93,11 @@ std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this
 
 /// The opener's half of the handshake.
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
-  const WaitForLink wait([this] {
+  const CancellableConnect wait([this] {
     const std::scoped_lock lock(mutex_);
     if (greeted_ || reason_) return;
     is_open_.Set(false);
-    reason_ = OpeningIsOver();
+    reason_ = ConnectCancelledError();
     changed_.notify_all();
   });
   std::unique_lock lock(mutex_);
@@ -125,7 +125,7 @@ void Channel::OnFrame(std::span<const std::byte> frame) { OnLentFrame(frame, nul
 
 /// `owner` keeps a lent frame alive; null if the frame is not lent.
 void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) {
-  const CallFromMiddleware mark;
+  const MiddlewareCallScope mark;
   const auto header = ReadWholeFrame(frame);
   assert(header);
   const auto body = frame.subspan(FrameHeader::kSize);
@@ -140,7 +140,7 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
 
 /// Gives up one message and its link; all other links go on.
 void Channel::OnNoRoom(const char* limit, std::size_t size) {
-  static Complaints complaints("channel");
+  static RateLimitedWarning complaints("channel");
   CallGuarded("channel", [&] {
     const std::string what =
         std::string(limit) + ": a message of " + std::to_string(size) + " bytes is refused";
@@ -157,7 +157,7 @@ void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body
   CallGuarded(link_->peer(), [&] { OnGreeting(header, body); });
 }
 
-void Channel::OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) {
+void Channel::OnAsked(std::span<const std::byte> frame, ReplySlot& answer) {
   const Asked asked(*this, ReadWholeFrame(frame)->request, answer);
   OnFrame(frame);
 }
@@ -246,7 +246,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
 }
 
 void Channel::OnClosed(const Error& reason) {
-  const CallFromMiddleware mark;
+  const MiddlewareCallScope mark;
   const std::string peer = PeerName();
   std::unique_lock lock(mutex_);
   is_open_.Set(false);
@@ -349,7 +349,7 @@ Result<Answer> Channel::Await(MessageType type, std::uint32_t handle,
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  AwaitedAnswer answer(requests_);
+  BlockingRequest answer(requests_);
   const Status sent = is_open() && answer.number() != 0
                           ? Send(type, answer.number(), handle, body, lane, way)
                           : Status(Status::kNotConnected);

@@ -4,7 +4,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/channel_handler.h>
-#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/middleware/parts/lane.h>
@@ -128,14 +128,14 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
           Strangers strangers);
 
  private:
-  friend class GatheredReplies;
+  friend class ReplyBatcher;
   friend class Responder;
   /// The function of Link that sends a frame: Send() or Ask().
   using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
-  void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override;
+  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override;
   void OnClosed(const Error& reason) override;
   void OnNoRoom(const char* limit, std::size_t size);
   void OnTooMuch(const FrameHeader& header);
@@ -165,12 +165,12 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Way way = &Link::Send);
   [[nodiscard]] bool MayReturn(std::size_t size);
-  [[nodiscard]] LeftAnswer* WayBack(std::uint64_t request, std::size_t size, LeftAnswer* later);
-  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, LeftAnswer* later);
-  void EndReply(std::uint64_t request, LeftAnswer* later);
-  bool Return(std::uint64_t request, std::span<const std::byte> body, LeftAnswer* later);
+  [[nodiscard]] ReplySlot* WayBack(std::uint64_t request, std::size_t size, ReplySlot* later);
+  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, ReplySlot* later);
+  void EndReply(std::uint64_t request, ReplySlot* later);
+  bool Return(std::uint64_t request, std::span<const std::byte> body, ReplySlot* later);
   bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                 LeftAnswer* later);
+                 ReplySlot* later);
   bool SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);

@@ -20,10 +20,11 @@ struct Door {
 };
 
 /// A reply frame, until it is passed on to the other end of `end`.
-class LeftFrame final : public LeftAnswer {
+class LoopbackReply final : public ReplySlot {
  public:
   enum class When { kOnceAsked, kOnceLeft };
-  LeftFrame(std::shared_ptr<loopback::End> end, When when) : end_(std::move(end)), when_(when) {}
+  LoopbackReply(std::shared_ptr<loopback::End> end, When when)
+      : end_(std::move(end)), when_(when) {}
 
   void PassOn() const;
 
@@ -37,8 +38,8 @@ class LeftFrame final : public LeftAnswer {
   void Leave() override {
     if (when_ == When::kOnceLeft) PassOn();
   }
-  std::unique_ptr<LeftAnswer> MakeLater() override {
-    return std::make_unique<LeftFrame>(end_, When::kOnceLeft);
+  std::unique_ptr<ReplySlot> MakeLater() override {
+    return std::make_unique<LoopbackReply>(end_, When::kOnceLeft);
   }
 
   const std::shared_ptr<loopback::End> end_;
@@ -195,7 +196,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kAsked) return handler_->OnFrame(frame);
-    LeftFrame answer(shared_from_this(), LeftFrame::When::kOnceAsked);
+    LoopbackReply answer(shared_from_this(), LoopbackReply::When::kOnceAsked);
     handler_->OnAsked(frame, answer);
     if (answer.is_there()) answer.PassOn();
   }
@@ -227,7 +228,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   bool has_ended_ = false;   // closed at either end: accepts nothing more
 };
 
-void LeftFrame::PassOn() const { end_->Answer(frame_); }
+void LoopbackReply::PassOn() const { end_->Answer(frame_); }
 
 void Courier::Stop() {
   Post([this] {

@@ -61,12 +61,12 @@ class Link {
 
 /// A reply frame that goes back as the link's response to a request (Link::Ask()). Its body is
 /// written directly into the memory that the link sends. One thread at a time.
-class LeftAnswer {
+class ReplySlot {
  public:
-  LeftAnswer() = default;
-  LeftAnswer(const LeftAnswer&) = delete;
-  LeftAnswer& operator=(const LeftAnswer&) = delete;
-  virtual ~LeftAnswer() = default;
+  ReplySlot() = default;
+  ReplySlot(const ReplySlot&) = delete;
+  ReplySlot& operator=(const ReplySlot&) = delete;
+  virtual ~ReplySlot() = default;
 
   /// Call at most once. Returns room for the body of the frame with this header; write all of it
   /// before End(). Returns nothing if the reply can no longer return this way; then there was no
@@ -87,7 +87,7 @@ class LeftAnswer {
 
   /// Returns a replacement, which any thread can write later; this one stays empty. The link does
   /// not wait for a replacement that is destroyed. Null after Begin(), or if the link cannot defer.
-  [[nodiscard]] std::unique_ptr<LeftAnswer> Defer() {
+  [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
     if (has_begun_) return nullptr;
     auto later = MakeLater();
     has_begun_ = later != nullptr;
@@ -103,7 +103,7 @@ class LeftAnswer {
   /// Also writes the header.
   virtual std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) = 0;
   virtual void Leave() {}
-  virtual std::unique_ptr<LeftAnswer> MakeLater() { return nullptr; }
+  virtual std::unique_ptr<ReplySlot> MakeLater() { return nullptr; }
 
   bool has_begun_ = false;
   bool is_there_ = false;
@@ -129,7 +129,7 @@ class LinkHandler {
   /// OnFrame() for a frame sent by Link::Ask(), on a link with a shorter way back. A reply written
   /// to `answer`, which is empty, takes that way, behind all frames sent during the call. Calls
   /// OnFrame() unless overridden.
-  virtual void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer);
+  virtual void OnAsked(std::span<const std::byte> frame, ReplySlot& answer);
 
   /// Exactly once, after the last frame, for whatever reason the link ended.
   virtual void OnClosed(const Error& reason) = 0;

@@ -1,8 +1,8 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/os/poller.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/middleware/complaints.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
+#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/middleware/tcp.h>
 
 #include <cassert>
@@ -40,7 +40,7 @@ class Loop {
   using Key = std::uint64_t;
   Loop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
-  [[nodiscard]] Complaints& complaints() { return complaints_; }
+  [[nodiscard]] RateLimitedWarning& complaints() { return complaints_; }
   /// Buffer for received bytes; only in the loop's thread.
   [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
 
@@ -147,7 +147,7 @@ class Loop {
   }
 
   os::Poller poller_;
-  Complaints complaints_{"tcp"};
+  RateLimitedWarning complaints_{"tcp"};
   Bytes scratch_ = Bytes(std::size_t{256} << 10U);
   std::mutex mutex_;
   Key last_key_ = 0;
@@ -426,8 +426,8 @@ class TcpMiddleware final : public Middleware {
                                      std::chrono::milliseconds timeout) override {
     const auto place = ParseAllowedAddress(address, 1, exposure_);
     if (!place) return place.error();
-    auto socket = os::ConnectTo(place->host, place->port, timeout, IsOpeningOver);
-    if (!socket) return IsOpeningOver() ? OpeningIsOver() : socket.error();
+    auto socket = os::ConnectTo(place->host, place->port, timeout, AreConnectsCancelled);
+    if (!socket) return AreConnectsCancelled() ? ConnectCancelledError() : socket.error();
     auto link = std::make_shared<TcpLink>(loop_, *std::move(socket), 0);
     link->Begin(std::move(handler));
     return std::shared_ptr<Link>(std::move(link));

@@ -6,7 +6,7 @@
 #include <tendon/process/worker.h>
 #include <tendon/proxy/component_proxy.h>
 #include <tendon/proxy/network_thread.h>
-#include <tendon/proxy/threads/call_threads.h>
+#include <tendon/proxy/worker_pool.h>
 
 #include <memory>
 #include <mutex>
@@ -48,7 +48,7 @@ struct ProcessContext {
   std::shared_ptr<Worker> opener;      ///< opens links to peers
   std::shared_ptr<Worker> gcm_opener;  ///< for the link to the GCM, which no peer may delay
   std::shared_ptr<NetworkThread> network;
-  std::shared_ptr<SortsOfCalls> calls;
+  std::shared_ptr<CallExecutors> calls;
   ComponentProxies proxies;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/frame.h>
-#include <tendon/process/description.h>
+#include <tendon/process/process_description.h>
 
 #include <chrono>
 #include <cstdint>
@@ -42,10 +42,10 @@ struct Joined {
   std::vector<ProcessDescription> processes;  ///< all present processes, also this one
 };
 
-/// The changes in a process since it joined or last reported, as in CatalogChange with revisions of
-/// 0. Of the process itself only address, host, pid and plug-ins can change.
+/// The changes in a process since it joined or last reported, as in CatalogueChange with revisions
+/// of 0. Of the process itself only address, host, pid and plug-ins can change.
 struct Report {
-  std::vector<CatalogChange> changes;
+  std::vector<CatalogueChange> changes;
 };
 
 /// The resources that a process uses, sent every second. Not part of the catalogue.

@@ -1,11 +1,13 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/client/remote_connections.h>
+#include <tendon/process/context.h>
 #include <tendon/process/life/life_cycle.h>
+#include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
-#include <tendon/process/membership/own_address.h>
 #include <tendon/process/process.h>
-#include <tendon/process/server/session.h>
+#include <tendon/process/server/peer_session.h>
+#include <tendon/proxy/component_proxy.h>
 
 #include <future>
 #include <mutex>
@@ -33,20 +35,20 @@ Hello MakeHello(const std::string& name) {
 }  // namespace
 
 /// The network parts of a process.
-class Process::Parts final : public MembershipDelegate {
+class Process::Parts final : private ProcessHost, public MembershipDelegate {
  public:
   Parts(Process& process, const std::string& name, const ProcessOptions& options)
       : process_(process),
         network_(std::make_shared<NetworkThread>()),
         context_{.name = name,
-                 .host = process,
+                 .host = *this,
                  .middleware = options.middleware,
                  .hello = MakeHello(name),
                  .worker = std::make_shared<Worker>("process", name),
                  .opener = std::make_shared<Worker>("opener", name),
                  .gcm_opener = std::make_shared<Worker>("gcm opener", name),
                  .network = network_,
-                 .calls = std::make_shared<SortsOfCalls>(),
+                 .calls = std::make_shared<CallExecutors>(),
                  .proxies = ComponentProxies(network_)},
         services_{.context = context_,
                   .connections = ServedConnections(context_),
@@ -141,13 +143,42 @@ class Process::Parts final : public MembershipDelegate {
 
  private:
   void Listen(const ProcessOptions& options) {
-    const auto choose = [this] { return std::make_shared<Session>(services_); };
+    const auto choose = [this] { return std::make_shared<PeerSession>(services_); };
     auto listener =
         context_.middleware->Listen(options.listen, Channel::Acceptor(context_.hello, choose));
     if (!listener) throw ConfigurationError(listener.error());
     listener_ = *std::move(listener);
-    address_ = OwnAddressOf(listener_->address(), options.advertise, {}).address;
+    address_ = AdvertisedAddressOf(listener_->address(), options.advertise, {}).address;
   }
+
+  std::unique_lock<std::recursive_mutex> LockStructure() const override { return process_.Lock(); }
+  Result<RequiredInterface*> LookUpRequired(const InterfaceName& name) const override {
+    return process_.FindRequired(name);
+  }
+  Result<ProvidedInterface*> LookUpProvided(const InterfaceName& name) const override {
+    return process_.FindProvided(name);
+  }
+  Component* LookUpComponent(const std::string& component) const override {
+    return process_.Find(component);
+  }
+  Result<ConnectionCounts> LookUpCounts(const InterfaceName& required) const override {
+    const std::string& own = context_.name;
+    if (required.process.empty() || required.process == own) return process_.Counts(required);
+    for (const ComponentProxy& client : context_.proxies.all()) {
+      if (client.process != required.process || client.component != required.component) continue;
+      for (const auto& proxy : client.required) {
+        if (proxy->interface().name() != required.interface) continue;
+        return ConnectionCounts{.capacity = proxy->capacity(), .lost_events = proxy->lost_events()};
+      }
+    }
+    return Error{ErrorCode::kNotFound,
+                 "process '" + own + "' serves nothing to " + ToString(required)};
+  }
+  Result<MailboxFill> LookUpFill(const std::string& component) const override {
+    return process_.FillOf(component);
+  }
+  ConnectionId NewConnectionId() override { return process_.NextConnectionId(); }
+  void StructureChanged() const override { process_.NotifyChanged(); }
 
   [[nodiscard]] ProcessDescription Description() const {
     ProcessDescription description;
@@ -359,33 +390,6 @@ Result<InterfaceName> Process::Here(const InterfaceName& required) const {
   if (full.process == name()) return full;
   return Error{ErrorCode::kNotFound, ToString(full) + " is not in process '" + name() +
                                          "'; connect and disconnect it there, or through the GCM"};
-}
-
-Result<RequiredInterface*> Process::LookUpRequired(const InterfaceName& interface) const {
-  return FindRequired(interface);
-}
-
-Result<ProvidedInterface*> Process::LookUpProvided(const InterfaceName& interface) const {
-  return FindProvided(interface);
-}
-
-Component* Process::LookUpComponent(const std::string& component) const { return Find(component); }
-
-Result<ConnectionCounts> Process::LookUpCounts(const InterfaceName& required) const {
-  if (required.process.empty() || required.process == name()) return Counts(required);
-  for (const ComponentProxy& client : parts_->context().proxies.all()) {
-    if (client.process != required.process || client.component != required.component) continue;
-    for (const auto& proxy : client.required) {
-      if (proxy->interface().name() != required.interface) continue;
-      return ConnectionCounts{.capacity = proxy->capacity(), .lost_events = proxy->lost_events()};
-    }
-  }
-  return Error{ErrorCode::kNotFound,
-               "process '" + name() + "' serves nothing to " + ToString(required)};
-}
-
-Result<MailboxFill> Process::LookUpFill(const std::string& component) const {
-  return FillOf(component);
 }
 
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure) {

@@ -2,8 +2,6 @@
 
 #include <tendon/manager/local_manager.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/process/context.h>
-#include <tendon/proxy/component_proxy.h>
 
 #include <chrono>
 #include <memory>
@@ -13,6 +11,7 @@
 namespace tendon {
 
 class ComponentLoader;
+struct ComponentProxy;
 
 inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 
@@ -45,7 +44,7 @@ struct ProcessOptions {
 ///
 /// Thread safety: as LocalManager. Threads: five of its own, one for each order that is under way,
 /// and the middleware's.
-class Process final : public LocalManager, private ProcessHost {
+class Process final : public LocalManager {
  public:
   /// Listens, and starts to join the GCM. Throws ConfigurationError: for a bad name or address;
   /// kExists if the port is in use; kDenied off this machine, or without the user's cookie.
@@ -89,15 +88,6 @@ class Process final : public LocalManager, private ProcessHost {
   [[nodiscard]] bool HasCallsUnderWay(const Component& client) const override;
   [[nodiscard]] InterfaceName Full(InterfaceName name) const;
   [[nodiscard]] Result<InterfaceName> Here(const InterfaceName& required) const;
-
-  std::unique_lock<std::recursive_mutex> LockStructure() const override { return Lock(); }
-  Result<RequiredInterface*> LookUpRequired(const InterfaceName& name) const override;
-  Result<ProvidedInterface*> LookUpProvided(const InterfaceName& name) const override;
-  Component* LookUpComponent(const std::string& component) const override;
-  Result<ConnectionCounts> LookUpCounts(const InterfaceName& required) const override;
-  Result<MailboxFill> LookUpFill(const std::string& component) const override;
-  ConnectionId NewConnectionId() override { return NextConnectionId(); }
-  void StructureChanged() const override { NotifyChanged(); }
 
   std::unique_ptr<Parts> parts_;
 };

@@ -9,8 +9,8 @@
 namespace tendon {
 namespace {
 
-LearnedSchemas& Learned() {
-  static LearnedSchemas learned(LearnedSchemas::Limits{});
+SchemaCache& Learned() {
+  static SchemaCache learned(SchemaCache::Limits{});
   return learned;
 }
 
@@ -48,7 +48,7 @@ std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
   return schemas;
 }
 
-bool LearnedSchemas::Learn(const Schema& schema) {
+bool SchemaCache::Learn(const Schema& schema) {
   const std::scoped_lock lock(mutex_);
   if (FindSchema(schema.fingerprint())) return true;
   const std::size_t size = schema.TextWithHelp().size();

@@ -2,7 +2,7 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/payload/fingerprint.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -25,7 +25,7 @@ void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
 
 /// Adds the types that peers describe to FindSchema(), until the process ends. Bounded, whatever
 /// peers send. Thread-safe.
-class LearnedSchemas {
+class SchemaCache {
  public:
   /// The bounds.
   struct Limits {
@@ -33,7 +33,7 @@ class LearnedSchemas {
     std::size_t text = std::size_t{16} << 20U;  ///< bytes of all texts
   };
 
-  explicit LearnedSchemas(Limits limits) : limits_(limits) {}
+  explicit SchemaCache(Limits limits) : limits_(limits) {}
 
   /// Adds a type for FindSchema(). Returns false if that would exceed the bounds; logs this once.
   bool Learn(const Schema& schema);
@@ -47,7 +47,7 @@ class LearnedSchemas {
 };
 
 /// Asks the peer for schemas and adds them for FindSchema(), within the default bounds of
-/// LearnedSchemas for all peers together. Calls `done` once, whatever the outcome; `timer` ends the
+/// SchemaCache for all peers together. Calls `done` once, whatever the outcome; `timer` ends the
 /// wait.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,

@@ -1,7 +1,7 @@
-#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/watch_over.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 namespace tendon {
 
 bool MayBeHeldUp(const Channel& channel, SteadyTime now, std::chrono::milliseconds silence) {
-  return now - std::max(channel.last_part(), LargeInHand::Last(now)) < silence;
+  return now - std::max(channel.last_part(), LargeMessageInProgress::Last(now)) < silence;
 }
 
 void WatchOver(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,

@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 #include <tendon/process/worker.h>
 
 #include <condition_variable>
@@ -98,7 +98,7 @@ void Worker::PostAfter(std::chrono::milliseconds delay, Task task) {
 void Worker::Stop() {
   queue_->Stop();
   if (thread_.joinable()) {
-    const NoMoreOpening end(thread_.get_id());
+    const ConnectCancellation end(thread_.get_id());
     thread_.join();
   }
   queue_->Clear();

@@ -3,7 +3,7 @@
 #include <tendon/interface/event.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 #include <cstddef>

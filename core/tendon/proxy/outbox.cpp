@@ -1,6 +1,6 @@
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/executing_calls.h>
 #include <tendon/proxy/outbox.h>
-#include <tendon/proxy/waiting/begun_calls.h>
 
 #include <algorithm>
 #include <cassert>
@@ -27,7 +27,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
         handle_(handle),
         refused_(refused),
         mailbox_(mailbox),
-        callers_(std::make_shared<AwaitedCalls<>>(mailbox.completions())),
+        callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
         pool_(mailbox.storage()) {}
 
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& /*out*/) override {
@@ -106,7 +106,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       question.argument.assign(in.begin(), in.end());
       call = question.call = callers_->Enter(*record, deadline);
       (void)callers_->Start(*record);  // succeeds: the caller is this thread
-      sent = outbox_.SendAtOnce(turn, std::move(question));
+      sent = outbox_.SendNow(turn, std::move(question));
       return Status::kQueued;
     });
     turn.unlock();
@@ -205,7 +205,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   const std::uint32_t handle_;
   SharedCounter<>& refused_;  // of the offer
   Mailbox& mailbox_;
-  const std::shared_ptr<AwaitedCalls<>> callers_;
+  const std::shared_ptr<OutstandingCalls<>> callers_;
   Awaited awaited_{*this};
   SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
   SharedCounter<> freed_;    // of those, bytes freed again
@@ -325,7 +325,7 @@ Outbox::Turn Outbox::TakeTurn() {
   return turn;
 }
 
-std::uint64_t Outbox::SendAtOnce([[maybe_unused]] const Turn& turn, Question question) {
+std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, Question question) {
   assert(turn.mutex() == &sending_ && turn.owns_lock() && !has_taken());
   question_ = std::move(question);
   SendTaken(1, &Channel::TryAsk);

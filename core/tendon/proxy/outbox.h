@@ -8,8 +8,8 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/proxy/call_batch.h>
-#include <tendon/proxy/reports/refused_payloads.h>
-#include <tendon/proxy/waiting/awaited_calls.h>
+#include <tendon/proxy/outstanding_calls.h>
+#include <tendon/proxy/refused_payloads.h>
 
 #include <chrono>
 #include <cstdint>
@@ -89,7 +89,7 @@ class Outbox {
   struct Question {
     std::uint32_t handle = 0;
     Bytes argument;
-    std::shared_ptr<AwaitedCalls<>> callers;
+    std::shared_ptr<OutstandingCalls<>> callers;
     std::uint64_t call = 0;  ///< its number in `callers`
   };
 
@@ -98,7 +98,7 @@ class Outbox {
   /// Sends a call without the mailbox, which must be empty, or has the network thread send it once
   /// the link has room. Returns how many calls were sent in total, this one being the last, or 0 if
   /// it was not sent yet.
-  std::uint64_t SendAtOnce(const Turn& turn, Question question);
+  std::uint64_t SendNow(const Turn& turn, Question question);
   /// A caller's thread, after the last of `calls` sent calls was executed: the earlier ones were
   /// too, since one mailbox keeps their order. Notifies if calls wait in the mailbox of `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);

@@ -1,7 +1,7 @@
 #include <tendon/base/printable.h>
 #include <tendon/interface/connection.h>
 #include <tendon/proxy/function_proxy.h>
-#include <tendon/proxy/mirror/mirrored_read_proxy.h>
+#include <tendon/proxy/mirrored_read_proxy.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 #include <tendon/proxy/read_proxy.h>
 
@@ -71,7 +71,7 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
     // The middleware's thread reports whether the source is faulted.
-    if (line_) events_.back()->SetRaisers(Callers::kManyThreads, nullptr);
+    if (line_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
   }
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <tendon/interface/provided_interface.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/event_proxy.h>
-#include <tendon/proxy/messages.h>
-#include <tendon/proxy/mirror/mirrored_value.h>
+#include <tendon/proxy/loss_report.h>
+#include <tendon/proxy/mirrored_value.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
-#include <tendon/proxy/reports/loss_report.h>
-#include <tendon/proxy/threads/call_threads.h>
+#include <tendon/proxy/worker_pool.h>
 
 #include <chrono>
 #include <map>
@@ -25,19 +25,19 @@ class Connection;
 /// here connects to it as usual. Void and write commands are queued until the network thread sends
 /// them, within the other end's credit. Reads ask in the caller's thread unless they are mirrored;
 /// so do awaited commands unless queued ones must be sent first. Events are raised in the
-/// middleware's thread, or in a line of CallThreads if a handler runs in the raising thread.
+/// middleware's thread, or in a line of WorkerPool if a handler runs in the raising thread.
 class ProvidedInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
   /// The interface at the other end, opened for this proxy.
   struct Remote {
     std::shared_ptr<Channel> channel;
-    message::InterfaceOpened opened;
+    message::OpenInterfaceReply opened;
     InterfaceName name{};  ///< for the log
     /// Values that are read from copies here, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
-    std::shared_ptr<CallLine> line{};        ///< of its events; null unless one of their handlers
+    std::shared_ptr<SerialExecutor> line{};  ///< of its events; null unless one of their handlers
                                              ///< runs in the raising thread
   };
   /// Offers the part of the remote interface that `required` uses. Throws ConfigurationError if its
@@ -85,7 +85,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   void CountLostEvents();
 
   const std::shared_ptr<NetworkThread> thread_;
-  const std::shared_ptr<CallLine> line_;
+  const std::shared_ptr<SerialExecutor> line_;
   const std::uint32_t handle_;
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;

@@ -1,4 +1,4 @@
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/read_proxy.h>
 
 #include <string>

@@ -1,5 +1,5 @@
 #include <tendon/base/printable.h>
-#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
 #include <tendon/proxy/read_proxy.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
@@ -103,7 +103,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   interface_.Seal();
 }
 
-void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, SortsOfCalls& threads) {
+void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExecutors& threads) {
   bool has_commands = false;
   bool has_reads = false;
   for (std::size_t i = 0; i < functions_.size(); ++i) {
@@ -115,7 +115,7 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, SortsOfC
   // As many as the peer's credit, of any size, and one that has just ended.
   if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
-  if (has_commands || has_reads) interface_.SetCallers(Callers::kManyThreads);
+  if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
 }
 
 bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server server) {
@@ -153,21 +153,21 @@ void RequiredInterfaceProxy::EndCredit() {
 }
 
 template <typename Call>
-bool RequiredInterfaceProxy::PostTo(CallLine& line, std::span<const std::byte> argument,
+bool RequiredInterfaceProxy::PostTo(SerialExecutor& line, std::span<const std::byte> argument,
                                     Call call) {
   return line.Post([self = shared_from_this(), call = std::move(call),
                     bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
                    argument.size());
 }
 
-class RequiredInterfaceProxy::PlaceInLine {
+class RequiredInterfaceProxy::QueuedCommandCount {
  public:
   /// Create it before the command is counted.
-  explicit PlaceInLine(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
-  PlaceInLine(const PlaceInLine&) = delete;
-  PlaceInLine& operator=(const PlaceInLine&) = delete;
+  explicit QueuedCommandCount(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
+  QueuedCommandCount(const QueuedCommandCount&) = delete;
+  QueuedCommandCount& operator=(const QueuedCommandCount&) = delete;
   /// The command was executed, was moved to the mailbox, or is dropped.
-  ~PlaceInLine() {
+  ~QueuedCommandCount() {
     const std::scoped_lock lock(proxy_.mutex_);
     --proxy_.waiting_in_line_;
   }
@@ -213,7 +213,7 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
       return CountReceived(Watch::kClosely);
     }
   }
-  auto place = std::make_shared<PlaceInLine>(*this);
+  auto place = std::make_shared<QueuedCommandCount>(*this);
   CountReceived(Watch::kClosely, 1);
   const bool is_posted = PostTo(
       *commands_, argument, [function, place = std::move(place)](auto& self, const Bytes& bytes) {
@@ -242,7 +242,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   if (!runs_component_[function]) {
-    const LargeInHand mark;  // the size of the answer is not known before
+    const LargeMessageInProgress mark;  // the size of the answer is not known before
     return Read(function, argument, std::move(responder), answer_);
   }
   responder.Defer();
@@ -283,18 +283,18 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
   const SteadyTime now = SteadyClock().Now();
-  BegunCalls::Begun begun{.since = now,
-                          .deadline = now + *timeout,
-                          .function = function,
-                          .responder = std::move(responder)};
+  ExecutingCalls::Begun begun{.since = now,
+                              .deadline = now + *timeout,
+                              .function = function,
+                              .responder = std::move(responder)};
   const Watch watch = begun.responder.Defer() ? Watch::kNowAndThen : Watch::kClosely;
   if (!MustWaitInLine(function)) {
     const Status status = Begin(begun, question, answer_);
     CountReceived(watch);
     return OnBegun(std::move(begun), status, answer_);
   }
-  const auto shared = std::make_shared<BegunCalls::Begun>(std::move(begun));
-  auto place = std::make_shared<PlaceInLine>(*this);
+  const auto shared = std::make_shared<ExecutingCalls::Begun>(std::move(begun));
+  auto place = std::make_shared<QueuedCommandCount>(*this);
   CountReceived(watch, 1);
   const bool is_posted = PostTo(
       *commands_, question, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
@@ -310,15 +310,15 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   if (!is_posted) ReplyWith(Status::kQueueFull, shared->responder);
 }
 
-Status RequiredInterfaceProxy::Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument,
-                                     Bytes& result) {
+Status RequiredInterfaceProxy::Begin(ExecutingCalls::Begun& begun,
+                                     std::span<const std::byte> argument, Bytes& result) {
   return functions_[begun.function]->Begin(argument, result, thread_->wakeup(), begun.command,
                                            begun.call);
 }
 
-void RequiredInterfaceProxy::OnBegun(BegunCalls::Begun begun, Status status, Bytes& result) {
+void RequiredInterfaceProxy::OnBegun(ExecutingCalls::Begun begun, Status status, Bytes& result) {
   if (status != Status(Status::kQueued)) return OnEnd(begun, status, result);
-  SteadyTime look = BegunCalls::FirstLook(begun);
+  SteadyTime look = ExecutingCalls::FirstLook(begun);
   {
     const std::scoped_lock lock(mutex_);
     // Closed meanwhile: executed or dropped.
@@ -330,7 +330,7 @@ void RequiredInterfaceProxy::OnBegun(BegunCalls::Begun begun, Status status, Byt
   thread_->NotifyBy(look);
 }
 
-void RequiredInterfaceProxy::OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) {
+void RequiredInterfaceProxy::OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) {
   if (!CanBeSent(begun.function, result.size())) status = Status::kFailed;
   if (!status) result.clear();
   AppendStatus(status, result);

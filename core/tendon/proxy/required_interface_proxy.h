@@ -2,14 +2,14 @@
 
 #include <tendon/interface/connection.h>
 #include <tendon/interface/required_interface.h>
-#include <tendon/middleware/complaints.h>
+#include <tendon/middleware/rate_limited_warning.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/executing_calls.h>
 #include <tendon/proxy/function_proxy.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/loss_report.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
-#include <tendon/proxy/reports/loss_report.h>
-#include <tendon/proxy/threads/call_threads.h>
-#include <tendon/proxy/waiting/begun_calls.h>
+#include <tendon/proxy/worker_pool.h>
 
 #include <functional>
 #include <memory>
@@ -22,11 +22,11 @@ namespace tendon {
 
 /// Stands in for a required interface of another process, for one connection; it connects to a
 /// provided interface here as usual. Calls are made in the middleware's thread, or in a line of
-/// CallThreads if they run code of the component in the caller's thread. Events are queued until
+/// WorkerPool if they run code of the component in the caller's thread. Events are queued until
 /// the network thread sends them.
 class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
-                                     private BegunCalls::Owner {
+                                     private ExecutingCalls::Owner {
  public:
   /// Whether events are sent as kEvents, or as kTimedEvents with the time when they were raised.
   enum class Events { kPlain, kTimed };
@@ -40,7 +40,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// Call it before the proxy is connected to `server`. Makes lines for calls that run code of the
   /// component in their caller's thread. A queued command waits in a line only behind such a call,
   /// so that commands keep their order.
-  void MakeLines(const ProvidedInterface& server, SortsOfCalls& threads);
+  void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// The number at the other end.
@@ -91,7 +91,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   enum class Watch { kNone, kNowAndThen, kClosely };
 
   /// While it lives, its command counts as waiting in the line.
-  class PlaceInLine;
+  class QueuedCommandCount;
 
   /// For a peer that exceeds its credit, or if memory is short.
   void LogRefused(std::size_t function);
@@ -101,13 +101,13 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
   /// Posts `call(*this, argument)` with a copied argument. Returns false if too much waits.
   template <typename Call>
-  bool PostTo(CallLine& line, std::span<const std::byte> argument, Call call);
+  bool PostTo(SerialExecutor& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
             Bytes& spare);
-  Status Begin(BegunCalls::Begun& begun, std::span<const std::byte> argument, Bytes& result);
-  void OnBegun(BegunCalls::Begun begun, Status status, Bytes& result);
+  Status Begin(ExecutingCalls::Begun& begun, std::span<const std::byte> argument, Bytes& result);
+  void OnBegun(ExecutingCalls::Begun begun, Status status, Bytes& result);
   void CountReceived(Watch watch, std::uint64_t in_line = 0);
-  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) override;
+  void OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
@@ -124,10 +124,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
   std::vector<const QueuedOfferProxy*> handlers_;  // by event handler
-  Complaints complaints_{"network"};
-  std::vector<bool> runs_component_;    // by function: in its caller's thread
-  std::shared_ptr<CallLine> commands_;  // for commands that do, and those behind them; or null
-  std::shared_ptr<CallLine> reads_;     // the same for reads
+  RateLimitedWarning complaints_{"network"};
+  std::vector<bool> runs_component_;  // by function: in its caller's thread
+  std::shared_ptr<SerialExecutor>
+      commands_;                           // for commands that do, and those behind them; or null
+  std::shared_ptr<SerialExecutor> reads_;  // the same for reads
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
   Bytes answer_;  // only in the middleware's thread
@@ -140,7 +141,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   Watch watch_ = Watch::kNone;
   message::Credit told_;
   SteadyTime owed_since_{};  // since when a report is owed, at the latest
-  BegunCalls begun_{*this};
+  ExecutingCalls begun_{*this};
 };
 
 }  // namespace tendon

@@ -1,7 +1,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
-#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/task/component.h>
 
 #include <algorithm>
@@ -263,13 +263,13 @@ Result<void> Component::Resume() {
 
 void Component::Halt() {
   host_.SetAccepting(false);  // before Cleanup() releases data that calls use
-  const PatientCalls get_through;
+  const BlockWhenFull get_through;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
 
 bool Component::TellOfPeers(RequiredInterface& interface) {
   using Change = RequiredInterface::PeerChange;
-  const bool is_told_first = interface.callers() == Callers::kManyThreads;
+  const bool is_told_first = interface.callers() == CallerThreads::kManyThreads;
   while (true) {
     const Change change = interface.peer_change();
     if (change == Change::kNone) return true;
@@ -289,7 +289,7 @@ bool Component::TellOfPeers(RequiredInterface& interface) {
   }
 }
 
-bool Component::TellOfGoneClient(const GoneClient& client) {
+bool Component::TellOfGoneClient(const DisconnectedClient& client) {
   return RunGuarded("OnClientGone", [&] {
     for (Expiry* const expiry : expiries_) {
       if (expiry->IsOf(client.connection)) expiry->End();
@@ -305,13 +305,13 @@ bool Component::TellOfConnections() {
   }
   bool is_good = true;
   gone_clients_.Take(
-      [&](const GoneClient& client) { is_good = is_good && TellOfGoneClient(client); });
+      [&](const DisconnectedClient& client) { is_good = is_good && TellOfGoneClient(client); });
   return is_good;
 }
 
 bool Component::TellBeforeStartup() {
   for (Expiry* const expiry : expiries_) expiry->Disarm();
-  gone_clients_.Take([](const GoneClient& /*client*/) {});
+  gone_clients_.Take([](const DisconnectedClient& /*client*/) {});
   return TellOfConnections();
 }
 
@@ -338,13 +338,13 @@ SteadyTime Component::next_expiry() const noexcept {
 
 void Component::HearOfPeer(RequiredInterface& interface) { (void)TellOfPeers(interface); }
 
-void Component::HearOfGoneClient(GoneClient client) {
+void Component::HearOfGoneClient(DisconnectedClient client) {
   if (!is_at_rest()) (void)TellOfGoneClient(client);
 }
 
-void Component::KeepGoneClient(GoneClient client) {
+void Component::KeepGoneClient(DisconnectedClient client) {
   if (is_at_rest()) return;
-  const auto is_same = [&client](const GoneClient& one) {
+  const auto is_same = [&client](const DisconnectedClient& one) {
     return one.provided == client.provided && one.name == client.name;
   };
   // A suspended component hears of each client once, however often that came and went.

@@ -166,8 +166,8 @@ class Component {
 
   /// In a manager's thread: there is something to tell.
   virtual void HearOfPeer(RequiredInterface& interface);
-  virtual void HearOfGoneClient(GoneClient client);
-  void KeepGoneClient(GoneClient client);
+  virtual void HearOfGoneClient(DisconnectedClient client);
+  void KeepGoneClient(DisconnectedClient client);
 
   /// Runs one of the author's functions. An exception faults the component; `where` is read then,
   /// and names the place.
@@ -197,20 +197,21 @@ class Component {
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
   bool TellOfPeers(RequiredInterface& interface);
-  bool TellOfGoneClient(const GoneClient& client);
+  bool TellOfGoneClient(const DisconnectedClient& client);
 
   std::string name_;
   Host host_{Host::Listeners{
       .on_exception = [this](const std::string& reason) { FaultFromOutside(reason); },
       .on_peer_changed = [this](RequiredInterface& interface) { HearOfPeer(interface); },
-      .on_client_gone = [this](GoneClient client) { HearOfGoneClient(std::move(client)); }}};
+      .on_client_gone =
+          [this](DisconnectedClient client) { HearOfGoneClient(std::move(client)); }}};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;
   std::vector<std::unique_ptr<RequiredInterface>> required_;
   std::map<std::string, SourcePlace> added_at_;
   std::vector<Expiry*> expiries_;
-  NoticeList<GoneClient> gone_clients_;
+  NoticeList<DisconnectedClient> gone_clients_;
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
   Flag is_stopping_;

@@ -170,7 +170,7 @@ void Task::HearOfPeer(RequiredInterface& interface) {
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 
-void Task::HearOfGoneClient(GoneClient client) {
+void Task::HearOfGoneClient(DisconnectedClient client) {
   KeepGoneClient(std::move(client));
   TaskLife::CallThread(*this);
 }

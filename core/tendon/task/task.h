@@ -117,7 +117,7 @@ class Task : public Component {
 
   void FaultFromOutside(const std::string& reason) override;
   void HearOfPeer(RequiredInterface& interface) override;
-  void HearOfGoneClient(GoneClient client) override;
+  void HearOfGoneClient(DisconnectedClient client) override;
 
  private:
   friend TaskLife;  // the rest of its work; its names are not in an author's way

@@ -112,7 +112,7 @@ void GraphExport::ask() {
 
 void GraphExport::save(const QString& file) {
   const QString kind = QFileInfo(file).suffix().toLower();
-  const Catalog& catalogue = store_.catalogue();
+  const Catalogue& catalogue = store_.catalogue();
   if (kind == QStringLiteral("svg")) {
     return write(file, [catalogue, places = PlacesIn(scene_)] {
       std::ostringstream text;

@@ -65,7 +65,7 @@ class ProviderIndex {
 
 }  // namespace
 
-std::set<Affinity> FittingOf(const Catalog& catalogue) {
+std::set<Affinity> FittingOf(const Catalogue& catalogue) {
   ProviderIndex providers;
   for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [name, component] : entry.components) {

@@ -9,7 +9,7 @@ namespace tendon::gui {
 
 /// The affinities between components that could be connected, from their interfaces alone. Linear
 /// in the members, and in the pairs of interfaces that share their first member.
-[[nodiscard]] std::set<Affinity> FittingOf(const Catalog& catalogue);
+[[nodiscard]] std::set<Affinity> FittingOf(const Catalogue& catalogue);
 
 /// Adds the affinities of connected components (`edges`) to `fitting`. Sorted.
 [[nodiscard]] std::vector<Affinity> AffinitiesOf(std::set<Affinity> fitting,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/graph/layout/graph_picture.h>
-#include <tendon/gcm/graph/column_layout.h>
+#include <tendon/gcm/column_layout.h>
 
 #include <QHash>
 #include <QPointF>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
-#include <tendon/manager/unmet_need.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/manager/unsatisfied_interface.h>
 
 #include <QSizeF>
 #include <QString>
@@ -32,7 +32,8 @@ struct NodePicture {
   QString path;
   QString name;
   ComponentState state = ComponentState::kConstructed;
-  std::vector<UnmetNeed> waits{};  ///< the needs that keep a running component from its work
+  std::vector<UnsatisfiedInterface>
+      waits{};  ///< the needs that keep a running component from its work
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
   QSizeF size;  ///< the size it needs in the theme's fonts

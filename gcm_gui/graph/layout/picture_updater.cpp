@@ -54,13 +54,13 @@ bool HaveSameEnds(const ConnectionDescription& a, const ConnectionDescription& b
 
 }  // namespace
 
-GraphPicture PictureOf(const Catalog& catalogue) {
+GraphPicture PictureOf(const Catalogue& catalogue) {
   Touched all;
   for (const auto& [name, entry] : catalogue.processes()) all.insert({name, {}});
   return PictureUpdater().update(catalogue, all);
 }
 
-const GraphPicture& PictureUpdater::update(const Catalog& catalogue, const Touched& touched) {
+const GraphPicture& PictureUpdater::update(const Catalogue& catalogue, const Touched& touched) {
   const ConnectionIndex connections(catalogue);
   bool other_interfaces = false;
   for (const TouchedPart& part : touched) {
@@ -75,7 +75,7 @@ const GraphPicture& PictureUpdater::update(const Catalog& catalogue, const Touch
   return picture_;
 }
 
-void PictureUpdater::updatePart(const Catalog& catalogue, const ConnectionIndex& connections,
+void PictureUpdater::updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
                                 const TouchedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
   auto process = PlaceOf(picture_.processes, part.process);
@@ -108,7 +108,7 @@ void PictureUpdater::updatePart(const Catalog& catalogue, const ConnectionIndex&
   *node = NodeOf(connections, *entry, component->second);
 }
 
-bool PictureUpdater::takeInterfaces(const Catalog& catalogue, const TouchedPart& part) {
+bool PictureUpdater::takeInterfaces(const Catalogue& catalogue, const TouchedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
   const auto description = [&](const std::string& name) -> const ComponentDescription* {
     return entry == nullptr ? nullptr : catalogue.FindComponent(part.process, name);
@@ -134,7 +134,7 @@ bool PictureUpdater::takeInterfaces(const Catalog& catalogue, const TouchedPart&
   return changed;
 }
 
-bool PictureUpdater::takeEdges(const Catalog& catalogue) {
+bool PictureUpdater::takeEdges(const Catalogue& catalogue) {
   std::vector<ConnectionDescription> fresh = catalogue.connections();
   const bool same = std::equal(fresh.begin(), fresh.end(), picture_.edges.begin(),
                                picture_.edges.end(), HaveSameEnds);

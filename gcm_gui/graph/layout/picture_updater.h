@@ -17,7 +17,7 @@ class PictureUpdater {
  public:
   /// Returns the same picture as PictureOf(). `touched` must name all parts that have changed since
   /// the last call.
-  const GraphPicture& update(const Catalog& catalogue, const Touched& touched);
+  const GraphPicture& update(const Catalogue& catalogue, const Touched& touched);
 
   [[nodiscard]] const GraphPicture& picture() const { return picture_; }
 
@@ -29,18 +29,18 @@ class PictureUpdater {
     bool operator==(const Interfaces&) const = default;
   };
 
-  void updatePart(const Catalog& catalogue, const ConnectionIndex& connections,
+  void updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
                   const TouchedPart& part);
   /// Stores the interfaces of a part; returns true if they have changed.
-  bool takeInterfaces(const Catalog& catalogue, const TouchedPart& part);
+  bool takeInterfaces(const Catalogue& catalogue, const TouchedPart& part);
   /// Returns true if the set of connections has changed; their states do not matter.
-  bool takeEdges(const Catalog& catalogue);
+  bool takeEdges(const Catalogue& catalogue);
 
   GraphPicture picture_;
   std::set<Affinity> fitting_;  // possible connections
   std::map<TouchedPart, Interfaces> interfaces_;
 };
 
-[[nodiscard]] GraphPicture PictureOf(const Catalog& catalogue);
+[[nodiscard]] GraphPicture PictureOf(const Catalogue& catalogue);
 
 }  // namespace tendon::gui

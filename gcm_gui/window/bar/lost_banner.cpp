@@ -11,7 +11,7 @@
 
 namespace tendon::gui {
 
-LostBanner::LostBanner(const GcmLink& link, QWidget* parent)
+LostBanner::LostBanner(const LinkState& link, QWidget* parent)
     : QFrame(parent), link_(link), since_(new StateLabel), meaning_(new QLabel) {
   setObjectName(QStringLiteral("lostBanner"));
   setAutoFillBackground(true);
@@ -26,7 +26,7 @@ LostBanner::LostBanner(const GcmLink& link, QWidget* parent)
   row->setSpacing(kInset);
   row->addWidget(since_);
   row->addWidget(meaning_, 1);
-  connect(&link, &GcmLink::changed, this, Fenced(this, &LostBanner::refresh));
+  connect(&link, &LinkState::changed, this, Fenced(this, &LostBanner::refresh));
   setNow(WallClock());
 }
 
@@ -38,7 +38,7 @@ void LostBanner::setNow(qint64 now) {
 }
 
 void LostBanner::refresh() {
-  setVisible(link_.state() == GcmLink::State::kLost);
+  setVisible(link_.state() == LinkState::State::kLost);
   since_->show(StateMark::kLost,
                Words::tr("What is grey is as it was %1 ago").arg(AgeText(now_ - link_.since())));
   setAccessibleName(text());

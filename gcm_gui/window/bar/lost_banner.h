@@ -16,7 +16,7 @@ class LostBanner : public QFrame {
   Q_OBJECT
 
  public:
-  explicit LostBanner(const GcmLink& link, QWidget* parent = nullptr);
+  explicit LostBanner(const LinkState& link, QWidget* parent = nullptr);
 
   [[nodiscard]] QString text() const;
 
@@ -27,7 +27,7 @@ class LostBanner : public QFrame {
  private:
   void refresh();
 
-  const GcmLink& link_;
+  const LinkState& link_;
   std::int64_t now_ = 0;
   StateLabel* since_;
   QLabel* meaning_;

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLogo = 20;
 
 /// Counts only what is present: the catalogue also remembers what is gone.
-QString Counts(const Catalog& catalogue) {
+QString Counts(const Catalogue& catalogue) {
   std::int64_t processes = 0;
   std::int64_t components = 0;
   std::int64_t connections = 0;
@@ -39,7 +39,7 @@ QString Counts(const Catalog& catalogue) {
 
 }  // namespace
 
-TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent)
+TopBar::TopBar(const CatalogueStore& store, const LinkState& link, QWidget* parent)
     : QFrame(parent),
       store_(store),
       link_(link),
@@ -71,7 +71,7 @@ TopBar::TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent
 
   connect(problem_pill_, &QAbstractButton::clicked, this, &TopBar::problemsRequested);
   connect(&store, &CatalogueStore::changed, this, Fenced(this, &TopBar::showLink));
-  connect(&link, &GcmLink::changed, this, Fenced(this, &TopBar::showLink));
+  connect(&link, &LinkState::changed, this, Fenced(this, &TopBar::showLink));
   setNow(WallClock());
   showProblemCount(0);
 }
@@ -110,15 +110,15 @@ QString TopBar::linkText() const { return link_pill_->spoken(); }
 void TopBar::showLink() {
   const QString age = AgeText(now_ - link_.since());
   switch (link_.state()) {
-    case GcmLink::State::kSearching:
+    case LinkState::State::kSearching:
       link_pill_->show(StateMark::kPending, Words::tr("No GCM found at ") + link_.address(),
                        Words::tr("looking every second"));
       break;
-    case GcmLink::State::kLost:
+    case LinkState::State::kLost:
       link_pill_->show(StateMark::kLost, Words::tr("GCM lost %1 ago").arg(age),
                        Words::tr("retrying ") + link_.address());
       break;
-    case GcmLink::State::kConnected:
+    case LinkState::State::kConnected:
       link_pill_->show(StateMark::kActive,
                        link_.isHosted() ? Words::tr("Hosting the GCM on this machine")
                                         : Words::tr("GCM at ") + link_.address(),

@@ -17,7 +17,7 @@ class TopBar : public QFrame {
   Q_OBJECT
 
  public:
-  TopBar(const CatalogueStore& store, const GcmLink& link, QWidget* parent = nullptr);
+  TopBar(const CatalogueStore& store, const LinkState& link, QWidget* parent = nullptr);
 
   /// The whole sentence about the GCM.
   [[nodiscard]] QString linkText() const;
@@ -42,7 +42,7 @@ class TopBar : public QFrame {
   void addButtons();
 
   const CatalogueStore& store_;
-  const GcmLink& link_;
+  const LinkState& link_;
   std::int64_t now_ = 0;
   Pill* link_pill_;
   Pill* problem_pill_;

@@ -6,7 +6,7 @@
 
 namespace tendon::gui {
 
-GcmStart::GcmStart(QStringList command, const GcmLink& link, QObject* parent)
+GcmStart::GcmStart(QStringList command, const LinkState& link, QObject* parent)
     : QObject(parent), command_(std::move(command)), link_(link) {}
 
 void GcmStart::start() {

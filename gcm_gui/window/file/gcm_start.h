@@ -13,7 +13,7 @@ class GcmStart : public QObject {
 
  public:
   /// `command` is `gcm` with the network options of the window.
-  GcmStart(QStringList command, const GcmLink& link, QObject* parent);
+  GcmStart(QStringList command, const LinkState& link, QObject* parent);
 
   void start();
 
@@ -23,7 +23,7 @@ class GcmStart : public QObject {
 
  private:
   const QStringList command_;
-  const GcmLink& link_;
+  const LinkState& link_;
 };
 
 }  // namespace tendon::gui

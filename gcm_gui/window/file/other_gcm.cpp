@@ -26,7 +26,7 @@ QStringList ArgumentsFor(const QStringList& mine, const QString& address) {
   return arguments << QStringLiteral("--gcm") << address;
 }
 
-OtherGcm::OtherGcm(QWidget& window, const GcmLink& link, Launch launch)
+OtherGcm::OtherGcm(QWidget& window, const LinkState& link, Launch launch)
     : QObject(&window), window_(window), link_(link), launch_(std::move(launch)) {}
 
 bool OtherGcm::startProgram(const QStringList& arguments) {

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace tendon::gui {
 
-class GcmLink;
+class LinkState;
 
 /// Shows a GCM at another address in a new window that replaces this one. A window that hosts its
 /// GCM stays open, since others may use that GCM.
@@ -20,7 +20,7 @@ class OtherGcm : public QObject {
   /// Starts this program with these arguments; returns false on failure.
   using Launch = std::function<bool(const QStringList& arguments)>;
 
-  OtherGcm(QWidget& window, const GcmLink& link, Launch launch = &OtherGcm::startProgram);
+  OtherGcm(QWidget& window, const LinkState& link, Launch launch = &OtherGcm::startProgram);
 
   /// Asks the user for the address.
   void ask();
@@ -34,7 +34,7 @@ class OtherGcm : public QObject {
   void goTo(const QString& address);
 
   QWidget& window_;
-  const GcmLink& link_;
+  const LinkState& link_;
   Launch launch_;
 };
 

@@ -67,7 +67,7 @@ void SystemFiles::bringUp(const QString& path) {
 
 /// Updates the plan whenever a process joins, until the user executes or dismisses it.
 void SystemFiles::previewBringUp() {
-  if (brings_up_ && link_.state() == GcmLink::State::kConnected) panel_->previewAll();
+  if (brings_up_ && link_.state() == LinkState::State::kConnected) panel_->previewAll();
 }
 
 bool SystemFiles::isBringUpInSight() const {

@@ -54,7 +54,7 @@ class SystemFiles : public QObject {
   [[nodiscard]] QFileDialog* makeDialog(const QString& title);
   void showTab();
 
-  GcmLink& link_;
+  LinkState& link_;
   QWidget& window_;
   TabPanel& centre_;
   SystemDocument document_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/process/log/messages.h>
+#include <tendon/process/log/log_messages.h>
 
 #include <QString>
 #include <optional>

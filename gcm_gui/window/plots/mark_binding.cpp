@@ -42,9 +42,9 @@ MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel&
   connect(&panel, &PlotPanel::marksShownChanged, this, &MarkBinding::follow);
   connect(&reports, &SystemReports::logArrived, this, Fenced(this, &MarkBinding::markLog));
   connect(&reports, &SystemReports::eventsArrived, this,
-          [this](const std::vector<HeardEvent>& events) {
+          [this](const std::vector<ReceivedEvent>& events) {
             Fence::run(this, ViewWork::kHandling, [&] {
-              for (const HeardEvent& event : events) markEvent(event);
+              for (const ReceivedEvent& event : events) markEvent(event);
             });
           });
   connect(&activity, &ActivityModel::finished, this, Fenced(this, &MarkBinding::markAction));
@@ -77,7 +77,7 @@ void MarkBinding::follow() {
 }
 
 // Events that only others listen to arrive here, too.
-void MarkBinding::markEvent(const HeardEvent& event) {
+void MarkBinding::markEvent(const ReceivedEvent& event) {
   if (!components_plotted_.contains(ComponentOf(event.path))) return;
   Marked& marked = events_[event.path];
   if (event.when - marked.when < kEventPauseNs && event.when >= marked.when) {
@@ -155,7 +155,7 @@ void MarkBinding::markAction(const Action& action) {
                   .is_bad = is_refused});
 }
 
-void MarkBinding::compare(const Catalog& catalogue, const Touched& touched) {
+void MarkBinding::compare(const Catalogue& catalogue, const Touched& touched) {
   for (const TouchedPart& part : touched) {
     compareProcess(catalogue, part.process);
     compareConnections(catalogue, part);  // before the components: unknown components are new
@@ -168,7 +168,7 @@ void MarkBinding::compare(const Catalog& catalogue, const Touched& touched) {
   }
 }
 
-void MarkBinding::compareProcess(const Catalog& catalogue, const std::string& process) {
+void MarkBinding::compareProcess(const Catalogue& catalogue, const std::string& process) {
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr) {
     processes_.erase(process);
@@ -200,7 +200,7 @@ void MarkBinding::compareComponent(const ProcessEntry& entry,
   add(Mark::Kind::kState, name + ' ' + state, text, is_bad);
 }
 
-void MarkBinding::compareConnections(const Catalog& catalogue, const TouchedPart& part) {
+void MarkBinding::compareConnections(const Catalogue& catalogue, const TouchedPart& part) {
   const auto is_meant = [&](const InterfaceName& required) {
     return required.process == part.process &&
            (part.component.empty() || required.component == part.component);

@@ -44,15 +44,15 @@ class MarkBinding : public QObject {
   };
 
   void follow();
-  void markEvent(const HeardEvent& event);
+  void markEvent(const ReceivedEvent& event);
   void markLog(const LogBatch& batch);
   [[nodiscard]] bool isRead(const QString& path) const;
   [[nodiscard]] bool isOwnCall(const QString& path) const;
   void markAction(const Action& action);
-  void compare(const Catalog& catalogue, const Touched& touched);
-  void compareProcess(const Catalog& catalogue, const std::string& process);
+  void compare(const Catalogue& catalogue, const Touched& touched);
+  void compareProcess(const Catalogue& catalogue, const std::string& process);
   void compareComponent(const ProcessEntry& entry, const ComponentDescription& component);
-  void compareConnections(const Catalog& catalogue, const TouchedPart& part);
+  void compareConnections(const Catalogue& catalogue, const TouchedPart& part);
   void add(Mark::Kind kind, const QString& label, const QString& text, bool is_bad);
 
   PlotPanel& panel_;

@@ -10,7 +10,7 @@ from .paths import Path
 MOST_LISTED = 8
 
 Description = dict[str, Any]
-"""One of the descriptions of tendon/process/description.h, its fields by name."""
+"""One of the descriptions of tendon/process/process_description.h, its fields by name."""
 
 
 class Process:
@@ -22,16 +22,16 @@ class Process:
         self.connections: dict[int, Description] = {}  # those it owns, by id
 
 
-class Catalog:
+class Catalogue:
     """Built of numbered changes. Not thread-safe."""
 
     def __init__(self, revision: int = 0) -> None:
         self.revision = revision
         self.processes: dict[str, Process] = {}
 
-    def copy(self) -> Catalog:
+    def copy(self) -> Catalogue:
         """Another one, to which changes can be applied; descriptions are never changed."""
-        other = Catalog(self.revision)
+        other = Catalogue(self.revision)
         for name, process in self.processes.items():
             entry = other.processes[name] = Process(process.description)
             entry.components = dict(process.components)

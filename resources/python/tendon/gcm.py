@@ -7,7 +7,7 @@ import time
 from typing import Any
 
 from . import messages
-from .catalog import Catalog
+from .catalog import Catalogue
 from .errors import Error, Invalid, TimedOut, Unreachable
 from .messages import MessageType
 from .middleware.frame import Header
@@ -29,7 +29,7 @@ class GcmLink:
         self._opening = threading.Lock()
         self._link: Link | None = None
         self._changed = threading.Condition()
-        self._catalog = Catalog()  # is replaced, never changed
+        self._catalog = Catalogue()  # is replaced, never changed
         self._changes = 0
 
     def request(self, message_type: MessageType, name: str, value: Any, answer: str) -> Any:
@@ -37,7 +37,7 @@ class GcmLink:
         return self._open().request(message_type, messages.encode(name, value), self._timeout,
                                     reading(answer))
 
-    def fresh(self) -> Catalog:
+    def fresh(self) -> Catalogue:
         """The catalogue with all that the GCM has told until now; a question to it makes sure."""
         try:
             self._ask_for_life()
@@ -45,7 +45,7 @@ class GcmLink:
             self._ask_for_life()  # of one that has come back, or that we did not keep up with
         return self._catalog
 
-    def known(self) -> Catalog:
+    def known(self) -> Catalogue:
         """The catalogue as it was heard last: processes can be talked to without a GCM."""
         link = self._link
         if link is None or not link.is_open:
@@ -91,7 +91,7 @@ class GcmLink:
     def _on_snapshot(self, body: bytes) -> None:
         """In the thread of Ice, as what follows."""
         snapshot = messages.decode("Snapshot", body)
-        catalog = Catalog(snapshot["base"])
+        catalog = Catalogue(snapshot["base"])
         if not all(map(catalog.apply, snapshot["changes"])):
             raise Invalid(f"the GCM at {self._address} sent a catalogue that makes no sense")
         self._replace(catalog)
@@ -112,7 +112,7 @@ class GcmLink:
     def _on_closed(self, _reason: Error) -> None:
         self._replace(self._catalog)
 
-    def _replace(self, catalog: Catalog) -> None:
+    def _replace(self, catalog: Catalogue) -> None:
         with self._changed:
             self._catalog = catalog
             self._changes += 1

@@ -48,7 +48,7 @@ class Column(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """A body of ROWS, laid out as core/tendon/process/messages.h says."""
+    """A body of ROWS, laid out as core/tendon/process/viewer_messages.h says."""
 
     body: bytes
     rows_before: int

@@ -25,15 +25,15 @@ struct Size {
 /// The commands a viewer has heard of. They only become more.
 class CommandCounter final : public GcmListener {
  public:
-  void OnSnapshot(const Catalog& catalog) override {
+  void OnSnapshot(const Catalogue& catalogue) override {
     std::size_t sum = 0;
-    for (const auto& [name, entry] : catalog.processes()) {
+    for (const auto& [name, entry] : catalogue.processes()) {
       for (const auto& [component_name, component] : entry.components) sum += Of(component);
     }
     commands_ = sum;
   }
-  void OnChanges(const std::vector<CatalogChange>& changes) override {
-    for (const CatalogChange& change : changes) {
+  void OnChanges(const std::vector<CatalogueChange>& changes) override {
+    for (const CatalogueChange& change : changes) {
       for (const ComponentDescription& component : change.components) commands_ += Of(component);
     }
   }

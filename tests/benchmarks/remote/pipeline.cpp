@@ -1,8 +1,8 @@
 #include <benchmarks/remote/pipeline.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/interface/offer.h>
-#include <tendon/proxy/messages.h>
-#include <tendon/proxy/waiting/begun_calls.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/executing_calls.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -62,7 +62,7 @@ WaitingCalls::WaitingCalls(RemoteSystem& system, std::uint64_t window)
                                std::make_shared<ChannelHandler>(), kPatience);
   Require(channel.ok(), "the robot is not reached");
   channel_ = *std::move(channel);
-  const auto opened = channel_->Call<message::InterfaceOpened>(
+  const auto opened = channel_->Call<message::OpenInterfaceReply>(
       message::kOpenInterface, 0,
       message::OpenInterface{.required = {"pipeline", "pipeline", "Robot"},
                              .provided = {"robot", "robot", "Control"},

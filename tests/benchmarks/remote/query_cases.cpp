@@ -91,7 +91,7 @@ double AskOften(const RemoteSystem& system, const Audience& audience) {
   GcmClient client(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = large.address()});
   Require(EventuallyTrue([&] { return client.WaitUntilWatching().ok(); }), "no GCM is there");
   const auto processes = static_cast<std::size_t>(audience.processes);
-  Require(EventuallyTrue([&] { return client.catalog().processes().size() == processes; }),
+  Require(EventuallyTrue([&] { return client.catalogue().processes().size() == processes; }),
           "the processes do not join");
   const Watchers watchers(large.address(), audience.watchers);
   const Restless restless(system, large.address());

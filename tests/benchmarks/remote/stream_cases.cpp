@@ -1,5 +1,5 @@
 #include <benchmarks/remote/remote_system.h>
-#include <tendon/process/telemetry_client.h>
+#include <tendon/process/telemetry/make_telemetry_client.h>
 
 #include <algorithm>
 #include <condition_variable>

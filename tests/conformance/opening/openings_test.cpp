@@ -1,6 +1,6 @@
 #include <poll.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 
 #include <future>
 #include <optional>
@@ -35,13 +35,13 @@ TEST_P(ChannelContract, WhenTheProgramEndsNobodyWaitsForAnAnswerToItsHello) {
   auto opening = std::async(std::launch::async, open);
   ASSERT_EQ(heard.wait_for(kPatience), std::future_status::ready);
 
-  const NoMoreOpening end;
+  const ConnectCancellation end;
 
   ASSERT_EQ(opening.wait_for(kPatience), std::future_status::ready);
   const auto opened = opening.get();
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().code, ErrorCode::kUnreachable);
-  EXPECT_EQ(opened.error().message, OpeningIsOver().message);
+  EXPECT_EQ(opened.error().message, ConnectCancelledError().message);
 }
 
 /// As a process that is stopped: the kernel takes the connection, and nobody reads it.
@@ -58,15 +58,15 @@ TEST_P(PortContract, WhenTheProgramEndsNobodyWaitsForALinkToWhoHangs) {
   pollfd come{hanging->descriptor(), POLLIN, 0};
   ASSERT_EQ(poll(&come, 1, static_cast<int>(std::chrono::milliseconds(kPatience).count())), 1);
 
-  std::optional<NoMoreOpening> end(std::in_place);
+  std::optional<ConnectCancellation> end(std::in_place);
 
   ASSERT_EQ(opening.wait_for(kPatience), std::future_status::ready);
   const auto opened = opening.get();
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().message, OpeningIsOver().message);
+  EXPECT_EQ(opened.error().message, ConnectCancelledError().message);
   pair_ = {};
   end.reset();
-  EXPECT_FALSE(IsOpeningOver());
+  EXPECT_FALSE(AreConnectsCancelled());
 }
 
 }  // namespace

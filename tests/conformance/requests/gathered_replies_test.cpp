@@ -1,4 +1,4 @@
-#include <tendon/middleware/requests/gathered_replies.h>
+#include <tendon/middleware/requests/reply_batcher.h>
 
 #include <future>
 #include <mutex>
@@ -65,7 +65,7 @@ TEST_P(ChannelContract, AnswersThatAreGatheredArriveOnceAndInOrder) {
   ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, kCount));
 
   {
-    const GatheredReplies together;
+    const ReplyBatcher together;
     for (std::uint32_t i = 0; i < kCount; ++i) server->kept_[i].Reply(EncodeBody(i), kOwnLane);
   }
 
@@ -83,7 +83,7 @@ TEST_P(ChannelContract, ALargeAnswerAmongGatheredOnesArrivesToo) {
   ASSERT_TRUE(server->Wait([](const Oracle& one) { return one.kept_.size() == 2; }));
 
   {
-    const GatheredReplies together;
+    const ReplyBatcher together;
     server->kept_[0].Reply(EncodeBody(std::uint32_t{0}), kOwnLane);
     server->kept_[1].Reply(Bytes(3 * kMaxPieceSize, std::byte{7}), kOwnLane);
   }
@@ -99,7 +99,7 @@ TEST_P(ChannelContract, OfGatheredAnswersThatTheLinkDoesNotTakeAnyMoreAllAreOuts
   ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, 8));
 
   {
-    const GatheredReplies together;
+    const ReplyBatcher together;
     for (std::uint32_t i = 0; i < 8; ++i) server->kept_[i].Reply(EncodeBody(i), kOwnLane);
     channel_->Close();
     ASSERT_TRUE(server->Wait([](const Oracle& one) { return one.closed_.size() == 1; }));

@@ -20,7 +20,7 @@ class Keeper final : public LinkHandler {
   explicit Keeper(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
 
   void OnFrame(std::span<const std::byte> /*frame*/) override { Put(nullptr); }
-  void OnAsked(std::span<const std::byte> /*frame*/, LeftAnswer& answer) override {
+  void OnAsked(std::span<const std::byte> /*frame*/, ReplySlot& answer) override {
     auto later = answer.Defer();
     EXPECT_NE(later, nullptr);
     EXPECT_EQ(answer.Defer(), nullptr) << "it is deferred once";
@@ -38,7 +38,7 @@ class Keeper final : public LinkHandler {
     return changed_.wait_for(lock, kPatience, [this] { return is_closed_; });
   }
   /// Of the next question; null where it came by no shorter way.
-  std::unique_ptr<LeftAnswer> Take() {
+  std::unique_ptr<ReplySlot> Take() {
     std::unique_lock lock(mutex_);
     EXPECT_TRUE(changed_.wait_for(lock, kPatience, [this] { return !answers_.empty(); }));
     if (answers_.empty()) return nullptr;
@@ -48,7 +48,7 @@ class Keeper final : public LinkHandler {
   }
 
  private:
-  void Put(std::unique_ptr<LeftAnswer> answer) {
+  void Put(std::unique_ptr<ReplySlot> answer) {
     const std::scoped_lock lock(mutex_);
     answers_.push_back(std::move(answer));
     changed_.notify_all();
@@ -57,7 +57,7 @@ class Keeper final : public LinkHandler {
   const std::shared_ptr<Link> link_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::unique_ptr<LeftAnswer>> answers_;
+  std::deque<std::unique_ptr<ReplySlot>> answers_;
   bool is_closed_ = false;
 };
 

@@ -10,12 +10,12 @@
 namespace tendon::conformance {
 namespace {
 
-std::optional<std::span<std::byte>> Begin(LeftAnswer& answer, std::uint32_t number) {
+std::optional<std::span<std::byte>> Begin(ReplySlot& answer, std::uint32_t number) {
   return answer.Begin(*ReadWholeFrame(FrameOf(number)));
 }
 
 /// False where it came too late: a machine may stand still for half a second.
-bool Leave(LeftAnswer& answer, std::uint32_t number) {
+bool Leave(ReplySlot& answer, std::uint32_t number) {
   const auto room = Begin(answer, number);
   if (!room) return false;
   std::ranges::fill(*room, static_cast<std::byte>(number));
@@ -24,7 +24,7 @@ bool Leave(LeftAnswer& answer, std::uint32_t number) {
 }
 
 TEST_P(LaterAnswerContract, ComesOnceItIsLeftByAnyThreadInAnyOrder) {
-  const auto leave = [](LeftAnswer& answer, std::uint32_t number) {
+  const auto leave = [](ReplySlot& answer, std::uint32_t number) {
     return std::async(std::launch::async, [&] { return Leave(answer, number); }).get();
   };
   EXPECT_TRUE(EventuallyTrue([&] {

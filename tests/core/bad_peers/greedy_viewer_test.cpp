@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
-#include <tendon/process/messages.h>
-#include <tendon/proxy/mirror/messages.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/channel_handler.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/mirror_messages.h>
 #include <tendon/task/periodic_task.h>
 
 #include <array>

@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 #include <tendon/base/os/process.h>
-#include <tendon/process/messages.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/channel_handler.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <chrono>
 #include <mutex>
@@ -49,8 +52,8 @@ class HostileListener : public NetworkTest {
     EXPECT_TRUE(opened.ok()) << opened.error().message;
     return opened ? *opened : nullptr;
   }
-  static Result<message::InterfaceOpened> Listen(Channel& channel, std::uint32_t handle,
-                                                 std::uint32_t capacity) {
+  static Result<message::OpenInterfaceReply> Listen(Channel& channel, std::uint32_t handle,
+                                                    std::uint32_t capacity) {
     const message::OpenInterface open{
         .required = {"viewer", "events", "Camera"},
         .provided = {"robot", "camera", "Camera"},
@@ -59,7 +62,7 @@ class HostileListener : public NetworkTest {
                             "Seen", CommandKind::kWrite)}},
         .handle = handle,
         .capacity = capacity};
-    return channel.Call<message::InterfaceOpened>(message::kListen, 0, open, kPatience);
+    return channel.Call<message::OpenInterfaceReply>(message::kListen, 0, open, kPatience);
   }
 
   std::shared_ptr<Middleware> middleware = NewMiddleware();
@@ -93,7 +96,7 @@ TEST_P(HostileListener, ThatStopsReadingHoldsNoMoreThanItsShareOfLargeEvents) {
 TEST_P(HostileListener, ThatTakesAllItMayLeavesRoomForOthers) {
   const auto greedy = Open(std::make_shared<ChannelHandler>());
   std::uint32_t listeners = 0;
-  Result<message::InterfaceOpened> listened = Listen(*greedy, ++listeners, 1);
+  Result<message::OpenInterfaceReply> listened = Listen(*greedy, ++listeners, 1);
   while (listened && listeners < 1000) listened = Listen(*greedy, ++listeners, 1);
 
   ASSERT_FALSE(listened.ok());

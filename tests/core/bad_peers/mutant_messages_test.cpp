@@ -1,6 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <chrono>
 #include <random>

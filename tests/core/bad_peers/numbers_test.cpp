@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/client/log_feed.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/middleware/parts/part_sender.h>
-#include <tendon/middleware/requests/awaited_answer.h>
+#include <tendon/middleware/requests/blocking_request.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_subscription.h>
 #include <tests/core/gcm/samples.h>
@@ -112,34 +112,34 @@ TEST(BadInput63, NoRecordIsHeardTwiceAndThoseThatAreJumpedOverAreCounted) {
 }
 
 TEST(BadInput63, AChangeOfTheCatalogueThatGoesBackOrJumpsIsNotBelieved) {
-  Catalog catalog;
+  Catalogue catalogue;
   const auto change = [](std::uint64_t revision) {
-    return CatalogChange{.revision = revision,
-                         .kind = CatalogChange::Kind::kProcess,
-                         .process = "robot",
-                         .processes = {test::ProcessNamed("robot", revision)}};
+    return CatalogueChange{.revision = revision,
+                           .kind = CatalogueChange::Kind::kProcess,
+                           .process = "robot",
+                           .processes = {test::ProcessNamed("robot", revision)}};
   };
-  ASSERT_TRUE(catalog.Apply(change(1)));
-  ASSERT_TRUE(catalog.Apply(change(2)));
-  const Catalog before = catalog;
+  ASSERT_TRUE(catalogue.Apply(change(1)));
+  ASSERT_TRUE(catalogue.Apply(change(2)));
+  const Catalogue before = catalogue;
 
   for (const std::uint64_t revision :
        {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{4}, kMost}) {
-    EXPECT_FALSE(catalog.Apply(change(revision))) << revision;
-    EXPECT_EQ(catalog, before) << revision;
+    EXPECT_FALSE(catalogue.Apply(change(revision))) << revision;
+    EXPECT_EQ(catalogue, before) << revision;
   }
 
-  EXPECT_TRUE(catalog.Apply(change(3)));
+  EXPECT_TRUE(catalogue.Apply(change(3)));
 }
 
 TEST(BadInput63, AnAnswerWhoseNumberGoesBackOrJumpsIsNobodys) {
   PendingRequests requests;
   std::uint64_t before = 0;
   {
-    const AwaitedAnswer answered(requests);
+    const BlockingRequest answered(requests);
     before = answered.number();
   }
-  AwaitedAnswer answer(requests);
+  BlockingRequest answer(requests);
 
   for (const std::uint64_t number : {std::uint64_t{0}, before, answer.number() + 1, kMost}) {
     requests.OnAnswer(number, Error{ErrorCode::kFailed, "a lie"});

@@ -76,7 +76,7 @@ TEST_P(BadInput61, ANameOfAMegabyteIsRefusedInWordsThatPrint) {
 
   ASSERT_FALSE(joined);
   ExpectShortAndPrintable(joined.error().message, "refusal");
-  EXPECT_TRUE(gcm_->catalog().processes().empty());
+  EXPECT_TRUE(gcm_->catalogue().processes().empty());
 }
 
 TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
@@ -85,8 +85,8 @@ TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
   robot->Add(PoisonedArm());  // and as a report
 
   ASSERT_TRUE(
-      EventuallyTrue([&] { return client->catalog().FindComponent("robot", "arm") != nullptr; }));
-  ExpectTame(*client->catalog().FindComponent("robot", "arm"));
+      EventuallyTrue([&] { return client->catalogue().FindComponent("robot", "arm") != nullptr; }));
+  ExpectTame(*client->catalogue().FindComponent("robot", "arm"));
 }
 
 TEST_P(BadInput61, WhereAProcessSaysItIsReachesViewersShortAndEscaped) {
@@ -95,7 +95,7 @@ TEST_P(BadInput61, WhereAProcessSaysItIsReachesViewersShortAndEscaped) {
 
   ASSERT_TRUE(robot.Join(address_));
 
-  ExpectTame(gcm_->catalog().FindProcess("robot")->process.address, "address");
+  ExpectTame(gcm_->catalogue().FindProcess("robot")->process.address, "address");
 }
 
 TEST_P(BadInput61, RecordsReachViewersShortAndEscapedAndThoseOfAMegabyteNobody) {

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/base/os/loading/file_content.h>
+#include <tendon/base/os/file_content.h>
 
 #include <chrono>
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <tendon/base/os/descriptor.h>
-#include <tendon/base/os/loading/library_copy.h>
+#include <tendon/base/os/library_copy.h>
 
 #include <cstdlib>
 #include <filesystem>

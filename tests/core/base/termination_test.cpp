@@ -63,7 +63,7 @@ TEST(Termination, AWaitThatLetsSignalsThroughEndsWithTheFirst) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
-        const TerminationLetThrough impatient;
+        const TerminationUnblockScope impatient;
         SignalMyself();
         _exit(0);
       },
@@ -74,7 +74,7 @@ TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
-        { const TerminationLetThrough impatient; }
+        { const TerminationUnblockScope impatient; }
         SignalMyself();
         _exit(TerminationAsked(60s) ? kWasAsked : 0);
       },
@@ -92,7 +92,7 @@ TEST(Termination, AThreadWithAnInterruptionHearsThatAlone) {
           if (!TerminationAsked(60s)) _exit(0);
           interruption.Ask();  // does not kill
           if (WaitForTermination() != SIGINT || TerminationAsked(1ms)) _exit(0);
-          { const TerminationLetThrough impatient; }
+          { const TerminationUnblockScope impatient; }
           pthread_kill(pthread_self(), SIGTERM);  // held as before
           _exit(kWasAsked);
         });

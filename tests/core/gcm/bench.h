@@ -23,15 +23,15 @@ const InterfaceName kControl("robot", "arm", "Control");
 /// Keeps what a client is told.
 class Recorder : public GcmListener {
  public:
-  void OnSnapshot(const Catalog& catalog) override {
+  void OnSnapshot(const Catalogue& catalogue) override {
     const std::scoped_lock lock(mutex_);
-    catalog_ = catalog;
+    catalogue_ = catalogue;
     ++snapshots_;
   }
-  void OnChanges(const std::vector<CatalogChange>& changes) override {
+  void OnChanges(const std::vector<CatalogueChange>& changes) override {
     const std::scoped_lock lock(mutex_);
-    for (const CatalogChange& change : changes) {
-      if (!catalog_.Apply(change)) ++holes_;
+    for (const CatalogueChange& change : changes) {
+      if (!catalogue_.Apply(change)) ++holes_;
       changes_.push_back(change);
     }
   }
@@ -40,11 +40,11 @@ class Recorder : public GcmListener {
     losses_.push_back(reason);
   }
 
-  [[nodiscard]] Catalog catalog() const {
+  [[nodiscard]] Catalogue catalogue() const {
     const std::scoped_lock lock(mutex_);
-    return catalog_;
+    return catalogue_;
   }
-  [[nodiscard]] std::vector<CatalogChange> changes() const {
+  [[nodiscard]] std::vector<CatalogueChange> changes() const {
     const std::scoped_lock lock(mutex_);
     return changes_;
   }
@@ -63,8 +63,8 @@ class Recorder : public GcmListener {
 
  private:
   mutable std::mutex mutex_;
-  Catalog catalog_;
-  std::vector<CatalogChange> changes_;
+  Catalogue catalogue_;
+  std::vector<CatalogueChange> changes_;
   std::vector<Error> losses_;
   int snapshots_ = 0;
   int holes_ = 0;
@@ -133,8 +133,8 @@ class Bench : public testing::TestWithParam<std::string> {
   }
 
   [[nodiscard]] ProcessState StateOf(const std::string& process) const {
-    const Catalog catalog = gcm_->catalog();
-    const ProcessEntry* entry = catalog.FindProcess(process);
+    const Catalogue catalogue = gcm_->catalogue();
+    const ProcessEntry* entry = catalogue.FindProcess(process);
     EXPECT_NE(entry, nullptr) << process;
     return entry == nullptr ? ProcessState::kLeft : entry->process.state;
   }
@@ -177,8 +177,8 @@ class DeskAndRobot : public Bench {
 
   /// Of the desk's only required interface.
   [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
-    const Catalog catalog = gcm_->catalog();
-    const auto* connection = catalog.FindConnection(kRobot);
+    const Catalogue catalogue = gcm_->catalogue();
+    const auto* connection = catalogue.FindConnection(kRobot);
     return connection == nullptr ? std::nullopt : std::optional(*connection);
   }
 

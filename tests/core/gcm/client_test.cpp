@@ -63,9 +63,9 @@ TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
   robot_->Add(test::Mover(offered));
   robot_->Add(test::Leader(needed));
   const auto words = [this] {
-    const Catalog catalog = client_->catalog();
-    const auto* leader = catalog.FindRequired({"robot", "leader", "Mover"});
-    const auto* mover = catalog.FindProvided({"robot", "mover", "Control"});
+    const Catalogue catalogue = client_->catalogue();
+    const auto* leader = catalogue.FindRequired({"robot", "leader", "Mover"});
+    const auto* mover = catalogue.FindProvided({"robot", "mover", "Control"});
     return leader == nullptr || mover == nullptr ? "" : Compare(*leader, *mover).Text();
   };
   ASSERT_TRUE(EventuallyTrue([&] { return !words().empty(); }));
@@ -87,8 +87,8 @@ TEST_P(Client, ManyWhoAskForDisputedTypesShareALook) {
   robot_->Add(test::Mover(test::GoalIn("in/" + GetParam())));  // of which the robot knows no more
   robot_->Add(test::Leader(test::GoalIn("ft/" + GetParam())));
   ASSERT_TRUE(EventuallyTrue([this] {
-    const Catalog catalog = client_->catalog();
-    return catalog.FindComponent("robot", "leader") && catalog.FindComponent("robot", "mover");
+    const Catalogue catalogue = client_->catalogue();
+    return catalogue.FindComponent("robot", "leader") && catalogue.FindComponent("robot", "mover");
   }));
   constexpr int kCrowd = 100;
   std::atomic<int> answered{0};
@@ -159,7 +159,7 @@ TEST_P(Client, AProcessThatIsGoneIsSaidToBe) {
   ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
   robot_.reset();
   ASSERT_TRUE(EventuallyTrue([&] {
-    return client_->catalog().FindProcess("robot")->process.state == ProcessState::kLost;
+    return client_->catalogue().FindProcess("robot")->process.state == ProcessState::kLost;
   }));
 
   EXPECT_EQ(CallError("robot/arm/Control.GetJoints").find("process 'robot' is lost ("), 0U);
@@ -172,9 +172,9 @@ TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
   robot_ = Join("robot", {test::Arm()});
   ASSERT_TRUE(EventuallyTrue([&] {
-    const Catalog catalog = client_->catalog();
-    return catalog.FindProcess("robot")->process.instance != before &&
-           catalog.FindComponent("robot", "arm") != nullptr;
+    const Catalogue catalogue = client_->catalogue();
+    return catalogue.FindProcess("robot")->process.instance != before &&
+           catalogue.FindComponent("robot", "arm") != nullptr;
   }));
 
   EXPECT_EQ(*Call("robot/arm/state.Joints[0]"), "1");
@@ -182,7 +182,7 @@ TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
 
 TEST_P(Client, EveryHandlerIsCalledOnceEvenWhenTheClientGoes) {
   const auto desk = Join("desk", {test::Teleoperation()});
-  ASSERT_TRUE(EventuallyTrue([&] { return client_->catalog().FindProcess("desk") != nullptr; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return client_->catalogue().FindProcess("desk") != nullptr; }));
   desk->set_manners(FakeProcess::Manners::kSayNothing);
   constexpr int kCount = 50;
   std::mutex mutex;

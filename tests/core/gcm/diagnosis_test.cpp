@@ -9,7 +9,7 @@ namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 using Verdict = DiagnosisStep::Verdict;
 
 const message::Wire kWire{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}};
@@ -21,9 +21,9 @@ class DiagnosisTest : public testing::Test {
     Enter(desk_, {test::Teleoperation()});
   }
 
-  void Apply(CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    EXPECT_TRUE(catalog_.Apply(change));
+  void Apply(CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    EXPECT_TRUE(catalogue_.Apply(change));
   }
   void Enter(const ProcessDescription& process,
              const std::vector<ComponentDescription>& components = {}) {
@@ -44,7 +44,7 @@ class DiagnosisTest : public testing::Test {
   }
 
   Diagnosis Examine(const message::Wire& wire = kWire) {
-    const auto diagnosis = Diagnose(catalog_, wire);
+    const auto diagnosis = Diagnose(catalogue_, wire);
     EXPECT_TRUE(diagnosis) << diagnosis.error().message;
     if (!diagnosis) return {};
     EXPECT_EQ(diagnosis->steps.size(), 7U);
@@ -71,7 +71,7 @@ class DiagnosisTest : public testing::Test {
   static std::string FromHere() { return " (seen from host " + os::HostName() + ")"; }
   [[nodiscard]] std::string FromDesk() const { return " (seen from host " + desk_.host + ")"; }
 
-  Catalog catalog_;
+  Catalogue catalogue_;
   ProcessDescription robot_ = test::ProcessNamed("robot", 1);
   ProcessDescription desk_ = test::ProcessNamed("desk", 2);
 };
@@ -123,7 +123,7 @@ TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
   const auto examine = [this] {
     Diagnosis diagnosis = Examine();
     AddRoundTrip(diagnosis, 800us);
-    AddActivity(diagnosis, catalog_);
+    AddActivity(diagnosis, catalogue_);
     return diagnosis;
   };
   EXPECT_FALSE(examine().failure);  // it can be connected
@@ -286,9 +286,9 @@ TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndIsLate) {
 }
 
 TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
-  EXPECT_EQ(Diagnose(catalog_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
+  EXPECT_EQ(Diagnose(catalogue_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
             ErrorCode::kNotFound);
-  EXPECT_EQ(Diagnose(catalog_, {kWire.provided, kWire.provided}).error().code,
+  EXPECT_EQ(Diagnose(catalogue_, {kWire.provided, kWire.provided}).error().code,
             ErrorCode::kNotFound);
 }
 
@@ -311,7 +311,7 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   using Left = Remainder::Verdict;
   const Error none{ErrorCode::kNotFound, "serves nothing"};
 
-  AddRemainders(diagnosis, catalog_, none);
+  AddRemainders(diagnosis, catalogue_, none);
 
   EXPECT_EQ(diagnosis.remainders,
             (std::vector<Remainder>{{"desk", Left::kNothing, "nothing of it is left in desk"},
@@ -320,14 +320,14 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
             (std::vector<std::string>{"rolled back: nothing of it is left in desk",
                                       "rolled back: nothing of it is left in robot"}));
 
-  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kSomething);
-  AddRemainders(diagnosis, catalog_, Error{ErrorCode::kTimeout, "no answer"});
+  AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kUnknown);
   EXPECT_EQ(diagnosis.remainders[1].text, "not known of robot, which does not tell: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
-  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remainders[0].text,
             "nothing of it is left in desk, where teleoperation/Robot is connected to "
             "robot/arm/Control");
@@ -338,7 +338,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
 
-  AddRemainders(diagnosis, catalog_, ConnectionCounts{});
+  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
 
   EXPECT_TRUE(diagnosis.remainders.empty());
   EXPECT_EQ(LeftoverTexts(diagnosis),
@@ -349,7 +349,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
   robot_.state = ProcessState::kLost;
   Enter(robot_);
   Diagnosis lost = Examine();
-  AddRemainders(lost, catalog_, Error{ErrorCode::kUnreachable, "lost"});
+  AddRemainders(lost, catalogue_, Error{ErrorCode::kUnreachable, "lost"});
   EXPECT_EQ(LeftoverTexts(lost), std::vector<std::string>{"kept: desk makes it as soon as it can"});
 }
 
@@ -360,7 +360,7 @@ TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
   Apply({.kind = Kind::kProcess, .process = "desk", .processes = {desk_}});
   Diagnosis diagnosis = Examine();
 
-  AddRemainders(diagnosis, catalog_, Error{ErrorCode::kNotFound, "serves nothing"});
+  AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kNotFound, "serves nothing"});
 
   EXPECT_FALSE(IsKept(diagnosis));
   EXPECT_EQ(LeftoverTexts(diagnosis),
@@ -375,7 +375,7 @@ TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {
   Enter(desk_, {test::Arm("b_arm"), test::Arm("a_arm")});
   Connect(ConnectionState::kActive);
 
-  const auto candidates = RankCandidates(catalog_, kWire.required);
+  const auto candidates = RankCandidates(catalogue_, kWire.required);
 
   ASSERT_TRUE(candidates);
   std::vector<std::string> names;
@@ -391,7 +391,7 @@ TEST_F(DiagnosisTest, AProcessThatIsGoneHasNoCandidates) {
   robot_.state = ProcessState::kLeft;
   Enter(robot_);
 
-  EXPECT_TRUE(RankCandidates(catalog_, kWire.required)->empty());
+  EXPECT_TRUE(RankCandidates(catalogue_, kWire.required)->empty());
 }
 
 }  // namespace

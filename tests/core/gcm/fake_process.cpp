@@ -1,7 +1,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/payload/codec.h>
 #include <tendon/proxy/call_batch.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tests/core/gcm/fake_process.h>
 
 #include <functional>
@@ -10,7 +10,7 @@
 namespace tendon::test {
 namespace {
 
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 
 constexpr std::chrono::milliseconds kTimeout(20'000);
 
@@ -41,7 +41,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       const std::scoped_lock lock(mutex);
       listener = channel;
       listener_handle = DecodeBody<message::OpenInterface>(body)->handle;
-      responder.Answer(Result(message::InterfaceOpened{.handle = 1, .accepting = true}));
+      responder.Answer(Result(message::OpenInterfaceReply{.handle = 1, .accepting = true}));
     }
   }
 
@@ -288,7 +288,7 @@ void FakeProcess::BreakLink() {
   if (channel) channel->Close();
 }
 
-void FakeProcess::Report(const std::vector<CatalogChange>& changes) {
+void FakeProcess::Report(const std::vector<CatalogueChange>& changes) {
   std::unique_lock lock(state_->mutex);
   const auto channel = state_->gcm;
   lock.unlock();

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <tendon/base/clock.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tests/core/gcm/samples.h>
 
 #include <chrono>
@@ -55,7 +55,7 @@ class FakeProcess {
   Result<None> Leave();
   /// Breaks the link, but knows its session.
   void BreakLink();
-  void Report(const std::vector<CatalogChange>& changes);
+  void Report(const std::vector<CatalogueChange>& changes);
   Status SendLog(const message::LogRecords& records);
 
   /// What it says of its steady clock, to who listens to its events.

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/server/hand_backs.h>
+#include <tendon/gcm/server/connection_restorer.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon::server {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-using Kind = CatalogChange::Kind;
-using Verdict = HandBacks::Verdict;
+using Kind = CatalogueChange::Kind;
+using Verdict = ConnectionRestorer::Verdict;
 
 const message::Wire kWire{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}};
 const std::vector<message::Wire> kNone;
@@ -24,13 +24,13 @@ class HandBacksTest : public testing::Test {
                                            .provided = kWire.provided,
                                            .state = ConnectionState::kActive};
     Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});
-    hand_backs_.Keep(catalog_, "desk");
+    hand_backs_.Keep(catalogue_, "desk");
     Apply({.kind = Kind::kConnectionRemoved, .process = "desk", .connection = 1});
   }
 
-  void Apply(CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    ASSERT_TRUE(catalog_.Apply(change));
+  void Apply(CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    ASSERT_TRUE(catalogue_.Apply(change));
   }
   void Enter(const std::string& process, const ComponentDescription& component) {
     Apply({.kind = Kind::kProcess,
@@ -39,11 +39,11 @@ class HandBacksTest : public testing::Test {
     Apply({.kind = Kind::kComponent, .process = process, .components = {component}});
   }
 
-  std::vector<message::Wire> TakeDue() { return hand_backs_.TakeDue(catalog_, now_); }
+  std::vector<message::Wire> TakeDue() { return hand_backs_.TakeDue(catalogue_, now_); }
   Verdict Settle(const Result<void>& outcome) { return hand_backs_.Settle(kWire, outcome, now_); }
 
-  Catalog catalog_;
-  HandBacks hand_backs_;
+  Catalogue catalogue_;
+  ConnectionRestorer hand_backs_;
   SteadyTime now_{1h};
 };
 
@@ -79,10 +79,10 @@ TEST_F(HandBacksTest, WhatFailedIsTriedAgainAfterAPauseThatGrows) {
 TEST_F(HandBacksTest, WhatWasRefusedForGoodIsForgotten) {
   for (const ErrorCode code :
        {ErrorCode::kIncompatible, ErrorCode::kInvalid, ErrorCode::kDenied, ErrorCode::kExists}) {
-    HandBacks fresh = hand_backs_;
-    ASSERT_EQ(fresh.TakeDue(catalog_, now_), kOne);
+    ConnectionRestorer fresh = hand_backs_;
+    ASSERT_EQ(fresh.TakeDue(catalogue_, now_), kOne);
     EXPECT_EQ(fresh.Settle(kWire, Error{code, "no"}, now_), Verdict::kGivenUp);
-    EXPECT_EQ(fresh.TakeDue(catalog_, now_ + 1h), kNone);
+    EXPECT_EQ(fresh.TakeDue(catalogue_, now_ + 1h), kNone);
   }
 }
 
@@ -92,7 +92,7 @@ TEST_F(HandBacksTest, AnOutcomeOfAnEarlierLifeDoesNotTouchTheNextOne) {
   const ConnectionDescription connection{
       .id = 2, .required = kWire.required, .provided = kWire.provided};
   Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});
-  hand_backs_.Keep(catalog_, "desk");
+  hand_backs_.Keep(catalogue_, "desk");
   Apply({.kind = Kind::kConnectionRemoved, .process = "desk", .connection = 2});
 
   EXPECT_EQ(Settle({}), Verdict::kDone);

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 
 const InterfaceName kRobot("desk", "teleoperation", "Robot");
 const InterfaceName kControl("robot", "arm", "Control");
@@ -22,13 +22,13 @@ class Lookup : public testing::Test {
     Apply({.kind = Kind::kComponent, .process = "robot", .components = {test::FakeArm()}});
   }
 
-  void Apply(CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    ASSERT_TRUE(catalog_.Apply(change));
+  void Apply(CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    ASSERT_TRUE(catalogue_.Apply(change));
   }
 
   void SetState(const std::string& process, ProcessState state) {
-    auto description = catalog_.FindProcess(process)->process;
+    auto description = catalogue_.FindProcess(process)->process;
     description.state = state;
     Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
   }
@@ -43,22 +43,22 @@ class Lookup : public testing::Test {
   /// "not found: no process ..."
   [[nodiscard]] std::string PlanError(const InterfaceName& required,
                                       const InterfaceName& provided) const {
-    const auto plan = PlanConnect(catalog_, {required, provided});
+    const auto plan = PlanConnect(catalogue_, {required, provided});
     if (plan) return "no error";
     return std::string(ToString(plan.error().code)) + ": " + plan.error().message;
   }
 
   [[nodiscard]] std::string CommandError(const std::string& path) const {
-    const auto command = LookUpCommand(catalog_, *ParsePath(path));
+    const auto command = LookUpCommand(catalogue_, *ParsePath(path));
     return command ? "no error" : command.error().message;
   }
 
   const ProcessDescription robot_ = test::ProcessNamed("robot", 2);
-  Catalog catalog_;
+  Catalogue catalogue_;
 };
 
 TEST_F(Lookup, APlanSaysWhereTheProviderIs) {
-  const auto plan = PlanConnect(catalog_, {kRobot, kControl});
+  const auto plan = PlanConnect(catalogue_, {kRobot, kControl});
 
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->wire, (message::Wire{kRobot, kControl}));
@@ -80,7 +80,7 @@ TEST_F(Lookup, ANameThatIsNotThereIsSaidWithWhatIsNear) {
 }
 
 TEST_F(Lookup, AConnectToAProcessThatNobodyHasSeenIsPending) {
-  const auto plan = PlanConnect(catalog_, {kRobot, {"elsewhere", "arm", "Control"}});
+  const auto plan = PlanConnect(catalogue_, {kRobot, {"elsewhere", "arm", "Control"}});
 
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->address, "");
@@ -89,19 +89,19 @@ TEST_F(Lookup, AConnectToAProcessThatNobodyHasSeenIsPending) {
 TEST_F(Lookup, AReplacementMayFindItConnected) {
   Connect(kRobot, kControl);
 
-  EXPECT_TRUE(PlanConnect(catalog_, {kRobot, kControl}, Occupied::kReplaced));
+  EXPECT_TRUE(PlanConnect(catalogue_, {kRobot, kControl}, Occupied::kReplaced));
 }
 
 TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
   const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
   Connect(kRobot, kControl);
-  EXPECT_EQ(PlanConnect(catalog_, wire, Occupied::kReplaced).error().message,
+  EXPECT_EQ(PlanConnect(catalogue_, wire, Occupied::kReplaced).error().message,
             "desk/teleoperation/Robot stays connected to robot/arm/Control, for what replaces it "
             "must be there: no process 'elsewhere'; there is 'desk', 'robot'");
 
   Connect(kRobot, kControl, ConnectionState::kFailed);
 
-  EXPECT_TRUE(PlanConnect(catalog_, wire, Occupied::kReplaced));
+  EXPECT_TRUE(PlanConnect(catalogue_, wire, Occupied::kReplaced));
 }
 
 TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
@@ -122,7 +122,8 @@ TEST_F(Lookup, ANameThatCannotBeOneIsNotRepeated) {
 
 TEST_F(Lookup, TwoEndsThatDoNotFitAreRefusedAsEverywhere) {
   const InterfaceName fake("robot", "fake", "Control");
-  const auto compatibility = Compare(*catalog_.FindRequired(kRobot), *catalog_.FindProvided(fake));
+  const auto compatibility =
+      Compare(*catalogue_.FindRequired(kRobot), *catalogue_.FindProvided(fake));
   ASSERT_FALSE(compatibility.fits());
 
   EXPECT_EQ(PlanError(kRobot, fake),
@@ -141,7 +142,7 @@ TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
 
 TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
   Connect(kRobot, kControl);
-  ConnectionDescription connection = *catalog_.FindConnection(kRobot);
+  ConnectionDescription connection = *catalogue_.FindConnection(kRobot);
   const auto set = [&](ConnectionState state, const std::string& reason) {
     connection.state = state;
     connection.reason = reason;
@@ -163,17 +164,17 @@ TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
 TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
   Connect(kRobot, kControl);
 
-  EXPECT_EQ(*LookUpConnected(catalog_, "1"), kRobot);
-  EXPECT_EQ(*LookUpConnected(catalog_, "desk/1"), kRobot);
-  EXPECT_EQ(*LookUpConnected(catalog_, "desk/teleoperation/Robot"), kRobot);
-  EXPECT_EQ(*LookUpConnected(catalog_, "desk/teleoperation/1"),
+  EXPECT_EQ(*LookUpConnected(catalogue_, "1"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalogue_, "desk/1"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalogue_, "desk/teleoperation/Robot"), kRobot);
+  EXPECT_EQ(*LookUpConnected(catalogue_, "desk/teleoperation/1"),
             InterfaceName("desk", "teleoperation", "1"));
-  EXPECT_EQ(LookUpConnected(catalog_, "robot/1").error().message,
+  EXPECT_EQ(LookUpConnected(catalogue_, "robot/1").error().message,
             "no connection has the number robot/1");
 
   const InterfaceName other("robot", "follower", "Robot");
   Connect(other, kControl);
-  const auto ambiguous = LookUpConnected(catalog_, "1");
+  const auto ambiguous = LookUpConnected(catalogue_, "1");
   ASSERT_FALSE(ambiguous);
   EXPECT_EQ(ambiguous.error().code, ErrorCode::kInvalid);
   EXPECT_EQ(ambiguous.error().message,
@@ -184,7 +185,7 @@ TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
 TEST_F(Lookup, AConnectToATombstoneIsPendingIfItWouldFit) {
   SetState("robot", ProcessState::kLost);
 
-  const auto plan = PlanConnect(catalog_, {kRobot, kControl});
+  const auto plan = PlanConnect(catalogue_, {kRobot, kControl});
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->address, "");
   EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}).substr(0, 12), "incompatible");
@@ -200,21 +201,21 @@ TEST_F(Lookup, ATombstoneConnectsNothing) {
 }
 
 TEST_F(Lookup, ADisconnectNeedsAConnection) {
-  EXPECT_EQ(PlanDisconnect(catalog_, kRobot).error().message,
+  EXPECT_EQ(PlanDisconnect(catalogue_, kRobot).error().message,
             "desk/teleoperation/Robot is not connected: there is nothing to disconnect");
   Connect(kRobot, kControl);
 
-  const auto plan = PlanDisconnect(catalog_, kRobot);
+  const auto plan = PlanDisconnect(catalogue_, kRobot);
   ASSERT_TRUE(plan);
   EXPECT_EQ(plan->provided, kControl);
 }
 
 TEST_F(Lookup, FindsCommandsAndColumns) {
-  const auto command = LookUpCommand(catalog_, *ParsePath("robot/arm/Control.MoveTo"));
+  const auto command = LookUpCommand(catalogue_, *ParsePath("robot/arm/Control.MoveTo"));
   ASSERT_TRUE(command);
   EXPECT_EQ(command->signature.kind, CommandKind::kWrite);
 
-  const auto column = LookUpCommand(catalog_, *ParsePath("robot/arm/state.Joints.position[0]"));
+  const auto column = LookUpCommand(catalogue_, *ParsePath("robot/arm/state.Joints.position[0]"));
   ASSERT_TRUE(column);
   EXPECT_EQ(column->signature, (SignatureOf<None, test::Joints>(CommandKind::kRead)));
 

@@ -16,15 +16,15 @@ INSTANTIATE_TEST_SUITE_P(Over, Membership, testing::Values("loopback", "tcp"),
 
 TEST_P(Membership, AProcessThatJoinsAndReportsIsInTheCatalogue) {
   const auto robot = Join("robot", {test::Arm()});
-  EXPECT_EQ(*gcm_->catalog().FindComponent("robot", "arm"), test::Arm());
+  EXPECT_EQ(*gcm_->catalogue().FindComponent("robot", "arm"), test::Arm());
 
   robot->Add(test::Arm("second"));
   robot->Remove("arm");
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    const Catalog catalog = gcm_->catalog();
-    return catalog.FindComponent("robot", "second") != nullptr &&
-           catalog.FindComponent("robot", "arm") == nullptr;
+    const Catalogue catalogue = gcm_->catalogue();
+    return catalogue.FindComponent("robot", "second") != nullptr &&
+           catalogue.FindComponent("robot", "arm") == nullptr;
   }));
 }
 
@@ -55,7 +55,7 @@ TEST_P(Membership, AHundredProcessesOfOneNameAtOnceExactlyOneWins) {
   for (std::thread& thread : threads) thread.join();
 
   ASSERT_EQ(winners.size(), 1U);
-  EXPECT_EQ(gcm_->catalog().FindProcess("robot")->process.instance, winners[0]);
+  EXPECT_EQ(gcm_->catalogue().FindProcess("robot")->process.instance, winners[0]);
   for (const Error& refusal : refusals) {
     EXPECT_EQ(refusal.code, ErrorCode::kExists);
     EXPECT_EQ(refusal.message.find("process name 'robot' is in use by host bench pid "), 0U);
@@ -68,10 +68,10 @@ TEST_P(Membership, AKilledProcessIsLostAtOnceAndItsNameMayBeTaken) {
   robot.reset();
 
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
-  EXPECT_EQ(*gcm_->catalog().FindComponent("robot", "arm"), test::Arm());
+  EXPECT_EQ(*gcm_->catalogue().FindComponent("robot", "arm"), test::Arm());
   const auto again = Join("robot", {});
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
-  EXPECT_EQ(gcm_->catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_EQ(gcm_->catalogue().FindComponent("robot", "arm"), nullptr);
 }
 
 TEST_P(Membership, AHungProcessIsLostAndFencedAndCanJoinAgain) {
@@ -119,7 +119,7 @@ TEST_P(Membership, ASessionOfTheLastLinkTakesTheNameOver) {
   ASSERT_TRUE(robot->Join(address_));
 
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
-  EXPECT_EQ(gcm_->catalog().FindProcess("robot")->process.instance, instance);
+  EXPECT_EQ(gcm_->catalogue().FindProcess("robot")->process.instance, instance);
   EXPECT_TRUE(robot->Renew());
 }
 
@@ -132,7 +132,7 @@ TEST_P(Membership, AProcessThatLeavesIsATombstoneThatCanBeForgotten) {
   robot->BreakLink();
 
   EXPECT_TRUE(Wait<void>(kLong, [&](auto handler) { client->Forget("robot", handler); }));
-  EXPECT_EQ(gcm_->catalog().FindProcess("robot"), nullptr);
+  EXPECT_EQ(gcm_->catalogue().FindProcess("robot"), nullptr);
 }
 
 TEST_P(Membership, BeginsWithAllProcessesThatAreThere) {
@@ -194,7 +194,7 @@ TEST_P(Membership, WhatAGcmDoesNotUnderstandIsRefusedAndHarmsNobody) {
                     {.instance = 1, .name = "odd", .cookie = *LoopbackCookie()}, handler, kLong);
   ASSERT_TRUE(channel);
   const Bytes junk(100, std::byte{0xff});
-  const std::uint64_t revision = gcm_->catalog().revision();
+  const std::uint64_t revision = gcm_->catalogue().revision();
 
   for (std::uint16_t type = 0x300; type < 0x330; ++type) {
     const auto answer = (*channel)->Call(static_cast<MessageType>(type), 0, junk, kLong);
@@ -205,7 +205,7 @@ TEST_P(Membership, WhatAGcmDoesNotUnderstandIsRefusedAndHarmsNobody) {
   }
 
   EXPECT_TRUE(robot->Renew());
-  EXPECT_EQ(gcm_->catalog().revision(), revision);
+  EXPECT_EQ(gcm_->catalogue().revision(), revision);
 }
 
 TEST_P(Membership, AGcmThatIsKilledAndStartedAnewKnowsTheSameAfterAllHaveJoinedAgain) {
@@ -213,17 +213,17 @@ TEST_P(Membership, AGcmThatIsKilledAndStartedAnewKnowsTheSameAfterAllHaveJoinedA
   const auto desk = Join("desk", {test::Teleoperation()});
   auto client = Watch();
   ASSERT_TRUE(Connect(*client));
-  const Fingerprint before = gcm_->catalog().ContentHash();
+  const Fingerprint before = gcm_->catalogue().ContentHash();
   const std::uint64_t instance = gcm_->instance();
 
   gcm_.reset();
   EXPECT_TRUE(EventuallyTrue([&] { return !robot->is_linked() && !desk->is_linked(); }));
   StartGcm(address_);
-  EXPECT_NE(gcm_->catalog().ContentHash(), before);
+  EXPECT_NE(gcm_->catalogue().ContentHash(), before);
   ASSERT_TRUE(robot->Join(address_));
   ASSERT_TRUE(desk->Join(address_));
 
-  EXPECT_EQ(gcm_->catalog().ContentHash(), before);
+  EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
   EXPECT_NE(gcm_->instance(), instance);
   EXPECT_EQ(desk->orders().size(), 1U);  // nothing was connected a second time
 }

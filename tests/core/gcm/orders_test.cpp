@@ -43,7 +43,7 @@ TEST_P(Orders, ADisconnectEndsIt) {
 
 TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
   ASSERT_TRUE(Connect(*client_));
-  const std::uint64_t revision = gcm_->catalog().revision();
+  const std::uint64_t revision = gcm_->catalogue().revision();
   const auto code = [&](const InterfaceName& required, const InterfaceName& provided) {
     const auto made = Connect(*client_, required, provided);
     return made ? ErrorCode::kFailed : made.error().code;
@@ -58,7 +58,7 @@ TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
 
   EXPECT_EQ(desk_->orders().size(), 1U);
   EXPECT_EQ(Steps(*client_).size(), 2U);
-  EXPECT_EQ(gcm_->catalog().revision(), revision + 1);
+  EXPECT_EQ(gcm_->catalogue().revision(), revision + 1);
 }
 
 TEST_P(Orders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
@@ -142,8 +142,8 @@ TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
   const InterfaceName leader("desk", "leader", "Mover");
   const InterfaceName mover("robot", "mover", "Control");
   ASSERT_TRUE(EventuallyTrue([&] {
-    const Catalog catalog = gcm_->catalog();
-    return catalog.FindRequired(leader) != nullptr && catalog.FindProvided(mover) != nullptr;
+    const Catalogue catalogue = gcm_->catalogue();
+    return catalogue.FindRequired(leader) != nullptr && catalogue.FindProvided(mover) != nullptr;
   }));
 
   const Error refusal{
@@ -172,8 +172,8 @@ TEST_P(Orders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
   desk_->Add(test::Leader(test::GoalIn(unit)));  // which it does not know itself
   const InterfaceName leader("desk", "leader", "Mover");
   ASSERT_TRUE(EventuallyTrue([&] {
-    return gcm_->catalog().FindRequired(leader) != nullptr &&
-           gcm_->catalog().FindComponent("robot", "mover") != nullptr;
+    return gcm_->catalogue().FindRequired(leader) != nullptr &&
+           gcm_->catalogue().FindComponent("robot", "mover") != nullptr;
   }));
 
   const auto made = Connect(*client_, leader, {"robot", "mover", "Control"});
@@ -280,37 +280,37 @@ TEST_P(Orders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
   panel.required.clear();
   for (int i = 0; i < kCount; ++i) panel.required.push_back(test::Robot("R" + std::to_string(i)));
   const auto wall = Join("wall", {panel});
-  const Fingerprint before = gcm_->catalog().ContentHash();
+  const Fingerprint before = gcm_->catalogue().ContentHash();
 
   for (int i = 0; i < kCount; ++i) {
     ASSERT_TRUE(Connect(*client_, {"wall", "panel", "R" + std::to_string(i)}));
   }
-  EXPECT_NE(gcm_->catalog().ContentHash(), before);
+  EXPECT_NE(gcm_->catalogue().ContentHash(), before);
   for (int i = 0; i < kCount; ++i) {
     const auto undone = Undo(*client_);
     ASSERT_TRUE(undone) << undone.error().message;
   }
 
-  EXPECT_EQ(gcm_->catalog().ContentHash(), before);
+  EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
 }
 
 TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   ComponentDescription second = test::Arm("second");
   robot_->Add(second);
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalog().FindComponent("robot", "second"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "second"); }));
   ASSERT_TRUE(Connect(*client_));
   // Behind the GCM's back the process connects it to something else.
   const ConnectionDescription other{.id = Connection()->id,
                                     .required = kRobot,
                                     .provided = {"robot", "second", "Control"},
                                     .state = ConnectionState::kActive};
-  desk_->Report({{.kind = CatalogChange::Kind::kConnection, .connections = {other}}});
+  desk_->Report({{.kind = CatalogueChange::Kind::kConnection, .connections = {other}}});
   ASSERT_TRUE(EventuallyTrue([&] { return Connection() == other; }));
   EXPECT_THAT(Undo(*client_).error().message,
               testing::HasSubstr(
                   "): desk/teleoperation/Robot was since connected to robot/second/Control; "));
 
-  desk_->Report({{.kind = CatalogChange::Kind::kConnectionRemoved, .connection = other.id}});
+  desk_->Report({{.kind = CatalogueChange::Kind::kConnectionRemoved, .connection = other.id}});
   ASSERT_TRUE(EventuallyTrue([&] { return !Connection(); }));
   EXPECT_THAT(Undo(*client_).error().message,
               testing::HasSubstr(

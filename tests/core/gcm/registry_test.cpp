@@ -7,7 +7,7 @@ namespace tendon::server {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 
 const InterfaceName kRobot("desk", "teleoperation", "Robot");
 const InterfaceName kControl("robot", "arm", "Control");
@@ -41,7 +41,7 @@ class RegistryTest : public testing::Test {
   }
 
   [[nodiscard]] ProcessDescription Process(const std::string& name) const {
-    const ProcessEntry* entry = registry_.catalog().FindProcess(name);
+    const ProcessEntry* entry = registry_.catalogue().FindProcess(name);
     return entry == nullptr ? ProcessDescription{} : entry->process;
   }
 
@@ -57,14 +57,14 @@ TEST_F(RegistryTest, AJoinedProcessIsInTheCatalogueWithAllItHas) {
   Join("desk", 1, {test::Teleoperation()}, {Connection()});
 
   EXPECT_EQ(Process("desk").state, ProcessState::kAlive);
-  EXPECT_EQ(*registry_.catalog().FindComponent("desk", "teleoperation"), test::Teleoperation());
-  EXPECT_EQ(*registry_.catalog().FindConnection(kRobot), Connection());
+  EXPECT_EQ(*registry_.catalogue().FindComponent("desk", "teleoperation"), test::Teleoperation());
+  EXPECT_EQ(*registry_.catalogue().FindConnection(kRobot), Connection());
   EXPECT_EQ(registry_.peers().processes, std::vector{Process("desk")});
 }
 
 TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
   const auto interfaces_of = [this](const std::string& process, const std::string& component) {
-    const auto* found = registry_.catalog().FindComponent(process, component);
+    const auto* found = registry_.catalogue().FindComponent(process, component);
     return found == nullptr ? nullptr : found->provided.data();
   };
   Join("robot", 1, {test::Arm()});
@@ -76,7 +76,7 @@ TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
   EXPECT_NE(interfaces_of("robot", "arm"), nullptr);
   EXPECT_EQ(interfaces_of("robot", "arm"), interfaces_of("spare", "other"));
   EXPECT_NE(interfaces_of("robot", "arm"), interfaces_of("spare", "fake"));
-  EXPECT_EQ(*registry_.catalog().FindComponent("spare", "other"), test::Arm("other"));
+  EXPECT_EQ(*registry_.catalogue().FindComponent("spare", "other"), test::Arm("other"));
 }
 
 TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
@@ -87,10 +87,10 @@ TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
   Pass(2s);
   ASSERT_TRUE(registry_.Forget("robot"));
 
-  Catalog copy;
-  for (const CatalogChange& change : registry_.TakeChanges()) ASSERT_TRUE(copy.Apply(change));
+  Catalogue copy;
+  for (const CatalogueChange& change : registry_.TakeChanges()) ASSERT_TRUE(copy.Apply(change));
 
-  EXPECT_EQ(copy, registry_.catalog());
+  EXPECT_EQ(copy, registry_.catalogue());
   EXPECT_TRUE(registry_.TakeChanges().empty());
 }
 
@@ -158,7 +158,7 @@ TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
   const Session taken = Join("robot", 2);
 
   EXPECT_EQ(Process("robot").instance, 2U);
-  EXPECT_EQ(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_EQ(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
   EXPECT_FALSE(registry_.Renew(old));
   EXPECT_FALSE(registry_.Report(old, {}));
   EXPECT_EQ(JoinError({test::ProcessNamed("robot", 1), {}, {}}, old).code, ErrorCode::kExists);
@@ -176,8 +176,8 @@ TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
 
   EXPECT_NE(next, old);
   EXPECT_FALSE(registry_.Renew(old));
-  EXPECT_EQ(registry_.catalog().FindComponent("robot", "arm"), nullptr);
-  EXPECT_NE(registry_.catalog().FindComponent("robot", "other"), nullptr);
+  EXPECT_EQ(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
+  EXPECT_NE(registry_.catalogue().FindComponent("robot", "other"), nullptr);
 }
 
 TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed) {
@@ -185,16 +185,16 @@ TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed
   registry_.End(Join("desk", 2), ProcessState::kLost, "killed");
 
   EXPECT_EQ(Process("robot").state, ProcessState::kLeft);
-  EXPECT_NE(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_NE(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
   EXPECT_TRUE(registry_.Forget("robot"));
-  EXPECT_EQ(registry_.catalog().FindProcess("robot"), nullptr);
+  EXPECT_EQ(registry_.catalogue().FindProcess("robot"), nullptr);
 
   clock_.Advance(23h);
   registry_.Tick();
-  EXPECT_NE(registry_.catalog().FindProcess("desk"), nullptr);
+  EXPECT_NE(registry_.catalogue().FindProcess("desk"), nullptr);
   clock_.Advance(1h);
   registry_.Tick();
-  EXPECT_EQ(registry_.catalog().FindProcess("desk"), nullptr);
+  EXPECT_EQ(registry_.catalogue().FindProcess("desk"), nullptr);
 }
 
 TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
@@ -208,14 +208,14 @@ TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
 
 TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
   const Session robot = Join("robot", 1, {test::Arm()});
-  const std::uint64_t before = registry_.catalog().revision();
+  const std::uint64_t before = registry_.catalogue().revision();
 
   ASSERT_TRUE(registry_.Report(
       robot, {{{.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}},
                {.kind = Kind::kComponentRemoved, .process = "robot", .component = "none"},
                {.kind = Kind::kConnectionRemoved, .process = "robot", .connection = 17}}}));
 
-  EXPECT_EQ(registry_.catalog().revision(), before);
+  EXPECT_EQ(registry_.catalogue().revision(), before);
 }
 
 TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
@@ -224,17 +224,17 @@ TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
   auto imposter = test::ProcessNamed("robot", 99);
   imposter.state = ProcessState::kLost;
   ConnectionDescription foreign = Connection();
-  const Catalog before = registry_.catalog();
-  const std::vector<CatalogChange> changes = {
+  const Catalogue before = registry_.catalogue();
+  const std::vector<CatalogueChange> changes = {
       {.kind = Kind::kComponent, .process = "desk", .components = {test::Arm()}},
       {.kind = Kind::kProcessRemoved, .process = "robot"},
       {.kind = Kind::kProcess, .process = "robot"},
       {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm(""), test::Arm()}},
       {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm("a/b")}},
       {.kind = Kind::kConnection, .process = "robot", .connections = {foreign}}};
-  for (const CatalogChange& change : changes) {
+  for (const CatalogueChange& change : changes) {
     EXPECT_FALSE(registry_.Report(robot, {{change}}));
-    EXPECT_EQ(registry_.catalog(), before);
+    EXPECT_EQ(registry_.catalogue(), before);
   }
 
   // Its address is its own to tell; who it is and how it does are not.
@@ -252,14 +252,14 @@ TEST_F(RegistryTest, AStepThatMakesNoSenseDoesNotKeepTheOthersBack) {
       robot, {{{.kind = Kind::kComponent, .process = "robot"},
                {.kind = Kind::kComponent, .process = "robot", .components = {test::Arm()}}}}));
 
-  EXPECT_NE(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_NE(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
 }
 
 TEST_F(RegistryTest, AJoinThatMakesNoSenseIsRefusedAsAWhole) {
   const auto process = test::ProcessNamed("robot", 1);
   const auto invalid = [&](message::Join join) {
     EXPECT_EQ(JoinError(std::move(join)).code, ErrorCode::kInvalid);
-    EXPECT_TRUE(registry_.catalog().processes().empty());
+    EXPECT_TRUE(registry_.catalogue().processes().empty());
   };
   invalid({test::ProcessNamed("", 1), {}, {}});
   invalid({test::ProcessNamed("a b", 1), {}, {}});
@@ -280,7 +280,7 @@ TEST_F(RegistryTest, FreeTextsAreKeptPrintableAndShort) {
   process.host = "evil\n";
   ASSERT_TRUE(registry_.Join({process, {arm}, {}}, 0, nullptr));
 
-  const std::string fault = registry_.catalog().FindComponent("robot", "arm")->fault;
+  const std::string fault = registry_.catalogue().FindComponent("robot", "arm")->fault;
   EXPECT_EQ(fault.substr(0, 8), "\\x1b[2Jx");
   EXPECT_LT(fault.size(), 5000U);
   EXPECT_EQ(Process("robot").host, "evil\\x0a");
@@ -289,7 +289,7 @@ TEST_F(RegistryTest, FreeTextsAreKeptPrintableAndShort) {
 TEST_F(RegistryTest, ALostProcessKeepsItsConnectionsAsWanted) {
   registry_.End(Join("desk", 1, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
 
-  const auto* connection = registry_.catalog().FindConnection(kRobot);
+  const auto* connection = registry_.catalogue().FindConnection(kRobot);
   ASSERT_NE(connection, nullptr);
   EXPECT_EQ(connection->state, ConnectionState::kPending);
   EXPECT_EQ(connection->reason, "process 'desk' is gone");
@@ -331,7 +331,7 @@ TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
   Join("desk", 2, {test::Teleoperation()});
 
   EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
-  EXPECT_EQ(registry_.catalog().FindConnection(kRobot), nullptr);
+  EXPECT_EQ(registry_.catalogue().FindConnection(kRobot), nullptr);
 }
 
 TEST_F(RegistryTest, NothingIsHandedBackOverANewConnectionOrAForgottenProcess) {

@@ -21,7 +21,7 @@ class Replacing : public test::DeskAndRobot {
   void SetUp() override {
     DeskAndRobot::SetUp();
     robot_->Add(test::Arm("second"));
-    ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalog().FindProvided(kSecond) != nullptr; }));
+    ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindProvided(kSecond) != nullptr; }));
   }
 
   static Result<ConnectionDescription> Replace(GcmClient& client, const InterfaceName& provided) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <support/wait.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <array>
 #include <string>

@@ -22,7 +22,7 @@ class UndoOrders : public test::DeskAndRobot {
   }
   void WaitUntilGone(const std::string& process, const std::string& component) {
     ASSERT_TRUE(EventuallyTrue(
-        [&] { return gcm_->catalog().FindComponent(process, component) == nullptr; }));
+        [&] { return gcm_->catalogue().FindComponent(process, component) == nullptr; }));
   }
   /// The whole text of why the newest step cannot be undone, which changes nothing.
   std::string WhyNot() {
@@ -136,16 +136,16 @@ TEST_P(UndoOrders, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
   for (int i = 0; i < kInterfaces; ++i) panel.required.push_back(test::Robot(name(i)));
   const auto wall = Join("wall", {panel});
   robot_->Add(test::Arm("second"));
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalog().FindComponent("robot", "second"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "second"); }));
   ASSERT_TRUE(Connect(*client_, {"wall", "panel", name(0)}));
-  const Fingerprint before = gcm_->catalog().ContentHash();
+  const Fingerprint before = gcm_->catalogue().ContentHash();
   std::mt19937 random(17);  // NOLINT(cert-msc51-cpp): the same on each run
 
   for (int step = 0; step < kSteps; ++step) {
     const InterfaceName required("wall", "panel", name(static_cast<int>(random() % kInterfaces)));
     const InterfaceName provided("robot", random() % 2 == 0 ? "arm" : "second", "Control");
-    const Catalog catalog = gcm_->catalog();
-    const auto* now = catalog.FindConnection(required);
+    const Catalogue catalogue = gcm_->catalogue();
+    const auto* now = catalogue.FindConnection(required);
     if (now == nullptr) {
       ASSERT_TRUE(Connect(*client_, required, provided));
     } else if (now->provided == provided) {
@@ -160,7 +160,7 @@ TEST_P(UndoOrders, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
     ASSERT_TRUE(undone) << undone.error().message;
   }
 
-  EXPECT_EQ(gcm_->catalog().ContentHash(), before);
+  EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
 }
 
 }  // namespace

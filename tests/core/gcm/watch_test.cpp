@@ -19,12 +19,12 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
   ASSERT_TRUE(EventuallyTrue([&] { return recorder->snapshots() == 1; }));
-  EXPECT_EQ(recorder->catalog(), gcm_->catalog());
+  EXPECT_EQ(recorder->catalogue(), gcm_->catalogue());
 
   const auto desk = Join("desk", {test::Teleoperation()});
 
-  EXPECT_TRUE(EventuallyTrue([&] { return client->catalog() == gcm_->catalog(); }));
-  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return client->catalogue() == gcm_->catalogue(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalogue() == gcm_->catalogue(); }));
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
@@ -38,7 +38,7 @@ TEST_P(Watching, AllOfItIsAskedForAnewAndWhatChangesThenIsHeardAsBefore) {
 
   ASSERT_TRUE(EventuallyTrue([&] { return recorder->snapshots() == 2; }));
   const auto desk = Join("desk", {test::Teleoperation()});
-  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalogue() == gcm_->catalogue(); }));
   EXPECT_EQ(recorder->holes(), 0);
 }
 
@@ -47,11 +47,11 @@ TEST_P(Watching, AViewerHoldsEqualInterfacesOnceWhetherItWasThereOrNot) {
   const auto client = Watch();
   const auto spare = Join("spare", {test::Arm()});
   ASSERT_TRUE(
-      EventuallyTrue([&] { return client->catalog().FindComponent("spare", "arm") != nullptr; }));
+      EventuallyTrue([&] { return client->catalogue().FindComponent("spare", "arm") != nullptr; }));
 
-  const Catalog catalog = client->catalog();
-  const auto& interfaces = catalog.FindComponent("robot", "arm")->provided;
-  EXPECT_EQ(interfaces.data(), catalog.FindComponent("spare", "arm")->provided.data());
+  const Catalogue catalogue = client->catalogue();
+  const auto& interfaces = catalogue.FindComponent("robot", "arm")->provided;
+  EXPECT_EQ(interfaces.data(), catalogue.FindComponent("spare", "arm")->provided.data());
   EXPECT_EQ(interfaces, test::Arm().provided);
 }
 
@@ -80,8 +80,8 @@ TEST_P(Watching, AllWatchersSeeTheSameNumberedSequenceWhileProcessesComeAndGo) {
   }
   for (std::thread& thread : threads) thread.join();
 
-  const Catalog last = gcm_->catalog();
-  ASSERT_TRUE(EventuallyTrue([&] { return one->catalog() == last && two->catalog() == last; }));
+  const Catalogue last = gcm_->catalogue();
+  ASSERT_TRUE(EventuallyTrue([&] { return one->catalogue() == last && two->catalogue() == last; }));
   const auto changes = one->changes();
   EXPECT_EQ(changes, two->changes());
   ASSERT_EQ(changes.size(), last.revision());
@@ -102,7 +102,7 @@ void ShrinkSockets() {
 /// Reads nothing after its first snapshot until it is released.
 class StuckListener final : public Recorder {
  public:
-  void OnChanges(const std::vector<CatalogChange>& changes) override {
+  void OnChanges(const std::vector<CatalogueChange>& changes) override {
     is_released_.wait(false);
     Recorder::OnChanges(changes);
   }
@@ -128,14 +128,14 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
   constexpr int kBatch = 100;
   ComponentDescription arm = test::Arm();
   for (int batch = 0; batch < kBatches; ++batch) {
-    std::vector<CatalogChange> changes;
+    std::vector<CatalogueChange> changes;
     for (int i = 0; i < kBatch; ++i) {
       arm.fault = std::to_string(batch * kBatch + i) + std::string(4000, '.');
-      changes.push_back({.kind = CatalogChange::Kind::kComponent, .components = {arm}});
+      changes.push_back({.kind = CatalogueChange::Kind::kComponent, .components = {arm}});
     }
     robot->Report(changes);
     ASSERT_TRUE(EventuallyTrue([&] {
-      const Catalog seen = quick->catalog();
+      const Catalogue seen = quick->catalogue();
       const auto* component = seen.FindComponent("robot", "arm");
       return component != nullptr && component->fault == arm.fault;
     })) << batch;
@@ -145,7 +145,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
 
   stuck->Release();
 
-  EXPECT_TRUE(EventuallyTrue([&] { return stuck->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return stuck->catalogue() == gcm_->catalogue(); }));
   EXPECT_EQ(stuck->snapshots(), 2);
   EXPECT_EQ(stuck->holes(), 0);
   EXPECT_LT(stuck->changes().size(), quick->changes().size());
@@ -180,12 +180,12 @@ TEST_P(Watching, AClientFindsItsGcmAgain) {
 
   gcm_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return recorder->losses().size() == 1; }));
-  EXPECT_EQ(client->catalog().processes().size(), 1U);  // what was known last
+  EXPECT_EQ(client->catalogue().processes().size(), 1U);  // what was known last
   StartGcm(address_);
   const auto desk = Join("desk", {test::Teleoperation()});
 
   EXPECT_TRUE(client->WaitUntilWatching());
-  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalog() == gcm_->catalog(); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return recorder->catalogue() == gcm_->catalogue(); }));
   EXPECT_EQ(recorder->snapshots(), 2);
   EXPECT_EQ(recorder->losses().size(), 1U);
 }

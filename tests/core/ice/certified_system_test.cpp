@@ -84,8 +84,8 @@ class CertifiedSystem : public AuthorityTest {
   }
   static bool Sees(const GcmClient& client, const std::string& process) {
     return EventuallyTrue([&] {
-      const auto catalog = client.catalog();
-      const auto* entry = catalog.FindProcess(process);
+      const auto catalogue = client.catalogue();
+      const auto* entry = catalogue.FindProcess(process);
       return entry != nullptr && !entry->components.empty();
     });
   }

@@ -21,7 +21,7 @@ class Filler final : public LinkHandler {
   explicit Filler(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
 
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
+  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override {
     FrameHeader header = *ReadWholeFrame(frame);
     header.size = header.handle;
     std::ranges::fill(*answer.Begin(header), static_cast<std::byte>(header.handle));

@@ -64,7 +64,7 @@ class GeneratedEndpoint final : public Endpoint {
 class Answerer final : public LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnAsked(std::span<const std::byte> frame, LeftAnswer& answer) override {
+  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override {
     if (!is_prompt) return;
     const auto room = answer.Begin(*ReadWholeFrame(frame));
     std::ranges::copy(frame.subspan(FrameHeader::kSize), room->begin());

@@ -1,5 +1,5 @@
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/strangers/handshakes.h>
+#include <tendon/ice/pending_tls_handshakes.h>
 
 #include <algorithm>
 #include <iterator>
@@ -187,7 +187,7 @@ TEST_F(TlsTest, WhoseHandshakeTakesForEverIsCutOffByTheNextWhereThereAreMany) {
   const auto address = Listen(robot_, "robot");
   const HostPort place = *ParseAddress(address, 1);
   std::vector<os::Socket> slow;
-  for (std::size_t i = 0; i < Handshakes::kMany; ++i) {
+  for (std::size_t i = 0; i < PendingTlsHandshakes::kMany; ++i) {
     auto one = os::ConnectTo(place.host, place.port, conformance::kPatience);
     ASSERT_TRUE(one.ok());
     slow.push_back(*std::move(one));

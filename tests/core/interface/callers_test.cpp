@@ -11,7 +11,7 @@
 namespace tendon_test {
 namespace {
 
-using tendon::Callers;
+using tendon::CallerThreads;
 using tendon::Connection;
 using tendon::Status;
 
@@ -207,7 +207,7 @@ TEST(ManyCallers, OfATaskAreAllowedWhereItSaysSo) {
   tendon::Inbox inbox;
   inbox.BindToThisThread();
   tendon::RequiredInterface required("Office", &inbox);
-  required.SetCallers(Callers::kManyThreads);
+  required.SetCallers(CallerThreads::kManyThreads);
   tendon::WriteFunction<Ticket> take;
   required.AddFunction(take, "Take");
   const auto connection = Connection::Make(required, office.desk, "driver/Office", "office/Desk");

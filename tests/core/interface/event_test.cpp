@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/interface/events/messages.h>
+#include <tendon/interface/status_messages.h>
 
 #include <mutex>
 #include <string>

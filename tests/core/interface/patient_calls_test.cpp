@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/interface/inbox.h>
 
 #include <atomic>
@@ -23,7 +23,7 @@ class FullMailbox : public testing::Test {
 
   Nothing nothing;
   Inbox inbox;
-  Mailbox& mailbox = inbox.Open(1, {}, Callers::kOneThread);
+  Mailbox& mailbox = inbox.Open(1, {}, CallerThreads::kOneThread);
 };
 
 TEST_F(FullMailbox, RefusesAtOnceAsEver) {
@@ -40,7 +40,7 @@ TEST_F(FullMailbox, GivesAPatientCallTheRoomThatTheServerMakes) {
     EXPECT_EQ(inbox.ExecuteQueued(), 1U);
   });
 
-  const PatientCalls patient;
+  const BlockWhenFull patient;
   waits = true;
   std::byte* const room = mailbox.Claim();
 
@@ -51,7 +51,7 @@ TEST_F(FullMailbox, GivesAPatientCallTheRoomThatTheServerMakes) {
 }
 
 TEST_F(FullMailbox, LetsAPatientCallGoOnceItIsClosed) {
-  const PatientCalls patient;
+  const BlockWhenFull patient;
   std::thread manager([this] { mailbox.Close(); });
 
   EXPECT_EQ(mailbox.Claim(), nullptr);
@@ -61,21 +61,21 @@ TEST_F(FullMailbox, LetsAPatientCallGoOnceItIsClosed) {
 }
 
 TEST_F(FullMailbox, DoesNotHoldUpTheThreadThatWouldMakeTheRoom) {
-  const PatientCalls patient;
+  const BlockWhenFull patient;
   inbox.BindToThisThread();
 
   EXPECT_EQ(mailbox.Claim(), nullptr);
 
-  EXPECT_LT(SteadyClock().Now(), PatientCalls::deadline()) << "it has waited";
+  EXPECT_LT(SteadyClock().Now(), BlockWhenFull::deadline()) << "it has waited";
 }
 
-TEST(PatientCalls, EndWithTheirScope) {
-  EXPECT_EQ(PatientCalls::deadline(), SteadyTime::min());
+TEST(BlockWhenFull, EndWithTheirScope) {
+  EXPECT_EQ(BlockWhenFull::deadline(), SteadyTime::min());
   {
-    const PatientCalls patient;
-    EXPECT_GT(PatientCalls::deadline(), SteadyClock().Now());
+    const BlockWhenFull patient;
+    EXPECT_GT(BlockWhenFull::deadline(), SteadyClock().Now());
   }
-  EXPECT_EQ(PatientCalls::deadline(), SteadyTime::min());
+  EXPECT_EQ(BlockWhenFull::deadline(), SteadyTime::min());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ inline constexpr auto tendon::kPayload<tendon_test::Fragile> =
 namespace tendon_test {
 namespace {
 
-using tendon::Callers;
+using tendon::CallerThreads;
 using tendon::Overflow;
 using tendon::Status;
 
@@ -67,7 +67,7 @@ struct Store {
 };
 
 /// Its calls, from one thread or from any.
-class AThrowingCopy : public testing::TestWithParam<Callers> {
+class AThrowingCopy : public testing::TestWithParam<CallerThreads> {
  protected:
   AThrowingCopy() {
     required_.SetCallers(GetParam());
@@ -158,10 +158,10 @@ TEST_P(AThrowingCopy, OfAnAwaitedEventFailsThatWaitAlone) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, AThrowingCopy,
-                         testing::Values(Callers::kOneThread, Callers::kManyThreads),
+                         testing::Values(CallerThreads::kOneThread, CallerThreads::kManyThreads),
                          [](const auto& callers) {
-                           return callers.param == Callers::kOneThread ? "OneCaller"
-                                                                       : "ManyCallers";
+                           return callers.param == CallerThreads::kOneThread ? "OneCaller"
+                                                                             : "ManyCallers";
                          });
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <support/simulation/report_matchers.h>
 #include <support/simulation/simulated_atomics.h>
 #include <support/simulation/weakened_atomics.h>
-#include <tendon/lockfree/lease.h>
 #include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/try_lock.h>
 
 #include <memory>
 
@@ -56,7 +56,7 @@ TEST(SnapshotSimulation, NeedsItsAcquires) {
 template <typename Atomics>
 Report ExploreLease() {
   struct Shared {
-    Lease<Atomics> lease;
+    TryLock<Atomics> lease;
     Plain<int> value{0};
   };
   return Explore([](Scenario& scenario) {

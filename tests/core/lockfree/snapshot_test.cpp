@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
-#include <tendon/lockfree/lease.h>
 #include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/try_lock.h>
 
 #include <array>
 #include <atomic>
@@ -69,8 +69,8 @@ TEST(Snapshot, ATakenValueStaysWholeWhileNewerOnesAreWritten) {
   EXPECT_EQ(wrong, 0U);
 }
 
-TEST(Lease, OneHasItAtATime) {
-  Lease<> lease;
+TEST(TryLock, OneHasItAtATime) {
+  TryLock<> lease;
 
   EXPECT_TRUE(lease.TryTake());
   EXPECT_FALSE(lease.TryTake());

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/handshake.h>
 
 #include <algorithm>
 #include <utility>

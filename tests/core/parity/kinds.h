@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/events/messages.h>
+#include <tendon/interface/status_messages.h>
 #include <tendon/manager/local_manager.h>
 
 #include <atomic>

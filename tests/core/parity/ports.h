@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/event_waiter.h>
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
 #include <tendon/state/state_table.h>

@@ -329,7 +329,7 @@ TEST_P(RemoteConnection, ThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
   StartRobot();
   StartDesk();
   Connect();
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().FindConnection(kRobot) != nullptr; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalogue().FindConnection(kRobot) != nullptr; }));
   desk.reset();
   StartDesk();
   ASSERT_TRUE(EventuallyActive(*desk, 1)) << "the GCM hands it back";
@@ -359,7 +359,7 @@ TEST_P(RemoteConnection, WithinAProcessThatTheGcmHandedBackIsTheOneTheProgramAsk
   };
   start();
   ASSERT_TRUE(desk->Connect(kRobot, control).ok());
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().FindConnection(kRobot) != nullptr; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalogue().FindConnection(kRobot) != nullptr; }));
   desk.reset();
   start();
   ASSERT_TRUE(EventuallyActive(*desk, 1)) << "the GCM hands it back";

@@ -3,13 +3,13 @@
 
 namespace {
 
-using tendon::CatalogChange;
+using tendon::CatalogueChange;
 using tendon::ComponentDescription;
 using tendon::ComponentState;
 using tendon::ConnectionDescription;
 using tendon::Differences;
 using tendon::ProcessContent;
-using Kind = tendon::CatalogChange::Kind;
+using Kind = tendon::CatalogueChange::Kind;
 
 ComponentDescription Component(const std::string& name) {
   ComponentDescription component;

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/watch_over.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <atomic>
 #include <condition_variable>
@@ -26,7 +26,7 @@ namespace {
 using tendon::Bytes;
 using tendon::Channel;
 using tendon::FrameHeader;
-using tendon::LargeInHand;
+using tendon::LargeMessageInProgress;
 using tendon::LoopbackMiddleware;
 using tendon::LoopbackNetwork;
 using tendon::MessageType;
@@ -173,7 +173,7 @@ TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
 
 TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
   are_lost_ = true;
-  std::optional<LargeInHand> large(std::in_place);
+  std::optional<LargeMessageInProgress> large(std::in_place);
 
   EXPECT_TRUE(EventuallyAsked(kQuestions));
 
@@ -186,28 +186,30 @@ TEST_F(WatchOver, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
   are_lost_ = true;
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    const LargeInHand read;
+    const LargeMessageInProgress read;
     return !channel_->is_open();
   }));
 }
 
-TEST(LargeInHand, ExcusesNobodyForEver) {
-  const LargeInHand large;
+TEST(LargeMessageInProgress, ExcusesNobodyForEver) {
+  const LargeMessageInProgress large;
   const tendon::SteadyTime now = tendon::SteadyClock().Now();
 
-  EXPECT_EQ(LargeInHand::Last(now + LargeInHand::kShort), now + LargeInHand::kShort);
-  EXPECT_LE(LargeInHand::Last(now + std::chrono::hours(1)), now + LargeInHand::kAtMost);
+  EXPECT_EQ(LargeMessageInProgress::Last(now + LargeMessageInProgress::kShort),
+            now + LargeMessageInProgress::kShort);
+  EXPECT_LE(LargeMessageInProgress::Last(now + std::chrono::hours(1)),
+            now + LargeMessageInProgress::kAtMost);
 }
 
-TEST(LargeInHand, WhatIsDoneSoonExcusesNobody) {
+TEST(LargeMessageInProgress, WhatIsDoneSoonExcusesNobody) {
   const auto leaves_no_trace = [] {
-    const tendon::SteadyTime before = LargeInHand::Last(tendon::SteadyClock().Now());
+    const tendon::SteadyTime before = LargeMessageInProgress::Last(tendon::SteadyClock().Now());
     {
-      const LargeInHand one;
-      const LargeInHand another;
-      if (LargeInHand::Last(tendon::SteadyClock().Now()) != before) return false;
+      const LargeMessageInProgress one;
+      const LargeMessageInProgress another;
+      if (LargeMessageInProgress::Last(tendon::SteadyClock().Now()) != before) return false;
     }
-    return LargeInHand::Last(tendon::SteadyClock().Now()) == before;
+    return LargeMessageInProgress::Last(tendon::SteadyClock().Now()) == before;
   };
 
   EXPECT_TRUE(EventuallyTrue(leaves_no_trace)) << "unless this machine took its time";
@@ -311,7 +313,7 @@ class Lease : public testing::Test {
   }
   /// The GCM's word.
   [[nodiscard]] tendon::ProcessState state() const {
-    return gcm_->catalog().FindProcess("robot")->process.state;
+    return gcm_->catalogue().FindProcess("robot")->process.state;
   }
 
   const tendon::test::StallMeter stalls_;
@@ -366,7 +368,7 @@ TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
 }
 
 TEST_F(Lease, IsNotGivenUpWhileTheAnswersMayWaitBehindALargeMessage) {
-  std::optional<LargeInHand> large(std::in_place);
+  std::optional<LargeMessageInProgress> large(std::in_place);
   are_answers_lost_ = true;
 
   EXPECT_TRUE(EventuallyRenewed(kRenewals));

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/base/os/process.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <atomic>
 #include <chrono>

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/client.h>
+#include <tendon/proxy/component_proxy.h>
 
 #include "support/network_test.h"
 #include "support/plant.h"
@@ -23,8 +24,8 @@ const InterfaceName kPlantsControl("robot", "plant", "Control");
 class Membership : public NetworkTest {
  protected:
   [[nodiscard]] const tendon::ProcessEntry* Entry(const std::string& process) {
-    catalog_ = gcm().catalog();
-    return catalog_.FindProcess(process);
+    catalogue_ = gcm().catalogue();
+    return catalogue_.FindProcess(process);
   }
   bool EventuallyIn(const std::string& process, ProcessState state) {
     return EventuallyTrue([&] {
@@ -34,8 +35,8 @@ class Membership : public NetworkTest {
   }
   bool EventuallyListed(const InterfaceName& required, ConnectionState state) {
     return EventuallyTrue([&] {
-      catalog_ = gcm().catalog();
-      const auto* connection = catalog_.FindConnection(required);
+      catalogue_ = gcm().catalogue();
+      const auto* connection = catalogue_.FindConnection(required);
       return connection != nullptr && connection->state == state;
     });
   }
@@ -55,7 +56,7 @@ class Membership : public NetworkTest {
   }
 
  private:
-  tendon::Catalog catalog_;
+  tendon::Catalogue catalogue_;
 };
 
 TEST_P(Membership, TellsTheGcmWhatTheProcessHas) {
@@ -119,7 +120,7 @@ TEST_P(Membership, LetsTheGcmConnectTwoOthers) {
   const auto broken = DisconnectByGcm(kOperatorsRobot);
   ASSERT_TRUE(broken.ok()) << broken.error().message;
   EXPECT_EQ(user.stop(), Status(Status::kNotConnected));
-  EXPECT_EQ(gcm().catalog().FindConnection(kOperatorsRobot), nullptr);
+  EXPECT_EQ(gcm().catalogue().FindConnection(kOperatorsRobot), nullptr);
 }
 
 TEST_P(Membership, LetsTheGcmConnectWithinOneProcess) {
@@ -147,10 +148,10 @@ TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
   ASSERT_TRUE(EventuallyActive(*desk, 1));
   ASSERT_TRUE(EventuallyListed(kOperatorsRobot, ConnectionState::kActive));
   ASSERT_TRUE(EventuallyTrue([&] {
-    return gcm().catalog().FindComponent("robot", "plant")->state ==
+    return gcm().catalogue().FindComponent("robot", "plant")->state ==
            tendon::ComponentState::kActive;
   }));
-  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const tendon::Fingerprint before = gcm().catalogue().ContentHash();
 
   KillGcm();
   ASSERT_TRUE(EventuallyTrue([&] { return !desk->is_joined() && !robot->is_joined(); }));
@@ -159,7 +160,7 @@ TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
   EXPECT_EQ(desk->connections().front().state, ConnectionState::kActive);
 
   StartGcm();
-  EXPECT_TRUE(EventuallyTrue([&] { return gcm().catalog().ContentHash() == before; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return gcm().catalogue().ContentHash() == before; }));
   EXPECT_EQ(user.stop(), Status(Status::kQueued));
   EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() == 2; }));
 }

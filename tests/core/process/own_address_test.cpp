@@ -1,66 +1,74 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/process/membership/own_address.h>
+#include <tendon/process/membership/advertised_address.h>
 
 namespace {
 
-using tendon::OwnAddress;
-using tendon::OwnAddressOf;
-using tendon::WayToGcm;
+using tendon::AdvertisedAddress;
+using tendon::AdvertisedAddressOf;
+using tendon::GcmRoute;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const WayToGcm kElsewhere{.to = "10.9.1.1:10705", .from = "10.9.1.2"};
-const WayToGcm kByIpv6{.to = "[fd00::1]:10705", .from = "fd00::2"};
-const WayToGcm kBeside{.to = "127.0.0.1:10705", .from = "127.0.0.1"};
+const GcmRoute kElsewhere{.to = "10.9.1.1:10705", .from = "10.9.1.2"};
+const GcmRoute kByIpv6{.to = "[fd00::1]:10705", .from = "fd00::2"};
+const GcmRoute kBeside{.to = "127.0.0.1:10705", .from = "127.0.0.1"};
 /// By an address that others reach it by, too.
-const WayToGcm kOnThisHost{.to = "10.9.1.2:10705", .from = "10.9.1.2"};
+const GcmRoute kOnThisHost{.to = "10.9.1.2:10705", .from = "10.9.1.2"};
 
-TEST(OwnAddress, WhereItListensIsToldWhereThatLeadsToIt) {
+TEST(AdvertisedAddress, WhereItListensIsToldWhereThatLeadsToIt) {
   for (const char* listens : {"127.0.0.1:43211", "[::1]:43211", "10.9.1.2:43211"}) {
-    EXPECT_EQ(OwnAddressOf(listens, "", {}), (OwnAddress{listens, ""}));
+    EXPECT_EQ(AdvertisedAddressOf(listens, "", {}), (AdvertisedAddress{listens, ""}));
   }
-  EXPECT_EQ(OwnAddressOf("127.0.0.1:43211", "", kBeside), (OwnAddress{"127.0.0.1:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("10.9.1.2:43211", "", kElsewhere), (OwnAddress{"10.9.1.2:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("10.9.1.2:43211", "", kBeside), (OwnAddress{"10.9.1.2:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("127.0.0.1:43211", "", kBeside),
+            (AdvertisedAddress{"127.0.0.1:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("10.9.1.2:43211", "", kElsewhere),
+            (AdvertisedAddress{"10.9.1.2:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("10.9.1.2:43211", "", kBeside),
+            (AdvertisedAddress{"10.9.1.2:43211", ""}));
 }
 
-TEST(OwnAddress, OneOnTheHostOfItsGcmIsReachedByItHoweverThatIsCalled) {
-  EXPECT_EQ(OwnAddressOf("127.0.0.1:43211", "", kOnThisHost), (OwnAddress{"127.0.0.1:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("0.0.0.0:43211", "", kOnThisHost), (OwnAddress{"10.9.1.2:43211", ""}));
+TEST(AdvertisedAddress, OneOnTheHostOfItsGcmIsReachedByItHoweverThatIsCalled) {
+  EXPECT_EQ(AdvertisedAddressOf("127.0.0.1:43211", "", kOnThisHost),
+            (AdvertisedAddress{"127.0.0.1:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "", kOnThisHost),
+            (AdvertisedAddress{"10.9.1.2:43211", ""}));
 }
 
-TEST(OwnAddress, OneThatListensEverywhereTellsThatFromWhichItReachedTheGcm) {
-  EXPECT_EQ(OwnAddressOf("0.0.0.0:43211", "", kElsewhere), (OwnAddress{"10.9.1.2:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("[::]:43211", "", kByIpv6), (OwnAddress{"[fd00::2]:43211", ""}));
+TEST(AdvertisedAddress, OneThatListensEverywhereTellsThatFromWhichItReachedTheGcm) {
+  EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "", kElsewhere),
+            (AdvertisedAddress{"10.9.1.2:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("[::]:43211", "", kByIpv6),
+            (AdvertisedAddress{"[fd00::2]:43211", ""}));
 
-  const OwnAddress beside_its_gcm = OwnAddressOf("0.0.0.0:43211", "", kBeside);
+  const AdvertisedAddress beside_its_gcm = AdvertisedAddressOf("0.0.0.0:43211", "", kBeside);
   EXPECT_EQ(beside_its_gcm.address, "127.0.0.1:43211");
   EXPECT_THAT(beside_its_gcm.warning, HasSubstr("start it with --advertise"));
 }
 
-TEST(OwnAddress, WhatItsUserSaysIsToldAlsoWithThePortThatTheSystemChose) {
-  EXPECT_EQ(OwnAddressOf("0.0.0.0:43211", "10.9.1.7:80", kElsewhere),
-            (OwnAddress{"10.9.1.7:80", ""}));
-  EXPECT_EQ(OwnAddressOf("0.0.0.0:43211", "10.9.1.7", kElsewhere),
-            (OwnAddress{"10.9.1.7:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("127.0.0.1:43211", "robot.local", {}),
-            (OwnAddress{"robot.local:43211", ""}));
-  EXPECT_EQ(OwnAddressOf("[::]:43211", "[fd00::7]", kByIpv6), (OwnAddress{"[fd00::7]:43211", ""}));
+TEST(AdvertisedAddress, WhatItsUserSaysIsToldAlsoWithThePortThatTheSystemChose) {
+  EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "10.9.1.7:80", kElsewhere),
+            (AdvertisedAddress{"10.9.1.7:80", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "10.9.1.7", kElsewhere),
+            (AdvertisedAddress{"10.9.1.7:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("127.0.0.1:43211", "robot.local", {}),
+            (AdvertisedAddress{"robot.local:43211", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("[::]:43211", "[fd00::7]", kByIpv6),
+            (AdvertisedAddress{"[fd00::7]:43211", ""}));
 }
 
-TEST(OwnAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother) {
+TEST(AdvertisedAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother) {
   for (const char* listens : {"127.0.0.1:43211", "127.0.1.1:43211", "localhost:43211"}) {
-    const OwnAddress own = OwnAddressOf(listens, "", kElsewhere);
+    const AdvertisedAddress own = AdvertisedAddressOf(listens, "", kElsewhere);
     EXPECT_EQ(own.address, listens);
     EXPECT_THAT(own.warning, AllOf(HasSubstr("from its own host alone"),
                                    HasSubstr("start it with --listen 10.9.1.2:0")));
   }
 }
 
-TEST(OwnAddress, OneThatListensOnAnotherNetworkThanThatOfTheGcmIsWarned) {
-  const OwnAddress own = OwnAddressOf("10.8.1.2:43211", "", kElsewhere);
+TEST(AdvertisedAddress, OneThatListensOnAnotherNetworkThanThatOfTheGcmIsWarned) {
+  const AdvertisedAddress own = AdvertisedAddressOf("10.8.1.2:43211", "", kElsewhere);
 
   EXPECT_EQ(own.address, "10.8.1.2:43211");
   EXPECT_THAT(own.warning,
@@ -68,12 +76,14 @@ TEST(OwnAddress, OneThatListensOnAnotherNetworkThanThatOfTheGcmIsWarned) {
                     HasSubstr("--listen 0.0.0.0:0")));
 }
 
-TEST(OwnAddress, OfAMiddlewareWithoutHostsAndPortsIsLeftAsItIs) {
-  EXPECT_EQ(OwnAddressOf("robot", "", WayToGcm{"gcm", ""}), (OwnAddress{"robot", ""}));
-  EXPECT_EQ(OwnAddressOf("robot", "elsewhere", WayToGcm{"gcm", ""}), (OwnAddress{"elsewhere", ""}));
+TEST(AdvertisedAddress, OfAMiddlewareWithoutHostsAndPortsIsLeftAsItIs) {
+  EXPECT_EQ(AdvertisedAddressOf("robot", "", GcmRoute{"gcm", ""}),
+            (AdvertisedAddress{"robot", ""}));
+  EXPECT_EQ(AdvertisedAddressOf("robot", "elsewhere", GcmRoute{"gcm", ""}),
+            (AdvertisedAddress{"elsewhere", ""}));
 }
 
-TEST(OwnAddress, WhatLeadsNowhereIsNotAdvertised) {
+TEST(AdvertisedAddress, WhatLeadsNowhereIsNotAdvertised) {
   const auto mistake = [](const std::string& advertise) {
     const auto checked = tendon::CheckAdvertise(advertise);
     return checked ? std::string() : checked.error().message;
@@ -88,7 +98,7 @@ TEST(OwnAddress, WhatLeadsNowhereIsNotAdvertised) {
   }
 }
 
-TEST(OwnAddress, TheGcmKnowsWhomOnlyHisHostReaches) {
+TEST(AdvertisedAddress, TheGcmKnowsWhomOnlyHisHostReaches) {
   EXPECT_THAT(tendon::WhyOutOfReach("127.0.0.1:43211", "10.9.1.2:5"),
               HasSubstr("start it with --listen 10.9.1.2:0"));
   EXPECT_THAT(tendon::WhyOutOfReach("0.0.0.0:43211", "10.9.1.2:5"), HasSubstr("--listen"));

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/base/os/process.h>
-#include <tendon/process/messages.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <chrono>
 #include <mutex>
@@ -13,8 +13,8 @@ namespace {
 using tendon::Channel;
 using tendon::ErrorCode;
 using tendon::Schema;
-using tendon::message::InterfaceOpened;
 using tendon::message::OpenInterface;
+using tendon::message::OpenInterfaceReply;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -145,7 +145,7 @@ class RefusedForItsTypes : public RemoteConnection {
                        tendon::FingerprintOf<tendon::None>()},
          .in_type = schema.name()});
     const auto opened =
-        (*channel)->Call<InterfaceOpened>(tendon::message::kOpenInterface, 0, open, kPatience);
+        (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0, open, kPatience);
     (*channel)->Close();
     EXPECT_FALSE(opened.ok());
     if (opened.ok()) return "accepted";

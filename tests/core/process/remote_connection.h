@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/proxy/component_proxy.h>
+
 #include <memory>
 #include <string>
 

@@ -9,9 +9,9 @@
 namespace {
 
 using tendon::FindSchema;
-using tendon::LearnedSchemas;
 using tendon::LogLevel;
 using tendon::Schema;
+using tendon::SchemaCache;
 
 /// One that no other test learns.
 Schema Type(const std::string& name) {
@@ -42,9 +42,9 @@ Warnings& Listen() {
   return warnings;
 }
 
-TEST(LearnedSchemas, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
+TEST(SchemaCache, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
   Warnings& warnings = Listen();
-  LearnedSchemas learned({.types = 2, .text = 10'000});
+  SchemaCache learned({.types = 2, .text = 10'000});
   EXPECT_TRUE(learned.Learn(Type("number.One")));
   EXPECT_TRUE(learned.Learn(Type("number.One")));
   EXPECT_TRUE(learned.Learn(Type("number.Two")));
@@ -60,9 +60,9 @@ TEST(LearnedSchemas, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
   EXPECT_THAT(warnings.texts, testing::ElementsAre(testing::HasSubstr("2, of ")));
 }
 
-TEST(LearnedSchemas, HaveNoLongerTextsThanAllowed) {
+TEST(SchemaCache, HaveNoLongerTextsThanAllowed) {
   const std::size_t size = Type("text.One").TextWithHelp().size();
-  LearnedSchemas learned({.types = 10, .text = 2 * size});
+  SchemaCache learned({.types = 10, .text = 2 * size});
   EXPECT_TRUE(learned.Learn(Type("text.One")));
 
   EXPECT_FALSE(learned.Learn(Type("text." + std::string(size, 'A'))));

@@ -1,4 +1,4 @@
-#include <tendon/interface/events/event_waiter.h>
+#include <tendon/interface/event_waiter.h>
 #include <tendon/task/periodic_task.h>
 
 #include <atomic>
@@ -152,8 +152,8 @@ TEST_P(ServerState, AFaultedOneMakesItsConnectionsPendingUntilItWasStartedAnew) 
   ASSERT_TRUE(EventuallyFaults(*fuse));
   EXPECT_TRUE(EventuallySays(IsFaulted("fuse", *fuse)));
   EXPECT_TRUE(EventuallyTrue([this] {
-    const auto catalog = gcm().catalog();
-    const auto* connection = catalog.FindConnection(kWanted);
+    const auto catalogue = gcm().catalogue();
+    const auto* connection = catalogue.FindConnection(kWanted);
     return connection != nullptr && connection->state == ConnectionState::kPending;
   }));
   EXPECT_TRUE(IsNotActive());
@@ -192,8 +192,8 @@ TEST_P(ServerState, AFaultedOneThatCannotBeStartedAnewSaysTheNewReasonToTheGcm) 
   ASSERT_FALSE(robot->Start("fuse").ok());
 
   EXPECT_TRUE(EventuallyTrue([this] {
-    const auto catalog = gcm().catalog();
-    const auto* connection = catalog.FindConnection(kWanted);
+    const auto catalogue = gcm().catalogue();
+    const auto* connection = catalogue.FindConnection(kWanted);
     return connection != nullptr && connection->reason == IsFaulted("fuse", *fuse) &&
            connection->reason.find("there is no spare one") != std::string::npos;
   }));

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tendon/task/periodic_task.h>
 
 #include <atomic>

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/wait.h>
 #include <tendon/base/log.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 #include <tendon/process/worker.h>
 
 #include <atomic>
@@ -124,10 +124,10 @@ TEST(Worker, StopEndsTheWaitForALinkOfTheRunningTaskAlone) {
   Worker worker("test");
   std::latch running(1);
   std::atomic<bool> is_other_given_up = false;
-  const WaitForLink other([&] { is_other_given_up = true; });
+  const CancellableConnect other([&] { is_other_given_up = true; });
   worker.Post([&] {
     std::atomic<bool> is_given_up = false;
-    const WaitForLink wait([&] {
+    const CancellableConnect wait([&] {
       is_given_up = true;
       is_given_up.notify_all();
     });
@@ -139,7 +139,7 @@ TEST(Worker, StopEndsTheWaitForALinkOfTheRunningTaskAlone) {
   worker.Stop();
 
   EXPECT_FALSE(is_other_given_up);
-  EXPECT_FALSE(IsOpeningOver());
+  EXPECT_FALSE(AreConnectsCancelled());
 }
 
 TEST(Worker, MayBeDestroyedByATaskOfItsOwn) {

@@ -3,8 +3,8 @@
 #include <support/simulation/simulated_atomics.h>
 #include <tendon/lockfree/completion.h>
 #include <tendon/lockfree/flag.h>
+#include <tendon/proxy/outstanding_calls.h>
 #include <tendon/proxy/read_proxy.h>
-#include <tendon/proxy/waiting/awaited_calls.h>
 
 #include <array>
 #include <cstddef>
@@ -102,7 +102,7 @@ class Link {
 
   const Peer first_;
   Records records_;
-  AwaitedCalls<Records, Mutex> callers_{records_};
+  OutstandingCalls<Records, Mutex> callers_{records_};
   std::array<Published<bool, SimulatedAtomics>, 2> posted_;
   Published<bool, SimulatedAtomics> is_first_over_{false};
   std::array<bool, 2> is_sent_{};

@@ -407,7 +407,7 @@ TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
   Wakeup<> wakeup;
   Outbox outbox(channel, message::kCommands, wakeup, "server");
   const QueuedOfferProxy offer(provided.description().commands[1], outbox, kServerHandle + 2);
-  Mailbox& mailbox = outbox.inbox().Open(4, {}, Callers::kManyThreads);
+  Mailbox& mailbox = outbox.inbox().Open(4, {}, CallerThreads::kManyThreads);
   const auto command = offer.Bind(&mailbox);
   const Bytes big = EncodeBody(std::vector<double>(700'000));
   Bytes bytes;

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/proxy/mirror/mirrored_value.h>
+#include <tendon/proxy/mirrored_value.h>
 
 #include <algorithm>
 #include <chrono>

@@ -20,7 +20,7 @@ class NarrowOutbox : public InterfaceProxies {
   Wakeup<> wakeup;
   Outbox outbox{channel, message::kCommands, wakeup, "server", {.waiting_bytes = kMost}};
   const QueuedOfferProxy offer{provided.description().commands[1], outbox, kServerHandle + 2};
-  Mailbox& mailbox = outbox.inbox().Open(1000, {}, Callers::kManyThreads);
+  Mailbox& mailbox = outbox.inbox().Open(1000, {}, CallerThreads::kManyThreads);
   const std::unique_ptr<CommandBase> command = offer.Bind(&mailbox);
   Bytes bytes;
   BytesSink nothing{bytes};

@@ -10,7 +10,7 @@
 namespace tendon_test {
 namespace {
 
-using tendon::Callers;
+using tendon::CallerThreads;
 using tendon::ComponentState;
 using tendon::Connection;
 using tendon::LocalManager;
@@ -52,7 +52,7 @@ struct Functions {
 
 TEST(BadInput14, AFunctionThatIsNotConnectedSaysSo) {
   Functions belonging_nowhere;
-  for (const Callers callers : {Callers::kOneThread, Callers::kManyThreads}) {
+  for (const CallerThreads callers : {CallerThreads::kOneThread, CallerThreads::kManyThreads}) {
     tendon::RequiredInterface robot("Robot", nullptr);
     robot.SetCallers(callers);
     Functions functions;

@@ -39,11 +39,11 @@ class Chain {
   explicit Chain(int processes) {
     for (int i = 0; i < processes; ++i) Add("process_" + std::to_string(i));
   }
-  [[nodiscard]] const tendon::Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const tendon::Catalogue& catalogue() const { return catalogue_; }
 
  private:
   void Add(const std::string& process) {
-    using Kind = tendon::CatalogChange::Kind;
+    using Kind = tendon::CatalogueChange::Kind;
     Apply({.kind = Kind::kProcess,
            .process = process,
            .processes = {tendon::test::ProcessNamed(process, 1)}});
@@ -66,12 +66,12 @@ class Chain {
     }
   }
   static std::string Name(int i) { return "component_with_a_long_name_" + std::to_string(i); }
-  void Apply(tendon::CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    EXPECT_TRUE(catalog_.Apply(change));
+  void Apply(tendon::CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    EXPECT_TRUE(catalogue_.Apply(change));
   }
 
-  tendon::Catalog catalog_;
+  tendon::Catalogue catalogue_;
 };
 
 /// Whether the tags of a text fit each other, as those of XML do.
@@ -115,7 +115,7 @@ void ExpectRoomForAll(const Sheet& sheet) {
 }
 
 TEST(SheetOf, NothingIsCutOffOrBehindAnother) {
-  const Sheet sheet = SheetOf(Chain(4).catalog());
+  const Sheet sheet = SheetOf(Chain(4).catalogue());
 
   ASSERT_EQ(sheet.processes.size(), 4U);
   ASSERT_EQ(sheet.nodes.size(), 12U);
@@ -142,9 +142,9 @@ console::Places InALine(const Sheet& sheet) {
 
 TEST(SheetOf, EverythingStandsAsItIsShownElsewhere) {
   const Chain chain(3);
-  const console::Places shown = InALine(SheetOf(chain.catalog()));
+  const console::Places shown = InALine(SheetOf(chain.catalogue()));
 
-  const Sheet sheet = SheetOf(chain.catalog(), shown);
+  const Sheet sheet = SheetOf(chain.catalogue(), shown);
 
   ExpectRoomForAll(sheet);
   EXPECT_EQ(sheet.wires.size(), 6U);
@@ -159,14 +159,14 @@ TEST(SheetOf, EverythingStandsAsItIsShownElsewhere) {
 
 TEST(SheetOf, WhatIsShownAtABorderPullsNothingFarApart) {
   const Chain chain(2);
-  console::Places shown = InALine(SheetOf(chain.catalog()));
-  const Sheet usual = SheetOf(chain.catalog(), shown);
+  console::Places shown = InALine(SheetOf(chain.catalogue()));
+  const Sheet usual = SheetOf(chain.catalogue(), shown);
   for (auto& [name, rect] : shown) {
     const bool is_node = name.find('/') != std::string::npos;
     if (!is_node) rect = {rect.x + 1.9, rect.y + 3.9, rect.width - 3.8, rect.height - 5.8};
   }
 
-  const Sheet sheet = SheetOf(chain.catalog(), shown);
+  const Sheet sheet = SheetOf(chain.catalogue(), shown);
 
   ExpectRoomForAll(sheet);
   EXPECT_LE(sheet.size.width, 5 * usual.size.width);
@@ -175,11 +175,11 @@ TEST(SheetOf, WhatIsShownAtABorderPullsNothingFarApart) {
 
 TEST(SheetOf, WhereSomethingIsNotShownElsewhereItStandsInColumns) {
   const Chain chain(2);
-  const Sheet columns = SheetOf(chain.catalog());
+  const Sheet columns = SheetOf(chain.catalogue());
   console::Places shown = InALine(columns);
   shown.erase(shown.begin());
 
-  const Sheet sheet = SheetOf(chain.catalog(), shown);
+  const Sheet sheet = SheetOf(chain.catalogue(), shown);
 
   EXPECT_EQ(sheet.nodes.back().rect, columns.nodes.back().rect);
 }
@@ -195,7 +195,7 @@ TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
   {
     tendon::test::Locales german;
     ASSERT_TRUE(german.Use("de_DE"));
-    console::PrintDot(chain.catalog(), sheet, out);
+    console::PrintDot(chain.catalogue(), sheet, out);
   }
 
   EXPECT_THAT(out.str(), HasSubstr("layout=nop;"));
@@ -207,25 +207,25 @@ TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
 TEST(PrintDot, WhatIsNotArrangedHasNoPlace) {
   const Chain chain(2);
   std::ostringstream plain;
-  console::PrintDot(chain.catalog(), plain);
+  console::PrintDot(chain.catalogue(), plain);
   EXPECT_THAT(plain.str(), testing::Not(HasSubstr("pos=")));
 }
 
 TEST(SheetOf, AClientIsRightOfItsProvider) {
-  const Sheet sheet = SheetOf(Chain(1).catalog());
+  const Sheet sheet = SheetOf(Chain(1).catalogue());
 
   ASSERT_EQ(sheet.wires.size(), 2U);
   for (const auto& wire : sheet.wires) EXPECT_LT(wire.from_x, wire.to_x) << wire.title;
 }
 
 TEST(SheetOf, TablesAreLeftOut) {
-  const Sheet sheet = SheetOf(Chain(1).catalog());
+  const Sheet sheet = SheetOf(Chain(1).catalogue());
   for (const SheetNode& node : sheet.nodes) EXPECT_EQ(node.ports.size(), 2U) << node.path;
 }
 
 TEST(PrintSvg, EscapesWhatXmlKeepsForItself) {
   std::ostringstream out;
-  PrintSvg(SheetOf(Chain(2).catalog()), out);
+  PrintSvg(SheetOf(Chain(2).catalogue()), out);
 
   EXPECT_TRUE(IsBalanced(out.str())) << out.str();
   EXPECT_THAT(out.str(), HasSubstr("Worker&lt;&amp;&gt;"));
@@ -234,7 +234,7 @@ TEST(PrintSvg, EscapesWhatXmlKeepsForItself) {
 
 TEST(PrintSvg, AnEmptySystemIsAPictureToo) {
   std::ostringstream out;
-  PrintSvg(SheetOf(tendon::Catalog()), out);
+  PrintSvg(SheetOf(tendon::Catalogue()), out);
 
   EXPECT_TRUE(IsBalanced(out.str()));
   EXPECT_THAT(out.str(), HasSubstr("0 processes, 0 components, 0 connections"));

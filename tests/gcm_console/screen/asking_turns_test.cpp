@@ -26,26 +26,26 @@ Names NamesOf(int processes, int of_each) {
   return names;
 }
 
-void EndAll(AskingTurns& turns, const Names& names) {
+void EndAll(QueryThrottle& turns, const Names& names) {
   for (const InterfaceName& name : names) turns.End(name);
 }
 
-TEST(AskingTurns, EachIsAskedOnceASecond) {
-  AskingTurns turns;
+TEST(QueryThrottle, EachIsAskedOnceASecond) {
+  QueryThrottle turns;
   const Names all = NamesOf(2, 2);
 
   EXPECT_EQ(turns.Begin(all, kStart), all);
   EndAll(turns, all);
-  EXPECT_EQ(turns.Begin(all, kStart + AskingTurns::kBetween - kMoment), Names());
-  EXPECT_EQ(turns.Begin(all, kStart + AskingTurns::kBetween), all);
+  EXPECT_EQ(turns.Begin(all, kStart + QueryThrottle::kBetween - kMoment), Names());
+  EXPECT_EQ(turns.Begin(all, kStart + QueryThrottle::kBetween), all);
 }
 
-TEST(AskingTurns, WhoGoesAndComesBackIsNotAskedSooner) {
-  AskingTurns turns;
+TEST(QueryThrottle, WhoGoesAndComesBackIsNotAskedSooner) {
+  QueryThrottle turns;
   const Names all = NamesOf(1, 1);
   int asked = 0;
 
-  for (auto now = kStart; now < kStart + 3 * AskingTurns::kBetween; now += 10 * kMoment) {
+  for (auto now = kStart; now < kStart + 3 * QueryThrottle::kBetween; now += 10 * kMoment) {
     EXPECT_EQ(turns.Begin({}, now), Names());
     const Names begun = turns.Begin(all, now);
     EndAll(turns, begun);
@@ -55,12 +55,12 @@ TEST(AskingTurns, WhoGoesAndComesBackIsNotAskedSooner) {
   EXPECT_EQ(asked, 3);
 }
 
-TEST(AskingTurns, QuestionsAboutWhoHasGoneCountUntilTheyAreAnswered) {
-  AskingTurns turns;
-  const Names all = NamesOf(1, 2 * AskingTurns::kMostOfOne);
-  const Names first(all.begin(), all.begin() + AskingTurns::kMostOfOne);
-  const Names others(all.begin() + AskingTurns::kMostOfOne, all.end());
-  const auto later = kStart + 10 * AskingTurns::kBetween;
+TEST(QueryThrottle, QuestionsAboutWhoHasGoneCountUntilTheyAreAnswered) {
+  QueryThrottle turns;
+  const Names all = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
+  const Names first(all.begin(), all.begin() + QueryThrottle::kMostOfOne);
+  const Names others(all.begin() + QueryThrottle::kMostOfOne, all.end());
+  const auto later = kStart + 10 * QueryThrottle::kBetween;
   ASSERT_EQ(turns.Begin(first, kStart), first);
 
   EXPECT_EQ(turns.Begin({}, later), Names());
@@ -70,25 +70,25 @@ TEST(AskingTurns, QuestionsAboutWhoHasGoneCountUntilTheyAreAnswered) {
   EXPECT_EQ(turns.Begin(others, later).size(), 1U);
 }
 
-TEST(AskingTurns, AProcessThatDoesNotAnswerHoldsUpNoOther) {
-  AskingTurns turns;
-  const Names silent = NamesOf(1, 2 * AskingTurns::kMostOfOne);
-  ASSERT_EQ(turns.Begin(silent, kStart).size(), AskingTurns::kMostOfOne);
+TEST(QueryThrottle, AProcessThatDoesNotAnswerHoldsUpNoOther) {
+  QueryThrottle turns;
+  const Names silent = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
+  ASSERT_EQ(turns.Begin(silent, kStart).size(), QueryThrottle::kMostOfOne);
   Names all = silent;
   all.emplace_back("p2", "user", "Arm");
 
-  EXPECT_EQ(turns.Begin(all, kStart + AskingTurns::kBetween), Names{all.back()});
+  EXPECT_EQ(turns.Begin(all, kStart + QueryThrottle::kBetween), Names{all.back()});
 }
 
-TEST(AskingTurns, AllHaveTheirTurnThoughTheyAreMore) {
-  AskingTurns turns;
+TEST(QueryThrottle, AllHaveTheirTurnThoughTheyAreMore) {
+  QueryThrottle turns;
   const Names all = NamesOf(20, 5);
 
   const Names first = turns.Begin(all, kStart);
-  EXPECT_EQ(first.size(), AskingTurns::kMostAtOnce);
+  EXPECT_EQ(first.size(), QueryThrottle::kMostAtOnce);
   EXPECT_EQ(turns.Begin(all, kStart), Names()) << "none has answered";
   EndAll(turns, first);
-  const Names second = turns.Begin(all, kStart + AskingTurns::kBetween);
+  const Names second = turns.Begin(all, kStart + QueryThrottle::kBetween);
 
   std::set<InterfaceName> asked(first.begin(), first.end());
   asked.insert(second.begin(), second.end());

@@ -25,7 +25,7 @@ class LargeWindow {
   explicit LargeWindow(int components) {
     constexpr int kProcesses = 20;
     gui::SystemBuilder system = gui::LargeSystem(kProcesses, components / kProcesses, kMembers);
-    catalogue_ = system.catalog();
+    catalogue_ = system.catalogue();
     link_.setAddress("127.0.0.1:10705", true);
     link_.setConnected();
     window_ = std::make_unique<gui::MainWindow>(gui::WindowParts{
@@ -61,9 +61,9 @@ class LargeWindow {
 
  private:
   CanvasApplication application_;  // before all that is drawn
-  Catalog catalogue_ = Catalog::At(0);
+  Catalogue catalogue_ = Catalogue::At(0);
   gui::CatalogueStore store_;
-  gui::GcmLink link_;
+  gui::LinkState link_;
   gui::ActivityModel activity_;
   gui::RecordingActions actions_;
   gui::ScriptedSignals source_;

@@ -72,7 +72,7 @@ TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
 }
 
 TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
-  const ComponentDescription arm = *system_.catalog().FindComponent("robot", "controller");
+  const ComponentDescription arm = *system_.catalogue().FindComponent("robot", "controller");
   constexpr int kCount = 2 * static_cast<int>(CandidatesModel::kMostShown);
   for (int i = 0; i < kCount; ++i) {
     ComponentDescription copy = arm;

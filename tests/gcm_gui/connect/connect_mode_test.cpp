@@ -91,7 +91,7 @@ TEST_F(ConnectModeTest, StartsFromTheProvidedEndAsWell) {
 }
 
 TEST_F(ConnectModeTest, WhatIsConnectedCanBeConnectedToAnother) {
-  ComponentDescription spare = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription spare = *system_.catalogue().FindComponent("robot", "arm");
   spare.name = "spare";
   system_.Component("robot", spare);
   Show();
@@ -114,9 +114,9 @@ TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
 }
 
 TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
-  ComponentDescription spare = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription spare = *system_.catalogue().FindComponent("robot", "arm");
   spare.name = "spare";
-  ComponentDescription free = *system_.catalog().FindComponent("robot", "controller");
+  ComponentDescription free = *system_.catalogue().FindComponent("robot", "controller");
   free.name = "second";
   system_.Component("robot", spare).Component("robot", free);
   Show();
@@ -165,7 +165,7 @@ TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnectedOrDisconnected) {
 
 TEST_F(ConnectModeTest, FollowsTheCatalogueWhileItIsOn) {
   mode_.start({Side::kRequired, kRobot});
-  ComponentDescription other = *system_.catalog().FindComponent("robot", "controller");
+  ComponentDescription other = *system_.catalogue().FindComponent("robot", "controller");
   other.name = "backup";
   system_.Component("robot", other);
   Show();
@@ -175,7 +175,7 @@ TEST_F(ConnectModeTest, FollowsTheCatalogueWhileItIsOn) {
 }
 
 TEST_F(ConnectModeTest, LostProvidersComeAfterThoseAlive) {
-  ComponentDescription other = *system_.catalog().FindComponent("robot", "controller");
+  ComponentDescription other = *system_.catalogue().FindComponent("robot", "controller");
   system_.Process("away").Component("away", other).Process("away", ProcessState::kLost, 1);
   Show();
 

@@ -71,7 +71,7 @@ TEST_F(MatchCardTest, WhatIsConnectedCannotBeChecked) {
 }
 
 TEST_F(MatchCardTest, OfSeveralThatAreEquallyGoodNoneIsChecked) {
-  ComponentDescription twin = *system_.catalog().FindComponent("robot", "controller");
+  ComponentDescription twin = *system_.catalogue().FindComponent("robot", "controller");
   twin.name = "twin";
   system_.Component("robot", twin);
   store_.apply(system_.TakeChanges());

@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::chrono::seconds kUntilKept{20};  // bounds a test that fails
 
-TEST(KeptValues, TheNextTimeTheyAreThere) {
+TEST(SavedSettings, TheNextTimeTheyAreThere) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/window.json");
   const QByteArray any("\x00\xff\n\"", 4);
   {
-    KeptValues values(file);
+    SavedSettings values(file);
     EXPECT_EQ(values.value("geometry"), QByteArray());
     values.set("geometry", "first");
     values.set("geometry", any);
@@ -29,12 +29,12 @@ TEST(KeptValues, TheNextTimeTheyAreThere) {
   }
   ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
 
-  const KeptValues again(file);
+  const SavedSettings again(file);
   EXPECT_EQ(again.value("geometry"), any);
   EXPECT_EQ(again.value("seen"), "yes");
 }
 
-TEST(KeptValues, AFileOfSomethingElseHarmsNothing) {
+TEST(SavedSettings, AFileOfSomethingElseHarmsNothing) {
   const QTemporaryDir folder;
   const QString name = folder.filePath("window.json");
   for (const char* content : {"", "[1]", "{\"values\": 3}", "{\"values\": {\"geometry\": [1]}}"}) {
@@ -43,11 +43,11 @@ TEST(KeptValues, AFileOfSomethingElseHarmsNothing) {
     file.write(content);
     file.close();
 
-    EXPECT_EQ(KeptValues(name).value("geometry"), QByteArray()) << content;
+    EXPECT_EQ(SavedSettings(name).value("geometry"), QByteArray()) << content;
   }
 }
 
-TEST(KeptValues, ASlowDiskHoldsUpNobody) {
+TEST(SavedSettings, ASlowDiskHoldsUpNobody) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("window.json");
   std::promise<void> go;
@@ -57,19 +57,19 @@ TEST(KeptValues, ASlowDiskHoldsUpNobody) {
   };
   FileWriter::instance().write(folder.filePath("slow"), slow, nullptr, {});
 
-  { KeptValues(file).set("geometry", "x"); }
+  { SavedSettings(file).set("geometry", "x"); }
 
   EXPECT_FALSE(QFile::exists(file));
   go.set_value();
   ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
-  EXPECT_EQ(KeptValues(file).value("geometry"), "x");
+  EXPECT_EQ(SavedSettings(file).value("geometry"), "x");
 }
 
-TEST(KeptValues, OfTwoProgramsEachKeepsWhatItHasSet) {
+TEST(SavedSettings, OfTwoProgramsEachKeepsWhatItHasSet) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("window.json");
-  KeptValues first(file);
-  KeptValues second(file);
+  SavedSettings first(file);
+  SavedSettings second(file);
   first.set("seen", "yes");
   first.set("geometry", "first");
   ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
@@ -77,7 +77,7 @@ TEST(KeptValues, OfTwoProgramsEachKeepsWhatItHasSet) {
   second.set("geometry", "second");
   ASSERT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
 
-  const KeptValues again(file);
+  const SavedSettings again(file);
   EXPECT_EQ(again.value("seen"), "yes");
   EXPECT_EQ(again.value("geometry"), "second");
 }
@@ -97,7 +97,7 @@ class KeptValuesRefused : public ::testing::Test {
 TEST_F(KeptValuesRefused, IsSaidOnStderr) {
   testing::internal::CaptureStderr();
 
-  KeptValues(file_).set("seen", "yes");
+  SavedSettings(file_).set("seen", "yes");
   EXPECT_TRUE(FileWriter::instance().waitForWritten(kUntilKept));
   QCoreApplication::processEvents();
 
@@ -108,7 +108,7 @@ TEST_F(KeptValuesRefused, IsSaidOnStderr) {
 TEST_F(KeptValuesRefused, IsSaidAtTheEndToo) {
   testing::internal::CaptureStderr();
 
-  KeptValues(file_).set("seen", "yes");
+  SavedSettings(file_).set("seen", "yes");
   delete &FileWriter::instance();  // as the application does, when no events are served any more
 
   const std::string said = testing::internal::GetCapturedStderr();

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <program/network_options.h>
 #include <tendon/base/path.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 #include <tendon/middleware/middleware.h>
 
 #include <csignal>
@@ -45,7 +45,7 @@ TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
   // Patient beyond any test: who waits for the handshake is seen to.
   auto session = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
                                            Role::kOperator, 10min);
-  ASSERT_TRUE(Eventually([&] { return session->link().state() == GcmLink::State::kConnected; }));
+  ASSERT_TRUE(Eventually([&] { return session->link().state() == LinkState::State::kConnected; }));
   robot_->Signal(SIGSTOP);
   const int before = ConnectionsTo(robot.address);
   ASSERT_GE(before, 0);
@@ -54,11 +54,11 @@ TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
   session->liveSignals().subscribe("robot/arm/state.Joints.position[0]");
   ASSERT_TRUE(Eventually([&] { return ConnectionsTo(robot.address) > before + 1; }))
       << before << " before, now " << ConnectionsTo(robot.address);
-  const NoMoreOpening end;  // as the program does behind its window
+  const ConnectCancellation end;  // as the program does behind its window
 
   ASSERT_TRUE(Eventually([&] { return answer.has_value(); }));
   ASSERT_FALSE(*answer);
-  EXPECT_THAT(answer->error().message, testing::HasSubstr(OpeningIsOver().message))
+  EXPECT_THAT(answer->error().message, testing::HasSubstr(ConnectCancelledError().message))
       << "it was waited for all the same";
   session.reset();
   robot_->Signal(SIGCONT);

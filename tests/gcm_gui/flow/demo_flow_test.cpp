@@ -24,7 +24,7 @@ class DemoFlow : public FlowFixture {
     ASSERT_NO_FATAL_FAILURE(StartGcm());
     ASSERT_NO_FATAL_FAILURE(OpenWindow());
     ASSERT_TRUE(
-        Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
+        Eventually([this] { return session_->link().state() == LinkState::State::kConnected; }));
   }
   /// What the GCM has started outlives it.
   void TearDown() override {
@@ -121,7 +121,7 @@ TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.undo"));
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.carryOut"));
   EXPECT_TRUE(Eventually([this] {
-    const Catalog& catalogue = session_->store().catalogue();
+    const Catalogue& catalogue = session_->store().catalogue();
     return catalogue.FindComponent("robot", "host_monitor") == nullptr &&
            catalogue.FindConnection({"desk", "supervisor", "Robot"}) == nullptr;
   }));

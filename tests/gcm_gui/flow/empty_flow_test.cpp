@@ -46,7 +46,7 @@ TEST_F(EmptyFlow, AClickStartsAGcmWhereNoneAnswers) {
   Click(Find<QPushButton>("startGcm"));
 
   EXPECT_TRUE(
-      Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
+      Eventually([this] { return session_->link().state() == LinkState::State::kConnected; }));
   EXPECT_TRUE(Eventually([this] { return Find<QPushButton>("tryDemo").isVisible(); }));
   EXPECT_FALSE(Find<QPushButton>("startGcm").isVisible());
   KeepPictures(*window_, "flow-empty-gcm");

@@ -67,7 +67,7 @@ void FlowFixture::SetUp() {
 }
 
 bool FlowFixture::IsDemoRunning() const {
-  const Catalog& catalogue = session_->store().catalogue();
+  const Catalogue& catalogue = session_->store().catalogue();
   const auto is_active = [&](const char* process, const char* component) {
     const auto* found = catalogue.FindComponent(process, component);
     return found != nullptr && found->state == ComponentState::kActive;

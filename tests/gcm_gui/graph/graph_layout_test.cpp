@@ -41,7 +41,7 @@ void ExpectNothingOverlaps(const GraphLayout& layout, const GraphPicture& pictur
 class GraphLayoutTest : public ::testing::Test {
  protected:
   GraphPicture Show(const SystemBuilder& system) {
-    GraphPicture picture = PictureOf(system.catalog());
+    GraphPicture picture = PictureOf(system.catalogue());
     layout_.update(picture);
     return picture;
   }
@@ -77,7 +77,7 @@ TEST_F(GraphLayoutTest, ConnectingWhatFitsMovesNothing) {
 TEST_F(GraphLayoutTest, ALostProcessStaysWhereItIsAndComesBackThere) {
   SystemBuilder system = LookSystem(0);
   const auto before = Places(layout_, Show(system));
-  const ComponentDescription camera = *system.catalog().FindComponent("vision", "camera");
+  const ComponentDescription camera = *system.catalogue().FindComponent("vision", "camera");
 
   system.Process("robot", ProcessState::kLost, 1);
   EXPECT_EQ(Places(layout_, Show(system)), before);
@@ -94,7 +94,7 @@ TEST_F(GraphLayoutTest, AllStandsWhereItStoodWhenTheGcmWasRestartedAndTheyJoinAg
   system.Process("vision");
   const auto before = Places(layout_, Show(system));
   SystemBuilder again;
-  for (const auto& [name, entry] : system.catalog().processes()) {
+  for (const auto& [name, entry] : system.catalogue().processes()) {
     again.Process(name);
     Show(again);
     for (const auto& [component, description] : entry.components) {
@@ -143,7 +143,7 @@ TEST_F(GraphLayoutTest, RandomSystemsNeverOverlap) {
   for (int step = 0; step < 120; ++step) {
     const std::string process = "p" + std::to_string(pick(4));
     const std::string name = "c" + std::to_string(pick(12));
-    if (system.catalog().FindProcess(process) == nullptr) system.Process(process);
+    if (system.catalogue().FindProcess(process) == nullptr) system.Process(process);
     if (pick(4) == 0) {
       system.RemoveComponent(process, name);
     } else {

@@ -54,7 +54,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
   AwaitLayout();
   EXPECT_EQ(scene_.components().size(), std::size_t{kProcesses * kOfEach});
 
-  ComponentDescription one = *system_.catalog().FindComponent(LargeProcess(5), LargeComponent(5));
+  ComponentDescription one = *system_.catalogue().FindComponent(LargeProcess(5), LargeComponent(5));
   one.state = ComponentState::kFaulted;
   system_.Component(LargeProcess(5), one);
   Time("the state of one changes", [&] { Show(); });

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kWorkerPatience = 20'000;  // ms
 
-GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalog()); }
+GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalogue()); }
 
 class LayoutInThread : public testing::TestWithParam<bool> {};
 
@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, LayoutInThread, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "Large" : "Small"; });
 
 TEST_P(LayoutInThread, ThingsArePlacedAsTheLayoutDoes) {
-  const GraphPicture picture = GetParam() ? LargePicture() : PictureOf(LookSystem(0).catalog());
+  const GraphPicture picture = GetParam() ? LargePicture() : PictureOf(LookSystem(0).catalogue());
   GraphLayout layout;
   layout.update(picture);
   LayoutWorker worker;
@@ -81,7 +81,7 @@ TEST(GraphScene, WhatHasNoPlaceYetIsNotShown) {
   ConnectMode mode{store, actions};
   GraphScene scene(store, selection, mode);
 
-  store.replace(LookSystem(0).catalog());
+  store.replace(LookSystem(0).catalogue());
   EXPECT_TRUE(scene.isArranging());
   EXPECT_TRUE(scene.components().empty());
   EXPECT_TRUE(scene.processes().empty());
@@ -127,7 +127,7 @@ TEST_F(GlideTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
 TEST(Glide, ALargeSystemGoesInOneStep) {
   QCoreApplication::instance()->setProperty(Glide::kStill, false);
   CatalogueStore store;
-  store.replace(LargeSystem(4, 50).catalog());
+  store.replace(LargeSystem(4, 50).catalogue());
   Selection selection;
   RecordingActions actions;
   ConnectMode mode{store, actions};

@@ -22,7 +22,7 @@ class PictureUpdaterTest : public ::testing::Test {
  protected:
   PictureUpdaterTest() {
     QObject::connect(&store_, &CatalogueStore::changed, &store_,
-                     [this](const Catalog& catalogue, const Touched& touched) {
+                     [this](const Catalogue& catalogue, const Touched& touched) {
                        updater_.update(catalogue, touched);
                      });
     Follow();
@@ -30,7 +30,7 @@ class PictureUpdaterTest : public ::testing::Test {
 
   void Follow() {
     store_.apply(system_.TakeChanges());
-    ExpectSame(updater_.picture(), PictureOf(system_.catalog()));
+    ExpectSame(updater_.picture(), PictureOf(system_.catalogue()));
   }
 
   SystemBuilder system_ = LookSystem(0);
@@ -66,7 +66,7 @@ TEST_F(PictureUpdaterTest, AComponentWaitsUntilItIsConnected) {
 }
 
 TEST_F(PictureUpdaterTest, FollowsComponentsAndTheirInterfaces) {
-  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kFaulted;
   system_.Component("robot", arm);
   Follow();
@@ -95,9 +95,9 @@ TEST_F(PictureUpdaterTest, FollowsASnapshot) {
   SystemBuilder other;
   other.Process("robot").Component("robot", Task("only", 1, {}));
 
-  store_.replace(other.catalog());
+  store_.replace(other.catalogue());
 
-  ExpectSame(updater_.picture(), PictureOf(other.catalog()));
+  ExpectSame(updater_.picture(), PictureOf(other.catalogue()));
 }
 
 }  // namespace

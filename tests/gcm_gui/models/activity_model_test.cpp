@@ -124,14 +124,14 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
   ProblemsModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   SystemBuilder system = LookSystem(1);
-  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kFaulted;
   arm.fault = "joint 3 is out of range";
   system.Component("robot", arm);
   system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
                  ConnectionState::kFailed, "no answer in 2 s");
 
-  model.update(system.catalog());
+  model.update(system.catalogue());
 
   ASSERT_EQ(model.rowCount(), 4);
   EXPECT_EQ(model.row(0).text, "desk/view/Host is not connected: no answer in 2 s");
@@ -144,7 +144,7 @@ TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
   const auto texts = [&] {
-    model.update(system.catalog());
+    model.update(system.catalogue());
     QStringList all;
     for (int row = 0; row < model.rowCount(); ++row) all << model.row(row).text;
     return all.filter("teleoperation");
@@ -160,7 +160,7 @@ TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
   EXPECT_TRUE(texts().isEmpty());
 
   system.Disconnect(kRobot);
-  ComponentDescription stopped = *system.catalog().FindComponent("desk", "teleoperation");
+  ComponentDescription stopped = *system.catalogue().FindComponent("desk", "teleoperation");
   stopped.state = ComponentState::kFinished;
   system.Component("desk", stopped);
   EXPECT_TRUE(texts().isEmpty());
@@ -169,12 +169,12 @@ TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
 TEST(ProblemsModel, AProcessRunsAnOlderPlugInThanItsFile) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
-  ProcessDescription robot = system.catalog().FindProcess("robot")->process;
+  ProcessDescription robot = system.catalogue().FindProcess("robot")->process;
   const auto texts = [&](PluginState state) {
     robot.plugins = {
         {.name = "arm", .file = "/opt/arm.so", .written = 1, .state = state, .written_now = 2}};
     system.Process(robot);
-    model.update(system.catalog());
+    model.update(system.catalogue());
     QStringList all;
     for (int row = 0; row < model.rowCount(); ++row) all << model.row(row).text;
     return all.filter("arm.so");
@@ -192,7 +192,7 @@ TEST(ProblemsModel, ListsAProcessThatIsNotReachedByAll) {
   SystemBuilder system;
   system.Process("robot", ProcessState::kAlive, 0, 1, reason);
 
-  model.update(system.catalog());
+  model.update(system.catalogue());
 
   ASSERT_EQ(model.rowCount(), 1);
   EXPECT_EQ(model.row(0).text, "robot: " + ToQString(reason));
@@ -213,7 +213,7 @@ TEST(ActivityModel, AReplacementIsOneStep) {
 TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
-  model.update(system.catalog());
+  model.update(system.catalogue());
   const int before = model.rowCount();
   QSignalSpy counts(&model, &ProblemsModel::countChanged);
   Action refused = Connecting();
@@ -221,11 +221,11 @@ TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {
   refused.refusal = "does not fit";
 
   model.hear(refused);
-  model.update(system.catalog());
+  model.update(system.catalogue());
   EXPECT_EQ(model.rowCount(), before + 1);
 
   system.Connect(kRobot, kControl);
-  model.update(system.catalog());
+  model.update(system.catalogue());
   EXPECT_EQ(model.rowCount(), before - 1) << "nor does its component wait any more";
   EXPECT_EQ(counts.count(), 2);
 }

@@ -127,7 +127,7 @@ TEST_F(CatalogueFactsTest, TheValuesOfALostProcessGrowOld) {
 TEST_F(CatalogueFactsTest, TheValuesOfASuspendedComponentAreMarkedWithTheirAge) {
   Stream(seconds(3));
   EXPECT_FALSE(model_.indexOf(kFirstJoint).data(kStaleRole).toBool());
-  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kSuspended;
   system_.Component("robot", arm);
   store_.apply(system_.TakeChanges());

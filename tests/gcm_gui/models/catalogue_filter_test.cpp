@@ -17,7 +17,7 @@ class CatalogueFilterTest : public ::testing::Test {
  protected:
   CatalogueFilterTest() {
     QObject::connect(&store_, &CatalogueStore::changed, &model_, &CatalogueModel::update);
-    store_.replace(LookSystem(0).catalog());
+    store_.replace(LookSystem(0).catalogue());
   }
 
   bool Shows(const QString& path) const { return filter_.indexOf(path).isValid(); }
@@ -124,7 +124,7 @@ TEST_F(CatalogueFilterTest, WaitsForAPauseInTyping) {
 TEST_F(CatalogueFilterTest, FollowsTheModelWhileItFilters) {
   filter_.applyText("state:not");
   SystemBuilder system = LookSystem(0);
-  store_.replace(system.catalog());
+  store_.replace(system.catalogue());
   (void)system.TakeChanges();
 
   system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
@@ -138,7 +138,7 @@ TEST_F(CatalogueFilterTest, WhatComesAndGoesTakesAlongWhatStandsAboveItForItsSak
   (void)system.TakeChanges();
   filter_.applyText("getwrench");
   const int before = filter_.matchCount();
-  ComponentDescription sensor = *system.catalog().FindComponent("robot", "force_sensor");
+  ComponentDescription sensor = *system.catalogue().FindComponent("robot", "force_sensor");
   sensor.name = "second";
 
   system.Process("lab").Component("lab", Task("other", 0, {})).Component("lab", sensor);
@@ -201,7 +201,7 @@ TEST_F(CatalogueFilterTest, FollowsRandomChangesAndShowsWhatANewFilterWould) {
   const auto process = [&] { return "p" + std::to_string(pick(3)); };
   const auto component = [&] { return "c" + std::to_string(pick(4)); };
   const QStringList filters{"x1", "type:required state:!connected", "c1 -state", "state:lost", ""};
-  store_.replace(system.catalog());
+  store_.replace(system.catalogue());
   for (int step = 0; step < 500; ++step) {
     if (step % 50 == 0) filter_.applyText(filters[step / 50 % filters.size()]);
     switch (pick(6)) {

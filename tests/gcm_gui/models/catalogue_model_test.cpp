@@ -81,7 +81,7 @@ TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
 
 TEST_F(CatalogueModelTest, WhatEveryTaskKeepsAboutItsCyclesStandsBelowItsOwnColumns) {
   SystemBuilder system = LookSystem(0);
-  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");
   auto& columns = arm.tables.front().columns;
   std::rotate(columns.begin(), columns.begin() + 1, columns.end());
   ASSERT_EQ(columns.front().name, "Cycle");
@@ -113,7 +113,7 @@ TEST_F(CatalogueModelTest, WhatComesLaterIsMarkedForTenSeconds) {
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "all has just come";
 
   model_.setNow(120 * kSecond);
-  ComponentDescription other = *system.catalog().FindComponent("robot", "arm");
+  ComponentDescription other = *system.catalogue().FindComponent("robot", "arm");
   other.name = "left_arm";
   system.Component("robot", other);
   Show(system);
@@ -134,13 +134,13 @@ TEST_F(CatalogueModelTest, WhatAGcmThatIsBackTellsAnewIsNotMarked) {
   model_.setNow(200 * kSecond);
   model_.setOutdated(true);
   store_.replace({});
-  store_.replace(LookSystem(0).catalog());
+  store_.replace(LookSystem(0).catalogue());
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "it tells what it knows";
 
   store_.replace({});
   model_.setOutdated(false);
   model_.setNow(205 * kSecond);
-  store_.replace(LookSystem(0).catalog());
+  store_.replace(LookSystem(0).catalogue());
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "all join it again";
 }
 
@@ -200,7 +200,7 @@ TEST_F(CatalogueModelTest, WhatStaysTheSameKeepsItsRowOverARestart) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   const QPersistentModelIndex arm = model_.indexOf("robot/arm");
-  const ComponentDescription description = *system.catalog().FindComponent("robot", "arm");
+  const ComponentDescription description = *system.catalogue().FindComponent("robot", "arm");
 
   system.Process("robot", ProcessState::kLost, kSecond);
   Show(system);
@@ -232,7 +232,7 @@ TEST_F(CatalogueModelTest, ASnapshotTakesAwayWhatIsNoLongerThere) {
   SystemBuilder other;
   other.Process("gcm");
 
-  store_.replace(other.catalog());
+  store_.replace(other.catalogue());
 
   EXPECT_EQ(model_.rowCount({}), 1);
   EXPECT_FALSE(model_.indexOf("robot/arm").isValid());
@@ -285,8 +285,8 @@ TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
 
   CatalogueModel fresh;
   Touched all;
-  for (const auto& [name, entry] : system.catalog().processes()) all.insert({name, {}});
-  fresh.update(system.catalog(), all);
+  for (const auto& [name, entry] : system.catalogue().processes()) all.insert({name, {}});
+  fresh.update(system.catalogue(), all);
   EXPECT_EQ(model_.itemCount(), fresh.itemCount());
   EXPECT_EQ(model_.rowCount({}), fresh.rowCount({}));
 }

@@ -14,8 +14,9 @@ constexpr int kPatience = 20000;  // ms; bounds a test that fails
 class CatalogueStoreTest : public ::testing::Test {
  protected:
   CatalogueStoreTest() {
-    QObject::connect(&store_, &CatalogueStore::changed, &store_,
-                     [this](const Catalog&, const Touched& touched) { told_.push_back(touched); });
+    QObject::connect(
+        &store_, &CatalogueStore::changed, &store_,
+        [this](const Catalogue&, const Touched& touched) { told_.push_back(touched); });
   }
 
   void Show(SystemBuilder& system) { store_.apply(system.TakeChanges()); }
@@ -71,7 +72,7 @@ TEST_F(CatalogueStoreTest, KnowsSinceWhenAComponentIsInItsState) {
   Show(system);
   EXPECT_FALSE(store_.stateSince("robot", "arm")) << "it was so before the window came";
 
-  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kSuspended;
   system.Component("robot", arm);
   Show(system);
@@ -88,18 +89,18 @@ TEST_F(CatalogueStoreTest, KnowsSinceWhenAComponentIsInItsState) {
 TEST_F(CatalogueStoreTest, DoesNotKnowWhenAStateHasChangedThatASnapshotTells) {
   SystemBuilder system = LookSystem(0);
   Show(system);
-  ComponentDescription arm = *system.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kSuspended;
   system.Component("robot", arm);
   Show(system);
   ASSERT_TRUE(store_.stateSince("robot", "arm"));
   const auto since = store_.stateSince("robot", "arm");
 
-  store_.replace(system.catalog());
+  store_.replace(system.catalogue());
   EXPECT_EQ(store_.stateSince("robot", "arm"), since) << "it is what it was";
   arm.state = ComponentState::kActive;
   system.Component("robot", arm);
-  store_.replace(system.catalog());
+  store_.replace(system.catalogue());
 
   EXPECT_FALSE(store_.stateSince("robot", "arm"));
 }

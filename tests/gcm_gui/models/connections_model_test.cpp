@@ -13,7 +13,7 @@ TEST(ConnectionsModel, HasOneRowAConnectionSortedByTheRequiredInterface) {
   ConnectionsModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
 
-  model.update(LookSystem(0).catalog());
+  model.update(LookSystem(0).catalogue());
 
   ASSERT_EQ(model.rowCount({}), 3);
   EXPECT_EQ(model.index(0, ConnectionsModel::kRequired).data(), "desk/view/Host");
@@ -25,13 +25,13 @@ TEST(ConnectionsModel, InsertsAndRemovesOnlyWhatChanged) {
   ConnectionsModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   SystemBuilder system = LookSystem(0);
-  model.update(system.catalog());
+  model.update(system.catalogue());
   QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
   QSignalSpy removed(&model, &QAbstractItemModel::rowsRemoved);
 
   system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
   system.Disconnect({"robot", "controller", "Force"});
-  model.update(system.catalog());
+  model.update(system.catalogue());
 
   EXPECT_EQ(inserted.count(), 1);
   EXPECT_EQ(removed.count(), 1);
@@ -43,7 +43,7 @@ TEST(ConnectionsModel, AFailedOneSaysWhy) {
   SystemBuilder system = LookSystem(0);
   system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
                  ConnectionState::kFailed, "no answer in 2 s");
-  model.update(system.catalog());
+  model.update(system.catalogue());
 
   EXPECT_EQ(model.index(0, ConnectionsModel::kState).data(), "refused · no answer in 2 s");
 }

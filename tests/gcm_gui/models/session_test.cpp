@@ -45,9 +45,9 @@ class SessionTest : public ::testing::Test {
     (void)robot_->StartAll();
   }
 
-  const Catalog& Catalogue() { return session_->store().catalogue(); }
+  const Catalogue& Known() { return session_->store().catalogue(); }
   bool IsConnected() {
-    const auto* connection = Catalogue().FindConnection(kOperated);
+    const auto* connection = Known().FindConnection(kOperated);
     return connection != nullptr && connection->state == ConnectionState::kActive;
   }
   bool Eventually(const std::function<bool()>& holds) {
@@ -55,7 +55,7 @@ class SessionTest : public ::testing::Test {
   }
   bool EverythingIsThere() {
     const auto is_active = [&](const char* process, const char* component) {
-      const auto* found = Catalogue().FindComponent(process, component);
+      const auto* found = Known().FindComponent(process, component);
       return found != nullptr && found->state == ComponentState::kActive;
     };
     return Eventually([&] { return is_active("robot", "plant") && is_active("desk", "operator"); });
@@ -71,7 +71,7 @@ class SessionTest : public ::testing::Test {
 
 TEST_F(SessionTest, TheCatalogueArrivesByItself) {
   EXPECT_TRUE(EverythingIsThere());
-  EXPECT_EQ(session_->link().state(), GcmLink::State::kConnected);
+  EXPECT_EQ(session_->link().state(), LinkState::State::kConnected);
 }
 
 TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
@@ -83,7 +83,7 @@ TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   EXPECT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
 
   session_->undo();
-  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kOperated) == nullptr; }));
+  EXPECT_TRUE(Eventually([&] { return Known().FindConnection(kOperated) == nullptr; }));
   EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
 
   session_->disconnectInterface(kOperated);
@@ -109,7 +109,7 @@ TEST_F(SessionTest, WhatAnotherHasDoneIsTakenBackAtTheSecondTime) {
   EXPECT_TRUE(IsConnected());
 
   session_->undo();
-  EXPECT_TRUE(Eventually([&] { return Catalogue().FindConnection(kOperated) == nullptr; }));
+  EXPECT_TRUE(Eventually([&] { return Known().FindConnection(kOperated) == nullptr; }));
 }
 
 TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
@@ -132,7 +132,7 @@ TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
 
 TEST_F(SessionTest, TheTypeOfACommandIsFoundAndACallIsAnswered) {
   ASSERT_TRUE(EverythingIsThere());
-  const auto& commands = Catalogue().FindProvided(kPlantControl)->commands;
+  const auto& commands = Known().FindProvided(kPlantControl)->commands;
   const auto move_to = std::find_if(commands.begin(), commands.end(),
                                     [](const auto& one) { return one.name == "MoveTo"; });
   ASSERT_NE(move_to, commands.end());
@@ -173,7 +173,7 @@ TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
   bool is_linked = false;
   session_->readValue("robot/plant/state.Move", [&](const auto&) { is_linked = true; });
   ASSERT_TRUE(Eventually([&] { return is_linked; }));
-  const std::string robot = Catalogue().FindProcess("robot")->process.address;
+  const std::string robot = Known().FindProcess("robot")->process.address;
   network_->SetJudge([robot](const loopback::Frame& frame) {
     const auto type = ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
     const bool is_of_lease = type == message::kRenew || type == message::kJoin;
@@ -197,9 +197,9 @@ TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {
   const InterfaceName other{"robot", "spare", "Control"};
   robot_->Add<plant::Plant>("spare");
   ASSERT_TRUE(EverythingIsThere());
-  ASSERT_TRUE(Eventually([&] { return Catalogue().FindProvided(other) != nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return Known().FindProvided(other) != nullptr; }));
   const auto is_connected_to = [&](const InterfaceName& provided) {
-    const auto* connection = Catalogue().FindConnection(kOperated);
+    const auto* connection = Known().FindConnection(kOperated);
     return connection != nullptr && connection->provided == provided;
   };
   session_->connectInterfaces(kOperated, kPlantControl);
@@ -253,7 +253,7 @@ TEST_F(SessionTest, ALostProcessIsSeenAndItsRowsGoOnWhenItIsBack) {
   robot_.reset();
   EXPECT_TRUE(Eventually([&] { return heard.contains("stale"); }));
   EXPECT_TRUE(Eventually([&] {
-    const auto* robot = Catalogue().FindProcess("robot");
+    const auto* robot = Known().FindProcess("robot");
     return robot != nullptr && robot->process.state != ProcessState::kAlive;
   }));
   heard.clear();
@@ -267,14 +267,14 @@ TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
   const std::string address = manager_->address();
 
   manager_.reset();
-  EXPECT_TRUE(Eventually([&] { return session_->link().state() == GcmLink::State::kLost; }));
-  EXPECT_NE(Catalogue().FindProvided(kPlantControl), nullptr);  // what was known stays
+  EXPECT_TRUE(Eventually([&] { return session_->link().state() == LinkState::State::kLost; }));
+  EXPECT_NE(Known().FindProvided(kPlantControl), nullptr);  // what was known stays
 
   auto manager = GlobalManager::Start(
       Node(), {.address = address, .state_folder = folder_.path().toStdString()});
   ASSERT_TRUE(manager) << manager.error().message;
   manager_ = std::move(*manager);
-  EXPECT_TRUE(Eventually([&] { return session_->link().state() == GcmLink::State::kConnected; }));
+  EXPECT_TRUE(Eventually([&] { return session_->link().state() == LinkState::State::kConnected; }));
   EXPECT_TRUE(EverythingIsThere());
 }
 

@@ -23,7 +23,7 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &model, &ValuesModel::showValues);
-  const Catalog catalogue = LookSystem(0).catalog();
+  const Catalogue catalogue = LookSystem(0).catalogue();
   model.show("robot/arm", catalogue.FindComponent("robot", "arm"), Standstill::kNone);
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.index(0, 0).data(), "Joints");
@@ -71,7 +71,7 @@ class ValuesInTime : public ::testing::Test {
   const QString kJoints = "robot/arm/state.Joints";
   const ChannelList shape_ =
       std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
-  const Catalog catalogue_ = LookSystem(0).catalog();
+  const Catalogue catalogue_ = LookSystem(0).catalogue();
   ManualClock clock_;
   ValuesModel model_{nullptr, clock_};
   QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
@@ -239,7 +239,7 @@ TEST(InterfacesModel, ShowsMembersWithTypesAndWhatEachInterfaceIsConnectedTo) {
   InterfacesModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
 
-  model.show(LookSystem(0).catalog(), "robot", "controller");
+  model.show(LookSystem(0).catalogue(), "robot", "controller");
 
   EXPECT_EQ(model.row(0).name, "Arm");
   EXPECT_EQ(model.row(0).value, "connected");
@@ -254,7 +254,7 @@ TEST(InterfacesModel, APeerOfAnotherProcessNamesIt) {
   SystemBuilder system = LookSystem(0);
   system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
 
-  model.show(system.catalog(), "desk", "teleoperation");
+  model.show(system.catalogue(), "desk", "teleoperation");
 
   EXPECT_EQ(model.row(1).name, "← controller/Control");
   EXPECT_EQ(model.row(1).types, "robot");
@@ -264,7 +264,7 @@ TEST(InterfacesModel, APeerOfAnotherProcessNamesIt) {
 TEST(InterfacesModel, AProvidedInterfaceListsItsClients) {
   InterfacesModel model;
 
-  model.show(LookSystem(0).catalog(), "robot", "arm");
+  model.show(LookSystem(0).catalogue(), "robot", "arm");
 
   EXPECT_EQ(model.row(0).value, "1 client");
   EXPECT_EQ(model.row(1).name, "→ controller/Arm");

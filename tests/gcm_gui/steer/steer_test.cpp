@@ -199,7 +199,7 @@ TEST_F(SteerTest, AWindowThatOnlyLooksSaysWhy) {
 }
 
 TEST_F(SteerTest, TheCardSaysWhatAResumeDoesAndHowLongTheComponentHasRested) {
-  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kSuspended;
   system_.Component("robot", arm);
   Show();

@@ -10,8 +10,8 @@ using Due = std::vector<std::pair<Fingerprint, std::string>>;
 constexpr Fingerprint kType{1, 2};
 const Error kNoAnswer{ErrorCode::kTimeout, "no answer"};
 
-TEST(AskedTypes, OneThatIsWantedIsAskedForOnce) {
-  AskedTypes types;
+TEST(TypeRequests, OneThatIsWantedIsAskedForOnce) {
+  TypeRequests types;
   types.want(kType, "robot");
 
   EXPECT_EQ(types.takeDue(SteadyTime()), (Due{{kType, "robot"}}));
@@ -25,8 +25,8 @@ TEST(AskedTypes, OneThatIsWantedIsAskedForOnce) {
   EXPECT_TRUE(types.find(kType)->ok());
 }
 
-TEST(AskedTypes, OneThatWasNotToldIsAskedForAgainLaterAndLater) {
-  AskedTypes types;
+TEST(TypeRequests, OneThatWasNotToldIsAskedForAgainLaterAndLater) {
+  TypeRequests types;
   types.want(kType, "robot");
   SteadyTime now{};
   (void)types.takeDue(now);

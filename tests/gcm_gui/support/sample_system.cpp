@@ -70,9 +70,9 @@ void AddDesk(SystemBuilder& system) {
 
 }  // namespace
 
-SystemBuilder& SystemBuilder::Apply(CatalogChange change) {
-  change.revision = catalog_.revision() + 1;
-  if (catalog_.Apply(change)) changes_.push_back(std::move(change));
+SystemBuilder& SystemBuilder::Apply(CatalogueChange change) {
+  change.revision = catalogue_.revision() + 1;
+  if (catalogue_.Apply(change)) changes_.push_back(std::move(change));
   return *this;
 }
 
@@ -93,24 +93,24 @@ SystemBuilder& SystemBuilder::Process(const std::string& name, ProcessState stat
 }
 
 SystemBuilder& SystemBuilder::Process(const ProcessDescription& process) {
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kProcess;
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kProcess;
   change.process = process.name;
   change.processes = {process};
   return Apply(std::move(change));
 }
 
 SystemBuilder& SystemBuilder::RemoveProcess(const std::string& name) {
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kProcessRemoved;
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kProcessRemoved;
   change.process = name;
   return Apply(std::move(change));
 }
 
 SystemBuilder& SystemBuilder::Component(const std::string& process,
                                         const ComponentDescription& component) {
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kComponent;
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kComponent;
   change.process = process;
   change.components = {component};
   return Apply(std::move(change));
@@ -118,8 +118,8 @@ SystemBuilder& SystemBuilder::Component(const std::string& process,
 
 SystemBuilder& SystemBuilder::RemoveComponent(const std::string& process,
                                               const std::string& component) {
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kComponentRemoved;
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kComponentRemoved;
   change.process = process;
   change.component = component;
   return Apply(std::move(change));
@@ -127,9 +127,9 @@ SystemBuilder& SystemBuilder::RemoveComponent(const std::string& process,
 
 SystemBuilder& SystemBuilder::Connect(const InterfaceName& required, const InterfaceName& provided,
                                       ConnectionState state, const std::string& reason) {
-  const auto* known = catalog_.FindConnection(required);
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kConnection;
+  const auto* known = catalogue_.FindConnection(required);
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kConnection;
   change.process = required.process;
   change.connections = {
       {known != nullptr ? known->id : ++last_connection_, required, provided, state, reason}};
@@ -137,16 +137,16 @@ SystemBuilder& SystemBuilder::Connect(const InterfaceName& required, const Inter
 }
 
 SystemBuilder& SystemBuilder::Disconnect(const InterfaceName& required) {
-  const auto* known = catalog_.FindConnection(required);
+  const auto* known = catalogue_.FindConnection(required);
   if (known == nullptr) return *this;
-  CatalogChange change;
-  change.kind = CatalogChange::Kind::kConnectionRemoved;
+  CatalogueChange change;
+  change.kind = CatalogueChange::Kind::kConnectionRemoved;
   change.process = required.process;
   change.connection = known->id;
   return Apply(std::move(change));
 }
 
-std::vector<CatalogChange> SystemBuilder::TakeChanges() { return std::exchange(changes_, {}); }
+std::vector<CatalogueChange> SystemBuilder::TakeChanges() { return std::exchange(changes_, {}); }
 
 MemberDescription Write(const std::string& name, const std::string& type) {
   return Member(CommandKind::kWrite, name, type, {});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 
 #include <cstdint>
 #include <string>
@@ -24,15 +24,15 @@ class SystemBuilder {
                          const std::string& reason = {});
   SystemBuilder& Disconnect(const InterfaceName& required);
 
-  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
   /// The changes since the last call, to be applied to another copy.
-  [[nodiscard]] std::vector<CatalogChange> TakeChanges();
+  [[nodiscard]] std::vector<CatalogueChange> TakeChanges();
 
  private:
-  SystemBuilder& Apply(CatalogChange change);
+  SystemBuilder& Apply(CatalogueChange change);
 
-  Catalog catalog_ = Catalog::At(0);
-  std::vector<CatalogChange> changes_;
+  Catalogue catalogue_ = Catalogue::At(0);
+  std::vector<CatalogueChange> changes_;
   std::uint64_t last_connection_ = 0;
 };
 

@@ -71,7 +71,7 @@ class SystemFlowTest : public ::testing::Test {
   }
   bool EverythingIsThere() {
     return Eventually([&] {
-      const Catalog& catalogue = session_->store().catalogue();
+      const Catalogue& catalogue = session_->store().catalogue();
       const auto is_active = [&](const char* process, const char* component) {
         const auto* found = catalogue.FindComponent(process, component);
         return found != nullptr && found->state == ComponentState::kActive;

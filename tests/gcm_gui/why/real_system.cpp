@@ -38,7 +38,7 @@ RealSystem::RealSystem() {
   window_->activateWindow();
   (void)QTest::qWaitForWindowActive(window_.get(), kLongest);
   EXPECT_TRUE(
-      Eventually([this] { return session_->link().state() == GcmLink::State::kConnected; }));
+      Eventually([this] { return session_->link().state() == LinkState::State::kConnected; }));
 }
 
 RealSystem::~RealSystem() { Theme::instance().choose(Theme::Choice::kSystem); }
@@ -50,7 +50,7 @@ void RealSystem::StartLcm(const std::string& process) {
       SharedWithTest());
   const std::string last = process == "robot" ? "host_monitor" : "old_arm";
   ASSERT_TRUE(Eventually([&] {
-    const auto* component = Catalogue().FindComponent(process, last);
+    const auto* component = Known().FindComponent(process, last);
     return component != nullptr && component->state == ComponentState::kActive;
   })) << lcm(process).err();
 }
@@ -61,12 +61,12 @@ Outcome RealSystem::Gcm(Program::Words words) const {
 }
 
 bool RealSystem::IsConnected(const InterfaceName& required) {
-  const auto* connection = Catalogue().FindConnection(required);
+  const auto* connection = Known().FindConnection(required);
   return connection != nullptr && connection->state == ConnectionState::kActive;
 }
 
 ProcessState RealSystem::StateOf(const std::string& process) {
-  return Catalogue().FindProcess(process)->process.state;
+  return Known().FindProcess(process)->process.state;
 }
 
 bool RealSystem::Eventually(const std::function<bool()>& holds) {

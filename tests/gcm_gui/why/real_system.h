@@ -30,7 +30,7 @@ class RealSystem : public ::testing::Test {
   [[nodiscard]] Outcome Gcm(Program::Words words) const;
 
   [[nodiscard]] MainWindow& window() { return *window_; }
-  [[nodiscard]] const Catalog& Catalogue() { return session_->store().catalogue(); }
+  [[nodiscard]] const Catalogue& Known() { return session_->store().catalogue(); }
   [[nodiscard]] bool IsConnected(const InterfaceName& required);
   [[nodiscard]] ProcessState StateOf(const std::string& process);
 

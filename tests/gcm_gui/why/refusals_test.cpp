@@ -52,11 +52,11 @@ TEST_F(RefusalsTest, SomebodyElsesConnectionAnswersIt) {
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
   system.Disconnect(kRequired);
-  refusals_.update(system.catalog());
+  refusals_.update(system.catalogue());
   EXPECT_NE(refusals_.find(kRequired), nullptr);
 
   system.Connect(kRequired, kProvided);
-  refusals_.update(system.catalog());
+  refusals_.update(system.catalogue());
   EXPECT_EQ(refusals_.find(kRequired), nullptr);
 }
 
@@ -65,7 +65,7 @@ TEST_F(RefusalsTest, ItGoesWithItsInterface) {
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
   system.RemoveComponent("desk", "view");
-  refusals_.update(system.catalog());
+  refusals_.update(system.catalogue());
 
   EXPECT_TRUE(refusals_.all().empty());
 }

@@ -190,7 +190,7 @@ TEST_F(WhyFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
   window().selection().setPaths({kSlavePath, "desk/supervisor/Robot"});
   QTest::keyClick(&window(), Qt::Key_D);  // the system file has connected the last one
   const InterfaceName supervisor{"desk", "supervisor", "Robot"};
-  ASSERT_TRUE(Eventually([&] { return Catalogue().FindConnection(supervisor) == nullptr; }));
+  ASSERT_TRUE(Eventually([&] { return Known().FindConnection(supervisor) == nullptr; }));
   window().graph().setFocus();
 
   QTest::keyClick(&window(), Qt::Key_C);

@@ -12,7 +12,7 @@ const InterfaceName kController{"robot", "controller", "Control"};
 class WhyReportTest : public ::testing::Test {
  protected:
   WhyReport Report(const InterfaceName& required, const InterfaceName& provided) {
-    return {*Diagnose(system_.catalog(), {required, provided}), std::nullopt, {}};
+    return {*Diagnose(system_.catalogue(), {required, provided}), std::nullopt, {}};
   }
 
   SystemBuilder system_ = LookSystem(0);
@@ -39,10 +39,10 @@ TEST_F(WhyReportTest, OfAFixItsCommandIsCopied) {
 }
 
 TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheBest) {
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported), kController);
+  EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported), kController);
 
   system_.Connect(kReported, {"robot", "arm", "Drives"}, ConnectionState::kFailed);
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported),
+  EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported),
             (InterfaceName{"robot", "arm", "Drives"}));
 
   Action refused;
@@ -50,7 +50,7 @@ TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheB
   refused.provided = kController;
   refused.outcome = Action::Outcome::kRefused;
   refusals_.hear(refused);
-  EXPECT_EQ(LikelyProvider(system_.catalog(), refusals_, kReported), kController);
+  EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported), kController);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr auto kManyOthers = "component_1";
 class CatalogueTreeTest : public WindowFixture {
  protected:
   CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
-    store_.replace(LargeSystem(10, 50).catalog());
+    store_.replace(LargeSystem(10, 50).catalogue());
     EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling(); }, kPatience));
   }
 
@@ -111,7 +111,7 @@ class GoneTest : public ::testing::Test {
   void Pass(int seconds) { panel_.setNow(kLostSince + seconds * std::int64_t{1'000'000'000}); }
 
   static constexpr std::int64_t kLostSince = 1'000'000'000'000;
-  const Catalog catalogue_ = LookSystem(kLostSince).catalog();
+  const Catalogue catalogue_ = LookSystem(kLostSince).catalogue();
   CatalogueModel model_;
   CatalogueFilter filter_{model_};
   Selection selection_;

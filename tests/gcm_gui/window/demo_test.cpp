@@ -19,7 +19,7 @@ using Kind = PlanStep::Kind;
 /// Nothing is running.
 class DemoTest : public WindowFixture {
  protected:
-  DemoTest() { store_.replace(Catalog::At(0)); }
+  DemoTest() { store_.replace(Catalogue::At(0)); }
 
   [[nodiscard]] static QPushButton& TryDemo(const MainWindow& window) {
     return *window.findChild<QPushButton*>("tryDemo");
@@ -64,7 +64,7 @@ TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
   arm.class_name = "SimulatedArm";
   arm.library = "simulated_arm";
   running.Process("robot").Process("desk").Process("other").Component("robot", arm);
-  store_.replace(running.catalog());
+  store_.replace(running.catalogue());
   for (std::size_t step = 1; step <= all; ++step) plans_.progress(step, {});
   plans_.done({.done = all});
   Restore& restore = window_.files().restore();
@@ -82,7 +82,7 @@ TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
   restore.execute(AfterError::kStop);
   SystemBuilder other;
   other.Process("other");
-  store_.replace(other.catalog());
+  store_.replace(other.catalogue());
   for (std::size_t step = 1; step <= 4; ++step) plans_.progress(step, {});
   plans_.done({.done = 4});
   restore.undo();

@@ -62,7 +62,7 @@ TEST_F(GraphPicturesTest, PutElsewhere) {
 
 TEST_F(GraphPicturesTest, ManyFromFarAway) {
   SystemBuilder large = LargeSystem(12, 20);
-  store_.replace(large.catalog());
+  store_.replace(large.catalogue());
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return !store_.isTelling() && !window_.graph().graph().isArranging(); }, kPatience));
   window_.graph().fit();

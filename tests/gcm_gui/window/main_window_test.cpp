@@ -53,7 +53,7 @@ TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
 }
 
 TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
-  QSignalSpy asked(&link_, &GcmLink::wantedAnew);
+  QSignalSpy asked(&link_, &LinkState::wantedAnew);
 
   QTest::keyClick(&window_, Qt::Key_F5);
 
@@ -361,7 +361,7 @@ TEST_F(MainWindowTest, WhatWasOpenAndSelectedIsSoAgainAfterARestart) {
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm/Drives.GetJoints");
   window_.selection().select("robot/arm/Drives.GetJoints");
-  const ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  const ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
 
   system_.Process("robot", ProcessState::kLost, 1);
   Show();
@@ -425,7 +425,7 @@ TEST_F(MainWindowTest, WhatTheConsoleCannotKeepIsSaidInTheWindow) {
 }
 
 TEST_F(MainWindowTest, WithNothingRunningItSaysWhatToStart) {
-  store_.replace(Catalog::At(0));
+  store_.replace(Catalogue::At(0));
 
   EXPECT_FALSE(window_.graph().isVisible());
   EXPECT_TRUE(window_.findChild<QWidget*>("emptyState")->isVisible());

@@ -68,7 +68,7 @@ TEST_F(MarkBindingTest, AConnectionIsMarkedWhoeverMadeIt) {
 }
 
 TEST_F(MarkBindingTest, AStateThatChangesIsMarkedAndAFaultIsBad) {
-  ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+  ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kFaulted;
   arm.fault = "too hot";
   system_.Component("robot", arm);

@@ -45,7 +45,7 @@ class OldValues : public WindowFixture {
     Q_EMIT source_.samplesArrived(kVelocity, std::span(&sample, 1));
   }
   void Let(ComponentState state) {
-    ComponentDescription arm = *system_.catalog().FindComponent("robot", "arm");
+    ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
     arm.state = state;
     system_.Component("robot", arm);
     Show();

@@ -40,7 +40,7 @@ class OtherGcmTest : public ::testing::Test {
   }
 
   QWidget window_;
-  GcmLink link_;
+  LinkState link_;
   bool starts_ = true;
   std::optional<QStringList> launched_;
   OtherGcm& other_ = *new OtherGcm(window_, link_, [this](const QStringList& arguments) {

@@ -26,7 +26,7 @@ class WindowFixture : public ::testing::Test {
 
   SystemBuilder system_;
   CatalogueStore store_;
-  GcmLink link_;
+  LinkState link_;
   ActivityModel activity_;
   RecordingActions actions_;
   ScriptedSignals source_;

@@ -95,7 +95,7 @@ TEST_F(WindowPicturesTest, TheMiddleOfMakingAConnection) {
 
 TEST_F(WindowPicturesTest, NothingIsRunning) {
   Theme::instance().choose(Theme::Choice::kDark);
-  store_.replace(Catalog::At(0));
+  store_.replace(Catalogue::At(0));
   Grab("window-empty");
 }
 

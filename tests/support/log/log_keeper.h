@@ -12,8 +12,8 @@ namespace tendon::test {
 /// Keeps the log that a viewer receives.
 class LogKeeper final : public GcmListener {
  public:
-  void OnSnapshot(const Catalog& /*catalog*/) override {}
-  void OnChanges(const std::vector<CatalogChange>& /*changes*/) override {}
+  void OnSnapshot(const Catalogue& /*catalogue*/) override {}
+  void OnChanges(const std::vector<CatalogueChange>& /*changes*/) override {}
   void OnGcmLost(const Error& /*reason*/) override {}
   void OnLog(const LogBatch& batch) override {
     const std::scoped_lock lock(mutex_);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/body.h>
-#include <tendon/middleware/handshake/handshake.h>
+#include <tendon/middleware/handshake.h>
 #include <tendon/middleware/middleware.h>
 
 #include <memory>

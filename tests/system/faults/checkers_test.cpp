@@ -110,7 +110,7 @@ TEST(StreamChecker, SeesDamageAndAnotherSource) {
 TEST(ProcessWatch, SeesANameThatTwoHoldAtATime) {
   ProcessWatch watch;
   const auto see = [&](std::uint64_t instance, tendon::ProcessState state) {
-    tendon::CatalogChange change;
+    tendon::CatalogueChange change;
     change.processes = {{.name = "robot", .instance = instance, .state = state}};
     static_cast<tendon::GcmListener&>(watch).OnChanges({change});
   };

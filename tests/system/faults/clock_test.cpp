@@ -40,7 +40,7 @@ class Clock : public FaultTest {
     const auto mate = MakeLcm("mate");
     EXPECT_TRUE(EventuallyIs("mate", ProcessState::kAlive)) << mate->err();
     const auto now = std::chrono::system_clock::now().time_since_epoch();
-    const std::chrono::nanoseconds since(viewer_->catalog().FindProcess("mate")->process.since);
+    const std::chrono::nanoseconds since(viewer_->catalogue().FindProcess("mate")->process.since);
     // Until it knows that it has joined it has nothing to leave.
     EXPECT_TRUE(Eventually([&] { return mate->err().find("joined") != std::string::npos; }));
     mate->Signal(SIGTERM);

@@ -1,5 +1,5 @@
 #include <program/network_options.h>
-#include <tendon/middleware/fan_out/fan_out.h>
+#include <tendon/middleware/broadcast.h>
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_authority.h>
 

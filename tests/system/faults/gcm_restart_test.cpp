@@ -15,7 +15,7 @@ class GcmRestart : public FaultTest {
     gcm_->Signal(SIGKILL);
     gcm_->Wait();
   }
-  [[nodiscard]] tendon::Fingerprint Hash() const { return viewer_->catalog().ContentHash(); }
+  [[nodiscard]] tendon::Fingerprint Hash() const { return viewer_->catalogue().ContentHash(); }
 };
 
 INSTANTIATE_TEST_SUITE_P(Over, GcmRestart, testing::ValuesIn(Middlewares()), NameOfMiddleware);
@@ -88,8 +88,8 @@ TEST_P(GcmRestart, AHerdOfLcmsComesBackAndNobodyIsLostOnTheWay) {
     herd.push_back(std::make_unique<Program>(Command("lcm", {"--name", name}), environment()));
   }
   const auto is_complete = [&] {
-    const auto catalog = viewer_->catalog();
-    const auto& all = catalog.processes();
+    const auto catalogue = viewer_->catalogue();
+    const auto& all = catalogue.processes();
     const bool all_alive = std::all_of(all.begin(), all.end(), [](const auto& one) {
       return one.second.process.state == tendon::ProcessState::kAlive;
     });

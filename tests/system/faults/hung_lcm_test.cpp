@@ -1,6 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <algorithm>
 #include <csignal>
@@ -32,8 +32,8 @@ bool HasStopped(int pid) {
 class HungLcm : public FaultTest {
  protected:
   [[nodiscard]] bool IsConnectionActive() const {
-    const auto catalog = viewer_->catalog();
-    const auto* connection = catalog.FindConnection({"desk", "client", "Ledger"});
+    const auto catalogue = viewer_->catalogue();
+    const auto* connection = catalogue.FindConnection({"desk", "client", "Ledger"});
     return connection != nullptr && connection->state == tendon::ConnectionState::kActive;
   }
 };

@@ -41,8 +41,8 @@ TEST_P(Names, OfManyLcmsOfOneNameAtTheSameInstantExactlyOneWins) {
   EXPECT_EQ(survivors, 1);
 
   ASSERT_TRUE(EventuallyIs("robot", ProcessState::kAlive));
-  const auto catalog = viewer_->catalog();
-  const auto holder = catalog.FindProcess("robot")->process.pid;
+  const auto catalogue = viewer_->catalogue();
+  const auto holder = catalogue.FindProcess("robot")->process.pid;
   for (const auto& lcm : lcms) {
     const auto exit_code = lcm->Wait(std::chrono::seconds(0));
     EXPECT_EQ(exit_code.has_value(), lcm->pid() != holder);

@@ -49,8 +49,8 @@ class LogWatch final : public tendon::GcmListener {
   }
 
  private:
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
-  void OnChanges(const std::vector<tendon::CatalogChange>& /*changes*/) override {}
+  void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogueChange>& /*changes*/) override {}
   void OnGcmLost(const tendon::Error& /*reason*/) override {}
   void OnLog(const tendon::LogBatch& batch) override {
     constexpr std::int64_t kNanosecondsInOne = 1'000'000;
@@ -120,8 +120,8 @@ TEST_P(Overload, ASlowConsumerHarmsNobodyButItself) {
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   robot_ = MakeLcm("well");
   ASSERT_TRUE(Eventually([this] {
-    const auto catalog = viewer_->catalog();
-    return catalog.FindProvided({"well", "fountain", "state"}) != nullptr;
+    const auto catalogue = viewer_->catalogue();
+    return catalogue.FindProvided({"well", "fountain", "state"}) != nullptr;
   })) << robot_->err();
   const tendon::TableSubscription rows{"well", "fountain", "state", {"Sample", "Ballast"}};
   viewer_->telemetry().Subscribe(rows, stream_);

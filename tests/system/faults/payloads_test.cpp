@@ -18,8 +18,8 @@ class Payloads : public FaultTest {
   [[nodiscard]] bool EventuallyIn(const tendon::InterfaceName& required,
                                   ConnectionState state) const {
     return Eventually([&] {
-      const auto catalog = viewer_->catalog();
-      const auto* connection = catalog.FindConnection(required);
+      const auto catalogue = viewer_->catalogue();
+      const auto* connection = catalogue.FindConnection(required);
       return connection != nullptr && connection->state == state;
     });
   }
@@ -58,7 +58,7 @@ TEST_P(Payloads, AnEditedTypeIsRefusedAtConnectAndTheFirstDifferenceIsNamed) {
     EXPECT_THAT(refused.err, HasSubstr(difference));
   }
 
-  EXPECT_TRUE(viewer_->catalog().connections().empty());
+  EXPECT_TRUE(viewer_->catalogue().connections().empty());
   const Outcome fits = Gcm({"connect", "hand/pusher/Force", provided});
   EXPECT_EQ(fits.exit_code, 0) << fits.err;
   EXPECT_TRUE(EventuallyIn({"hand", "pusher", "Force"}, ConnectionState::kActive));

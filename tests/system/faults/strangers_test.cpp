@@ -1,8 +1,8 @@
 #include <sys/resource.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <atomic>
 #include <random>

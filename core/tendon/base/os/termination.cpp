@@ -85,10 +85,10 @@ void ForgetInterrupt() noexcept {
   }
 }
 
-TerminationLetThrough::TerminationLetThrough() noexcept
+TerminationUnblockScope::TerminationUnblockScope() noexcept
     : was_held_(interruption == nullptr && LetThrough()) {}
 
-TerminationLetThrough::~TerminationLetThrough() {
+TerminationUnblockScope::~TerminationUnblockScope() {
   if (was_held_) HoldTerminationSignals();
 }
 

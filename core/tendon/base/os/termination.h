@@ -28,12 +28,12 @@ void ForgetInterrupt() noexcept;
 
 /// While it lives, SIGINT and SIGTERM end the process at once, even if they are held: for waits
 /// that cannot be cut short. On the stack of main()'s thread.
-class TerminationLetThrough {
+class TerminationUnblockScope {
  public:
-  TerminationLetThrough() noexcept;
-  TerminationLetThrough(const TerminationLetThrough&) = delete;
-  TerminationLetThrough& operator=(const TerminationLetThrough&) = delete;
-  ~TerminationLetThrough();
+  TerminationUnblockScope() noexcept;
+  TerminationUnblockScope(const TerminationUnblockScope&) = delete;
+  TerminationUnblockScope& operator=(const TerminationUnblockScope&) = delete;
+  ~TerminationUnblockScope();
 
  private:
   const bool was_held_;

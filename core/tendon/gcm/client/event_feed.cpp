@@ -1,6 +1,6 @@
 #include <tendon/gcm/client/event_feed.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/call_batch.h>
 
 #include <utility>
@@ -86,7 +86,7 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
     const std::scoped_lock lock(mutex_);
     standing_[{channel.get(), attempt}] = listening;  // events may follow the answer at once
   }
-  tendon::Ask<message::InterfaceOpened>(
+  tendon::Ask<message::OpenInterfaceReply>(
       *timer_, channel, message::kListen,
       message::OpenInterface{
           .required = InterfaceName(name_, "events", wanted.provided.interface),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/client/listening.h>
+#include <tendon/gcm/client/event_listener.h>
 #include <tendon/gcm/client/process_links.h>
 
 #include <chrono>

@@ -19,9 +19,9 @@ constexpr std::chrono::milliseconds kPatienceOfOthers(1500);  // until they give
 /// The address of each reachable process.
 using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
 
-Places PlacesOf(const Catalog& catalog) {
+Places PlacesOf(const Catalogue& catalogue) {
   Places places;
-  for (const auto& [name, entry] : catalog.processes()) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     places[name] = {entry.process.instance, entry.process.address};
   }
@@ -195,20 +195,20 @@ void GcmLink::Watch(const SharedChannel& channel) {
 }
 
 void GcmLink::WatchLog(const SharedChannel& channel) {
-  Ask<message::LogWatched>(*timer_, channel, message::kWatchLog, log_.Wanted(), options_.timeout,
-                           [weak = weak_from_this(), channel](const auto& watched) {
-                             const auto self = weak.lock();
-                             if (!self) return;
-                             if (!watched) return channel->Close();
-                             self->TellLog(channel, [&] { return self->log_.Begin(*watched); });
-                           });
+  Ask<message::WatchLogReply>(*timer_, channel, message::kWatchLog, log_.Wanted(), options_.timeout,
+                              [weak = weak_from_this(), channel](const auto& watched) {
+                                const auto self = weak.lock();
+                                if (!self) return;
+                                if (!watched) return channel->Close();
+                                self->TellLog(channel, [&] { return self->log_.Begin(*watched); });
+                              });
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) {
   Share(snapshot.changes);
-  Catalog catalog = Catalog::At(snapshot.base);
-  for (const CatalogChange& change : snapshot.changes) {
-    if (!catalog.Apply(change)) return channel->Close();
+  Catalogue catalogue = Catalogue::At(snapshot.base);
+  for (const CatalogueChange& change : snapshot.changes) {
+    if (!catalogue.Apply(change)) return channel->Close();
   }
   std::vector<Moved> moved;
   std::chrono::nanoseconds pause{};
@@ -216,34 +216,34 @@ void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) 
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
     pause = std::exchange(untold_pause_, {});
-    moved = Moves(PlacesOf(catalog_), PlacesOf(catalog));
-    catalog_ = catalog;
+    moved = Moves(PlacesOf(catalogue_), PlacesOf(catalogue));
+    catalogue_ = catalogue;
     is_waiting_ = false;
     lost_.reset();
     changed_.notify_all();
   }
   Tell([&] {
     if (events_.listener && pause > pause.zero()) events_.listener->OnGcmLost(StoodStill(pause));
-    if (events_.listener) events_.listener->OnSnapshot(catalog);
+    if (events_.listener) events_.listener->OnSnapshot(catalogue);
     if (!moved.empty()) events_.on_moved(moved);
   });
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   Share(changes.changes);
-  std::vector<CatalogChange> applied;
+  std::vector<CatalogueChange> applied;
   std::vector<Moved> moved;
   bool has_hole = false;
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel || is_waiting_) return;
-    const Places before = PlacesOf(catalog_);
-    for (const CatalogChange& change : changes.changes) {
-      has_hole = !catalog_.Apply(change);
+    const Places before = PlacesOf(catalogue_);
+    for (const CatalogueChange& change : changes.changes) {
+      has_hole = !catalogue_.Apply(change);
       if (has_hole) break;
       applied.push_back(change);
     }
-    moved = Moves(before, PlacesOf(catalog_));
+    moved = Moves(before, PlacesOf(catalogue_));
     is_waiting_ = has_hole;
   }
   Tell([&] {
@@ -254,9 +254,9 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
 }
 
 /// Shares equal parts of components, here and in the catalogue.
-void GcmLink::Share(std::vector<CatalogChange>& changes) {
+void GcmLink::Share(std::vector<CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
-  for (CatalogChange& change : changes) {
+  for (CatalogueChange& change : changes) {
     for (ComponentDescription& component : change.components) pool_.Share(component);
   }
 }

@@ -46,11 +46,11 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void WatchLog();
   void Resync();
 
-  /// Calls `read(catalog)` with the lock held: be short.
+  /// Calls `read(catalogue)` with the lock held: be short.
   template <typename Read>
   auto WithCatalog(Read&& read) const {
     const std::scoped_lock lock(mutex_);
-    return read(catalog_);
+    return read(catalogue_);
   }
 
   /// The answer may take `orders` times the usual timeout.
@@ -72,7 +72,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void Receive(const SharedChannel& channel, message::Snapshot snapshot);
   void Receive(const SharedChannel& channel, message::Changes changes);
   void Receive(const SharedChannel& channel, message::LogRecords records);
-  void Share(std::vector<CatalogChange>& changes);
+  void Share(std::vector<CatalogueChange>& changes);
   void Renew(const std::weak_ptr<Channel>& weak);
   void Lost(const Error& reason);
   void Tick();
@@ -93,7 +93,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   SharedChannel channel_;   // while it is open
   bool is_waiting_ = true;  // for a snapshot; changes are ignored
   bool wants_log_ = false;
-  Catalog catalog_;
+  Catalogue catalogue_;
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   SteadyTime last_tick_ = SteadyClock().Now();

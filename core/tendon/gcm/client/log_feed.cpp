@@ -10,7 +10,7 @@ message::WatchLog LogFeed::Wanted() const {
   return {gcm_instance_, next_};
 }
 
-LogBatch LogFeed::Begin(const message::LogWatched& watched) {
+LogBatch LogFeed::Begin(const message::WatchLogReply& watched) {
   const std::scoped_lock lock(mutex_);
   gcm_instance_ = watched.gcm_instance;
   next_ = watched.begin;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/client.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 
 #include <cstdint>
 #include <mutex>
@@ -15,7 +15,7 @@ class LogFeed {
   /// The request for a new channel.
   [[nodiscard]] message::WatchLog Wanted() const;
   /// The answer to it.
-  LogBatch Begin(const message::LogWatched& watched);
+  LogBatch Begin(const message::WatchLogReply& watched);
   /// The next records, without those that were delivered before.
   LogBatch Take(message::LogRecords batch);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/channel.h>
-#include <tendon/process/description.h>
+#include <tendon/process/process_description.h>
 #include <tendon/process/worker.h>
 #include <tendon/security/role.h>
 

@@ -1,6 +1,6 @@
 #include <tendon/gcm/client/source_clock.h>
 #include <tendon/process/ask.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 #include <utility>

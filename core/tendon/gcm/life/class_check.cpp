@@ -69,10 +69,10 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
 
 /// Adds notes for the plug-ins of the file's components in present processes. `known` is newer than
 /// the catalogue.
-void AddOldPlugins(const Catalog& catalog, const SystemFile& wanted, const KnownClasses& known,
+void AddOldPlugins(const Catalogue& catalogue, const SystemFile& wanted, const KnownClasses& known,
                    std::vector<std::string>& notes) {
   for (const SystemFile::Process& process : wanted.processes) {
-    const ProcessEntry* entry = catalog.FindProcess(process.name);
+    const ProcessEntry* entry = catalogue.FindProcess(process.name);
     if (entry == nullptr || !IsPresent(entry->process)) continue;
     const auto asked = known.find(process.name);
     const auto& loaded = asked == known.end() ? entry->process.plugins : asked->second.loaded;
@@ -143,8 +143,8 @@ Result<void> CheckConfiguration(const ClassDescription& of, const std::string& c
   return body ? Result<void>() : Error{body.error().code, what + body.error().message};
 }
 
-std::vector<std::string> ProcessesToAsk(const Catalog& catalog, const SystemFile& wanted) {
-  const RunningSystem running = SystemOf(catalog, wanted.name);
+std::vector<std::string> ProcessesToAsk(const Catalogue& catalogue, const SystemFile& wanted) {
+  const RunningSystem running = SystemOf(catalogue, wanted.name);
   const SystemIndex now(running.file);
   std::vector<std::string> all;
   for (const SystemFile::Process& process : wanted.processes) {
@@ -156,8 +156,9 @@ std::vector<std::string> ProcessesToAsk(const Catalog& catalog, const SystemFile
   return all;
 }
 
-Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted, const KnownClasses& known) {
-  const RunningSystem running = SystemOf(catalog, wanted.name);
+Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
+                     const KnownClasses& known) {
+  const RunningSystem running = SystemOf(catalogue, wanted.name);
   const SystemIndex now(running.file);
   SystemFile feasible = wanted;
   std::vector<std::string> obstacles;
@@ -166,8 +167,8 @@ Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted, const Kno
     if (classes == known.end()) continue;
     process = Feasible(process, now, classes->second, obstacles);
   }
-  Plan plan = MakePlan(catalog, feasible);
-  AddOldPlugins(catalog, wanted, known, plan.notes);
+  Plan plan = MakePlan(catalogue, feasible);
+  AddOldPlugins(catalogue, wanted, known, plan.notes);
   if (!obstacles.empty()) plan.refusal = ErrorCode::kFailed;
   plan.obstacles.insert(plan.obstacles.begin(), obstacles.begin(), obstacles.end());
   return plan;

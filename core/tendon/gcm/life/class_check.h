@@ -1,9 +1,9 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system_file.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 
 #include <map>
 #include <string>
@@ -29,13 +29,13 @@ using KnownClasses = std::map<std::string, message::Classes>;
 
 /// The processes to ask for their classes before a plan is made: those that are present and have
 /// components to create.
-[[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalog& catalog,
+[[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalogue& catalogue,
                                                       const SystemFile& wanted);
 
 /// As MakePlan(), but what CheckCreation() refuses stays as it is and becomes an obstacle, so that
 /// a mistake in the file is found before anything is stopped. Checks against the code that
 /// processes run; a note tells if the file of a plug-in has changed since.
-[[nodiscard]] Plan MakeCheckedPlan(const Catalog& catalog, const SystemFile& wanted,
+[[nodiscard]] Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
                                    const KnownClasses& known);
 
 }  // namespace tendon

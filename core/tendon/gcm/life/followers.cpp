@@ -40,9 +40,9 @@ std::vector<Follower> Read(const LifeStep& stop) {
 
 }  // namespace
 
-std::string FollowersText(const Catalog& catalog, const std::string& process,
+std::string FollowersText(const Catalogue& catalogue, const std::string& process,
                           const std::string& component) {
-  const auto* entry = catalog.FindProcess(process);
+  const auto* entry = catalogue.FindProcess(process);
   if (entry == nullptr) return {};
   std::vector<std::string> leaders = {component};
   std::set<std::string> seen = {component};
@@ -64,10 +64,10 @@ std::vector<std::string> FollowersOf(const LifeStep& stop) {
   return names;
 }
 
-Result<void> CheckFollowers(const Catalog& catalog, const LifeStep& stop) {
+Result<void> CheckFollowers(const Catalogue& catalogue, const LifeStep& stop) {
   for (const Follower& one : Read(stop)) {
     const std::string path = stop.process + "/" + one.component;
-    const auto* now = catalog.FindComponent(stop.process, one.component);
+    const auto* now = catalogue.FindComponent(stop.process, one.component);
     if (now == nullptr) return Error{ErrorCode::kFailed, path + " is no longer there"};
     if (now->leader != one.leader) {
       return Error{ErrorCode::kFailed, path + " no longer runs after '" + one.leader + "'"};

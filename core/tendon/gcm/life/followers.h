@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/gcm_messages.h>
 
 #include <string>
 #include <vector>
@@ -12,14 +12,14 @@ namespace tendon {
 
 /// The components that run after this one, directly or not, as text for LifeStep::former; empty if
 /// there are none.
-[[nodiscard]] std::string FollowersText(const Catalog& catalog, const std::string& process,
+[[nodiscard]] std::string FollowersText(const Catalogue& catalogue, const std::string& process,
                                         const std::string& component);
 
 /// The components that stopped with that of the step.
 [[nodiscard]] std::vector<std::string> FollowersOf(const message::LifeStep& stop);
 
 /// Whether they are still as the stop left them.
-Result<void> CheckFollowers(const Catalog& catalog, const message::LifeStep& stop);
+Result<void> CheckFollowers(const Catalogue& catalogue, const message::LifeStep& stop);
 
 /// The orders that let the stopped component of `order` and its followers run as before: the
 /// starts, each after that of its leader, then the suspends.

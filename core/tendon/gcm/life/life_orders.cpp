@@ -57,11 +57,11 @@ LifeOrders::LifeOrders(Parts parts, Locked locked, milliseconds timeout)
     : parts_(parts), locked_(std::move(locked)), timeout_(timeout) {}
 
 void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None> done) {
-  const Catalog& catalog = parts_.registry.catalog();
+  const Catalogue& catalogue = parts_.registry.catalogue();
   const Path path{order.process, order.component};
   const bool is_stop = order.verb == LifeVerb::kStop;
   if (is_stop) PassOnStop(path);
-  if (auto checked = CheckTarget(catalog, order); !checked) {
+  if (auto checked = CheckTarget(catalogue, order); !checked) {
     return Answer(std::move(done), Result<None>(checked.error()));
   }
   const auto claimed = is_stop ? std::move(done) : Claim(path, std::move(done));
@@ -70,9 +70,9 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
     return Answer(claimed, Result<None>(checked.error()));
   }
   message::HistoryEntry entry{.verb = StepVerbOf(order),
-                              .life = StepOf(catalog, order),
+                              .life = StepOf(catalogue, order),
                               .who = who,
-                              .instance = InstanceOf(catalog, order.process)};
+                              .instance = InstanceOf(catalogue, order.process)};
   GiveOrder(order, [locked = locked_, entry = std::move(entry), claimed](const auto& outcome) {
     locked([&](LifeOrders& self) { self.Record(entry, outcome, claimed); });
   });
@@ -81,7 +81,7 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
 /// Whether the configuration is still the one that the order was made from; the error names who
 /// changed it. The process checks again, because its state is newer.
 Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
-  const auto* now = parts_.registry.catalog().FindComponent(order.process, order.component);
+  const auto* now = parts_.registry.catalogue().FindComponent(order.process, order.component);
   if (order.verb != LifeVerb::kConfigure || now == nullptr) return {};
   UndoMark last;  // of the last change, by a step or its undo
   std::string made;
@@ -120,7 +120,7 @@ void LifeOrders::Record(message::HistoryEntry entry, const Result<LifeOutcome>& 
 void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
                       Connect connect, Done<None> done) {
   const message::LifeStep& life = step.life;
-  const auto checked = CheckUndo(parts_.registry.catalog(), step);
+  const auto checked = CheckUndo(parts_.registry.catalogue(), step);
   if (!checked) return Answer(std::move(done), Result<None>(checked.error()));
   auto claimed = Claim({life.process, life.component}, std::move(done));
   for (const std::string& follower : StoppedWith(step)) {
@@ -152,7 +152,7 @@ Result<void> LifeOrders::Begin(std::uint64_t order, const std::string& by) {
 
 void LifeOrders::ListClasses(const std::string& process, Done<message::Classes> done) {
   using message::Classes;
-  const auto entry = LookUpProcess(parts_.registry.catalog(), process);
+  const auto entry = LookUpProcess(parts_.registry.catalogue(), process);
   if (!entry) return Answer(std::move(done), Result<Classes>(entry.error()));
   if (auto present = RequirePresent((*entry)->process); !present) {
     return Answer(std::move(done), Result<Classes>(present.error()));
@@ -207,7 +207,7 @@ void LifeOrders::Give(MessageType type, const std::string& process, const Body& 
 }
 
 void LifeOrders::GiveOrder(LifeOrder order, LifeDone done) {
-  if (auto checked = CheckTarget(parts_.registry.catalog(), order); !checked) {
+  if (auto checked = CheckTarget(parts_.registry.catalogue(), order); !checked) {
     return Answer(std::move(done), Result<LifeOutcome>(checked.error()));
   }
   order.patience = PatienceOf(order.patience);

@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/history.h>
-#include <tendon/gcm/server/outbox.h>
+#include <tendon/gcm/server/deferred_actions.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/middleware/body.h>
 #include <tendon/process/worker.h>

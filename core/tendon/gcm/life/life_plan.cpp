@@ -1,7 +1,7 @@
 #include <tendon/gcm/life/followers.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/wiring/waiting.h>
+#include <tendon/gcm/waiting.h>
 #include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
@@ -54,8 +54,8 @@ void AddOrdersInto(ComponentState state, const LifeOrder& order, std::vector<Lif
 
 }  // namespace
 
-Result<void> CheckTarget(const Catalog& catalog, const LifeOrder& order) {
-  const auto entry = LookUpProcess(catalog, order.process);
+Result<void> CheckTarget(const Catalogue& catalogue, const LifeOrder& order) {
+  const auto entry = LookUpProcess(catalogue, order.process);
   if (!entry) return entry.error();
   const ProcessDescription& process = (*entry)->process;
   if (auto present = RequirePresent(process); !present) return present;
@@ -65,14 +65,14 @@ Result<void> CheckTarget(const Catalog& catalog, const LifeOrder& order) {
                                          "it and ask again"};
   }
   if (order.verb == LifeVerb::kLoad || order.verb == LifeVerb::kCreate) return {};
-  const auto component = LookUpComponent(catalog, order.process, order.component);
+  const auto component = LookUpComponent(catalogue, order.process, order.component);
   return component ? Result<void>() : component.error();
 }
 
-Result<void> CheckLife(const Catalog& catalog, const LifeOrder& order) {
-  if (auto checked = CheckTarget(catalog, order); !checked) return checked;
+Result<void> CheckLife(const Catalogue& catalogue, const LifeOrder& order) {
+  if (auto checked = CheckTarget(catalogue, order); !checked) return checked;
   if (order.verb == LifeVerb::kLoad) return CheckName("plug-in", order.library);
-  const auto* component = catalog.FindComponent(order.process, order.component);
+  const auto* component = catalogue.FindComponent(order.process, order.component);
   if (order.verb == LifeVerb::kCreate) {
     if (auto checked = CheckName("component", order.component); !checked) return checked;
     if (component == nullptr) return {};
@@ -94,14 +94,14 @@ Result<void> CheckLife(const Catalog& catalog, const LifeOrder& order) {
   const Transition& transition = TransitionOf(component->state, *request);
   if (transition.refusal.empty()) {
     if (!order.is_strict) return {};
-    const ProcessEntry& process = *catalog.FindProcess(order.process);
+    const ProcessEntry& process = *catalogue.FindProcess(order.process);
     return CheckNeeds(order.component, UnmetNeedsOf(process, *component));
   }
   return Error{ErrorCode::kFailed, what + "is " + std::string(ToString(component->state)) +
                                        std::string(transition.refusal)};
 }
 
-Result<std::vector<Path>> LookUpComponents(const Catalog& catalog, const std::string& pattern) {
+Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std::string& pattern) {
   if (pattern.find('*') == pattern.npos) {
     const auto path = ParsePath(pattern);
     if (!path) return path.error();
@@ -110,12 +110,12 @@ Result<std::vector<Path>> LookUpComponents(const Catalog& catalog, const std::st
                                             "' names no component: expected process/component, or "
                                             "a glob as process/*"};
     }
-    const auto found = LookUpComponent(catalog, path->process, path->component);
+    const auto found = LookUpComponent(catalogue, path->process, path->component);
     if (!found) return found.error();
     return std::vector<Path>{*path};
   }
   std::vector<Path> all;
-  for (const auto& [process, entry] : catalog.processes()) {
+  for (const auto& [process, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     for (const auto& [component, description] : entry.components) {
       Path path{.process = process, .component = component};
@@ -135,23 +135,23 @@ std::string StepVerbOf(const LifeOrder& order) {
   return std::string(ToString(order.verb == LifeVerb::kRestart ? LifeVerb::kStart : order.verb));
 }
 
-LifeStep StepOf(const Catalog& catalog, const LifeOrder& order) {
+LifeStep StepOf(const Catalogue& catalogue, const LifeOrder& order) {
   if (order.verb == LifeVerb::kLoad) return {};
   LifeStep step{.process = order.process,
                 .component = order.component,
                 .class_name = order.class_name,
                 .library = order.library,
                 .configuration = order.configuration};
-  const auto* before = catalog.FindComponent(order.process, order.component);
+  const auto* before = catalogue.FindComponent(order.process, order.component);
   if (order.verb == LifeVerb::kCreate || before == nullptr) return step;
   step.class_name = before->class_name;
   step.library = before->library;
   step.state = before->state;
   step.former = order.verb == LifeVerb::kStop
-                    ? FollowersText(catalog, order.process, order.component)
+                    ? FollowersText(catalogue, order.process, order.component)
                     : before->configuration;
   if (order.verb != LifeVerb::kRemove) return step;
-  for (const ConnectionDescription& one : catalog.connections()) {
+  for (const ConnectionDescription& one : catalogue.connections()) {
     const auto is_ours = [&](const InterfaceName& end) {
       return end.process == order.process && end.component == order.component;
     };
@@ -174,9 +174,9 @@ void AddOutcome(const message::LifeOutcome& outcome, HistoryEntry& entry) {
   if (!has_followers) step.former = outcome.former;
 }
 
-Result<void> CheckUndo(const Catalog& catalog, const HistoryEntry& step) {
+Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   const LifeStep& life = step.life;
-  const auto* now = catalog.FindComponent(life.process, life.component);
+  const auto* now = catalogue.FindComponent(life.process, life.component);
   if (step.is_unknown && now != nullptr && now->state == life.state &&
       StateAfter(step.verb) == life.state) {
     return Changed(life, "was " + std::string(ToString(life.state)) + " before");
@@ -194,7 +194,7 @@ Result<void> CheckUndo(const Catalog& catalog, const HistoryEntry& step) {
     const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                        now->state != ComponentState::kFaulted;
     if (now->state != *after && !rests) return Changed(life, "is " + state + " since");
-    return *after == ComponentState::kFinished ? CheckFollowers(catalog, life) : Result<void>();
+    return *after == ComponentState::kFinished ? CheckFollowers(catalogue, life) : Result<void>();
   }
   if (step.verb == ToString(LifeVerb::kConfigure) && now->configuration != life.configuration) {
     return Changed(life, "has another configuration since");

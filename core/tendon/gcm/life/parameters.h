@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 
 #include <string>
 #include <vector>

@@ -7,12 +7,12 @@ namespace tendon {
 namespace {
 
 /// Whether the ends are still as the step left them, and can be restored.
-Result<void> CheckWire(const Catalog& catalog, const message::History& history,
+Result<void> CheckWire(const Catalogue& catalogue, const message::History& history,
                        const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;
   const std::string required = ToString(needed);
-  if (const auto found = LookUpRequired(catalog, needed); !found) return found.error();
-  const auto* now = catalog.FindConnection(needed);
+  if (const auto found = LookUpRequired(catalogue, needed); !found) return found.error();
+  const auto* now = catalogue.FindConnection(needed);
   if (step.verb != "disconnect" && now == nullptr) {
     return Error{ErrorCode::kFailed,
                  required + " is no longer connected to " + ToString(step.wire.provided)};
@@ -22,10 +22,10 @@ Result<void> CheckWire(const Catalog& catalog, const message::History& history,
                  required + " was since connected to " + ToString(now->provided)};
   }
   if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
-  if (WasPending(catalog, history, step)) return {};
+  if (WasPending(catalogue, history, step)) return {};
   const bool swaps = step.verb == "replace";
-  const auto planned =
-      PlanConnect(catalog, {needed, swaps ? step.former : step.wire.provided}, Occupied::kReplaced);
+  const auto planned = PlanConnect(catalogue, {needed, swaps ? step.former : step.wire.provided},
+                                   Occupied::kReplaced);
   return planned ? Result<void>() : planned.error();
 }
 
@@ -41,14 +41,14 @@ Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
   return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
 }
 
-bool WasPending(const Catalog& catalog, const message::History& history,
+bool WasPending(const Catalogue& catalogue, const message::History& history,
                 const message::HistoryEntry& step) {
   const bool is_replacement = step.verb == "replace";
   const InterfaceName& provided = is_replacement ? step.former : step.wire.provided;
-  const ProcessEntry* provider = catalog.FindProcess(provided.process);
+  const ProcessEntry* provider = catalogue.FindProcess(provided.process);
   const bool is_of_both = is_replacement || step.verb == "disconnect";
   if (!is_of_both || provider == nullptr ||
-      catalog.FindComponent(provided.process, provided.component) != nullptr) {
+      catalogue.FindComponent(provided.process, provided.component) != nullptr) {
     return false;
   }
   bool was_removed = false;
@@ -65,10 +65,10 @@ bool WasPending(const Catalog& catalog, const message::History& history,
   return was_removed;
 }
 
-Result<void> CheckUndoOf(const Catalog& catalog, const message::History& history,
+Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& history,
                          const message::HistoryEntry& step) {
   const std::string& process = ProcessOf(step);
-  const auto owner = LookUpProcess(catalog, process);
+  const auto owner = LookUpProcess(catalogue, process);
   if (!owner) return CannotUndoNow(step, owner.error().message);
   if (const auto present = RequirePresent((*owner)->process); !present) {
     return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
@@ -82,7 +82,7 @@ Result<void> CheckUndoOf(const Catalog& catalog, const message::History& history
   }
   if (IsOfProcess(step)) return {};
   const auto checked =
-      IsOfLife(step) ? CheckUndo(catalog, step) : CheckWire(catalog, history, step);
+      IsOfLife(step) ? CheckUndo(catalogue, step) : CheckWire(catalogue, history, step);
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/gcm_messages.h>
 
 #include <string>
 
@@ -11,12 +11,12 @@ namespace tendon {
 /// Whether the objects of a step of `history` are still as it left them, and can be restored, as
 /// far as catalogue and history know. The GCM checks this before an undo; others use it as a
 /// preview. For a process that was started, only the GCM knows more.
-Result<void> CheckUndoOf(const Catalog& catalog, const message::History& history,
+Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& history,
                          const message::HistoryEntry& step);
 
 /// Whether undoing a disconnect or a replacement leads to a pending connection, as before: an
 /// earlier step has removed the provider's component, which is still gone.
-[[nodiscard]] bool WasPending(const Catalog& catalog, const message::History& history,
+[[nodiscard]] bool WasPending(const Catalogue& catalogue, const message::History& history,
                               const message::HistoryEntry& step);
 
 /// "cannot undo step 7 (...): why".

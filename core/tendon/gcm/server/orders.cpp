@@ -15,12 +15,12 @@ namespace tendon::server {
 namespace {
 
 void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
-                 HandBacks::Verdict verdict) {
+                 ConnectionRestorer::Verdict verdict) {
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
-  const bool is_told = verdict == HandBacks::Verdict::kStillTrying;
+  const bool is_told = verdict == ConnectionRestorer::Verdict::kStillTrying;
   if (is_told || outcome.error().code == ErrorCode::kExists) return;  // the process did it itself
-  const bool is_over = verdict == HandBacks::Verdict::kGivenUp;
+  const bool is_over = verdict == ConnectionRestorer::Verdict::kGivenUp;
   Log(LogLevel::kWarning, "gcm",
       "cannot connect again " + what + ": " + outcome.error().message +
           (is_over ? "" : "; trying again"));
@@ -58,7 +58,7 @@ void Orders::Connect(const message::Wire& wire, const std::string& who, ConnectD
 }
 
 void Orders::Replace(const message::Wire& wire, const std::string& who, ConnectDone done) {
-  const auto* now = parts_.registry.catalog().FindConnection(wire.required);
+  const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
   if (now == nullptr || now->provided == wire.provided) return Connect(wire, who, std::move(done));
   Swap(wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& swapped) {
     if (!swapped) return done(swapped.error());
@@ -79,7 +79,7 @@ void Orders::Disconnect(const InterfaceName& required, const std::string& who, D
   });
 }
 
-Result<message::HistoryEntry> Orders::Newest(const message::WhichStep& which) const {
+Result<message::HistoryEntry> Orders::Newest(const message::StepSelection& which) const {
   const auto step = parts_.history.last();
   if (!step) return NothingToUndo();
   if (which.id == 0 || which.id == step->id) return *step;
@@ -88,7 +88,7 @@ Result<message::HistoryEntry> Orders::Newest(const message::WhichStep& which) co
                                        "; see: gcm history"};
 }
 
-void Orders::Undo(const message::WhichStep& which, const std::string& who,
+void Orders::Undo(const message::StepSelection& which, const std::string& who,
                   Done<message::HistoryEntry> done) {
   const auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
@@ -105,16 +105,16 @@ void Orders::Undo(const message::WhichStep& which, const std::string& who,
 
 void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
                       const ConnectDone& done) {
-  const Catalog& catalog = parts_.registry.catalog();
+  const Catalogue& catalogue = parts_.registry.catalogue();
   const InterfaceName& required = step.wire.required;
   const bool is_replacement = step.verb == "replace";
   const message::Wire former{required, is_replacement ? step.former : step.wire.provided};
-  const auto* now = catalog.FindConnection(required);
+  const auto* now = catalogue.FindConnection(required);
   if (step.verb == "connect") {
     Break(required, done);
   } else if (step.verb == "disconnect" && now != nullptr) {  // a late process has undone it
     Answer(done, Result(*now));
-  } else if (WasPending(catalog, parts_.history.steps(), step)) {
+  } else if (WasPending(catalogue, parts_.history.steps(), step)) {
     MakePending(former, done);
   } else if (is_replacement) {
     Swap(former, who, [done](const Result<Swapped>& swapped) {
@@ -125,7 +125,7 @@ void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
   }
 }
 
-void Orders::PassOver(const message::WhichStep& which, const std::string& who,
+void Orders::PassOver(const message::StepSelection& which, const std::string& who,
                       Done<message::HistoryEntry> done) {
   auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
@@ -137,7 +137,7 @@ void Orders::PassOver(const message::WhichStep& which, const std::string& who,
                           std::to_string(step->id)};
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
-  const auto* owner = parts_.registry.catalog().FindProcess(ProcessOf(*step));
+  const auto* owner = parts_.registry.catalogue().FindProcess(ProcessOf(*step));
   if (owner != nullptr && owner->process.state == ProcessState::kLost &&
       owner->process.instance == step->instance) {
     const Error error = MayComeBack(*step);
@@ -152,7 +152,7 @@ void Orders::PassOver(const message::WhichStep& which, const std::string& who,
 void Orders::HandBack(const message::Wire& wire) {
   Make(wire, [locked = locked_, wire](const auto& made) {
     const Result<void> outcome = OutcomeOf(made);
-    auto verdict = HandBacks::Verdict::kStillTrying;
+    auto verdict = ConnectionRestorer::Verdict::kStillTrying;
     locked([&](Orders& orders) { verdict = orders.parts_.registry.SettleHandBack(wire, outcome); });
     LogHandBack(wire, outcome, verdict);
   });
@@ -183,7 +183,7 @@ Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
 template <typename T>
 void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
                     Done<T> done) {
-  step.instance = InstanceOf(parts_.registry.catalog(), step.wire.required.process);
+  step.instance = InstanceOf(parts_.registry.catalogue(), step.wire.required.process);
   step.when = WallTime();
   parts_.history.Record(std::move(step),
                         [answer = std::move(answer), done = std::move(done)] { done(answer); });
@@ -193,17 +193,17 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
 /// name the first difference of two types.
 void Orders::Plan(const message::Wire& wire, Occupied occupied, const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
-  const Catalog& catalog = parts_.registry.catalog();
-  const auto wiring = PlanConnect(catalog, wire, occupied);
+  const Catalogue& catalogue = parts_.registry.catalogue();
+  const auto wiring = PlanConnect(catalogue, wire, occupied);
   if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);
   const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
   const auto answered = [=, locked = locked_] {
     locked([&](Orders& orders) {
       if (--*missing > 0) return;
-      planned(orders, PlanConnect(orders.parts_.registry.catalog(), wire, occupied));
+      planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, occupied));
     });
   };
-  for (const auto& [process, wanted] : DisputedTypesBetween(catalog, wire)) {
+  for (const auto& [process, wanted] : DisputedTypesBetween(catalogue, wire)) {
     const auto channel = parts_.registry.ChannelOf(process);
     if (channel == nullptr) continue;
     ++*missing;
@@ -228,16 +228,16 @@ void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
     locked([&](Orders& orders) {
-      orders.GiveMake(WiringOf(orders.parts_.registry.catalog(), wire), claimed);
+      orders.GiveMake(WiringOf(orders.parts_.registry.catalogue(), wire), claimed);
     });
   };
-  const Catalog& catalog = parts_.registry.catalog();
-  if (catalog.FindConnection(wire.required) != nullptr) return GiveBreak(wire.required, make);
-  GiveMake(WiringOf(catalog, wire), claimed);
+  const Catalogue& catalogue = parts_.registry.catalogue();
+  if (catalogue.FindConnection(wire.required) != nullptr) return GiveBreak(wire.required, make);
+  GiveMake(WiringOf(catalogue, wire), claimed);
 }
 
 void Orders::Break(const InterfaceName& required, ConnectDone done) {
-  const auto connection = PlanDisconnect(parts_.registry.catalog(), required);
+  const auto connection = PlanDisconnect(parts_.registry.catalogue(), required);
   if (!connection) return Answer(std::move(done), connection);
   const auto claimed = Claim(required, std::move(done));
   if (!claimed) return;
@@ -250,8 +250,8 @@ void Orders::Break(const InterfaceName& required, ConnectDone done) {
 /// Replaces the present connection of the required interface if the new one fits.
 void Orders::Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done) {
   Plan(wire, Occupied::kReplaced, [wire, who, done](Orders& orders, const auto& wiring) {
-    const Catalog& catalog = orders.parts_.registry.catalog();
-    const auto former = wiring ? PlanDisconnect(catalog, wire.required) : wiring.error();
+    const Catalogue& catalogue = orders.parts_.registry.catalogue();
+    const auto former = wiring ? PlanDisconnect(catalogue, wire.required) : wiring.error();
     if (!former) return orders.Answer(done, Result<Swapped>(former.error()));
     const auto claimed = orders.Claim(wire.required, done);
     if (!claimed) return;
@@ -267,7 +267,7 @@ void Orders::MakeInstead(const Exchange& exchange, const Result<None>& broken) {
     if (IsOutcomeUnknown(broken.error())) return Restore(exchange, broken.error());
     return Answer(exchange.done, Result<Swapped>(broken.error()));
   }
-  GiveMake(WiringOf(parts_.registry.catalog(), exchange.wire),
+  GiveMake(WiringOf(parts_.registry.catalogue(), exchange.wire),
            [locked = locked_, exchange](const auto& made) {
              locked([&](Orders& orders) { orders.Judge(exchange, made); });
            });
@@ -290,7 +290,7 @@ void Orders::Restore(const Exchange& exchange, const Error& why) {
   const message::Wire former{exchange.wire.required, exchange.former.provided};
   GiveBreak(former.required, [](const auto& /*there may be none*/) {});
   Give<ConnectionDescription>(
-      message::kMakeConnection, former.required, WiringOf(parts_.registry.catalog(), former),
+      message::kMakeConnection, former.required, WiringOf(parts_.registry.catalogue(), former),
       [locked = locked_, exchange, why](const auto& restored) {
         locked([&](Orders& orders) { orders.Settle(exchange, why, restored); });
       });
@@ -315,7 +315,7 @@ void Orders::Settle(const Exchange& exchange, Error why,
                 " is not known yet; see: gcm show " + required
           : "; " + required + " is not connected to " + provided +
                 " any more, which could not be connected again: " + restored.error().message;
-  const auto* now = parts_.registry.catalog().FindConnection(former.required);
+  const auto* now = parts_.registry.catalogue().FindConnection(former.required);
   if (now != nullptr) return Answer(exchange.done, Result<Swapped>(why));
   Record({.verb = "disconnect", .wire = former, .who = exchange.who}, why, exchange.done);
 }
@@ -340,7 +340,7 @@ void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
                       done = std::move(done)](Result<ConnectionDescription> made) {
     if (!made && IsOutcomeUnknown(made.error())) {
       locked([&](Orders& orders) {
-        const auto* now = orders.parts_.registry.catalog().FindConnection(wire.required);
+        const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
         if (now != nullptr && now->provided == wire.provided) made = *now;
       });
     }
@@ -354,7 +354,7 @@ void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
     bool is_gone = false;
     if (!broken && IsOutcomeUnknown(broken.error())) {
       locked([&](Orders& orders) {
-        is_gone = orders.parts_.registry.catalog().FindConnection(required) == nullptr;
+        is_gone = orders.parts_.registry.catalogue().FindConnection(required) == nullptr;
       });
     }
     done(is_gone ? None{} : std::move(broken));
@@ -382,7 +382,7 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
   const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
                                                           const auto& made) {
     locked([&](Orders& orders) {
-      const auto* now = orders.parts_.registry.catalog().FindConnection(wire.required);
+      const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
         answers->outcome = Error{ErrorCode::kFailed,
                                  "it is there again, but does not run, for it "
@@ -401,7 +401,7 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
 
 /// The catalogue does not know whether the GCM started a process.
 Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
-  auto checked = CheckUndoOf(parts_.registry.catalog(), parts_.history.steps(), step);
+  auto checked = CheckUndoOf(parts_.registry.catalogue(), parts_.history.steps(), step);
   if (!checked || !IsOfProcess(step)) return checked;
   const auto ours = parts_.supervisor.CheckUndo(step);
   return ours ? ours : CannotUndoNow(step, ours.error().message);

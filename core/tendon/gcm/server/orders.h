@@ -3,7 +3,7 @@
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/outbox.h>
+#include <tendon/gcm/server/deferred_actions.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/body.h>
@@ -45,11 +45,11 @@ class Orders {
   /// As Connect() if the interface is not connected.
   void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
-  void Undo(const message::WhichStep& which, const std::string& who,
+  void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
   /// Marks the newest step as not to be undone, so that earlier ones can be. Refused if its process
   /// is away and may come back, or if the step can be undone and is not named.
-  void PassOver(const message::WhichStep& which, const std::string& who,
+  void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
   /// Makes a connection that a returned process had before. Not recorded in the history.
@@ -94,7 +94,7 @@ class Orders {
   void GiveMake(const message::Wiring& wiring, ConnectDone done);
   void GiveBreak(const InterfaceName& required, Done<None> done);
 
-  [[nodiscard]] Result<message::HistoryEntry> Newest(const message::WhichStep& which) const;
+  [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;
   void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);
   void UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
                 const Done<None>& done);

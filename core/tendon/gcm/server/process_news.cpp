@@ -26,9 +26,9 @@ std::string_view Words(ProcessState state) {
 
 }  // namespace
 
-void LogProcesses(const std::vector<CatalogChange>& changes) {
-  for (const CatalogChange& change : changes) {
-    if (change.kind != CatalogChange::Kind::kProcess) continue;
+void LogProcesses(const std::vector<CatalogueChange>& changes) {
+  for (const CatalogueChange& change : changes) {
+    if (change.kind != CatalogueChange::Kind::kProcess) continue;
     const ProcessDescription& process = change.processes.front();
     const bool is_gone =
         process.state == ProcessState::kSuspect || process.state == ProcessState::kLost;
@@ -40,9 +40,9 @@ void LogProcesses(const std::vector<CatalogChange>& changes) {
   }
 }
 
-bool ChangesProcesses(const std::vector<CatalogChange>& changes) {
-  return std::ranges::any_of(changes, [](const CatalogChange& change) {
-    return change.kind == CatalogChange::Kind::kProcess;
+bool ChangesProcesses(const std::vector<CatalogueChange>& changes) {
+  return std::ranges::any_of(changes, [](const CatalogueChange& change) {
+    return change.kind == CatalogueChange::Kind::kProcess;
   });
 }
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <tendon/process/description.h>
+#include <tendon/process/process_description.h>
 
 #include <vector>
 
 namespace tendon::server {
 
 /// Logs processes that come and go.
-void LogProcesses(const std::vector<CatalogChange>& changes);
+void LogProcesses(const std::vector<CatalogueChange>& changes);
 
-[[nodiscard]] bool ChangesProcesses(const std::vector<CatalogChange>& changes);
+[[nodiscard]] bool ChangesProcesses(const std::vector<CatalogueChange>& changes);
 
 }  // namespace tendon::server

@@ -1,17 +1,17 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/intake.h>
 #include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/server/sanitize.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/membership/own_address.h>
+#include <tendon/process/membership/advertised_address.h>
 
 #include <algorithm>
 
 namespace tendon::server {
 namespace {
 
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 
 std::string Milliseconds(std::chrono::nanoseconds time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
@@ -27,7 +27,7 @@ double CoresBetween(const message::Health& before, const message::Health& after)
 }
 
 /// Whether the catalogue has this already; then there is no new revision.
-bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
+bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
   switch (change.kind) {
     case Kind::kProcess:
@@ -51,8 +51,8 @@ bool ChangesNothing(const CatalogChange& change, const ProcessEntry* entry) {
 }
 
 /// What the process no longer has after it joined with `join`.
-std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::Join& join) {
-  std::vector<CatalogChange> changes;
+std::vector<CatalogueChange> Removals(const ProcessEntry& before, const message::Join& join) {
+  std::vector<CatalogueChange> changes;
   for (const auto& [id, connection] : before.connections) {
     const bool stays = std::any_of(join.connections.begin(), join.connections.end(),
                                    [&id = id](const auto& one) { return one.id == id; });
@@ -74,7 +74,7 @@ std::vector<CatalogChange> Removals(const ProcessEntry& before, const message::J
 
 Result<Registry::Admission> Registry::Join(message::Join join, Session held,
                                            std::shared_ptr<Channel> channel) {
-  if (auto taken = TakeIn(join); !taken) return taken.error();
+  if (auto taken = Sanitize(join); !taken) return taken.error();
   for (ComponentDescription& component : join.components) pool_.Share(component);
   Admission admission;
   if (const Member* holder = FindByName(join.process.name)) {
@@ -112,10 +112,10 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
   process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
   // A process that never stopped has its connections; a new one gets those of the old one back.
-  const ProcessEntry* before = catalog_.FindProcess(name);
+  const ProcessEntry* before = catalogue_.FindProcess(name);
   if (before != nullptr && before->process.instance == process.instance) hand_backs_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
-  for (CatalogChange& change : Removals(*catalog_.FindProcess(name), join)) {
+  for (CatalogueChange& change : Removals(*catalogue_.FindProcess(name), join)) {
     Apply(std::move(change));
   }
   for (const auto& component : join.components) {
@@ -130,14 +130,14 @@ Result<void> Registry::Report(Session session, message::Report report) {
   const Member* member = Find(session);
   if (member == nullptr) return Error{ErrorCode::kDenied, "a report of a membership that is over"};
   Result<void> result;
-  for (CatalogChange& change : report.changes) {
-    if (auto taken = TakeIn(change, member->name); !taken) {
+  for (CatalogueChange& change : report.changes) {
+    if (auto taken = Sanitize(change, member->name); !taken) {
       if (result) result = taken;
       continue;
     }
     for (ComponentDescription& component : change.components) pool_.Share(component);
     if (change.kind == Kind::kProcess) {
-      ProcessDescription process = catalog_.FindProcess(member->name)->process;
+      ProcessDescription process = catalogue_.FindProcess(member->name)->process;
       process.address = change.processes.front().address;
       process.host = change.processes.front().host;
       process.pid = change.processes.front().pid;
@@ -158,7 +158,7 @@ Result<void> Registry::Renew(Session session) {
     return Error{ErrorCode::kDenied, "this membership is over: join the GCM again"};
   }
   member->renewed = clock_.Now();
-  const ProcessDescription& process = catalog_.FindProcess(member->name)->process;
+  const ProcessDescription& process = catalogue_.FindProcess(member->name)->process;
   if (process.state == ProcessState::kSuspect) {
     SetState(member->name, ProcessState::kAlive, WhyOutOfReach(process.address, member->link));
   }
@@ -196,7 +196,7 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   const std::string name = found->second.name;
   const auto silence = clock_.Now() - found->second.renewed;
   members_.erase(found);
-  hand_backs_.Keep(catalog_, name);
+  hand_backs_.Keep(catalogue_, name);
   tombstones_[name] = clock_.Now();
   // A middleware may close the link of a process that hangs before its lease ends.
   const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
@@ -209,7 +209,7 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
 
 void Registry::Expect(const std::string& process, std::int64_t pid) {
   if (FindByName(process) != nullptr) return;
-  const auto* const before = catalog_.FindProcess(process);
+  const auto* const before = catalogue_.FindProcess(process);
   ProcessDescription starting{.name = process};
   if (before != nullptr) starting.instance = before->process.instance;
   if (!expected_.contains(process)) {
@@ -232,7 +232,7 @@ void Registry::GiveUp(const std::string& process) {
 }
 
 bool Registry::Explain(const std::string& process, const std::string& reason) {
-  const auto* const entry = catalog_.FindProcess(process);
+  const auto* const entry = catalogue_.FindProcess(process);
   if (entry == nullptr || IsPresent(entry->process)) return false;
   ProcessDescription description = entry->process;
   description.reason = reason;
@@ -241,7 +241,7 @@ bool Registry::Explain(const std::string& process, const std::string& reason) {
 }
 
 Result<void> Registry::Forget(const std::string& process) {
-  const auto entry = LookUpProcess(catalog_, process);
+  const auto entry = LookUpProcess(catalogue_, process);
   if (!entry) return entry.error();
   if (FindByName(process) != nullptr) {
     return Error{ErrorCode::kFailed,
@@ -301,7 +301,7 @@ void Registry::ClearTombstones(SteadyTime now) {
 
 const ProcessDescription* Registry::FindMember(Session session) const {
   const auto found = members_.find(session);
-  return found == members_.end() ? nullptr : &catalog_.FindProcess(found->second.name)->process;
+  return found == members_.end() ? nullptr : &catalogue_.FindProcess(found->second.name)->process;
 }
 
 std::shared_ptr<Channel> Registry::ChannelOf(const std::string& process) const {
@@ -317,7 +317,7 @@ std::vector<std::shared_ptr<Channel>> Registry::channels() const {
 
 message::Peers Registry::peers() const {
   message::Peers peers;
-  for (const auto& [name, entry] : catalog_.processes()) {
+  for (const auto& [name, entry] : catalogue_.processes()) {
     if (!IsPresent(entry.process)) continue;
     peers.processes.push_back(entry.process);
     peers.processes.back().plugins.clear();  // not needed to connect
@@ -327,11 +327,11 @@ message::Peers Registry::peers() const {
 
 std::vector<message::Wire> Registry::TakeDueHandBacks() {
   if (!std::exchange(look_for_hand_backs_, false)) return {};
-  return hand_backs_.TakeDue(catalog_, clock_.Now());
+  return hand_backs_.TakeDue(catalogue_, clock_.Now());
 }
 
-HandBacks::Verdict Registry::SettleHandBack(const message::Wire& wire,
-                                            const Result<void>& outcome) {
+ConnectionRestorer::Verdict Registry::SettleHandBack(const message::Wire& wire,
+                                                     const Result<void>& outcome) {
   return hand_backs_.Settle(wire, outcome, clock_.Now());
 }
 
@@ -348,7 +348,7 @@ const Registry::Member* Registry::FindByName(const std::string& name) const {
 }
 
 Error Registry::NameInUse(const Member& member) const {
-  const ProcessDescription& process = catalog_.FindProcess(member.name)->process;
+  const ProcessDescription& process = catalogue_.FindProcess(member.name)->process;
   return {ErrorCode::kExists, "process name '" + member.name + "' is in use by host " +
                                   process.host + " pid " + std::to_string(process.pid) + " since " +
                                   WallTimeText(member.joined) + " (last renewal " +
@@ -356,17 +356,17 @@ Error Registry::NameInUse(const Member& member) const {
                                   " ago); choose another name, or stop that process first"};
 }
 
-void Registry::Apply(CatalogChange change) {
-  if (ChangesNothing(change, catalog_.FindProcess(change.process))) return;
-  change.revision = catalog_.revision() + 1;
-  if (!catalog_.Apply(change)) return;
+void Registry::Apply(CatalogueChange change) {
+  if (ChangesNothing(change, catalogue_.FindProcess(change.process))) return;
+  change.revision = catalogue_.revision() + 1;
+  if (!catalogue_.Apply(change)) return;
   look_for_hand_backs_ = look_for_hand_backs_ || change.kind == Kind::kProcess ||
                          change.kind == Kind::kComponent || change.kind == Kind::kConnection;
   changes_.push_back(std::move(change));
 }
 
 void Registry::SetState(const std::string& process, ProcessState state, const std::string& reason) {
-  ProcessDescription description = catalog_.FindProcess(process)->process;
+  ProcessDescription description = catalogue_.FindProcess(process)->process;
   if (description.state == state) return;
   description.state = state;
   description.reason = reason;
@@ -376,7 +376,7 @@ void Registry::SetState(const std::string& process, ProcessState state, const st
 
 /// The connections of a tombstone become pending.
 void Registry::SuspendConnections(const std::string& process) {
-  const auto connections = catalog_.FindProcess(process)->connections;
+  const auto connections = catalogue_.FindProcess(process)->connections;
   for (auto [id, connection] : connections) {
     connection.state = ConnectionState::kPending;
     connection.reason = "process '" + process + "' is gone";

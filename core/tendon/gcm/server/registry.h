@@ -1,9 +1,9 @@
 #pragma once
 
 #include <tendon/base/clock.h>
-#include <tendon/gcm/catalog.h>
-#include <tendon/gcm/messages.h>
-#include <tendon/gcm/server/hand_backs.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/gcm_messages.h>
+#include <tendon/gcm/server/connection_restorer.h>
 #include <tendon/process/description_pool.h>
 #include <tendon/process/membership_messages.h>
 
@@ -72,7 +72,7 @@ class Registry {
   /// closed.
   std::vector<std::shared_ptr<Channel>> Tick();
 
-  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
   /// A member's entry in the catalogue; null if the membership is over.
   [[nodiscard]] const ProcessDescription* FindMember(Session session) const;
   /// The channel of a member, else null.
@@ -82,10 +82,11 @@ class Registry {
   [[nodiscard]] message::SystemHealth health() const;
 
   /// The changes since the last call.
-  [[nodiscard]] std::vector<CatalogChange> TakeChanges() { return std::exchange(changes_, {}); }
+  [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
   /// The connections to make again now. Report each outcome to SettleHandBack().
   [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
-  HandBacks::Verdict SettleHandBack(const message::Wire& wire, const Result<void>& outcome);
+  ConnectionRestorer::Verdict SettleHandBack(const message::Wire& wire,
+                                             const Result<void>& outcome);
 
  private:
   struct Member {
@@ -105,7 +106,7 @@ class Registry {
   [[nodiscard]] const Member* FindByName(const std::string& name) const;
   [[nodiscard]] Error NameInUse(const Member& member) const;
   void Enter(const message::Join& join, const std::string& link, std::int64_t now);
-  void Apply(CatalogChange change);
+  void Apply(CatalogueChange change);
   void SetState(const std::string& process, ProcessState state, const std::string& reason);
   void SuspendConnections(const std::string& process);
   void Forgive(SteadyTime now);
@@ -114,15 +115,15 @@ class Registry {
 
   const Leases leases_;
   const Clock& clock_;
-  Catalog catalog_;
+  Catalogue catalogue_;
   DescriptionPool pool_;
   std::map<Session, Member> members_;
   std::map<std::string, SteadyTime> tombstones_;  // since when
   /// Starting processes, with their former entries.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
-  HandBacks hand_backs_;
+  ConnectionRestorer hand_backs_;
   bool look_for_hand_backs_ = false;
-  std::vector<CatalogChange> changes_;
+  std::vector<CatalogueChange> changes_;
   SteadyTime last_tick_ = clock_.Now();
 };
 

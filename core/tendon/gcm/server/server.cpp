@@ -5,8 +5,8 @@
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/process/access/guarded_handler.h>
-#include <tendon/process/program_messages.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/version_messages.h>
 #include <tendon/process/watch_over.h>
 
 #include <map>
@@ -105,9 +105,9 @@ std::shared_ptr<ChannelHandler> Server::MakeHandler() {
   return std::make_shared<Peer>(shared_from_this());
 }
 
-Catalog Server::catalog() const {
+Catalogue Server::catalogue() const {
   const std::scoped_lock lock(mutex_);
-  return registry_.catalog();
+  return registry_.catalogue();
 }
 
 void Server::Tick() {
@@ -135,8 +135,8 @@ void Server::Publish() {
     outbox_.Add([this, changes = std::move(changes)] {
       watchers_.Publish(changes);
       LogProcesses(changes);
-      for (const CatalogChange& change : changes) {
-        if (change.kind == CatalogChange::Kind::kProcessRemoved) log_book_.Forget(change.process);
+      for (const CatalogueChange& change : changes) {
+        if (change.kind == CatalogueChange::Kind::kProcessRemoved) log_book_.Forget(change.process);
       }
     });
   }
@@ -263,11 +263,11 @@ void Server::Leave(const Request& request) {
 
 void Server::Watch(const Request& request) {
   Locked([&] {
-    const Catalog& catalog = registry_.catalog();
-    message::Snapshot snapshot{.gcm_instance = options_.instance, .changes = catalog.AsChanges()};
-    snapshot.base = catalog.revision() - snapshot.changes.size();
+    const Catalogue& catalogue = registry_.catalogue();
+    message::Snapshot snapshot{.gcm_instance = options_.instance, .changes = catalogue.AsChanges()};
+    snapshot.base = catalogue.revision() - snapshot.changes.size();
     Answer(request, Result(std::move(snapshot)));
-    outbox_.Add([this, channel = request.channel, revision = catalog.revision()] {
+    outbox_.Add([this, channel = request.channel, revision = catalogue.revision()] {
       if (channel->is_open()) watchers_.Add(channel, revision);
     });
   });
@@ -326,19 +326,19 @@ void Server::BeginOrder(const Request& request) {
 }
 
 void Server::Undo(const Request& request) {
-  const auto which = DecodeBody<message::WhichStep>(request.body);
+  const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
   Locked([&] { orders_->Undo(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
 void Server::PassOver(const Request& request) {
-  const auto which = DecodeBody<message::WhichStep>(request.body);
+  const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
   Locked([&] { orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
 void Server::TakePlanTurn(const Request& request) {
-  const auto turn = DecodeBody<message::PlanTurn>(request.body);
+  const auto turn = DecodeBody<message::PlanLock>(request.body);
   if (!turn) return request.responder->Refuse(turn.error());
   Locked([&] {
     const bool is_free = plan_turn_.peer == nullptr || plan_turn_.peer == &request.peer;
@@ -359,7 +359,7 @@ void Server::TakePlanTurn(const Request& request) {
 void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
 
 void Server::TellFanOut(const Request& request) {
-  request.responder->Answer(Result(message::FanOutPlace{options_.fan_out}));
+  request.responder->Answer(Result(message::BroadcastAddress{options_.fan_out}));
 }
 
 void Server::TellVersion(const Request& request) {

@@ -2,17 +2,17 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/life/life_orders.h>
-#include <tendon/gcm/server/log_book.h>
+#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/server/log_buffer.h>
 #include <tendon/gcm/server/orders.h>
-#include <tendon/gcm/server/outbox.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/complaints.h>
+#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/process/log/log_queue.h>
-#include <tendon/process/log/log_tap.h>
+#include <tendon/process/log/scoped_log_sink.h>
 
 #include <chrono>
 #include <cstdint>
@@ -51,7 +51,7 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   /// For one channel.
   std::shared_ptr<ChannelHandler> MakeHandler();
-  [[nodiscard]] Catalog catalog() const;
+  [[nodiscard]] Catalogue catalogue() const;
   void Tick();
 
  private:
@@ -121,10 +121,10 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   const Options options_;
   History history_;
-  Complaints not_understood_{"gcm"};
+  RateLimitedWarning not_understood_{"gcm"};
   Outbox outbox_;
-  Watchers watchers_;  // only in actions of the outbox
-  LogBook log_book_;   // likewise
+  Watchers watchers_;   // only in actions of the outbox
+  LogBuffer log_book_;  // likewise
   AuditLog audit_;
   LogQueue own_log_;
   mutable std::mutex mutex_;
@@ -137,7 +137,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   bool peers_owed_ = false;
   SteadyTime peers_told_{};
   Worker worker_{"gcm"};
-  LogTap own_tap_{[this](LogLevel level, std::string_view source, std::string_view text) {
+  ScopedLogSink own_tap_{[this](LogLevel level, std::string_view source, std::string_view text) {
     own_log_.Add(level, source, text);
   }};
 };

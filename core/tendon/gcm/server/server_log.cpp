@@ -1,7 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/intake.h>
+#include <tendon/gcm/server/sanitize.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/process/ask.h>
@@ -35,7 +35,7 @@ void Server::WatchLog(const Request& request) {
     outbox_.Add([this, channel = request.channel, responder = request.responder,
                  after = goes_on ? watch->after : 0] {
       if (!channel->is_open()) return;
-      message::LogWatched watched = log_book_.Watch(channel, after);
+      message::WatchLogReply watched = log_book_.Watch(channel, after);
       watched.gcm_instance = options_.instance;
       responder->Answer(Result(watched));
       log_book_.Pump();
@@ -47,7 +47,7 @@ void Server::SetLogLevel(const Request& request) {
   const auto order = DecodeBody<message::SetLogLevel>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
-    const auto entry = LookUpProcess(registry_.catalog(), order->process);
+    const auto entry = LookUpProcess(registry_.catalogue(), order->process);
     if (!entry) return Answer<None>(request, entry.error());
     const auto present = RequirePresent((*entry)->process);
     if (!present) return Answer(request, present);
@@ -70,7 +70,7 @@ void Server::TakeLog(const Session& session, std::span<const std::byte> body) {
   if (body.size() > message::kLargestLogBatch) return;
   auto batch = DecodeBody<message::LogRecords>(body);
   if (!batch) return not_understood_.Add("records were not understood: " + batch.error().message);
-  TakeIn(*batch);
+  Sanitize(*batch);
   Locked([&] {
     const ProcessDescription* process = registry_.FindMember(session);
     if (process == nullptr || IsOwn(*process)) return;

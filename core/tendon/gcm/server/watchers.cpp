@@ -15,8 +15,8 @@ void Watchers::Add(const std::shared_ptr<Channel>& channel, std::uint64_t revisi
 
 void Watchers::Remove(const Channel* channel) { watchers_.erase(channel); }
 
-void Watchers::Publish(const std::vector<CatalogChange>& changes) {
-  for (const CatalogChange& change : changes) {
+void Watchers::Publish(const std::vector<CatalogueChange>& changes) {
+  for (const CatalogueChange& change : changes) {
     log_.push_back(change);
     newest_ = change.revision;
     if (log_.size() > kLogLength) log_.pop_front();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/channel.h>
 
 #include <cstddef>
@@ -22,7 +22,7 @@ class Watchers {
   void Remove(const Channel* channel);
 
   /// The catalogue's next changes.
-  void Publish(const std::vector<CatalogChange>& changes);
+  void Publish(const std::vector<CatalogueChange>& changes);
 
   /// Sends what the watchers' links accept now.
   void Pump();
@@ -46,7 +46,7 @@ class Watchers {
   void Fill(Batch& batch, const Watcher& watcher) const;
   void DropSent();
 
-  std::deque<CatalogChange> log_;  // changes that some watcher lacks
+  std::deque<CatalogueChange> log_;  // changes that some watcher lacks
   std::uint64_t newest_ = 0;
   std::map<const Channel*, Watcher> watchers_;
 };

@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/base/os/loading/child_process.h>
+#include <tendon/base/os/child_process.h>
 #include <tendon/base/printable.h>
 #include <tendon/gcm/supervisor/lcm_launcher.h>
 

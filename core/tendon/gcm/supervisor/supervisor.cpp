@@ -89,7 +89,7 @@ message::Children Supervisor::children() const {
 Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
   const std::string& process = step.life.process;
   if (auto ours = CheckKill(process); !ours) return ours;
-  const ProcessEntry* entry = parts_.registry.catalog().FindProcess(process);
+  const ProcessEntry* entry = parts_.registry.catalogue().FindProcess(process);
   if (entry == nullptr || entry->components.empty()) return {};
   return Refused(process, "has components since, such as " + entry->components.begin()->first);
 }
@@ -115,7 +115,7 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
     return Error{ErrorCode::kInvalid,
                  "'" + process + "' is the name of the GCM itself; choose another one"};
   }
-  const auto* const entry = parts_.registry.catalog().FindProcess(process);
+  const auto* const entry = parts_.registry.catalogue().FindProcess(process);
   if (entry != nullptr && IsPresent(entry->process)) {
     return Error{ErrorCode::kExists, Quoted(process) + " is there already: host " +
                                          entry->process.host + " pid " +
@@ -139,7 +139,7 @@ Result<void> Supervisor::CheckKill(const std::string& process) const {
     if (is_between) return Refused(process, "is just starting or ending by itself; try again");
     return {};
   }
-  const auto entry = LookUpProcess(parts_.registry.catalog(), process);
+  const auto entry = LookUpProcess(parts_.registry.catalogue(), process);
   if (!entry) return entry.error();
   const ProcessDescription& description = (*entry)->process;
   if (!IsPresent(description)) return Refused(process, "is gone already");
@@ -236,7 +236,7 @@ void Supervisor::Joined(const std::string& process, Child& child) {
                              .life = {.process = process},
                              .who = child.who,
                              .when = WallTime(),
-                             .instance = InstanceOf(parts_.registry.catalog(), process)};
+                             .instance = InstanceOf(parts_.registry.catalogue(), process)};
   parts_.history.Record(std::move(step),
                         [done = std::exchange(child.done, nullptr)] { done(None{}); });
 }
@@ -308,14 +308,14 @@ void Supervisor::Tell(const std::string& process, const std::string& what) {
 }
 
 bool Supervisor::IsMember(const std::string& process, const Child& child) const {
-  const auto* const entry = parts_.registry.catalog().FindProcess(process);
+  const auto* const entry = parts_.registry.catalogue().FindProcess(process);
   return entry != nullptr && IsPresent(entry->process) &&
          entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
 }
 
 /// The last known state of the process; nothing if there is none.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
-  const SystemFile system = SystemOf(parts_.registry.catalog(), process, Gone::kIncluded).file;
+  const SystemFile system = SystemOf(parts_.registry.catalogue(), process, Gone::kIncluded).file;
   for (const SystemFile::Process& one : system.processes) {
     if (one.name == process) return system;
   }

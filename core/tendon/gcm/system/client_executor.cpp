@@ -17,13 +17,13 @@ constexpr std::chrono::milliseconds kLonger(500);
 constexpr std::chrono::milliseconds kLook(20);
 
 /// Whether the interfaces of `wire` are connected; else why not.
-Result<void> CheckConnected(const Catalog& catalog, const message::Wire& wire) {
+Result<void> CheckConnected(const Catalogue& catalogue, const message::Wire& wire) {
   const auto refuse = [&](const std::string& why) {
     return Error{ErrorCode::kFailed, "not started, for " + ToString(wire.required) +
                                          " is not connected to " + ToString(wire.provided) +
                                          (why.empty() ? "" : ": " + why)};
   };
-  const auto* now = catalog.FindConnection(wire.required);
+  const auto* now = catalogue.FindConnection(wire.required);
   if (now == nullptr) return refuse("");
   if (now->provided != wire.provided) return refuse("but to " + ToString(now->provided));
   return now->state == ConnectionState::kActive ? Result<void>() : refuse(now->reason);
@@ -34,8 +34,8 @@ bool IsOutcomeUnknown(const Error& error) {
 }
 
 /// Whether the component is already in the state after `verb`, whatever the cause.
-bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
-  const auto* now = catalog.FindComponent(step.process, step.component.name);
+bool IsSo(const Catalogue& catalogue, LifeVerb verb, const PlanStep& step) {
+  const auto* now = catalogue.FindComponent(step.process, step.component.name);
   if (now == nullptr) return verb == LifeVerb::kRemove;
   if (verb == LifeVerb::kStop) return !IsRunning(now->state);
   if (verb == LifeVerb::kStart) return now->state == ComponentState::kActive;
@@ -45,8 +45,8 @@ bool IsSo(const Catalog& catalog, LifeVerb verb, const PlanStep& step) {
 /// The result of `read` on the current catalogue.
 template <typename Read>
 auto Seen(const GcmClient& client, const Read& read) {
-  decltype(read(Catalog())) answer{};
-  client.Look([&](const Catalog& catalog) { answer = read(catalog); });
+  decltype(read(Catalogue())) answer{};
+  client.Look([&](const Catalogue& catalogue) { answer = read(catalogue); });
   return answer;
 }
 
@@ -116,7 +116,7 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
 Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
   const bool is_of_connection = step.process.empty();
   const std::string& process = is_of_connection ? step.wire.required.process : step.process;
-  const auto instance_of = [&](const Catalog& now) { return InstanceOf(now, process); };
+  const auto instance_of = [&](const Catalogue& now) { return InstanceOf(now, process); };
   if (step.instance == 0 || Seen(client_, instance_of) == step.instance) return {};
   return Error{ErrorCode::kFailed, "process '" + process +
                                        "' was started anew, or is gone, since the plan was made; "
@@ -126,7 +126,7 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
 /// A connection that was just requested may still be under way.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
-    const auto check = [&](const Catalog& now) { return CheckConnected(now, wire); };
+    const auto check = [&](const Catalogue& now) { return CheckConnected(now, wire); };
     Result<void> connected = Seen(client_, check);
     for (auto waited = kLook; !connected && waited <= timeout_; waited += kLook) {
       std::this_thread::sleep_for(kLook);
@@ -156,8 +156,8 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
-    const auto provider = Seen(client_, [&](const Catalog& catalog) {
-      const auto* now = catalog.FindConnection(wire.required);
+    const auto provider = Seen(client_, [&](const Catalogue& catalogue) {
+      const auto* now = catalogue.FindConnection(wire.required);
       return now == nullptr ? std::nullopt : std::optional(now->provided);
     });
     if (provider) return provider == wire.provided;
@@ -193,7 +193,7 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   const auto made = Wait<void>(GcmClient::kOrdersOfALife * timeout_ + kLonger,
                                [&](auto handler) { client_.Steer(order, handler); });
   const bool is_refused = !made && made.error().code == ErrorCode::kFailed;
-  const auto is_so = [&](const Catalog& now) { return IsSo(now, verb, step); };
+  const auto is_so = [&](const Catalogue& now) { return IsSo(now, verb, step); };
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 

@@ -4,7 +4,7 @@
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
-#include <tendon/manager/unmet_need.h>
+#include <tendon/manager/unsatisfied_interface.h>
 #include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
@@ -55,9 +55,9 @@ void PutLeadersFirst(std::vector<PlanStep>& steps) {
 /// Collects steps in one list for each kind, and joins the lists at the end.
 class Planner {
  public:
-  Planner(const Catalog& catalog, const SystemFile& wanted)
-      : catalog_(catalog), wanted_(wanted), running_(SystemOf(catalog, wanted.name)) {
-    for (const auto& [name, entry] : catalog.processes()) {
+  Planner(const Catalogue& catalogue, const SystemFile& wanted)
+      : catalogue_(catalogue), wanted_(wanted), running_(SystemOf(catalogue, wanted.name)) {
+    for (const auto& [name, entry] : catalogue.processes()) {
       for (const auto& [id, one] : entry.connections) connections_.emplace(one.required, &one);
     }
     for (const auto& process : wanted.processes) {
@@ -113,7 +113,7 @@ class Planner {
   /// Finds components that must be created anew because they run after one that is removed or
   /// created anew: that is not possible while it has followers.
   void FindUnsettled(const SystemFile::Process& process) {
-    const auto* running = catalog_.FindProcess(process.name);
+    const auto* running = catalogue_.FindProcess(process.name);
     if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
     std::multimap<std::string, const ComponentDescription*> followers;
     std::vector<std::string> unsettled;
@@ -149,12 +149,12 @@ class Planner {
   }
 
   [[nodiscard]] bool IsStarting(const std::string& process) const {
-    const auto* entry = catalog_.FindProcess(process);
+    const auto* entry = catalogue_.FindProcess(process);
     return entry != nullptr && entry->process.state == ProcessState::kStarting;
   }
 
   void Await(const std::string& process) {
-    const std::int64_t pid = catalog_.FindProcess(process)->process.pid;
+    const std::int64_t pid = catalogue_.FindProcess(process)->process.pid;
     plan_.obstacles.push_back("process '" + process + "' is starting" +
                               (pid == 0 ? "" : " (pid " + std::to_string(pid) + ")") +
                               "; plan again when it has joined");
@@ -183,7 +183,7 @@ class Planner {
 
   /// 0, any instance, for a process that the plan starts.
   [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
-    return born_.contains(process) ? 0 : InstanceOf(catalog_, process);
+    return born_.contains(process) ? 0 : InstanceOf(catalogue_, process);
   }
 
   void PlanRest(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
@@ -251,7 +251,7 @@ class Planner {
     }
     if (IsRunning(now.state)) PlanRest(Kind::kStop, path, now);
     PlanMaking(Kind::kConfigure, path, component);
-    const auto* told = catalog_.FindComponent(path.first, path.second);
+    const auto* told = catalogue_.FindComponent(path.first, path.second);
     makings_.back().based_on = BaseOf(told->configuration);
   }
 
@@ -322,7 +322,7 @@ class Planner {
     }
     if (is_same && !removed_.contains(server)) return;
     if (!is_of_new) {
-      const auto checked = PlanConnect(catalog_, wire, Occupied::kReplaced);
+      const auto checked = PlanConnect(catalogue_, wire, Occupied::kReplaced);
       if (!checked) {
         plan_.obstacles.push_back(checked.error().message);
         refusals_.push_back(checked.error().code);
@@ -348,7 +348,7 @@ class Planner {
 
   /// Notes connections that the file lacks, for a component whose interfaces are known.
   void FindUnmetNeeds(const ComponentPath& path) {
-    const auto* component = catalog_.FindComponent(path.first, path.second);
+    const auto* component = catalogue_.FindComponent(path.first, path.second);
     const bool is_known = component != nullptr && !born_.contains(path.first) &&
                           !missing_.contains(path) &&
                           (!made_.contains(path) || !removed_.contains(path));
@@ -399,7 +399,7 @@ class Planner {
     plan_.steps.insert(plan_.steps.end(), suspends.begin(), suspends.end());
   }
 
-  const Catalog& catalog_;
+  const Catalogue& catalogue_;
   const SystemFile& wanted_;
   const RunningSystem running_;
   const SystemIndex wanted_index_{wanted_};
@@ -430,13 +430,13 @@ bool Plan::TakesAway() const {
                      [](const PlanStep& step) { return step.takes_away; });
 }
 
-Plan MakePlan(const Catalog& catalog, const SystemFile& wanted) {
-  return Planner(catalog, wanted).Run();
+Plan MakePlan(const Catalogue& catalogue, const SystemFile& wanted) {
+  return Planner(catalogue, wanted).Run();
 }
 
-Plan WithEnds(Plan plan, const Catalog& catalog, const std::vector<PlanStep>& births) {
+Plan WithEnds(Plan plan, const Catalogue& catalogue, const std::vector<PlanStep>& births) {
   for (const PlanStep& birth : births) {
-    const ProcessEntry* entry = catalog.FindProcess(birth.process);
+    const ProcessEntry* entry = catalogue.FindProcess(birth.process);
     if (birth.kind != PlanStep::Kind::kStartProcess || entry == nullptr) continue;
     const ProcessDescription& now = entry->process;
     const bool comes_again =

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/process/membership_messages.h>
@@ -77,11 +77,12 @@ struct Plan {
 /// Leaves other processes alone. Does not start a component if a connection in the file cannot be
 /// made; nor, if the file is strict, if it needs a connection that the file lacks. That is checked
 /// here for existing components, and by the process for those that are created.
-[[nodiscard]] Plan MakePlan(const Catalog& catalog, const SystemFile& wanted);
+[[nodiscard]] Plan MakePlan(const Catalogue& catalogue, const SystemFile& wanted);
 
 /// The plan, followed by steps that end the processes which `births` have started: those whose
 /// instances are still there, or may be restarted by the GCM. A process that was started again
 /// since may belong to another user, and stays.
-[[nodiscard]] Plan WithEnds(Plan plan, const Catalog& catalog, const std::vector<PlanStep>& births);
+[[nodiscard]] Plan WithEnds(Plan plan, const Catalogue& catalogue,
+                            const std::vector<PlanStep>& births);
 
 }  // namespace tendon

@@ -87,13 +87,13 @@ std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& sav
 
 }  // namespace
 
-RunningSystem SystemOf(const Catalog& catalog, const std::string& name, Gone gone) {
+RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name, Gone gone) {
   RunningSystem running{.file = {.name = name, .processes = {}, .connections = {}}, .loose = {}};
-  for (const auto& [process_name, entry] : catalog.processes()) {
+  for (const auto& [process_name, entry] : catalogue.processes()) {
     if (IsSaved(entry, gone)) running.file.processes.push_back(ProcessOf(entry));
   }
   const SystemIndex index(running.file);
-  for (const auto& [process_name, entry] : catalog.processes()) {
+  for (const auto& [process_name, entry] : catalogue.processes()) {
     if (!IsSaved(entry, gone)) continue;
     for (const auto& [id, connection] : entry.connections) {
       const auto& [process, component, interface] = connection.provided;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/gcm/system_file.h>
 
@@ -24,7 +24,7 @@ enum class Gone { kLeftOut, kIncluded };
 
 /// The present processes, with their components in their present states; without a window that is
 /// the GCM itself.
-[[nodiscard]] RunningSystem SystemOf(const Catalog& catalog, const std::string& name,
+[[nodiscard]] RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
                                      Gone gone = Gone::kLeftOut);
 
 /// Marks the processes that the GCM has started, so that it can start them again.

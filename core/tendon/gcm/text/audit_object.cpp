@@ -1,4 +1,4 @@
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/text/audit_object.h>
 #include <tendon/middleware/body.h>
 

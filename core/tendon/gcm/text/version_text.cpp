@@ -6,8 +6,8 @@ std::string VersionText(const message::ProgramVersion& version) {
   return "version " + version.release + ", protocol " + std::to_string(version.protocol);
 }
 
-ToldVersion JudgeVersion(const Result<message::ProgramVersion>& told,
-                         const message::ProgramVersion& own) {
+VersionReport JudgeVersion(const Result<message::ProgramVersion>& told,
+                           const message::ProgramVersion& own) {
   if (!told && told.error().code == ErrorCode::kDenied) {
     return {.text = "of a version too old to say which"};
   }

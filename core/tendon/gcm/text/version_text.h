@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/process/program_messages.h>
+#include <tendon/process/version_messages.h>
 
 #include <string>
 
@@ -11,11 +11,11 @@ namespace tendon {
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
 /// The version that a program reported, or that it reported none; and whether it is `own`.
-struct ToldVersion {
+struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 6, which is not that of this program"
   bool is_own = false;
 };
-[[nodiscard]] ToldVersion JudgeVersion(const Result<message::ProgramVersion>& told,
-                                       const message::ProgramVersion& own);
+[[nodiscard]] VersionReport JudgeVersion(const Result<message::ProgramVersion>& told,
+                                         const message::ProgramVersion& own);
 
 }  // namespace tendon

@@ -18,16 +18,16 @@ class Gate {
  public:
   /// Call it before the first Enter(). `home` is the inbox of the calling component, or null. If a
   /// thread is bound to `home`, a single caller must be that thread; debug builds check it.
-  void SetCallers(Callers callers, const Inbox* home) {
+  void SetCallers(CallerThreads callers, const Inbox* home) {
     callers_ = callers;
-    home_ = callers == Callers::kOneThread ? home : nullptr;
+    home_ = callers == CallerThreads::kOneThread ? home : nullptr;
   }
-  [[nodiscard]] Callers callers() const noexcept { return callers_; }
+  [[nodiscard]] CallerThreads callers() const noexcept { return callers_; }
 
   /// Runs `body(T*)` with the object, which may be null and is not freed meanwhile.
   template <typename Body>
   auto Enter(Body body) {
-    if (callers_ == Callers::kManyThreads) {
+    if (callers_ == CallerThreads::kManyThreads) {
       const typename SharedGuardedPointer<T>::Call call(many_);
       return body(call.get());
     }
@@ -39,7 +39,7 @@ class Gate {
 
   /// Waits until no call uses the old object; then the caller may free it.
   void Exchange(T* next) noexcept {
-    if (callers_ == Callers::kManyThreads) {
+    if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(next);
     } else {
       one_.Exchange(next);
@@ -48,7 +48,7 @@ class Gate {
   /// Sets the first object, for all further calls. Called in the calling thread, between two of its
   /// calls, while nobody replaces the object.
   void SetByCaller(T* object) noexcept {
-    if (callers_ == Callers::kManyThreads) {
+    if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(object);
     } else {
       one_.SetByCaller(object);
@@ -56,11 +56,11 @@ class Gate {
   }
   /// For the side that replaces the object.
   [[nodiscard]] T* Get() const noexcept {
-    return callers_ == Callers::kManyThreads ? many_.Get() : one_.Get();
+    return callers_ == CallerThreads::kManyThreads ? many_.Get() : one_.Get();
   }
 
  private:
-  Callers callers_ = Callers::kOneThread;
+  CallerThreads callers_ = CallerThreads::kOneThread;
   const Inbox* home_ = nullptr;
   GuardedPointer<T> one_;
   SharedGuardedPointer<T> many_;

@@ -16,7 +16,7 @@ class ProvidedInterface;
 class RequiredInterface;
 
 /// A client whose connection has ended.
-struct GoneClient {
+struct DisconnectedClient {
   ProvidedInterface* provided = nullptr;
   std::string name;              ///< "desk/teleoperation/Robot"
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
@@ -34,7 +34,7 @@ class Host {
     /// In a manager's thread: the interface has another peer, or none.
     std::function<void(RequiredInterface&)> on_peer_changed{};
     /// In a manager's thread: no further call of the client will be executed.
-    std::function<void(GoneClient)> on_client_gone{};
+    std::function<void(DisconnectedClient)> on_client_gone{};
   };
 
   explicit Host(Listeners listeners) : listeners_(std::move(listeners)) {}
@@ -46,7 +46,9 @@ class Host {
     return static_cast<bool>(listeners_.on_peer_changed);
   }
   void TellPeerChanged(RequiredInterface& required) const { listeners_.on_peer_changed(required); }
-  void TellClientGone(GoneClient client) const { listeners_.on_client_gone(std::move(client)); }
+  void TellClientGone(DisconnectedClient client) const {
+    listeners_.on_client_gone(std::move(client));
+  }
 
   /// While the component is faulted, its peers get kNotActive, even for reads: nobody updates its
   /// values.

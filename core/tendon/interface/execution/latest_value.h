@@ -2,8 +2,8 @@
 
 #include <tendon/interface/execution/host.h>
 #include <tendon/interface/mailbox.h>
-#include <tendon/lockfree/lease.h>
 #include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/try_lock.h>
 
 #include <cassert>
 #include <cstddef>
@@ -23,7 +23,7 @@ class LatestValue {
   template <typename Make>
   Status Post(Mailbox::Entry& token, Make&& make) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
-    const Lease<>::Hold writing(writing_);
+    const TryLock<>::Hold writing(writing_);
     if (!writing) {  // the call that writes right now is the newer one
       mailbox_.CountReplaced();
       return Status::kQueued;
@@ -45,7 +45,7 @@ class LatestValue {
 
  private:
   Mailbox& mailbox_;
-  Lease<> writing_;
+  TryLock<> writing_;
   Snapshot<T> newest_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/lockfree/lease.h>
+#include <tendon/lockfree/try_lock.h>
 
 #include <optional>
 
@@ -26,13 +26,13 @@ class Scratch {
     [[nodiscard]] T* operator->() { return &**this; }
 
    private:
-    Lease<>::Hold hold_;
+    TryLock<>::Hold hold_;
     T& kept_;
     std::optional<T> own_;
   };
 
  private:
-  Lease<> lease_;
+  TryLock<> lease_;
   T kept_{};
 };
 

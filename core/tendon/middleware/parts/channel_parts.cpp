@@ -1,6 +1,6 @@
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/parts/large_in_hand.h>
-#include <tendon/middleware/parts/repeated_sign.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
+#include <tendon/middleware/parts/progress_sender.h>
 
 #include <algorithm>
 #include <utility>
@@ -52,15 +52,16 @@ bool Channel::IsWanted(const FrameHeader& header) {
 /// A peer may pause between parts while it handles a large message. We may not hear its parts while
 /// we handle one.
 bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
-  return now >= std::max(given_up_.Get(), LargeInHand::Last(now) + PartAssembly::kPatience);
+  return now >=
+         std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);
 }
 
 /// Handling may take a while, and this thread does not read meanwhile. So the peer is told again
 /// and again how much was taken. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
-  std::optional<LargeInHand> mark;
-  std::optional<RepeatedSign> sign;
-  if (frame.body.size() >= LargeInHand::kLeast) {
+  std::optional<LargeMessageInProgress> mark;
+  std::optional<ProgressSender> sign;
+  if (frame.body.size() >= LargeMessageInProgress::kLeast) {
     mark.emplace();
     sign.emplace(peer_.name, [this] { SendTaken(); });
   }

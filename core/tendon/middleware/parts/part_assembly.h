@@ -3,7 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/lockfree/budget.h>
 #include <tendon/middleware/frame.h>
-#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
 
 #include <chrono>
 #include <cstddef>
@@ -54,8 +54,10 @@ class PartAssembly {
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
   /// How long to wait for a part: its sender may first be busy with something large for
-  /// LargeInHand::kAtMost. It sends its frames in turn, each part in PartSender::kPartTime.
-  static constexpr std::chrono::seconds kPatience = LargeInHand::kAtMost + std::chrono::seconds(10);
+  /// LargeMessageInProgress::kAtMost. It sends its frames in turn, each part in
+  /// PartSender::kPartTime.
+  static constexpr std::chrono::seconds kPatience =
+      LargeMessageInProgress::kAtMost + std::chrono::seconds(10);
   /// When the frame that waits longest for its next part times out; max() if there is none.
   [[nodiscard]] SteadyTime given_up() const;
 

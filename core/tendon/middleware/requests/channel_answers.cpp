@@ -1,7 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/requests/asked.h>
-#include <tendon/middleware/requests/gathered_replies.h>
+#include <tendon/middleware/requests/current_request.h>
+#include <tendon/middleware/requests/reply_batcher.h>
 
 #include <algorithm>
 
@@ -15,27 +15,27 @@ bool Channel::MayReturn(std::size_t size) {
 
 /// Where a reply of `size` bytes can be written to return with its request: `later`, or the place
 /// for the request that this thread handles. Null if it must be sent.
-LeftAnswer* Channel::WayBack(std::uint64_t request, std::size_t size, LeftAnswer* later) {
-  LeftAnswer* const answer = later != nullptr ? later : Asked::AnswerTo(request, *this);
+ReplySlot* Channel::WayBack(std::uint64_t request, std::size_t size, ReplySlot* later) {
+  ReplySlot* const answer = later != nullptr ? later : Asked::AnswerTo(request, *this);
   return answer != nullptr && MayReturn(FrameHeader::kSize + size) ? answer : nullptr;
 }
 
 std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size,
-                                         LeftAnswer* later) {
-  LeftAnswer* const answer = WayBack(request, size, later);
+                                         ReplySlot* later) {
+  ReplySlot* const answer = WayBack(request, size, later);
   if (answer == nullptr) return {};
   const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
   return room.value_or(std::span<std::byte>());
 }
 
-void Channel::EndReply(std::uint64_t request, LeftAnswer* later) {
-  LeftAnswer* const answer = later != nullptr ? later : Asked::Begun(request, *this);
+void Channel::EndReply(std::uint64_t request, ReplySlot* later) {
+  ReplySlot* const answer = later != nullptr ? later : Asked::Begun(request, *this);
   if (answer != nullptr) answer->End();
 }
 
 /// Returns false if the reply must be sent.
-bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, LeftAnswer* later) {
-  LeftAnswer* const answer = WayBack(request, body.size(), later);
+bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, ReplySlot* later) {
+  ReplySlot* const answer = WayBack(request, body.size(), later);
   if (answer == nullptr) return false;
   const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, body.size()));
   if (!room) return false;
@@ -46,9 +46,9 @@ bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, Lef
 
 /// Returns false if the reply was not sent. `later` is its place if it was deferred.
 bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                        LeftAnswer* later) {
+                        ReplySlot* later) {
   const bool is_alone = lane == kOwnLane;
-  if (is_alone && (Return(request, body, later) || GatheredReplies::Keep(*this, request, body))) {
+  if (is_alone && (Return(request, body, later) || ReplyBatcher::Keep(*this, request, body))) {
     return true;
   }
   return SendReplyAlone(request, body, lane);

@@ -50,7 +50,7 @@ class PendingRequests {
   [[nodiscard]] std::uint64_t late_answers() const;
 
  private:
-  friend class AwaitedAnswer;
+  friend class BlockingRequest;
 
   /// The place of one request at a time. Its address never changes, since a thread may still be
   /// about to wake the caller of an earlier request.

@@ -25,8 +25,8 @@ void ReplyBatch::Clear() {
   replies_ = 0;
 }
 
-std::optional<OneReply> TakeReply(std::span<const std::byte>& body) {
-  OneReply reply;
+std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body) {
+  BatchedReply reply;
   std::uint32_t size = 0;
   static_assert(sizeof reply.request + sizeof size == ReplyBatch::kOverhead);
   if (body.size() < ReplyBatch::kOverhead) return std::nullopt;

@@ -35,13 +35,13 @@ class ReplyBatch {
 };
 
 /// One answer of a batch.
-struct OneReply {
+struct BatchedReply {
   std::uint64_t request = 0;
   std::span<const std::byte> answer;
 };
 
 /// Takes the first answer off `body`, which is untrusted. Returns nothing if it is not whole.
-std::optional<OneReply> TakeReply(std::span<const std::byte>& body);
+std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
 /// Whether untrusted bytes are the body of a batch: at least one answer, within the bounds, and
 /// nothing left over.

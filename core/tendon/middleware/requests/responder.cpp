@@ -1,5 +1,5 @@
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/requests/asked.h>
+#include <tendon/middleware/requests/current_request.h>
 #include <tendon/middleware/requests/pending_requests.h>
 #include <tendon/middleware/requests/responder.h>
 
@@ -44,7 +44,7 @@ void Responder::EndReply() {
 
 bool Responder::Defer() {
   const auto channel = channel_.lock();
-  LeftAnswer* const answer = channel ? Asked::AnswerTo(request_, *channel) : nullptr;
+  ReplySlot* const answer = channel ? Asked::AnswerTo(request_, *channel) : nullptr;
   if (answer != nullptr) later_ = answer->Defer();
   return later_ != nullptr;
 }

@@ -56,7 +56,7 @@ class Responder {
  private:
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
-  std::unique_ptr<LeftAnswer> later_;  // the place for the reply, if it is deferred
+  std::unique_ptr<ReplySlot> later_;  // the place for the reply, if it is deferred
 };
 
 }  // namespace tendon

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/payload/description.h>
+#include <tendon/payload/describe.h>
 
 #include <string>
 #include <string_view>

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-OpenedChannel Open(Middleware& middleware, const WantedChannel& wanted) {
+OpenedChannel Open(Middleware& middleware, const ChannelRequest& wanted) {
   try {
     return Channel::Open(middleware, wanted.address, wanted.hello, wanted.handler, wanted.timeout);
   } catch (const std::exception& failure) {  // memory or threads may be exhausted
@@ -17,7 +17,7 @@ OpenedChannel Open(Middleware& middleware, const WantedChannel& wanted) {
 /// An opened channel on its way to the worker, which may have stopped.
 class Delivery {
  public:
-  Delivery(Middleware& middleware, const WantedChannel& wanted)
+  Delivery(Middleware& middleware, const ChannelRequest& wanted)
       : channel_(Open(middleware, wanted)) {}
   Delivery(const Delivery&) = delete;
   Delivery& operator=(const Delivery&) = delete;
@@ -37,7 +37,7 @@ class Delivery {
 
 }  // namespace
 
-void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
+void OpenChannel(const ProcessContext& context, const ChannelRequest& wanted,
                  std::function<void(const OpenedChannel&)> done) {
   wanted.opener->Post(
       [middleware = context.middleware, worker = context.worker, wanted, done = std::move(done)] {

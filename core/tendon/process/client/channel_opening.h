@@ -11,7 +11,7 @@
 namespace tendon {
 
 /// A channel to another process that is to be opened.
-struct WantedChannel {
+struct ChannelRequest {
   std::shared_ptr<Worker> opener;
   std::string address;
   Hello hello;
@@ -23,7 +23,7 @@ using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
 /// Opens the channel in its opener, after those posted before, so that a peer that hangs delays
 /// only these. Calls `done` on the worker. If the worker has stopped, closes the channel instead.
-void OpenChannel(const ProcessContext& context, const WantedChannel& wanted,
+void OpenChannel(const ProcessContext& context, const ChannelRequest& wanted,
                  std::function<void(const OpenedChannel&)> done);
 
 }  // namespace tendon

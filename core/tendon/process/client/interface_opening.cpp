@@ -1,5 +1,5 @@
 #include <tendon/process/client/interface_opening.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <utility>
 
@@ -12,7 +12,7 @@ using Done = std::function<void(const OpenedInterface&)>;
 
 OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
                           const Result<message::MarkedOpened>& answer,
-                          const WantedInterface& wanted, const PeerLink::Mirrored& copies) {
+                          const InterfaceRequest& wanted, const PeerLink::Mirrored& copies) {
   if (!answer) return answer.error();
   const std::shared_ptr<Channel>& channel = link.channel();
   ProvidedInterfaceProxy::Remote remote{.channel = channel,
@@ -32,7 +32,7 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
 }
 
 void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
-          const WantedInterface& wanted, const PeerLink::Mirrored& copies, const Done& done) {
+          const InterfaceRequest& wanted, const PeerLink::Mirrored& copies, const Done& done) {
   const auto on_answer = [network, link, wanted, copies,
                           done](const Result<message::MarkedOpened>& answer) {
     const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
@@ -48,7 +48,7 @@ void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<P
 }  // namespace
 
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,
-                  const std::shared_ptr<PeerLink>& link, const WantedInterface& wanted,
+                  const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
                   const Done& done) {
   if (wanted.mirrored.empty()) return Open(network, link, wanted, {}, done);
   link->channel()->Request<message::Mirrored>(

@@ -11,12 +11,12 @@
 namespace tendon {
 
 /// The provided interface of another process, as a required interface here needs it.
-struct WantedInterface {
+struct InterfaceRequest {
   message::OpenInterface open;
   std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
   std::chrono::milliseconds read_deadline{0};
-  std::vector<std::string> mirrored{};  ///< functions that read local copies
-  std::shared_ptr<CallLine> line{};     ///< for its events, if it needs one
+  std::vector<std::string> mirrored{};     ///< functions that read local copies
+  std::shared_ptr<SerialExecutor> line{};  ///< for its events, if it needs one
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
@@ -25,7 +25,7 @@ using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 /// `wanted.open.handle`. Calls `done` in a thread of the middleware, before anything that the peer
 /// sends to the proxy.
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,
-                  const std::shared_ptr<PeerLink>& link, const WantedInterface& wanted,
+                  const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
                   const std::function<void(const OpenedInterface&)>& done);
 
 }  // namespace tendon

@@ -3,7 +3,7 @@
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/watch_over.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tendon/state/state_table.h>
 
 #include <string>
@@ -15,11 +15,11 @@ void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
                     const std::string& process, const std::string& address, Opened opened) {
   constexpr std::chrono::milliseconds kOpenTimeout(800);
   const auto link = std::make_shared<PeerLink>(context.worker, listener);
-  WantedChannel wanted{.opener = context.opener,
-                       .address = address,
-                       .hello = context.hello,
-                       .handler = link,
-                       .timeout = kOpenTimeout};
+  ChannelRequest wanted{.opener = context.opener,
+                        .address = address,
+                        .hello = context.hello,
+                        .handler = link,
+                        .timeout = kOpenTimeout};
   wanted.hello.wanted = process;
   wanted.hello.session = 0;  // the session is for the GCM only
   OpenChannel(context, wanted,

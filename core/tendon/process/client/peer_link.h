@@ -5,7 +5,7 @@
 #include <tendon/process/context.h>
 #include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/proxy/handle_table.h>
-#include <tendon/proxy/mirror/messages.h>
+#include <tendon/proxy/mirror_messages.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 
 #include <chrono>

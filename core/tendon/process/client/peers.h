@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/process/client/peer_link.h>
-#include <tendon/process/description.h>
+#include <tendon/process/process_description.h>
 
 #include <chrono>
 #include <deque>

@@ -134,7 +134,7 @@ void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
   constexpr std::size_t kMostEvents = 4096;  // in a line: as many as fit into some messages
   constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-  WantedInterface wanted;
+  InterfaceRequest wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
     const auto lock = context_.host.LockStructure();

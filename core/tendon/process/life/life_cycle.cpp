@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/manager/unmet_need.h>
+#include <tendon/manager/unsatisfied_interface.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/life/configuration_base.h>
 #include <tendon/process/life/life_cycle.h>
@@ -73,7 +73,7 @@ class LifeCycle::Claim {
 void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutcome> done) {
   const Patience patience = std::clamp(Patience(order.patience), kNoWait, kLongestPatience);
   const SteadyTime deadline = SteadyClock().Now() + patience;
-  Errands& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
+  ThreadPerTask& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
   const auto begun = errands.Do([this, order, begin = std::move(begin), done, deadline] {
     const Outcome outcome = ExecuteGuarded({order, deadline, begin});
     const std::string words = "ordered from afar: " + WordsFor(order);
@@ -104,7 +104,7 @@ std::vector<PluginDescription> LifeCycle::plugins() const {
 }
 
 void LifeCycle::Close() {
-  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Close();
+  for (ThreadPerTask* const errands : {&errands_, &stops_, &looks_}) errands->Close();
   const std::scoped_lock lock(claims_mutex_);
   is_ending_ = true;
 }
@@ -117,7 +117,7 @@ void LifeCycle::Stop() {
     (void)parts_.manager.StopAll(kNoWait);
     (void)errands_.WaitUntilIdle(kBetweenStops);
   }
-  for (Errands* const errands : {&errands_, &stops_, &looks_}) errands->Stop();
+  for (ThreadPerTask* const errands : {&errands_, &stops_, &looks_}) errands->Stop();
 }
 
 /// A plug-in may throw anything.
@@ -323,7 +323,7 @@ std::vector<ConnectionDescription> LifeCycle::ConnectionsOf(const std::string& c
   return connections;
 }
 
-Result<void> LifeCycle::Add(ComponentMaker::Made made) {
+Result<void> LifeCycle::Add(ComponentFactory::Made made) {
   try {
     parts_.manager.Add(std::move(made.component), std::move(made.origin));
     return {};

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <tendon/manager/local_manager.h>
-#include <tendon/process/life/component_maker.h>
-#include <tendon/process/life/errands.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/component_factory.h>
+#include <tendon/process/life/life_messages.h>
 #include <tendon/process/life/plugin_watch.h>
+#include <tendon/process/life/thread_per_task.h>
 
 #include <functional>
 #include <map>
@@ -35,7 +35,7 @@ class LifeCycle {
   template <typename T>
   using Done = std::function<void(const Result<T>&)>;
   /// Asks whether the order still holds. Called at most once, just before execution.
-  using Begin = ComponentMaker::Begin;
+  using Begin = ComponentFactory::Begin;
 
   explicit LifeCycle(Parts parts) : parts_(std::move(parts)) {}
 
@@ -82,7 +82,7 @@ class LifeCycle {
   [[nodiscard]] Result<void> BeginNow(const Given& given) const;
   Result<void> StartUnlessStopped(const Given& given, const Claim& claim);
 
-  Result<void> Add(ComponentMaker::Made made);
+  Result<void> Add(ComponentFactory::Made made);
   Result<void> TakeOut(const std::string& component, SteadyTime deadline);
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;
@@ -94,13 +94,13 @@ class LifeCycle {
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;
 
   const Parts parts_;
-  ComponentMaker maker_{parts_.process, parts_.loader};
+  ComponentFactory maker_{parts_.process, parts_.loader};
   std::mutex claims_mutex_;
   std::map<std::string, bool> claims_;  // components with an order, and whether a stop has come
   bool is_ending_ = false;
-  Errands errands_{parts_.process, 64};
-  Errands stops_{parts_.process, 64};
-  Errands looks_{parts_.process, 4};
+  ThreadPerTask errands_{parts_.process, 64};
+  ThreadPerTask stops_{parts_.process, 64};
+  ThreadPerTask looks_{parts_.process, 4};
   std::unique_ptr<PluginWatch> watch_;
 };
 

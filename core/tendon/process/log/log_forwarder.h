@@ -2,7 +2,7 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/process/log/log_queue.h>
-#include <tendon/process/log/log_tap.h>
+#include <tendon/process/log/scoped_log_sink.h>
 #include <tendon/proxy/network_thread.h>
 
 #include <chrono>
@@ -41,7 +41,7 @@ class LogForwarder final : private NetworkJob {
   std::uint64_t sent_ = 0;  // records, including those in `unsent_`
   SteadyTime next_batch_{};
 
-  LogTap tap_;  // last, because it uses the others
+  ScopedLogSink tap_;  // last, because it uses the others
 };
 
 }  // namespace tendon

@@ -4,7 +4,7 @@
 #include <tendon/base/log.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/process/log/log_limiter.h>
-#include <tendon/process/log/messages.h>
+#include <tendon/process/log/log_messages.h>
 
 #include <cstddef>
 #include <cstdint>

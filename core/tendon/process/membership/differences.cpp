@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-using ChangeKind = CatalogChange::Kind;
+using ChangeKind = CatalogueChange::Kind;
 
 template <typename Key, typename Description>
 std::map<Key, const Description*> ByKey(const std::vector<Description>& descriptions,
@@ -29,17 +29,18 @@ void Compare(const std::map<Key, const Description*>& before,
   }
 }
 
-CatalogChange ChangeOf(ChangeKind kind) {
-  CatalogChange change;
+CatalogueChange ChangeOf(ChangeKind kind) {
+  CatalogueChange change;
   change.kind = kind;
   return change;
 }
 
 }  // namespace
 
-std::vector<CatalogChange> Differences(const ProcessContent& before, const ProcessContent& after) {
-  std::vector<CatalogChange> gone;
-  std::vector<CatalogChange> there;
+std::vector<CatalogueChange> Differences(const ProcessContent& before,
+                                         const ProcessContent& after) {
+  std::vector<CatalogueChange> gone;
+  std::vector<CatalogueChange> there;
   Compare(
       ByKey(before.components, &ComponentDescription::name),
       ByKey(after.components, &ComponentDescription::name),
@@ -51,7 +52,7 @@ std::vector<CatalogChange> Differences(const ProcessContent& before, const Proce
         there.push_back(ChangeOf(ChangeKind::kComponent));
         there.back().components = {component};
       });
-  std::vector<CatalogChange> changes;  // connections: removed before components, added after
+  std::vector<CatalogueChange> changes;  // connections: removed before components, added after
   Compare(
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/process/description.h>
+#include <tendon/process/process_description.h>
 
 #include <vector>
 
@@ -18,7 +18,7 @@ struct ProcessContent {
 /// The changes from one to the other, without those of the process itself, in a valid order;
 /// revisions and process names are left empty. Components must have unique names, connections
 /// unique ids.
-[[nodiscard]] std::vector<CatalogChange> Differences(const ProcessContent& before,
-                                                     const ProcessContent& after);
+[[nodiscard]] std::vector<CatalogueChange> Differences(const ProcessContent& before,
+                                                       const ProcessContent& after);
 
 }  // namespace tendon

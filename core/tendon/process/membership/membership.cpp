@@ -1,15 +1,15 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/route.h>
-#include <tendon/middleware/parts/large_in_hand.h>
+#include <tendon/middleware/parts/large_message_in_progress.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/client/channel_opening.h>
-#include <tendon/process/log/messages.h>
+#include <tendon/process/log/log_messages.h>
+#include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/membership/no_gcm.h>
-#include <tendon/process/membership/own_address.h>
 #include <tendon/process/schema_exchange.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
 
 #include <algorithm>
 #include <utility>
@@ -151,11 +151,11 @@ bool Membership::is_joined() const {
 }
 
 void Membership::Try() {
-  WantedChannel wanted{.opener = context_.gcm_opener,
-                       .address = options_.gcm,
-                       .hello = context_.hello,
-                       .handler = std::make_shared<GcmHandler>(context_.worker, *this),
-                       .timeout = kGcmOpenTimeout};
+  ChannelRequest wanted{.opener = context_.gcm_opener,
+                        .address = options_.gcm,
+                        .hello = context_.hello,
+                        .handler = std::make_shared<GcmHandler>(context_.worker, *this),
+                        .timeout = kGcmOpenTimeout};
   wanted.hello.wanted = kGcmName;
   OpenChannel(context_, wanted, [this](const OpenedChannel& channel) {
     if (!channel) return Fail(WhyNotThere(channel.error()));
@@ -171,9 +171,9 @@ Error Membership::WhyNotThere(const Error& error) const {
 
 /// Before the GCM shows this process to viewers, which then ask for rows.
 void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
-  Ask<message::FanOutPlace>(
+  Ask<message::BroadcastAddress>(
       *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
-      [this, worker = context_.worker, channel](const Result<message::FanOutPlace>& place) {
+      [this, worker = context_.worker, channel](const Result<message::BroadcastAddress>& place) {
         worker->Post([this, channel, place] {
           if (!place && place.error().code == ErrorCode::kTimeout) {
             return Finish(channel, {}, place.error());
@@ -202,8 +202,8 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
 ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
   const auto place = ParseAddress(gcm, 1);
   const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();
-  const OwnAddress own =
-      OwnAddressOf(options_.listens, options_.advertise, {.to = gcm, .from = from});
+  const AdvertisedAddress own =
+      AdvertisedAddressOf(options_.listens, options_.advertise, {.to = gcm, .from = from});
   Warn(own.warning);
   delegate_.OnOwnAddress(own.address);
   options_.process.address = own.address;
@@ -297,8 +297,8 @@ void Membership::Report() {
   ProcessContent content = delegate_.content();
   message::Report report{.changes = Differences(reported_, content)};
   if (content.plugins != reported_.plugins) {
-    CatalogChange& change = report.changes.emplace_back();
-    change.kind = CatalogChange::Kind::kProcess;
+    CatalogueChange& change = report.changes.emplace_back();
+    change.kind = CatalogueChange::Kind::kProcess;
     change.processes = {Description(content)};
   }
   if (report.changes.empty()) return;
@@ -318,7 +318,8 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     channel = channel_;
     // A large message may delay our request or the GCM's answer.
     const SteadyTime lost =
-        std::max({last_renewed_->Get(), channel->last_part(), LargeInHand::Last(now)}) + kSilence;
+        std::max({last_renewed_->Get(), channel->last_part(), LargeMessageInProgress::Last(now)}) +
+        kSilence;
     is_silent = now >= lost;
     is_due = now >= next_renewal_;
     if (is_due) next_renewal_ = now + kBetweenRenewals;

@@ -3,10 +3,10 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
-#include <tendon/process/life/messages.h>
+#include <tendon/process/life/life_messages.h>
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
-#include <tendon/process/membership/health_teller.h>
+#include <tendon/process/membership/health_reporter.h>
 #include <tendon/process/membership_messages.h>
 
 #include <chrono>
@@ -52,7 +52,7 @@ class Membership final : private NetworkJob {
     std::string gcm;  ///< the GCM's address
     bool retry = true;
     ProcessDescription process;  ///< all but its address
-    std::string listens;         ///< see OwnAddressOf()
+    std::string listens;         ///< see AdvertisedAddressOf()
     std::string advertise;
   };
   Membership(ProcessContext& context, MembershipDelegate& delegate, Options options);
@@ -95,7 +95,7 @@ class Membership final : private NetworkJob {
   MembershipDelegate& delegate_;
   Options options_;
   LogForwarder log_;
-  HealthTeller health_;  // only in the lease's thread
+  HealthReporter health_;  // only in the lease's thread
 
   // Only on the worker.
   std::shared_ptr<Channel> candidate_;  // was asked to let us join

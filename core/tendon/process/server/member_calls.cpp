@@ -1,5 +1,5 @@
 #include <tendon/process/server/member_calls.h>
-#include <tendon/proxy/waiting/begun_calls.h>
+#include <tendon/proxy/executing_calls.h>
 
 #include <utility>
 #include <vector>
@@ -7,11 +7,12 @@
 namespace tendon {
 
 /// One command, ready to be called. A read needs no mailbox or connection.
-class MemberCalls::Target : public std::enable_shared_from_this<Target>, private BegunCalls::Owner {
+class MemberCalls::Target : public std::enable_shared_from_this<Target>,
+                            private ExecutingCalls::Owner {
  public:
   /// `line` executes its calls; null if none runs component code.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
-         std::shared_ptr<CallLine> line)
+         std::shared_ptr<SerialExecutor> line)
       : description_(offer.description()),
         interface_(name),
         enabled_(offer.enabled()),
@@ -88,7 +89,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
     network.Notify();
   }
 
-  void OnEnd(BegunCalls::Begun& begun, Status status, Bytes& result) override {
+  void OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) override {
     Finish(status, result, begun.responder);
   }
 
@@ -118,7 +119,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   const MemberDescription description_;
   const std::string interface_;
   const Flag& enabled_;  // belongs to the component
-  const std::shared_ptr<CallLine> line_;
+  const std::shared_ptr<SerialExecutor> line_;
   Flag is_closed_;
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;
@@ -126,7 +127,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>, private
   std::unique_ptr<FunctionProxy> function_;
   std::unique_ptr<Connection> connection_;
   std::mutex begun_mutex_;  // taken after mutex_, which is held while component code runs
-  BegunCalls begun_{*this};
+  ExecutingCalls begun_{*this};
 };
 
 void MemberCalls::Call(const std::shared_ptr<message::CallMember>& call,
@@ -185,9 +186,9 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
 }
 
 /// The line for the commands of one interface, which keeps their order; null if none is needed.
-std::shared_ptr<CallLine> MemberCalls::LineFor(const Offer& offer,
-                                               const ProvidedInterface& provided,
-                                               const message::CallMember& call) {
+std::shared_ptr<SerialExecutor> MemberCalls::LineFor(const Offer& offer,
+                                                     const ProvidedInterface& provided,
+                                                     const message::CallMember& call) {
   constexpr std::size_t kMostCalls = 64;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
   if (!offer.RunsInCaller(provided.inbox() != nullptr)) return nullptr;

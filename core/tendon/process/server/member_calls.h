@@ -3,7 +3,7 @@
 #include <tendon/interface/connection.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/network_thread.h>
 
@@ -41,12 +41,13 @@ class MemberCalls final : private NetworkJob {
 
   std::shared_ptr<Target> Find(const Key& key);
   Result<std::shared_ptr<Target>> Make(const message::CallMember& call);
-  std::shared_ptr<CallLine> LineFor(const Offer& offer, const ProvidedInterface& provided,
-                                    const message::CallMember& call);
+  std::shared_ptr<SerialExecutor> LineFor(const Offer& offer, const ProvidedInterface& provided,
+                                          const message::CallMember& call);
   bool Work(SteadyTime now, SteadyTime& next) override;
 
   ProcessContext& context_;
-  std::map<std::pair<std::string, std::string>, std::shared_ptr<CallLine>> commands_;  // worker
+  std::map<std::pair<std::string, std::string>, std::shared_ptr<SerialExecutor>>
+      commands_;  // worker
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<Target>> targets_;
 };

@@ -2,7 +2,7 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/process/worker.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <memory>
 

@@ -31,7 +31,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
   const Component* const component = context_.host.LookUpComponent(entry.component);
-  const message::InterfaceOpened opened{
+  const message::OpenInterfaceReply opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
       .credit = entry.proxy->capacity(),
       .accepting = entry.proxy->BeginCredit(

@@ -4,8 +4,8 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/process/context.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/handle_table.h>
-#include <tendon/proxy/messages.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/frame.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -136,11 +136,11 @@ bool RowSource::MustRest(const std::string& broker) const {
 
 void RowSource::AskForTopic(Item& item, const std::string& broker) {
   item.stage = Stage::kAsked;
-  tendon::Ask<message::TopicJoined>(
+  tendon::Ask<message::JoinTopicReply>(
       *worker_, channel_, message::kJoinTopic, RequestFor(item.subscription->wanted()),
       kSourceAnswerTimeout,
       [self = shared_from_this(), channel = channel_, subscription = item.subscription,
-       broker](const Result<message::TopicJoined>& answer) {
+       broker](const Result<message::JoinTopicReply>& answer) {
         self->worker_->Post([self, channel, subscription, broker, answer] {
           self->OnTopicJoined(channel, subscription, broker, answer);
         });
@@ -149,7 +149,7 @@ void RowSource::AskForTopic(Item& item, const std::string& broker) {
 
 void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
                               const SharedSubscription& subscription, const std::string& broker,
-                              const Result<message::TopicJoined>& answer) {
+                              const Result<message::JoinTopicReply>& answer) {
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
@@ -165,14 +165,14 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
 
 /// Ignores messages until the subscription has begun; it starts with the next one.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
-                               const message::TopicJoined& joined) {
+                               const message::JoinTopicReply& joined) {
   if (MustRest(broker)) {  // another subscription failed there meanwhile
     return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
   }
-  const auto line = std::make_shared<TopicLine>();
+  const auto line = std::make_shared<TopicState>();
   const auto hear = [weak = weak_from_this(), line,
                      subscription = item.subscription](std::span<const std::byte> body) {
-    const TopicLine::Hearing hearing(*line);
+    const TopicState::Hearing hearing(*line);
     const auto self = weak.lock();
     const std::uint64_t beginning = line->beginning();
     if (!self || beginning == 0) return;
@@ -205,7 +205,7 @@ Result<void> RowSource::Follow(Item& item, const std::string& broker,
 }
 
 void RowSource::WatchOverTopic(const SharedSubscription& subscription,
-                               const std::shared_ptr<TopicLine>& line) {
+                               const std::shared_ptr<TopicState>& line) {
   worker_->PostAfter(kLongestSourcePause, [self = shared_from_this(), subscription, line] {
     Item* item = self->Find(subscription);
     if (item == nullptr || item->line != line || !self->channel_) return;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <tendon/middleware/broadcast.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/fan_out/fan_out.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/clock_offset.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/telemetry/make_telemetry_client.h>
 #include <tendon/process/telemetry/row_subscription.h>
-#include <tendon/process/telemetry/topic_line.h>
+#include <tendon/process/telemetry/topic_state.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -57,15 +58,15 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
-    bool is_direct = false;           // the broker has failed it on this channel
-    std::shared_ptr<TopicLine> line;  // if the rows come through a topic, as the next
+    bool is_direct = false;            // the broker has failed it on this channel
+    std::shared_ptr<TopicState> line;  // if the rows come through a topic, as the next
     std::unique_ptr<FanOut::Reception> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct Standing {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
-    std::shared_ptr<TopicLine> line{};  // if the rows come through a topic
+    std::shared_ptr<TopicState> line{};  // if the rows come through a topic
   };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -84,10 +85,10 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void AskForTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
                      const SharedSubscription& subscription, const std::string& broker,
-                     const Result<message::TopicJoined>& answer);
-  Result<void> Follow(Item& item, const std::string& broker, const message::TopicJoined& joined);
+                     const Result<message::JoinTopicReply>& answer);
+  Result<void> Follow(Item& item, const std::string& broker, const message::JoinTopicReply& joined);
   void WatchOverTopic(const SharedSubscription& subscription,
-                      const std::shared_ptr<TopicLine>& line);
+                      const std::shared_ptr<TopicState>& line);
   void FallBack(Item& item, const Error& reason);
   /// In the middleware's thread.
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,

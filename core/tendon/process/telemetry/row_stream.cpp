@@ -1,5 +1,5 @@
-#include <tendon/process/messages.h>
 #include <tendon/process/telemetry/row_stream.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <algorithm>
 #include <utility>
@@ -55,7 +55,7 @@ void RowStream::Remove(const Channel& channel, std::uint32_t handle) {
   if (!topic_->has_viewers()) topic_ = nullptr;
 }
 
-void RowStream::OnRowsTaken(const RowReceipts& receipts) {
+void RowStream::OnRowsTaken(const RowAcknowledgements& receipts) {
   for (Viewer& viewer : viewers_) {
     if (viewer.is_busy && Includes(receipts, viewer.channel, viewer.handle)) viewer.is_busy = false;
   }

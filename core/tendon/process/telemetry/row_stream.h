@@ -2,7 +2,7 @@
 
 #include <tendon/base/error.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/telemetry/receipts/row_receipts.h>
+#include <tendon/process/telemetry/row_acknowledgements.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_choice.h>
 #include <tendon/process/telemetry/row_topic.h>
@@ -43,7 +43,7 @@ class RowStream {
                                 std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   /// These viewers have received the newest row and may get the next.
-  void OnRowsTaken(const RowReceipts& receipts);
+  void OnRowsTaken(const RowAcknowledgements& receipts);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <tendon/process/messages.h>
 #include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/process/telemetry_client.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <cstdint>
 #include <memory>

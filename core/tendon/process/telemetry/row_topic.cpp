@@ -1,5 +1,5 @@
-#include <tendon/process/messages.h>
 #include <tendon/process/telemetry/row_topic.h>
+#include <tendon/process/viewer_messages.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <tendon/middleware/broadcast.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/fan_out/fan_out.h>
 #include <tendon/process/telemetry/row_batch.h>
 
 #include <cstddef>

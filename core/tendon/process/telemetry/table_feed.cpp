@@ -44,7 +44,7 @@ void TableFeed::Remove(const Channel& channel, std::uint32_t handle) {
   RemoveUnwatched();
 }
 
-void TableFeed::OnRowsTaken(const RowReceipts& receipts) {
+void TableFeed::OnRowsTaken(const RowAcknowledgements& receipts) {
   for (RowStream& stream : streams_) stream.OnRowsTaken(receipts);
 }
 

@@ -34,7 +34,7 @@ class TableFeed {
   const std::string& AddToTopic(const std::vector<std::size_t>& columns, const MakeRowTopic& make,
                                 std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
-  void OnRowsTaken(const RowReceipts& receipts);
+  void OnRowsTaken(const RowAcknowledgements& receipts);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
   /// Cells read for each row for a viewer, if it gets this subscription too. Its subscriptions to

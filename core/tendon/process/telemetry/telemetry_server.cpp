@@ -1,5 +1,5 @@
 #include <tendon/base/os/process.h>
-#include <tendon/middleware/fan_out/fan_out.h>
+#include <tendon/middleware/broadcast.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   if (auto room = HasRoomFor(*source, wanted, *channel); !room) {
     return responder.Refuse(room.error());
   }
-  message::TopicJoined joined{.subscribed = Describe(*source), .topic = {}};
+  message::JoinTopicReply joined{.subscribed = Describe(*source), .topic = {}};
   TableFeed& feed = FeedOf(wanted.component, *source->table);
   joined.subscribed.handle = ++last_handle_;
   joined.subscribed.first_tick = feed.next_tick();
@@ -277,7 +277,7 @@ bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
     return false;
   }
   const bool is_time = now >= next_gathering_;
-  const RowReceipts receipts = is_time ? receipts_.TakeAll() : RowReceipts();
+  const RowAcknowledgements receipts = is_time ? receipts_.TakeAll() : RowAcknowledgements();
   bool more = false;
   for (TableFeed& feed : feeds_) {  // one batch each, in turn
     if (!receipts.empty()) feed.OnRowsTaken(receipts);

@@ -2,11 +2,11 @@
 
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
-#include <tendon/process/messages.h>
 #include <tendon/process/server/mirrored_commands.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
-#include <tendon/proxy/mirror/messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/mirror_messages.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -82,7 +82,7 @@ class TelemetryServer final : public NetworkJob {
   std::mutex mutex_;  // taken after the manager's lock
   std::list<TableFeed> feeds_;
   MirroredCommands mirrored_;
-  ReceiptBox receipts_;
+  AcknowledgementQueue receipts_;
   std::string broker_;
   std::uint32_t last_handle_ = 0;
   SteadyTime next_gathering_{};

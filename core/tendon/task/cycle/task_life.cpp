@@ -1,4 +1,4 @@
-#include <tendon/interface/execution/patient_calls.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/task/cycle/task_life.h>
 #include <tendon/task/thread/cycle_log.h>
 
@@ -125,7 +125,7 @@ void TaskLife::Finish(Task& task) {
   task.inbox()->BindToThisThread();
   task.EndFollowers();
   const auto clean_up = [&task] {
-    const PatientCalls get_through;
+    const BlockWhenFull get_through;
     task.Cleanup();
   };
   if (task.RunGuarded("Cleanup", clean_up)) {

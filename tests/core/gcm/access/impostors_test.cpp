@@ -64,7 +64,7 @@ TEST_P(Impostors, ALeaseIsNotRenewedByAnotherWhoHoldsItsSession) {
 TEST_P(Impostors, WhoHoldsAnothersSessionSpeaksForNobody) {
   const auto thief = OpenAs("robot");
   const message::Report report{
-      .changes = {{.kind = CatalogChange::Kind::kComponent, .components = {test::Arm()}}}};
+      .changes = {{.kind = CatalogueChange::Kind::kComponent, .components = {test::Arm()}}}};
 
   EXPECT_TRUE(thief->Notify(message::kReport, 0, report));
   const auto told =
@@ -74,7 +74,7 @@ TEST_P(Impostors, WhoHoldsAnothersSessionSpeaksForNobody) {
   (void)Ask(*thief, message::kLeave);
 
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
-  EXPECT_EQ(gcm_->catalog().FindComponent("robot", "arm"), nullptr);
+  EXPECT_EQ(gcm_->catalogue().FindComponent("robot", "arm"), nullptr);
   EXPECT_TRUE(robot_.Renew());
 }
 

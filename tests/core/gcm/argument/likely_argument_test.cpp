@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
-#include <tendon/gcm/argument/common_fields.h>
-#include <tendon/gcm/argument/matching_read.h>
+#include <tendon/gcm/common_fields.h>
+#include <tendon/gcm/matching_read.h>
 #include <tests/core/gcm/argument/samples.h>
 
 namespace tendon {

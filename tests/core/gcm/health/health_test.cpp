@@ -82,12 +82,12 @@ TEST_F(RegistryOfHealth, AFigureAgesUntilTheProcessIsGone) {
 TEST_F(RegistryOfHealth, IsNoChangeOfTheCatalogue) {
   const auto robot = Join("robot", 1);
   static_cast<void>(registry_.TakeChanges());
-  const Catalog before = registry_.catalog();
+  const Catalogue before = registry_.catalogue();
 
   ASSERT_TRUE(registry_.TakeHealth(robot, {.memory = kMiB}));
 
   EXPECT_TRUE(registry_.TakeChanges().empty());
-  EXPECT_EQ(registry_.catalog(), before);
+  EXPECT_EQ(registry_.catalogue(), before);
 }
 
 class Health : public test::Bench {

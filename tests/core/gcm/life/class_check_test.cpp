@@ -36,16 +36,16 @@ TEST(ClassCheck, OfWhatIsNotLoadedOnlyThePlugInIsKnown) {
 
 /// The process, with nothing in it, is to have these.
 std::vector<std::string> Obstacles(const std::vector<SystemFile::Component>& components) {
-  Catalog catalog;
-  CatalogChange there{.revision = 1,
-                      .kind = CatalogChange::Kind::kProcess,
-                      .process = "robot",
-                      .processes = {test::ProcessNamed("robot", 1)}};
-  EXPECT_TRUE(catalog.Apply(there));
+  Catalogue catalogue;
+  CatalogueChange there{.revision = 1,
+                        .kind = CatalogueChange::Kind::kProcess,
+                        .process = "robot",
+                        .processes = {test::ProcessNamed("robot", 1)}};
+  EXPECT_TRUE(catalogue.Apply(there));
   const SystemFile wanted{
       .name = "lab", .processes = {{.name = "robot", .components = components}}, .connections = {}};
-  EXPECT_EQ(ProcessesToAsk(catalog, wanted), std::vector<std::string>{"robot"});
-  return MakeCheckedPlan(catalog, wanted, {{"robot", Known()}}).obstacles;
+  EXPECT_EQ(ProcessesToAsk(catalogue, wanted), std::vector<std::string>{"robot"});
+  return MakeCheckedPlan(catalogue, wanted, {{"robot", Known()}}).obstacles;
 }
 
 TEST(ClassCheck, APlugInThatIsLoadedOnTheWayMayHaveTheClass) {
@@ -77,22 +77,22 @@ TEST(ClassCheck, APlanNotesWhichCodeIsOlderThanItsFile) {
   ProcessDescription robot = test::ProcessNamed("robot", 1);
   robot.plugins = {{.name = "simulated_arm", .file = "/opt/a.so", .state = PluginState::kChanged},
                    {.name = "unused", .file = "/opt/b.so", .state = PluginState::kChanged}};
-  Catalog catalog;
-  ASSERT_TRUE(catalog.Apply({.revision = 1,
-                             .kind = CatalogChange::Kind::kProcess,
-                             .process = "robot",
-                             .processes = {robot}}));
-  ASSERT_TRUE(catalog.Apply({.revision = 2,
-                             .kind = CatalogChange::Kind::kComponent,
-                             .process = "robot",
-                             .components = {test::Arm()}}));
+  Catalogue catalogue;
+  ASSERT_TRUE(catalogue.Apply({.revision = 1,
+                               .kind = CatalogueChange::Kind::kProcess,
+                               .process = "robot",
+                               .processes = {robot}}));
+  ASSERT_TRUE(catalogue.Apply({.revision = 2,
+                               .kind = CatalogueChange::Kind::kComponent,
+                               .process = "robot",
+                               .components = {test::Arm()}}));
   const SystemFile wanted{
       .name = "lab",
       .processes = {{.name = "robot",
                      .components = {{.name = "arm", .class_name = "SimulatedArm", .library = {}}}}},
       .connections = {}};
 
-  const Plan plan = MakeCheckedPlan(catalog, wanted, {});
+  const Plan plan = MakeCheckedPlan(catalogue, wanted, {});
 
   ASSERT_EQ(plan.notes.size(), 1U);
   EXPECT_THAT(plan.notes[0], testing::HasSubstr("process 'robot' runs /opt/a.so of "));

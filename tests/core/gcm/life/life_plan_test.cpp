@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-using Kind = CatalogChange::Kind;
+using Kind = CatalogueChange::Kind;
 using message::HistoryEntry;
 using message::LifeOrder;
 
@@ -23,10 +23,10 @@ class LifePlan : public testing::Test {
     Apply("robot", {.kind = Kind::kComponent, .components = {test::Arm()}});
   }
 
-  void Apply(const std::string& process, CatalogChange change) {
+  void Apply(const std::string& process, CatalogueChange change) {
     change.process = process;
-    change.revision = catalog_.revision() + 1;
-    ASSERT_TRUE(catalog_.Apply(change));
+    change.revision = catalogue_.revision() + 1;
+    ASSERT_TRUE(catalogue_.Apply(change));
   }
   void SetState(ComponentState state) {
     ComponentDescription arm = test::Arm();
@@ -36,11 +36,11 @@ class LifePlan : public testing::Test {
 
   /// What a dry run says.
   [[nodiscard]] std::string Refusal(const LifeOrder& order) const {
-    const auto checked = CheckLife(catalog_, order);
+    const auto checked = CheckLife(catalogue_, order);
     return checked ? "" : checked.error().message;
   }
   [[nodiscard]] std::string Found(const std::string& pattern) const {
-    const auto found = LookUpComponents(catalog_, pattern);
+    const auto found = LookUpComponents(catalogue_, pattern);
     if (!found) return found.error().message;
     std::string all;
     for (const Path& path : *found) all += (all.empty() ? "" : " ") + ToString(path);
@@ -62,7 +62,7 @@ class LifePlan : public testing::Test {
   }
 
   [[nodiscard]] HistoryEntry StepOfArm(const std::string& verb) const {
-    const auto* arm = catalog_.FindComponent("robot", "arm");
+    const auto* arm = catalogue_.FindComponent("robot", "arm");
     return {.verb = verb,
             .life = {.process = "robot",
                      .component = "arm",
@@ -70,7 +70,7 @@ class LifePlan : public testing::Test {
                      .library = arm->library}};
   }
 
-  Catalog catalog_;
+  Catalogue catalogue_;
 };
 
 TEST_F(LifePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
@@ -139,7 +139,7 @@ TEST_F(LifePlan, TheUndoOfAStopStartsWhatEndedWithIt) {
   follow("lamp", "arm", ComponentState::kFinished);
   follow("other", "", ComponentState::kActive);
   HistoryEntry step = StepOfArm("stop");
-  step.life = StepOf(catalog_, {.verb = LifeVerb::kStop, .process = "robot", .component = "arm"});
+  step.life = StepOf(catalogue_, {.verb = LifeVerb::kStop, .process = "robot", .component = "arm"});
   AddOutcome({.state = ComponentState::kActive}, step);
 
   std::string orders;
@@ -157,7 +157,7 @@ TEST_F(LifePlan, AStopOfAnOldJournalIsUndoneWithoutOthers) {
   for (const std::string former : {"", R"({"noise":1})", "[]", "[7]", "[[]]", "nonsense"}) {
     step.life.former = former;
 
-    EXPECT_TRUE(CheckUndo(catalog_, step)) << former;
+    EXPECT_TRUE(CheckUndo(catalogue_, step)) << former;
     const auto orders = PlanUndo(step, std::chrono::seconds(1)).then;
     ASSERT_EQ(orders.size(), 1U) << former;
     EXPECT_EQ(orders[0].verb, LifeVerb::kStart);
@@ -177,7 +177,7 @@ TEST_F(LifePlan, AnOrderIsAnsweredWithinTheTimeThatIsLeft) {
 TEST_F(LifePlan, AnUndoRefusesWhatHasChangedSince) {
   HistoryEntry step = StepOfArm("start");
   const auto refusal = [&] {
-    const auto checked = CheckUndo(catalog_, step);
+    const auto checked = CheckUndo(catalogue_, step);
     return checked ? "" : checked.error().message;
   };
   EXPECT_EQ(refusal(), "");
@@ -199,10 +199,10 @@ TEST_F(LifePlan, AnUndoRefusesWhatHasChangedSince) {
 TEST_F(LifePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
   HistoryEntry step = StepOfArm("start");
   step.life.state = ComponentState::kActive;
-  EXPECT_TRUE(CheckUndo(catalog_, step));
+  EXPECT_TRUE(CheckUndo(catalogue_, step));
   step.is_unknown = true;
 
-  EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm was active before");
+  EXPECT_EQ(CheckUndo(catalogue_, step).error().message, "robot/arm was active before");
 }
 
 TEST_F(LifePlan, ARestartIsAStepWhereItStarts) {
@@ -210,8 +210,8 @@ TEST_F(LifePlan, ARestartIsAStepWhereItStarts) {
   for (const ComponentState resting : {ComponentState::kReady, ComponentState::kSuspended,
                                        ComponentState::kFinished, ComponentState::kFaulted}) {
     SetState(resting);
-    EXPECT_EQ(StepOf(catalog_, restart).state, resting);
-    EXPECT_EQ(StepOf(catalog_, restart).component, "arm");
+    EXPECT_EQ(StepOf(catalogue_, restart).state, resting);
+    EXPECT_EQ(StepOf(catalogue_, restart).component, "arm");
   }
   EXPECT_EQ(StepVerbOf(restart), "start");
 
@@ -225,10 +225,11 @@ TEST_F(LifePlan, ARestartIsAStepWhereItStarts) {
 TEST_F(LifePlan, AnUndoRefusesAnotherConfiguration) {
   SetState(ComponentState::kFinished);
   HistoryEntry step = StepOfArm("configure");
-  EXPECT_TRUE(CheckUndo(catalog_, step));
+  EXPECT_TRUE(CheckUndo(catalogue_, step));
   step.life.configuration = "{}";
 
-  EXPECT_EQ(CheckUndo(catalog_, step).error().message, "robot/arm has another configuration since");
+  EXPECT_EQ(CheckUndo(catalogue_, step).error().message,
+            "robot/arm has another configuration since");
 }
 
 TEST_F(LifePlan, AConfigurationIsTakenBackOnlyFromWhatTheStepHasMade) {

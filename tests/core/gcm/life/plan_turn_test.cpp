@@ -9,7 +9,7 @@ using test::kControl;
 using test::kRobot;
 using testing::HasSubstr;
 
-class PlanTurn : public test::DeskAndRobot {
+class PlanLock : public test::DeskAndRobot {
  protected:
   void SetUp() override {
     DeskAndRobot::SetUp();
@@ -27,9 +27,9 @@ class PlanTurn : public test::DeskAndRobot {
   std::unique_ptr<GcmClient> other_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Over, PlanTurn, testing::Values("loopback", "tcp"), test::NameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Over, PlanLock, testing::Values("loopback", "tcp"), test::NameOfParameter);
 
-TEST_P(PlanTurn, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
+TEST_P(PlanLock, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
   ASSERT_TRUE(Take(*other_));
 
   const PlanOutcome outcome = CarryOut(*client_);
@@ -44,7 +44,7 @@ TEST_P(PlanTurn, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
   EXPECT_TRUE(Take(*other_)) << "it has its turn already";
 }
 
-TEST_P(PlanTurn, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
+TEST_P(PlanLock, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
   ClientExecutor executor(*client_, kLong);
   ASSERT_TRUE(executor.Begin());
   client_->GivePlanTurnBack();  // as the end of the link does
@@ -63,7 +63,7 @@ TEST_P(PlanTurn, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
   EXPECT_TRUE(EventuallyTrue([&] { return static_cast<bool>(executor.Execute(connect)); }));
 }
 
-TEST_P(PlanTurn, ComesBackWithTheEndOfThePlan) {
+TEST_P(PlanLock, ComesBackWithTheEndOfThePlan) {
   EXPECT_EQ(CarryOut(*other_).done, 1U);
   ASSERT_TRUE(Disconnect(*other_));
 
@@ -71,7 +71,7 @@ TEST_P(PlanTurn, ComesBackWithTheEndOfThePlan) {
   EXPECT_NE(Connection(), std::nullopt);
 }
 
-TEST_P(PlanTurn, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
+TEST_P(PlanLock, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
   GcmClient viewer(
       NewMiddleware(),
       {.name = "viewer", .address = address_, .timeout = kLong, .role = Role::kViewer});
@@ -84,7 +84,7 @@ TEST_P(PlanTurn, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
   EXPECT_EQ(outcome.error->code, ErrorCode::kDenied);
 }
 
-TEST_P(PlanTurn, EndsWithTheLinkOfWhoHadIt) {
+TEST_P(PlanLock, EndsWithTheLinkOfWhoHadIt) {
   ASSERT_TRUE(Take(*other_));
   other_.reset();
 

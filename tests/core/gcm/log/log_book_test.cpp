@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/base/os/process.h>
-#include <tendon/gcm/server/log_book.h>
+#include <tendon/gcm/server/log_buffer.h>
 #include <tendon/middleware/loopback.h>
 #include <tests/support/wait.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using message::LogRecord;
 using message::LogRecords;
-using server::LogBook;
+using server::LogBuffer;
 
 constexpr std::uint64_t kInstance = 17;
 
@@ -87,7 +87,7 @@ class LogBookTest : public testing::Test {
     written_ += count;
   }
 
-  LogBook book;
+  LogBuffer book;
 
  private:
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
@@ -98,15 +98,15 @@ class LogBookTest : public testing::Test {
 };
 
 TEST_F(LogBookTest, KeepsTheNewestForWhoComesLater) {
-  Write(LogBook::kKept + 100);
+  Write(LogBuffer::kKept + 100);
   const auto viewer = std::make_shared<Viewer>();
 
   const auto watched = book.Watch(ChannelTo(viewer), 0);
   book.Pump();
 
   EXPECT_EQ(watched.begin, 100U);
-  EXPECT_EQ(watched.end, LogBook::kKept + 100);
-  ASSERT_TRUE(EventuallyTrue([&] { return viewer->count() == LogBook::kKept; }));
+  EXPECT_EQ(watched.end, LogBuffer::kKept + 100);
+  ASSERT_TRUE(EventuallyTrue([&] { return viewer->count() == LogBuffer::kKept; }));
   EXPECT_EQ(viewer->first(), 100U);
 }
 
@@ -149,7 +149,7 @@ TEST_F(LogBookTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
     while (full->Notify(MessageType{0xffff}, 0, Bytes(size))) {
     }
   }
-  constexpr std::uint64_t kTwice = 2 * LogBook::kKept;
+  constexpr std::uint64_t kTwice = 2 * LogBuffer::kKept;
   for (std::uint64_t i = 0; i < kTwice / 64; ++i) {
     Write(64);
     book.Pump();
@@ -163,8 +163,8 @@ TEST_F(LogBookTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
     book.PumpAll();  // as the GCM does all the time
     return stuck->next() == kTwice + 1;
   }));
-  EXPECT_EQ(stuck->count(), 1 + LogBook::kKept);
-  EXPECT_EQ(stuck->missed(), kTwice - LogBook::kKept);
+  EXPECT_EQ(stuck->count(), 1 + LogBuffer::kKept);
+  EXPECT_EQ(stuck->missed(), kTwice - LogBuffer::kKept);
 }
 
 TEST_F(LogBookTest, SaysWhatAProcessHasSentInVain) {

@@ -10,11 +10,11 @@ using testing::HasSubstr;
 class StartingProcess : public SupervisorTest {
  protected:
   [[nodiscard]] std::string State() const {
-    const auto* const entry = registry_.catalog().FindProcess("robot");
+    const auto* const entry = registry_.catalogue().FindProcess("robot");
     return entry == nullptr ? std::string("none") : std::string(ToString(entry->process.state));
   }
   [[nodiscard]] bool HasPid(std::int64_t pid) const {
-    const auto* const entry = registry_.catalog().FindProcess("robot");
+    const auto* const entry = registry_.catalogue().FindProcess("robot");
     return entry != nullptr && entry->process.pid == pid;
   }
 };
@@ -24,7 +24,7 @@ TEST_F(StartingProcess, IsShownAsThatUntilItHasJoined) {
   ASSERT_TRUE(Comes([this] { return HasPid(1); }));
   Locked([&] {
     EXPECT_EQ(State(), "starting");
-    EXPECT_EQ(RequirePresent(registry_.catalog().FindProcess("robot")->process).error().message,
+    EXPECT_EQ(RequirePresent(registry_.catalogue().FindProcess("robot")->process).error().message,
               "process 'robot' is starting; try again when it has joined");
     EXPECT_EQ(registry_.Forget("robot").error().message,
               "process 'robot' is starting; only one that is gone can be forgotten");
@@ -40,7 +40,7 @@ TEST_F(StartingProcess, IsShownAsThatUntilItHasJoined) {
   clock_.Advance(500ms);
   ASSERT_TRUE(Comes([&] { return launcher_->starts() == 2 && State() == "starting"; }));
   Locked([&] {  // what it had is known still
-    EXPECT_NE(registry_.catalog().FindComponent("robot", "arm"), nullptr);
+    EXPECT_NE(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
   });
 }
 
@@ -52,7 +52,7 @@ TEST_F(StartingProcess, LeavesNoTraceWhereItDoesNotJoin) {
   ASSERT_TRUE(IsAnswered(answer));
 
   EXPECT_THAT(answer->text, HasSubstr("was ended by SIGKILL before it had joined"));
-  Locked([this] { EXPECT_EQ(registry_.catalog().FindProcess("robot"), nullptr); });
+  Locked([this] { EXPECT_EQ(registry_.catalogue().FindProcess("robot"), nullptr); });
 }
 
 }  // namespace

@@ -172,7 +172,7 @@ class SupervisorTest : public testing::Test {
     Join(std::move(components));
   }
   [[nodiscard]] std::string ReasonNow() const {
-    const auto* const entry = registry_.catalog().FindProcess("robot");
+    const auto* const entry = registry_.catalogue().FindProcess("robot");
     return entry == nullptr ? "" : entry->process.reason;
   }
   [[nodiscard]] std::string Reason() {

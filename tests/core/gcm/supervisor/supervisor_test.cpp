@@ -102,8 +102,8 @@ TEST_F(SupervisorTest, OneThatFailsIsStartedAgainWithWhatItHad) {
   Locked([&] {
     supervisor_.NoteChange("robot");
     ASSERT_TRUE(registry_.Report(
-        session_, {{{.kind = CatalogChange::Kind::kComponent, .components = {made}},
-                    {.kind = CatalogChange::Kind::kComponent, .components = {follower}}}}));
+        session_, {{{.kind = CatalogueChange::Kind::kComponent, .components = {made}},
+                    {.kind = CatalogueChange::Kind::kComponent, .components = {follower}}}}));
   });
 
   End(kKilled);
@@ -218,7 +218,7 @@ TEST_F(SupervisorTest, AStartIsUndoneAsLongAsNothingIsInTheProcess) {
   EXPECT_EQ(supervisor_.CheckUndo(step).error().message,
             "process 'robot' has components since, such as arm");
   Locked([this] {
-    ASSERT_TRUE(registry_.Report(session_, {{{.kind = CatalogChange::Kind::kComponentRemoved,
+    ASSERT_TRUE(registry_.Report(session_, {{{.kind = CatalogueChange::Kind::kComponentRemoved,
                                               .process = "robot",
                                               .component = "arm"}}}));
   });

@@ -17,12 +17,12 @@ class ApplyPlan : public test::DeskAndRobot {
   /// What a new plan for the file makes of the system.
   PlanOutcome Apply(const SystemFile& wanted) {
     ClientExecutor executor(*client_, kLong);
-    return ExecutePlan(MakePlan(gcm_->catalog(), wanted), executor, AfterError::kStop,
+    return ExecutePlan(MakePlan(gcm_->catalogue(), wanted), executor, AfterError::kStop,
                        [](std::size_t, const PlanStep& step, const StepOutcome& outcome) {
                          EXPECT_EQ(outcome, StepOutcome()) << ToString(step) << outcome.reason;
                        });
   }
-  [[nodiscard]] SystemFile Running() const { return SystemOf(gcm_->catalog(), "x").file; }
+  [[nodiscard]] SystemFile Running() const { return SystemOf(gcm_->catalogue(), "x").file; }
   [[nodiscard]] std::vector<SystemDifference> DifferencesFrom(const SystemFile& wanted) const {
     return CompareSystems(wanted, Running(), Starts::kUnknownInSecond).differences;
   }
@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(Over, ApplyPlan, testing::Values("loopback", "tcp"),
 
 TEST_P(ApplyPlan, ConnectsReplacesAndDisconnectsThroughTheGcmUntilNothingDiffers) {
   robot_->Add(test::Arm("spare"));
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalog().FindComponent("robot", "spare"); }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "spare"); }));
   const SystemFile bare = Running();
   SystemFile wired = bare;
   wired.connections.push_back({kRobot, kControl});
@@ -57,12 +57,12 @@ TEST_P(ApplyPlan, ConnectsReplacesAndDisconnectsThroughTheGcmUntilNothingDiffers
 TEST_P(ApplyPlan, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
   SystemFile wanted = Running();
   wanted.connections.push_back({kRobot, kControl});
-  const Plan plan = MakePlan(client_->catalog(), wanted);
+  const Plan plan = MakePlan(client_->catalogue(), wanted);
   ASSERT_EQ(plan.steps.size(), 1U);
   desk_.reset();
   desk_ = Join("desk", {Teleoperation()});
   const std::uint64_t instance = desk_->description().instance;
-  ASSERT_TRUE(EventuallyTrue([&] { return InstanceOf(client_->catalog(), "desk") == instance; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return InstanceOf(client_->catalogue(), "desk") == instance; }));
   ClientExecutor executor(*client_, kLong);
 
   const auto made = executor.Execute(plan.steps[0]);

@@ -8,7 +8,7 @@ namespace {
 
 using Difference = SystemDifference::Kind;
 
-SystemFile Demo() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
+SystemFile Demo() { return SystemOf(test::RunningDemo().catalogue(), "demo").file; }
 
 std::vector<SystemDifference> DifferencesFromDemo(const SystemFile& second) {
   return CompareSystems(Demo(), second, Starts::kKnown).differences;

@@ -15,7 +15,7 @@ PlanStep BirthOf(const CatalogBuilder& running, const std::string& process,
                  RestartPolicy restart = RestartPolicy::kOnFailure) {
   return {.kind = PlanStep::Kind::kStartProcess,
           .process = process,
-          .instance = InstanceOf(running.catalog(), process),
+          .instance = InstanceOf(running.catalogue(), process),
           .restart = restart};
 }
 
@@ -24,11 +24,11 @@ TEST(WithEnds, EndsTheProcessesThatAnotherHasStartedAndWhichAreThereStill) {
   running.Process("desk", {}).Process("robot", {}, ProcessState::kLeft);
 
   const Plan plan = WithEnds(
-      {}, running.catalog(),
+      {}, running.catalogue(),
       {BirthOf(running, "robot"), BirthOf(running, "desk"), BirthOf(running, "never_there")});
 
   EXPECT_THAT(TextsOf(plan), ElementsAre("end process desk"));
-  EXPECT_EQ(plan.steps[0].instance, InstanceOf(running.catalog(), "desk"));
+  EXPECT_EQ(plan.steps[0].instance, InstanceOf(running.catalogue(), "desk"));
   EXPECT_EQ(plan.steps[0].restart, RestartPolicy::kOnFailure);
   EXPECT_TRUE(plan.TakesAway());
 }
@@ -39,14 +39,14 @@ TEST(WithEnds, EndsNoProcessThatWasStartedAgainSinceForItMayBeAnothers) {
   const std::vector<PlanStep> births = {BirthOf(running, "desk"), BirthOf(running, "robot")};
   running.Process("desk", {});
 
-  EXPECT_THAT(TextsOf(WithEnds({}, running.catalog(), births)), ElementsAre("end process robot"));
+  EXPECT_THAT(TextsOf(WithEnds({}, running.catalogue(), births)), ElementsAre("end process robot"));
 }
 
 TEST(WithEnds, EndsALostProcessThatTheGcmMayBeAboutToStartAgain) {
   CatalogBuilder running;
   running.Process("desk", {}, ProcessState::kLost).Process("robot", {}, ProcessState::kLost);
 
-  const Plan plan = WithEnds({}, running.catalog(),
+  const Plan plan = WithEnds({}, running.catalogue(),
                              {BirthOf(running, "desk", RestartPolicy::kOnFailure),
                               BirthOf(running, "robot", RestartPolicy::kNever)});
 

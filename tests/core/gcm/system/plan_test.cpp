@@ -14,11 +14,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-SystemFile DemoFile() { return SystemOf(test::RunningDemo().catalog(), "demo").file; }
+SystemFile DemoFile() { return SystemOf(test::RunningDemo().catalogue(), "demo").file; }
 
 /// What it takes to make the file's system of the demo that runs.
 Plan PlanFromDemo(const SystemFile& wanted) {
-  return MakePlan(test::RunningDemo().catalog(), wanted);
+  return MakePlan(test::RunningDemo().catalogue(), wanted);
 }
 
 TEST(Plan, OfASystemThatRunsIsEmpty) {
@@ -39,7 +39,7 @@ TEST(Plan, StartsTheProcessesThatTheGcmIsToStart) {
   wanted.processes[1].components.pop_back();
   wanted.processes[1].components[0].thread.emplace().lock_memory = true;
 
-  const Plan plan = MakePlan(lost.catalog(), wanted);
+  const Plan plan = MakePlan(lost.catalogue(), wanted);
 
   EXPECT_THAT(plan.obstacles, IsEmpty());
   EXPECT_THAT(
@@ -68,7 +68,7 @@ TEST(Plan, MakesASystemInEmptyProcessesInTheOrderThatWorks) {
   wanted.processes[1].components[1].state = ComponentState::kSuspended;
   wanted.processes[0].components[0].state = ComponentState::kConstructed;
 
-  const Plan plan = MakePlan(empty.catalog(), wanted);
+  const Plan plan = MakePlan(empty.catalogue(), wanted);
 
   EXPECT_THAT(plan.obstacles, IsEmpty());
   EXPECT_THAT(TextsOf(plan),
@@ -97,9 +97,9 @@ TEST(Plan, DisconnectsWhatWaitsForAProviderThatTheFileDoesNotWant) {
   CatalogBuilder builder;
   builder.Process("desk", {test::Teleoperation()})
       .Connection(test::kNeeded, test::kOffered, ConnectionState::kPending);
-  const SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+  const SystemFile wanted = SystemOf(builder.catalogue(), "x").file;
 
-  EXPECT_THAT(TextsOf(MakePlan(builder.catalog(), wanted)),
+  EXPECT_THAT(TextsOf(MakePlan(builder.catalogue(), wanted)),
               ElementsAre("disconnect desk/teleoperation/Robot -> robot/arm/Control"));
 }
 
@@ -157,23 +157,23 @@ SystemFile::Component& ComponentIn(SystemFile& system, const std::string& name) 
 TEST(Plan, MakesLeadersBeforeThoseThatRunAfterThem) {
   CatalogBuilder empty;
   empty.Process("robot", {});
-  const SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+  const SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
 
   EXPECT_THAT(
-      TextsOf(MakePlan(empty.catalog(), wanted)),
+      TextsOf(MakePlan(empty.catalogue(), wanted)),
       ElementsAre("create robot/arm (SimulatedArm of simulated_arm)",
                   "create robot/filter (SimulatedArm of simulated_arm, which runs after arm)",
                   "create robot/a-logger (SimulatedArm of simulated_arm, which runs after filter)",
                   "start robot/arm", "start robot/filter", "start robot/a-logger"));
-  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalog(), wanted)), IsEmpty());
+  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalogue(), wanted)), IsEmpty());
 }
 
 TEST(Plan, SuspendsALeaderWhenAllHaveStartedAfterIt) {
   CatalogBuilder empty;
   empty.Process("robot", {});
-  SystemFile wanted = SystemOf(RunningChain(ComponentState::kSuspended).catalog(), "x").file;
+  SystemFile wanted = SystemOf(RunningChain(ComponentState::kSuspended).catalogue(), "x").file;
 
-  const auto texts = TextsOf(MakePlan(empty.catalog(), wanted));
+  const auto texts = TextsOf(MakePlan(empty.catalogue(), wanted));
 
   ASSERT_EQ(texts.size(), 8U);
   EXPECT_THAT(
@@ -183,32 +183,32 @@ TEST(Plan, SuspendsALeaderWhenAllHaveStartedAfterIt) {
 }
 
 TEST(Plan, AnotherThreadIsAnotherComponent) {
-  SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+  SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
   ComponentIn(wanted, "a-logger").thread->spin = std::chrono::microseconds(10);
 
   EXPECT_THAT(
-      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      TextsOf(MakePlan(RunningChain().catalogue(), wanted)),
       ElementsAre("stop robot/a-logger", "remove robot/a-logger",
                   "create robot/a-logger (SimulatedArm of simulated_arm, which runs after filter)",
                   "start robot/a-logger"));
   ComponentIn(wanted, "a-logger").thread.reset();
   ComponentIn(wanted, "a-logger").runs_after.clear();
-  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalog(), wanted)), IsEmpty());
+  EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalogue(), wanted)), IsEmpty());
   ComponentIn(wanted, "a-logger").thread.emplace();
   EXPECT_THAT(
-      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      TextsOf(MakePlan(RunningChain().catalogue(), wanted)),
       ElementsAre("stop robot/a-logger", "remove robot/a-logger",
                   "create robot/a-logger (SimulatedArm of simulated_arm)", "start robot/a-logger"));
 }
 
 TEST(Plan, AComponentIsMadeAnewWithAllThatRunAfterIt) {
-  SystemFile wanted = SystemOf(RunningChain().catalog(), "x").file;
+  SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
   ComponentIn(wanted, "arm").configuration = R"({"noise":1})";
   ComponentIn(wanted, "a-logger").thread.reset();  // it keeps what the file does not tell
   ComponentIn(wanted, "a-logger").runs_after.clear();
 
   EXPECT_THAT(
-      TextsOf(MakePlan(RunningChain().catalog(), wanted)),
+      TextsOf(MakePlan(RunningChain().catalogue(), wanted)),
       ElementsAre("stop robot/a-logger", "stop robot/filter", "stop robot/arm",
                   "remove robot/a-logger", "remove robot/filter", "configure robot/arm",
                   "create robot/filter (SimulatedArm of simulated_arm, which runs after arm)",
@@ -222,10 +222,10 @@ TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
   own.leader = "arm";
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm(), own});
-  SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+  SystemFile wanted = SystemOf(builder.catalogue(), "x").file;
   wanted.processes[0].components[0].configuration = R"({"noise":1})";
 
-  EXPECT_THAT(MakePlan(builder.catalog(), wanted).obstacles,
+  EXPECT_THAT(MakePlan(builder.catalogue(), wanted).obstacles,
               ElementsAre("robot/own runs after one that is to go or to be made anew, and its own "
                           "program alone can make it anew with that; stop that program first"));
 }
@@ -247,7 +247,7 @@ TEST(Plan, StartsServersBeforeTheirClientsWhichNeedTheirConnections) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});
 
-  const Plan plan = MakePlan(empty.catalog(), DemoFile());
+  const Plan plan = MakePlan(empty.catalogue(), DemoFile());
 
   ASSERT_EQ(plan.steps.size(), 7U);
   EXPECT_EQ(ToString(plan.steps[4]), "start robot/arm");
@@ -261,7 +261,7 @@ TEST(Plan, DoesNotStartWhatLacksAConnection) {
   teleoperation.state = ComponentState::kFinished;
   SystemFile wanted = DemoFile();
   const auto obstacle_of = [&](const CatalogBuilder& builder) {
-    const Plan plan = MakePlan(builder.catalog(), wanted);
+    const Plan plan = MakePlan(builder.catalogue(), wanted);
     for (const std::string& text : TextsOf(plan)) EXPECT_NE(text, "start desk/teleoperation");
     return plan.obstacles.empty() ? "no obstacle" : plan.obstacles.back();
   };
@@ -284,7 +284,7 @@ TEST(Plan, SaysThatAConnectionHasFailed) {
   CatalogBuilder builder = test::RunningDemo();
   builder.Connection(test::kNeeded, test::kOffered, ConnectionState::kFailed, "it does not fit");
 
-  EXPECT_THAT(MakePlan(builder.catalog(), DemoFile()).obstacles,
+  EXPECT_THAT(MakePlan(builder.catalogue(), DemoFile()).obstacles,
               ElementsAre("the connection desk/teleoperation/Robot -> robot/arm/Control has "
                           "failed: it does not fit"));
 }
@@ -293,7 +293,7 @@ TEST(Plan, StepsAreForTheProcessesThatItHasSeen) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});
 
-  for (const PlanStep& step : MakePlan(empty.catalog(), DemoFile()).steps) {
+  for (const PlanStep& step : MakePlan(empty.catalogue(), DemoFile()).steps) {
     const bool is_of_robot = step.process == "robot";
     EXPECT_EQ(step.instance, is_of_robot ? 1U : 2U) << ToString(step);
   }
@@ -319,7 +319,7 @@ TEST(Plan, OfThousandsOfComponentsIsMade) {
     wanted.connections.push_back({{"robot", name, "Robot"}, {"robot", next, "Control"}});
   }
 
-  const Plan plan = MakePlan(empty.catalog(), wanted);
+  const Plan plan = MakePlan(empty.catalogue(), wanted);
 
   ASSERT_EQ(plan.steps.size(), 3U * kComponents - 1);
   EXPECT_EQ(ToString(plan.steps[2 * kComponents - 1]), "start robot/c9999");
@@ -343,9 +343,9 @@ TEST(Plan, BringsComponentsToTheirStates) {
     arm.state = now;
     CatalogBuilder builder;
     builder.Process("robot", {arm});
-    SystemFile file = SystemOf(builder.catalog(), "x").file;
+    SystemFile file = SystemOf(builder.catalogue(), "x").file;
     file.processes[0].components[0].state = wanted;
-    return TextsOf(MakePlan(builder.catalog(), file));
+    return TextsOf(MakePlan(builder.catalogue(), file));
   };
   using enum ComponentState;
 
@@ -365,7 +365,7 @@ TEST(Plan, SaysWhichProcessesAreToBeStarted) {
   SystemFile wanted = DemoFile();
   wanted.processes[0].components[0].class_name.clear();
 
-  const Plan plan = MakePlan(builder.catalog(), wanted);
+  const Plan plan = MakePlan(builder.catalogue(), wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(plan.obstacles,
@@ -382,7 +382,7 @@ TEST(Plan, AProcessThatIsStartingIsWaitedFor) {
   wanted.processes[1].start = SystemFile::Start{};
   wanted.connections.clear();
 
-  const Plan plan = MakePlan(builder.catalog(), wanted);
+  const Plan plan = MakePlan(builder.catalogue(), wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(plan.obstacles, ElementsAre("process 'robot' is starting (pid 1001); plan again when "
@@ -395,13 +395,13 @@ TEST(Plan, SaysWhatNoStepCanBringAbout) {
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm(), own, test::FakeArm()})
       .Process("desk", {test::Teleoperation()});
-  SystemFile wanted = SystemOf(builder.catalog(), "x").file;
+  SystemFile wanted = SystemOf(builder.catalogue(), "x").file;
   auto& robot = wanted.processes[1];
   robot.components = {robot.components[0], robot.components[1], {"absent", "", "", ""}};
   robot.components[0].period = 0.002;
   wanted.connections.push_back({test::kNeeded, {"robot", "fake", "Control"}});
 
-  const Plan plan = MakePlan(builder.catalog(), wanted);
+  const Plan plan = MakePlan(builder.catalogue(), wanted);
 
   ASSERT_EQ(plan.obstacles.size(), 4U) << testing::PrintToString(plan.obstacles);
   EXPECT_THAT(plan.obstacles[0],
@@ -420,18 +420,18 @@ struct StrictPlan : testing::Test {
     ComponentDescription teleoperation = test::Teleoperation();
     teleoperation.library = "teleoperation";
     teleoperation.state = ComponentState::kConstructed;
-    catalog = CatalogBuilder().Process("desk", {teleoperation}).catalog();
-    wanted = SystemOf(catalog, "demo").file;
+    catalogue = CatalogBuilder().Process("desk", {teleoperation}).catalogue();
+    wanted = SystemOf(catalogue, "demo").file;
     wanted.processes[0].components[0].state = ComponentState::kActive;
     wanted.strict = true;
   }
 
-  Catalog catalog;
+  Catalogue catalogue;
   SystemFile wanted;
 };
 
 TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
-  const Plan plan = MakePlan(catalog, wanted);
+  const Plan plan = MakePlan(catalogue, wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(plan.obstacles,
@@ -443,7 +443,7 @@ TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
 TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {
   wanted.strict = false;
 
-  const Plan plan = MakePlan(catalog, wanted);
+  const Plan plan = MakePlan(catalogue, wanted);
 
   EXPECT_THAT(TextsOf(plan), ElementsAre("start desk/teleoperation"));
   EXPECT_FALSE(plan.steps[0].is_strict);
@@ -452,7 +452,7 @@ TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {
 TEST_F(StrictPlan, StartsStrictlyWhatOnlyItsProcessKnows) {
   wanted.processes[0].components[0].class_name = "Another";
 
-  const Plan plan = MakePlan(catalog, wanted);
+  const Plan plan = MakePlan(catalogue, wanted);
 
   ASSERT_FALSE(plan.steps.empty());
   EXPECT_EQ(ToString(plan.steps.back()), "start desk/teleoperation");
@@ -462,20 +462,20 @@ TEST_F(StrictPlan, StartsStrictlyWhatOnlyItsProcessKnows) {
 TEST_F(StrictPlan, DoesNotStartWhatIsMadeAnewWithAnotherConfigurationEither) {
   wanted.processes[0].components[0].configuration = R"({"gain":2})";
 
-  const Plan plan = MakePlan(catalog, wanted);
+  const Plan plan = MakePlan(catalogue, wanted);
 
   EXPECT_THAT(TextsOf(plan), testing::Not(testing::Contains(HasSubstr("start"))));
   EXPECT_EQ(plan.obstacles.size(), 1U);
 }
 
 TEST_F(StrictPlan, LeavesOptionalInterfacesAlone) {
-  ComponentDescription teleoperation = *catalog.FindComponent("desk", "teleoperation");
+  ComponentDescription teleoperation = *catalogue.FindComponent("desk", "teleoperation");
   RequiredDescription optional = test::Robot();
   optional.optional = true;
   teleoperation.required.clear();
   teleoperation.required.push_back(optional);
 
-  const Plan plan = MakePlan(CatalogBuilder().Process("desk", {teleoperation}).catalog(), wanted);
+  const Plan plan = MakePlan(CatalogBuilder().Process("desk", {teleoperation}).catalogue(), wanted);
 
   EXPECT_THAT(TextsOf(plan), ElementsAre("start desk/teleoperation"));
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <tendon/gcm/catalog.h>
+#include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system_file.h>
 #include <tests/core/gcm/samples.h>
@@ -19,9 +19,9 @@ class CatalogBuilder {
                           ProcessState state = ProcessState::kAlive) {
     ProcessDescription process = ProcessNamed(name, ++instance_);
     process.state = state;
-    Add({.kind = CatalogChange::Kind::kProcess, .process = name, .processes = {process}});
+    Add({.kind = CatalogueChange::Kind::kProcess, .process = name, .processes = {process}});
     for (const auto& part : parts) {
-      Add({.kind = CatalogChange::Kind::kComponent, .process = name, .components = {part}});
+      Add({.kind = CatalogueChange::Kind::kComponent, .process = name, .components = {part}});
     }
     return *this;
   }
@@ -30,27 +30,27 @@ class CatalogBuilder {
   CatalogBuilder& Connection(const InterfaceName& required, const InterfaceName& provided,
                              ConnectionState state = ConnectionState::kActive,
                              const std::string& reason = "") {
-    const auto* before = catalog_.FindConnection(required);
+    const auto* before = catalogue_.FindConnection(required);
     const ConnectionDescription made{.id = before == nullptr ? ++connection_ : before->id,
                                      .required = required,
                                      .provided = provided,
                                      .state = state,
                                      .reason = reason};
-    Add({.kind = CatalogChange::Kind::kConnection,
+    Add({.kind = CatalogueChange::Kind::kConnection,
          .process = required.process,
          .connections = {made}});
     return *this;
   }
 
-  [[nodiscard]] const Catalog& catalog() const { return catalog_; }
+  [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
 
  private:
-  void Add(CatalogChange change) {
-    change.revision = catalog_.revision() + 1;
-    ASSERT_TRUE(catalog_.Apply(change));
+  void Add(CatalogueChange change) {
+    change.revision = catalogue_.revision() + 1;
+    ASSERT_TRUE(catalogue_.Apply(change));
   }
 
-  Catalog catalog_;
+  Catalogue catalogue_;
   std::uint64_t instance_ = 0;
   std::uint64_t connection_ = 0;
 };

@@ -16,7 +16,7 @@ SystemFile ReadBack(const SystemFile& system) {
 }
 
 TEST(RunningSystem, IsWrittenDownAsItIs) {
-  const auto [file, loose] = SystemOf(test::RunningDemo().catalog(), "demo");
+  const auto [file, loose] = SystemOf(test::RunningDemo().catalogue(), "demo");
 
   EXPECT_EQ(file.name, "demo");
   ASSERT_EQ(file.processes.size(), 2U);
@@ -44,7 +44,7 @@ TEST(RunningSystem, ReadsBackWhateverStateItIsIn) {
   CatalogBuilder builder;
   builder.Process("robot", {faulted, ready, own});
 
-  const SystemFile file = ReadBack(SystemOf(builder.catalog(), "x").file);
+  const SystemFile file = ReadBack(SystemOf(builder.catalogue(), "x").file);
 
   EXPECT_EQ(file.FindComponent("robot", "faulted")->state, ComponentState::kActive);
   EXPECT_EQ(file.FindComponent("robot", "ready")->state, ComponentState::kConstructed);
@@ -58,7 +58,7 @@ TEST(RunningSystem, LeavesOutWhatIsNotThereAndSaysSo) {
       .Process("desk", {test::Teleoperation()})
       .Connection(test::kNeeded, test::kOffered);
 
-  const RunningSystem running = SystemOf(builder.catalog(), "x");
+  const RunningSystem running = SystemOf(builder.catalogue(), "x");
 
   ASSERT_EQ(running.file.processes.size(), 1U);
   EXPECT_TRUE(running.file.connections.empty());
@@ -68,7 +68,7 @@ TEST(RunningSystem, LeavesOutWhatIsNotThereAndSaysSo) {
 }
 
 TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
-  SystemFile former = SystemOf(test::RunningDemo().catalog(), "demo").file;
+  SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   former.comment = "of the lab";
   former.layout = {{"robot/arm", {1, 2}}, {"robot/gone", {3, 4}}};
   former.connections[0].comment = "by hand";
@@ -79,7 +79,7 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
       component.comment = "mine";
     }
   }
-  RunningSystem running = SystemOf(test::RunningDemo().catalog(), "demo");
+  RunningSystem running = SystemOf(test::RunningDemo().catalogue(), "demo");
   SystemFile& saved = running.file;
   saved.processes[1].components[1].class_name = "Other";
 
@@ -106,7 +106,7 @@ TEST(RunningSystem, TellsTheThreadsOfComponentsThatItCanMakeAgain) {
   CatalogBuilder builder;
   builder.Process("robot", {arm, filter, own});
 
-  const SystemFile file = SystemOf(builder.catalog(), "x").file;
+  const SystemFile file = SystemOf(builder.catalogue(), "x").file;
 
   EXPECT_EQ(file.FindComponent("robot", "arm")->thread, fifo);
   EXPECT_EQ(file.FindComponent("robot", "arm")->runs_after, "");
@@ -125,8 +125,8 @@ TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {
   CatalogBuilder builder = test::RunningDemo();
   builder.Process("robot", {test::Arm()}, ProcessState::kLost);
 
-  EXPECT_EQ(SystemOf(builder.catalog(), "x").file.FindProcess("robot"), nullptr);
-  const RunningSystem whole = SystemOf(builder.catalog(), "x", Gone::kIncluded);
+  EXPECT_EQ(SystemOf(builder.catalogue(), "x").file.FindProcess("robot"), nullptr);
+  const RunningSystem whole = SystemOf(builder.catalogue(), "x", Gone::kIncluded);
   EXPECT_NE(whole.file.FindComponent("robot", "arm"), nullptr);
   EXPECT_EQ(whole.file.connections.size(), 1U);
 }
@@ -135,11 +135,11 @@ TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {
 RunningSystem RunningWithout(const std::string& process, CatalogBuilder& builder) {
   if (process != "robot") builder.Process("robot", {test::Arm(), test::Arm("spare")});
   if (process != "desk") builder.Process("desk", {test::Teleoperation()});
-  return SystemOf(builder.catalog(), "demo");
+  return SystemOf(builder.catalogue(), "demo");
 }
 
 TEST(RunningSystem, TheFileKeepsProcessesThatAreNotThereNow) {
-  SystemFile former = SystemOf(test::RunningDemo().catalog(), "demo").file;
+  SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   former.connections[0].comment = "by hand";
   former.layout = {{"robot/arm", {1, 2}}, {"desk/teleoperation", {3, 4}}};
   former.processes[1].components[0].thread.emplace().lock_memory = true;
@@ -163,10 +163,10 @@ TEST(RunningSystem, TheFileKeepsProcessesThatAreNotThereNow) {
 }
 
 TEST(RunningSystem, AKeptConnectionToWhatIsNoMoreIsLeftOut) {
-  const SystemFile former = SystemOf(test::RunningDemo().catalog(), "demo").file;
+  const SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm("spare")});
-  RunningSystem saved = SystemOf(builder.catalog(), "demo");
+  RunningSystem saved = SystemOf(builder.catalogue(), "demo");
 
   KeepFrom(former, saved);
 

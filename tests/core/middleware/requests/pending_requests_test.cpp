@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/middleware/requests/awaited_answer.h>
+#include <tendon/middleware/requests/blocking_request.h>
 #include <tendon/middleware/requests/pending_requests.h>
 
 #include <algorithm>
@@ -147,9 +147,9 @@ TEST(PendingRequests, FinishAllKeepsTheOrderOfMany) {
   EXPECT_TRUE(std::is_sorted(ended.begin(), ended.end()));
 }
 
-TEST(AwaitedAnswer, IsWhatTheRequestWasFinishedWith) {
+TEST(BlockingRequest, IsWhatTheRequestWasFinishedWith) {
   PendingRequests requests;
-  AwaitedAnswer answer(requests);
+  BlockingRequest answer(requests);
   const auto peer =
       std::async(std::launch::async, [&] { requests.OnAnswer(answer.number(), Answer(Bytes(3))); });
 
@@ -160,9 +160,9 @@ TEST(AwaitedAnswer, IsWhatTheRequestWasFinishedWith) {
   EXPECT_EQ(requests.late_answers(), 0U);
 }
 
-TEST(AwaitedAnswer, IsWhereItsBytesWereLentAndKeepsThemThere) {
+TEST(BlockingRequest, IsWhereItsBytesWereLentAndKeepsThemThere) {
   PendingRequests requests;
-  AwaitedAnswer answer(requests);
+  BlockingRequest answer(requests);
   auto lent = std::make_shared<Bytes>(100'000, std::byte{7});
   const std::weak_ptr<Bytes> still = lent;
   const std::byte* const place = lent->data();
@@ -191,9 +191,9 @@ TEST(PendingRequests, AHandlerGetsACopyOfWhatIsLent) {
   EXPECT_EQ(heard, Bytes(100, std::byte{7}));
 }
 
-TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
+TEST(BlockingRequest, IsLateOnceItsTimeIsOver) {
   PendingRequests requests;
-  AwaitedAnswer answer(requests);
+  BlockingRequest answer(requests);
 
   EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
   requests.OnAnswer(answer.number(), Answer(Bytes(3)));
@@ -201,11 +201,11 @@ TEST(AwaitedAnswer, IsLateOnceItsTimeIsOver) {
   EXPECT_EQ(requests.late_answers(), 1U);
 }
 
-TEST(AwaitedAnswer, IsLateWhereNobodyHasWaited) {
+TEST(BlockingRequest, IsLateWhereNobodyHasWaited) {
   PendingRequests requests;
   std::uint64_t number = 0;
   {
-    const AwaitedAnswer answer(requests);
+    const BlockingRequest answer(requests);
     number = answer.number();
   }
 
@@ -214,15 +214,15 @@ TEST(AwaitedAnswer, IsLateWhereNobodyHasWaited) {
   EXPECT_EQ(requests.late_answers(), 1U);
 }
 
-TEST(AwaitedAnswer, OfOneIsNotThatOfTheNextWhoWaits) {
+TEST(BlockingRequest, OfOneIsNotThatOfTheNextWhoWaits) {
   PendingRequests requests;
   std::uint64_t first = 0;
   {
-    AwaitedAnswer answer(requests);
+    BlockingRequest answer(requests);
     first = answer.number();
     (void)answer.WaitUntil(SteadyClock().Now());
   }
-  AwaitedAnswer next(requests);
+  BlockingRequest next(requests);
 
   requests.OnAnswer(first, Answer(Bytes(1)));
   requests.OnAnswer(next.number(), Answer(Bytes(2)));
@@ -232,10 +232,10 @@ TEST(AwaitedAnswer, OfOneIsNotThatOfTheNextWhoWaits) {
   EXPECT_EQ((*outcome)->body().size(), 2U);
 }
 
-TEST(AwaitedAnswer, EndsWithAllOthersAndBeginsNoMore) {
+TEST(BlockingRequest, EndsWithAllOthersAndBeginsNoMore) {
   PendingRequests requests;
   const Error reason{ErrorCode::kUnreachable, "gone"};
-  AwaitedAnswer answer(requests);
+  BlockingRequest answer(requests);
   const auto end = std::async(std::launch::async, [&] { requests.FinishAll(reason); });
 
   const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
@@ -243,7 +243,7 @@ TEST(AwaitedAnswer, EndsWithAllOthersAndBeginsNoMore) {
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ(outcome->error(), reason);
   end.wait();
-  EXPECT_EQ(AwaitedAnswer(requests).number(), 0U);
+  EXPECT_EQ(BlockingRequest(requests).number(), 0U);
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client.h>
 #include <tendon/process/access/guarded_handler.h>
-#include <tendon/process/messages.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <string>
 #include <vector>
@@ -62,8 +62,8 @@ class GuardedTest : public NetworkTest {
             .name = "looker", .address = gcm().address(), .timeout = kPatience, .role = role});
     EXPECT_TRUE(client->WaitUntilWatching().ok());
     EXPECT_TRUE(EventuallyTrue([&] {
-      const auto catalog = client->catalog();
-      const auto& processes = catalog.processes();
+      const auto catalogue = client->catalogue();
+      const auto& processes = catalogue.processes();
       return processes.contains("robot") && !processes.at("robot").components.empty();
     }));
     return client;
@@ -168,8 +168,8 @@ TEST_P(GuardedTest, WhoListensToEventsCallsNothing) {
                                       .handle = 1,
                                       .capacity = 16};
   const auto listen = [&] {
-    return channel->Call<tendon::message::InterfaceOpened>(tendon::message::kListen, 0, open,
-                                                           kPatience);
+    return channel->Call<tendon::message::OpenInterfaceReply>(tendon::message::kListen, 0, open,
+                                                              kPatience);
   };
 
   const auto listened = listen();

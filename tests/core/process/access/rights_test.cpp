@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/membership_messages.h>
-#include <tendon/process/messages.h>
-#include <tendon/process/program_messages.h>
-#include <tendon/process/telemetry/fan_out_messages.h>
-#include <tendon/proxy/messages.h>
-#include <tendon/proxy/mirror/messages.h>
+#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/version_messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/mirror_messages.h>
 #include <tendon/security/rights.h>
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/base/os/process.h>
+#include <tendon/proxy/component_proxy.h>
 #include <tendon/task/periodic_task.h>
 
 #include <atomic>

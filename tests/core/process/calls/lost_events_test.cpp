@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tendon/proxy/component_proxy.h>
 #include <tendon/task/periodic_task.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/viewer_messages.h>
 #include <tendon/state/state_table.h>
 
 #include <atomic>

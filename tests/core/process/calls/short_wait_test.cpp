@@ -74,7 +74,7 @@ class Porter final : public tendon::Component {
   tendon::ReadFunction<int> count;
 };
 
-/// Callers wait for a task that is done soon.
+/// CallerThreads wait for a task that is done soon.
 class ShortWait : public NetworkTest {
  protected:
   static constexpr auto kPatience = 20s;

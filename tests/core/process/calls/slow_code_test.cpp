@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <tendon/proxy/threads/call_threads.h>
+#include <tendon/proxy/worker_pool.h>
 #include <tendon/task/signal_task.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ TEST_P(SlowRead, HoldsUpNothingElseOnItsConnection) {
 
 TEST_P(SlowRead, OfMoreCallersThanThereAreThreadsHoldsUpNobodyElse) {
   std::vector<Operator*> callers;
-  for (std::size_t i = 0; i < tendon::CallThreads::kMost + 2; ++i) {
+  for (std::size_t i = 0; i < tendon::WorkerPool::kMost + 2; ++i) {
     const std::string name = "caller" + std::to_string(i);
     callers.push_back(&desk->Add<Operator>(name, 8));
     ASSERT_TRUE(desk->Connect(InterfaceName("desk", name, "Robot"), kControl).ok());
@@ -66,7 +66,7 @@ TEST_P(SlowRead, OfMoreCallersThanThereAreThreadsHoldsUpNobodyElse) {
 
   for (Operator* const caller : callers) AskInVain(*caller);
 
-  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == int{tendon::CallThreads::kMost}; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == int{tendon::WorkerPool::kMost}; }));
   for (Operator* const caller : callers) ExpectAllElseIsServed(*caller);
   ExpectAllElseIsServed(*user);
 }

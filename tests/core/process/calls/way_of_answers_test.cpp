@@ -20,11 +20,11 @@ struct Ways {
 };
 
 /// An answer that is counted when it is left, now or later.
-class CountedAnswer final : public tendon::LeftAnswer {
+class CountedAnswer final : public tendon::ReplySlot {
  public:
-  CountedAnswer(tendon::LeftAnswer& answer, std::shared_ptr<Ways> ways)
+  CountedAnswer(tendon::ReplySlot& answer, std::shared_ptr<Ways> ways)
       : answer_(answer), ways_(std::move(ways)) {}
-  CountedAnswer(std::unique_ptr<tendon::LeftAnswer> later, std::shared_ptr<Ways> ways)
+  CountedAnswer(std::unique_ptr<tendon::ReplySlot> later, std::shared_ptr<Ways> ways)
       : later_(std::move(later)), answer_(*later_), ways_(std::move(ways)) {}
 
  private:
@@ -35,13 +35,13 @@ class CountedAnswer final : public tendon::LeftAnswer {
     ++ways_->answered;  // before whoever asked goes on
     answer_.End();
   }
-  std::unique_ptr<tendon::LeftAnswer> MakeLater() override {
+  std::unique_ptr<tendon::ReplySlot> MakeLater() override {
     auto later = answer_.Defer();
     return later ? std::make_unique<CountedAnswer>(std::move(later), ways_) : nullptr;
   }
 
-  const std::unique_ptr<tendon::LeftAnswer> later_;
-  tendon::LeftAnswer& answer_;
+  const std::unique_ptr<tendon::ReplySlot> later_;
+  tendon::ReplySlot& answer_;
   const std::shared_ptr<Ways> ways_;
 };
 
@@ -78,7 +78,7 @@ class WayCounter final : public tendon::Middleware {
       ++ways_->sent;
       handler_->OnFrame(frame);
     }
-    void OnAsked(std::span<const std::byte> frame, tendon::LeftAnswer& answer) override {
+    void OnAsked(std::span<const std::byte> frame, tendon::ReplySlot& answer) override {
       ++ways_->asked;
       CountedAnswer counted(answer, ways_);
       handler_->OnAsked(frame, counted);

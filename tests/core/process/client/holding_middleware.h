@@ -1,7 +1,7 @@
 #pragma once
 
 #include <support/peers/wrapped.h>
-#include <tendon/middleware/handshake/openings.h>
+#include <tendon/middleware/connect_cancellation.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -61,7 +61,7 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
  private:
   tendon::Result<void> Wait(const std::string& address) {
     bool is_over = false;
-    const tendon::WaitForLink wait([&] {
+    const tendon::CancellableConnect wait([&] {
       const std::scoped_lock lock(mutex_);
       is_over = true;
       changed_.notify_all();
@@ -74,7 +74,7 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
     changed_.wait(
         lock, [&] { return is_over || !held_.contains(address) || held_.at(address) != timeouts; });
     waiting_.erase(std::ranges::find(waiting_, address));
-    if (is_over) return tendon::OpeningIsOver();
+    if (is_over) return tendon::ConnectCancelledError();
     if (!held_.contains(address)) return {};
     return tendon::Error{tendon::ErrorCode::kTimeout, address + " does not answer"};
   }

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/messages.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 #include <future>
@@ -83,7 +83,7 @@ class HungPeers : public RemoteConnection {
                                         .handle = 1,
                                         .capacity = 64};
     open.description.name = "Robot";
-    const auto opened = channel_->Call<tendon::message::InterfaceOpened>(
+    const auto opened = channel_->Call<tendon::message::OpenInterfaceReply>(
         tendon::message::kOpenInterface, 0, open, kLongEnoughToAnswer);
     EXPECT_TRUE(opened.ok()) << opened.error().message;
   }

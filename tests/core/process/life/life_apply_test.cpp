@@ -24,7 +24,7 @@ class Restless final : public tendon::Component {
 class LifeApply : public LifeFixture {
  protected:
   tendon::PlanOutcome Apply(const SystemFile& wanted) {
-    const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+    const tendon::Plan plan = MakePlan(gcm().catalogue(), wanted);
     EXPECT_THAT(plan.obstacles, testing::IsEmpty());
     tendon::ClientExecutor executor(*client_, kLong);
     return ExecutePlan(plan, executor, tendon::AfterError::kStop,
@@ -35,14 +35,14 @@ class LifeApply : public LifeFixture {
   }
   /// As it would be read again.
   SystemFile Saved() {
-    const auto text = SystemFileText(SystemOf(gcm().catalog(), "lamps").file);
+    const auto text = SystemFileText(SystemOf(gcm().catalogue(), "lamps").file);
     EXPECT_TRUE(text);
     const auto file = tendon::ParseSystemFile(*text, "saved");
     EXPECT_TRUE(file) << file.error().message;
     return file ? *file : SystemFile();
   }
   void ExpectRuns(const SystemFile& wanted) {
-    const auto comparison = CompareSystems(wanted, SystemOf(gcm().catalog(), "").file,
+    const auto comparison = CompareSystems(wanted, SystemOf(gcm().catalogue(), "").file,
                                            tendon::Starts::kUnknownInSecond);
     for (const auto& one : comparison.differences) ADD_FAILURE() << one.what << ": " << one.how;
   }
@@ -68,8 +68,8 @@ class LifeApply : public LifeFixture {
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
     ASSERT_TRUE(EventuallyTrue([&] {  // so does the client
-      const tendon::Catalog known = client_->catalog();
-      const tendon::Catalog now = gcm().catalog();
+      const tendon::Catalogue known = client_->catalogue();
+      const tendon::Catalogue now = gcm().catalogue();
       return InstanceOf(known, "robot") == InstanceOf(now, "robot");
     }));
   }
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Over, LifeApply, testing::ValuesIn(NetworkKinds()), Nam
 
 TEST_P(LifeApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
   MakeLamps();
-  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const tendon::Fingerprint before = gcm().catalogue().ContentHash();
   const SystemFile saved = Saved();
   RestartEmpty();
   ASSERT_TRUE(robot_->components().empty());
@@ -87,7 +87,7 @@ TEST_P(LifeApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
   const tendon::PlanOutcome applied = Apply(saved);
 
   EXPECT_EQ(applied.failed, 0U);
-  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(gcm().catalogue().ContentHash(), before);
   ExpectRuns(saved);
   EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // there is nothing left to do
 }
@@ -103,14 +103,14 @@ TEST_P(LifeApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
   follower.thread = ToJson(tendon::ThreadOptions{.spin = std::chrono::microseconds(20)});
   ASSERT_EQ(Reason(Steer(*client_, follower)), "");
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "a-follower")), "");
-  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const tendon::Fingerprint before = gcm().catalogue().ContentHash();
   const SystemFile saved = Saved();
   EXPECT_EQ(saved.FindComponent("robot", "a-follower")->runs_after, "lamp");
   RestartEmpty();
 
   EXPECT_EQ(Apply(saved).failed, 0U);
 
-  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(gcm().catalogue().ContentHash(), before);
   EXPECT_EQ(robot_->SettingsOf("a-follower")->leader, "lamp");
   EXPECT_EQ(robot_->SettingsOf("a-follower")->thread->spin, std::chrono::microseconds(20));
   EXPECT_EQ(Apply(saved), tendon::PlanOutcome());
@@ -123,7 +123,7 @@ TEST_P(LifeApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
   EXPECT_EQ(robot_->SettingsOf("a-follower")->leader, "lamp");
   ExpectRuns(other);
   EXPECT_EQ(Apply(saved).failed, 0U);
-  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(gcm().catalogue().ContentHash(), before);
 }
 
 TEST_P(LifeApply, AnotherConfigurationMakesTheComponentAnewWithItsConnections) {
@@ -148,7 +148,7 @@ TEST_P(LifeApply, WhatDoesNotComeToBeSuspendedIsStopped) {
   ASSERT_TRUE(EventuallyTrue([&] { return Known("arm").name == "arm"; }));
   SystemFile wanted = Saved();
   wanted.processes[0].components[0].state = tendon::ComponentState::kSuspended;
-  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  const tendon::Plan plan = MakePlan(gcm().catalogue(), wanted);
   ASSERT_EQ(plan.steps.size(), 1U);
   constexpr std::chrono::milliseconds kSoon(2000);  // it is waited for in vain
   tendon::GcmClient client(NewMiddleware(),
@@ -168,7 +168,7 @@ TEST_P(LifeApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
   MakeLamps();
   SystemFile wanted = Saved();
   RestartEmpty();
-  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  const tendon::Plan plan = MakePlan(gcm().catalogue(), wanted);
   ASSERT_FALSE(plan.steps.empty());
   RestartEmpty();
   tendon::ClientExecutor executor(*client_, kLong);
@@ -184,7 +184,7 @@ TEST_P(LifeApply, AStepIsNotForAConfigurationThatWasChangedSinceItWasPlanned) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness":0.7})")), "");
   SystemFile wanted = Saved();
   wanted.processes[0].components[0].configuration = R"({"brightness":0.1})";
-  const tendon::Plan plan = MakePlan(gcm().catalog(), wanted);
+  const tendon::Plan plan = MakePlan(gcm().catalogue(), wanted);
   ASSERT_EQ(plan.steps.size(), 1U);
   ASSERT_EQ(Reason(Configure("lamp", R"({"brightness":0.3})")), "");
   tendon::ClientExecutor executor(*client_, kLong);
@@ -202,7 +202,7 @@ TEST_P(LifeApply, AStepIsNotForAConfigurationThatWasChangedSinceItWasPlanned) {
 TEST_P(LifeApply, WhatWasAppliedIsUndoneStepByStep) {
   MakeLamps();
   const SystemFile saved = Saved();
-  const tendon::Fingerprint before = gcm().catalog().ContentHash();
+  const tendon::Fingerprint before = gcm().catalogue().ContentHash();
   SystemFile wanted = saved;
   wanted.connections.clear();
   wanted.processes[0].components[0].state = tendon::ComponentState::kSuspended;
@@ -217,7 +217,7 @@ TEST_P(LifeApply, WhatWasAppliedIsUndoneStepByStep) {
   }
 
   ExpectRuns(saved);
-  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(gcm().catalogue().ContentHash(), before);
 }
 
 }  // namespace

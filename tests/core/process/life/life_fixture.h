@@ -104,8 +104,8 @@ class LifeFixture : public NetworkTest {
 
   /// As the GCM knows it, when an answer is here; of no name where there is none.
   [[nodiscard]] tendon::ComponentDescription Known(const std::string& component) {
-    const tendon::Catalog catalog = gcm().catalog();
-    const auto* found = catalog.FindComponent("robot", component);
+    const tendon::Catalogue catalogue = gcm().catalogue();
+    const auto* found = catalogue.FindComponent("robot", component);
     return found == nullptr ? tendon::ComponentDescription() : *found;
   }
 

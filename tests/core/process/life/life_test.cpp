@@ -87,7 +87,7 @@ TEST_P(Life, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   robot_->Add<plant::Plant>("plant");
   ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
-  const auto before = gcm().catalog().ContentHash();
+  const auto before = gcm().catalogue().ContentHash();
 
   EXPECT_THAT(Reason(Load("lamp")), HasSubstr("no plug-in 'lamp'; did you mean 'lamps'?"));
   EXPECT_THAT(Reason(Load("../lamps")), HasSubstr("plug-in name '../lamps' has '.' at 1"));
@@ -113,7 +113,7 @@ TEST_P(Life, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
   EXPECT_THAT(Reason(Order(LifeVerb::kStart, "lam")),
               HasSubstr("no component 'robot/lam'; did you mean 'lamp'?"));
 
-  EXPECT_EQ(gcm().catalog().ContentHash(), before);
+  EXPECT_EQ(gcm().catalogue().ContentHash(), before);
   const auto history = tendon::Wait<tendon::message::History>(
       kLong, [&](auto handler) { client_->GetHistory(handler); });
   EXPECT_EQ(history->entries.size(), 1U);
@@ -122,8 +122,8 @@ TEST_P(Life, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
 TEST_P(Life, AProcessWithoutPlugInsMakesNothingButStartsWhatItHas) {
   const auto desk = Start("desk");
   desk->Add<plant::Plant>("plant");
-  ASSERT_TRUE(
-      EventuallyTrue([&] { return client_->catalog().FindComponent("desk", "plant") != nullptr; }));
+  ASSERT_TRUE(EventuallyTrue(
+      [&] { return client_->catalogue().FindComponent("desk", "plant") != nullptr; }));
 
   EXPECT_EQ(Reason(Steer(*client_, {.verb = LifeVerb::kLoad, .process = "desk", .library = "x"})),
             "process 'desk' makes no components from afar, for its program has none of the classes "
@@ -211,11 +211,11 @@ TEST_P(Life, AComponentConfiguredAnewKeepsItsConnections) {
 /// Which components were told to be gone.
 class Departures final : public tendon::GcmListener {
  public:
-  void OnSnapshot(const tendon::Catalog& /*catalog*/) override {}
-  void OnChanges(const std::vector<tendon::CatalogChange>& changes) override {
+  void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {}
+  void OnChanges(const std::vector<tendon::CatalogueChange>& changes) override {
     const std::scoped_lock lock(mutex_);
     for (const auto& change : changes) {
-      if (change.kind == tendon::CatalogChange::Kind::kComponentRemoved) {
+      if (change.kind == tendon::CatalogueChange::Kind::kComponentRemoved) {
         gone_.push_back(change.component);
       }
     }

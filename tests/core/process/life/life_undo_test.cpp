@@ -25,7 +25,7 @@ TEST_P(LifeUndo, ARemovedComponentComesBackAsItWasWithItsConnections) {
   ASSERT_EQ(Reason(Create("Switch", "switch")), "");
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "lamp")), "");
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().connections().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalogue().connections().size() == 1; }));
   ASSERT_EQ(Reason(Order(LifeVerb::kRemove, "lamp")), "");
   EXPECT_TRUE(robot_->connections().empty());
 
@@ -83,7 +83,7 @@ TEST_P(LifeUndo, AComponentThatCannotBeConnectedAsBeforeIsThereButDoesNotRun) {
   ASSERT_EQ(Reason(Create("Switch", "switch")), "");
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "switch")), "");
-  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalog().connections().size() == 1; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return gcm().catalogue().connections().size() == 1; }));
   ASSERT_EQ(Reason(Order(LifeVerb::kRemove, "switch")), "");
   ASSERT_TRUE(robot_->Remove("lamp").ok());
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").name.empty(); }));
@@ -205,7 +205,7 @@ TEST_P(LifeUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
   constexpr int kSteps = 50;
   ASSERT_EQ(Reason(Create("Lamp", "first", R"({"brightness": 0.3})")), "");
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "first")), "");
-  const tendon::SystemFile before = SystemOf(gcm().catalog(), "x").file;
+  const tendon::SystemFile before = SystemOf(gcm().catalogue(), "x").file;
   RandomOrders orders([this](const std::string& name) { return Known(name); });
   int followers = 0;
 
@@ -221,7 +221,7 @@ TEST_P(LifeUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
     ASSERT_EQ(undone.find(':'), undone.npos) << step << ": " << undone;
   }
 
-  const tendon::SystemFile after = SystemOf(gcm().catalog(), "x").file;
+  const tendon::SystemFile after = SystemOf(gcm().catalogue(), "x").file;
   for (const auto& one : CompareSystems(before, after, tendon::Starts::kKnown).differences) {
     ADD_FAILURE() << one.what << ": " << one.how;
   }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <tendon/process/messages.h>
+#include <tendon/process/telemetry/make_telemetry_client.h>
 #include <tendon/process/telemetry/row_batch.h>
-#include <tendon/process/telemetry_client.h>
+#include <tendon/process/viewer_messages.h>
 
 #include "core/process/telemetry/listening.h"
 #include "support/wait.h"

@@ -1,6 +1,6 @@
-#include <tendon/process/messages.h>
 #include <tendon/process/server/viewer_watch.h>
-#include <tendon/proxy/messages.h>
+#include <tendon/process/viewer_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include "core/process/telemetry/listening.h"
 #include "core/process/telemetry/viewing.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/os/process.h>
-#include <tendon/process/telemetry_client.h>
+#include <tendon/process/telemetry/make_telemetry_client.h>
 
 #include <memory>
 #include <string>
@@ -16,8 +16,8 @@ class ViewingTest : public NetworkTest {
     return tendon::MakeTelemetryClient(
         NewMiddleware(),
         [this](const std::string& process) -> tendon::Result<std::string> {
-          const tendon::Catalog catalog = gcm().catalog();
-          const auto* entry = catalog.FindProcess(process);
+          const tendon::Catalogue catalogue = gcm().catalogue();
+          const auto* entry = catalogue.FindProcess(process);
           if (entry != nullptr && entry->process.state == tendon::ProcessState::kAlive) {
             return entry->process.address;
           }

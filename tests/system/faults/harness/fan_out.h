@@ -44,8 +44,8 @@ class FanOutTest : public FaultTest {
     ASSERT_NO_FATAL_FAILURE(StartViewer());
     robot_ = MakeLcm("well", As("well"));
     ASSERT_TRUE(Eventually([this] {
-      const auto catalog = viewer_->catalog();
-      return catalog.FindProvided({"well", "fountain", "state"}) != nullptr;
+      const auto catalogue = viewer_->catalogue();
+      return catalogue.FindProvided({"well", "fountain", "state"}) != nullptr;
     })) << robot_->err();
   }
 

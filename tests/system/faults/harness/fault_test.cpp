@@ -55,8 +55,8 @@ std::string SystemFile(const std::string& folder) {
 }
 
 /// All its components, so that nothing more changes by itself.
-bool IsActive(const tendon::Catalog& catalog) {
-  for (const auto& [name, entry] : catalog.processes()) {
+bool IsActive(const tendon::Catalogue& catalogue) {
+  for (const auto& [name, entry] : catalogue.processes()) {
     const auto is_active = [](const auto& one) {
       return one.second.state == tendon::ComponentState::kActive;
     };
@@ -133,7 +133,7 @@ void FaultTest::StartSystem() {
   robot_ = MakeLcm("robot");
   desk_ = MakeLcm("desk");
   ASSERT_TRUE(EventuallyConnected()) << robot_->err() << desk_->err();
-  ASSERT_TRUE(Eventually([this] { return IsActive(viewer_->catalog()); })) << Gcm({"tree"}).out;
+  ASSERT_TRUE(Eventually([this] { return IsActive(viewer_->catalogue()); })) << Gcm({"tree"}).out;
   viewer_->telemetry().Subscribe({"robot", "ledger", "state", {"Sample"}}, stream_);
   ASSERT_TRUE(Flows()) << ToString(stream_->verdict());
 }
@@ -161,30 +161,30 @@ std::shared_ptr<tendon::Middleware> FaultTest::NewMiddleware() const {
 
 bool FaultTest::EventuallyIs(const std::string& process, ProcessState state) const {
   return Eventually([&] {
-    const auto catalog = viewer_->catalog();
-    const auto* entry = catalog.FindProcess(process);
+    const auto catalogue = viewer_->catalogue();
+    const auto* entry = catalogue.FindProcess(process);
     return entry != nullptr && entry->process.state == state;
   });
 }
 
 bool FaultTest::EventuallyActive(const std::string& process, const std::string& component) const {
   return Eventually([&] {
-    const auto catalog = viewer_->catalog();
-    const auto* found = catalog.FindComponent(process, component);
+    const auto catalogue = viewer_->catalogue();
+    const auto* found = catalogue.FindComponent(process, component);
     return found != nullptr && found->state == tendon::ComponentState::kActive;
   });
 }
 
 std::string FaultTest::AddressOf(const std::string& process) const {
-  const auto catalog = viewer_->catalog();
-  const auto* entry = catalog.FindProcess(process);
+  const auto catalogue = viewer_->catalogue();
+  const auto* entry = catalogue.FindProcess(process);
   return entry == nullptr ? std::string() : entry->process.address;
 }
 
 bool FaultTest::EventuallyConnected() const {
   return Eventually([this] {
-    const auto catalog = viewer_->catalog();
-    const auto* connection = catalog.FindConnection(kClient);
+    const auto catalogue = viewer_->catalogue();
+    const auto* connection = catalogue.FindConnection(kClient);
     return connection != nullptr && connection->state == tendon::ConnectionState::kActive;
   });
 }

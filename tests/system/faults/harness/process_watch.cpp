@@ -25,14 +25,14 @@ std::size_t ProcessWatch::connection_changes() const {
   return connection_changes_;
 }
 
-void ProcessWatch::OnSnapshot(const tendon::Catalog& catalog) {
+void ProcessWatch::OnSnapshot(const tendon::Catalogue& catalogue) {
   const std::scoped_lock lock(mutex_);
   ++snapshots_;
   last_.clear();  // what happened between two of them was not seen
-  for (const auto& [name, entry] : catalog.processes()) See(entry.process);
+  for (const auto& [name, entry] : catalogue.processes()) See(entry.process);
 }
 
-void ProcessWatch::OnChanges(const std::vector<tendon::CatalogChange>& changes) {
+void ProcessWatch::OnChanges(const std::vector<tendon::CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (const auto& change : changes) {
     for (const auto& process : change.processes) See(process);

@@ -22,8 +22,8 @@ class ProcessWatch final : public tendon::GcmListener {
   [[nodiscard]] std::size_t connection_changes() const;
 
  private:
-  void OnSnapshot(const tendon::Catalog& catalog) override;
-  void OnChanges(const std::vector<tendon::CatalogChange>& changes) override;
+  void OnSnapshot(const tendon::Catalogue& catalogue) override;
+  void OnChanges(const std::vector<tendon::CatalogueChange>& changes) override;
   void OnGcmLost(const tendon::Error& reason) override;
   void See(const tendon::ProcessDescription& process);
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file_content.h>
+#include <tendon/base/result.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace tendon::os {
+
+/// A copy of a shared library in a file of this process alone, which is loaded instead of the
+/// original. So a linker, `cp` or an installation may write the original without an effect on
+/// running programs. A mapped file that is overwritten in place would change, or end, a running
+/// program.
+///
+/// The copy has the name of its original, so that backtraces, debuggers and profilers show a useful
+/// name: NAME.so in a folder of this process below RuntimeFolder(). The folder is removed when the
+/// process ends; that of a killed process, when the next process makes a copy. If files of that
+/// folder cannot be executed, or it is not ours, the copy is only in memory: /proc/PID/fd/NUMBER.
+class LibraryCopy {
+ public:
+  /// The error text continues after "PATH: ".
+  static Result<std::unique_ptr<LibraryCopy>> Make(const std::filesystem::path& original);
+  LibraryCopy(const LibraryCopy&) = delete;
+  LibraryCopy& operator=(const LibraryCopy&) = delete;
+  /// Removes the file unless it is kept. A library loaded from it stays.
+  ~LibraryCopy();
+
+  /// The file to load; other processes of this user can read it, too.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// The content that was copied.
+  [[nodiscard]] const FileContent& content() const { return content_; }
+  /// Keeps the file for the life of this process.
+  static void Keep(std::unique_ptr<LibraryCopy> copy);
+
+ private:
+  explicit LibraryCopy(int descriptor) : descriptor_(descriptor) {}
+
+  static std::unique_ptr<LibraryCopy> InFolder(const std::filesystem::path& original);
+  static std::unique_ptr<LibraryCopy> InMemory(const std::filesystem::path& original);
+  Result<void> Fill(const std::filesystem::path& original);
+
+  Descriptor descriptor_;
+  std::filesystem::path path_;
+  std::filesystem::path folder_;  // of this copy alone; empty if it is in memory
+  FileContent content_;
+};
+
+}  // namespace tendon::os

@@ -1,0 +1,62 @@
+#include <tendon/gcm/client/event_listener.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::client {
+
+bool Listening::Try(std::uint32_t attempt) {
+  const std::scoped_lock lock(mutex_);
+  if (!sink_ || attempt_ != 0) return false;
+  attempt_ = attempt;
+  return true;
+}
+
+bool Listening::Stand(std::uint32_t attempt, Place place,
+                      const std::vector<MemberDescription>& events) {
+  const std::scoped_lock lock(mutex_);
+  if (!sink_ || attempt_ != attempt) return false;
+  place_ = std::move(place);
+  lost_.assign(wanted_.events.size(), 0);
+  interruption_.reset();
+  sink_->OnListening(events);
+  return true;
+}
+
+bool Listening::Fail(std::uint32_t attempt, const Error& reason) {
+  const std::scoped_lock lock(mutex_);
+  if (attempt_ != attempt) return false;
+  attempt_ = 0;
+  place_ = {};
+  if (!sink_) return false;
+  if (interruption_ != reason) sink_->OnStale(reason);
+  interruption_ = reason;
+  return true;
+}
+
+void Listening::End() {
+  const std::scoped_lock lock(mutex_);
+  sink_.reset();
+  if (place_.channel) {
+    (void)place_.channel->Notify(message::kCloseInterface, place_.handle, Bytes());
+  }
+  place_ = {};
+}
+
+void Listening::Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value,
+                      SteadyTime there) {
+  const std::scoped_lock lock(mutex_);
+  if (!place_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
+  sink_->OnEvent(event, value, place_.clock->Here(there));
+}
+
+void Listening::Lose(std::uint32_t attempt, const message::EventsLost& events) {
+  const std::scoped_lock lock(mutex_);
+  if (!place_.channel || attempt_ != attempt) return;
+  for (std::size_t i = 0; i < std::min(lost_.size(), events.lost.size()); ++i) {
+    if (events.lost[i] <= lost_[i]) continue;
+    sink_->OnEventsLost(i, events.lost[i] - std::exchange(lost_[i], events.lost[i]));
+  }
+}
+
+}  // namespace tendon::client

@@ -1,0 +1,219 @@
+#include <tendon/gcm/client/json_field.h>
+#include <tendon/gcm/client/process_requests.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/payload/json.h>
+#include <tendon/process/ask.h>
+#include <tendon/process/schema_exchange.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tendon::client {
+namespace {
+
+bool Answers(CommandKind kind) { return kind != CommandKind::kVoid && kind != CommandKind::kWrite; }
+
+Error Refusal(const std::string& command, Status status) {
+  const std::string words = command + ": " + std::string(ToString(status));
+  switch (status.code()) {
+    case Status::kNotActive:
+      return {ErrorCode::kFailed, words + "; start its component first"};
+    case Status::kQueueFull:
+      return {ErrorCode::kFailed,
+              words +
+                  "; its component has not caught up: try again, and where it never does, see "
+                  "that its Run() calls ProcessQueuedCommands()"};
+    case Status::kTimeout:
+    case Status::kOutcomeUnknown:
+      return {ErrorCode::kTimeout, words};
+    case Status::kDenied:
+      return {ErrorCode::kDenied, words};
+    case Status::kInvalid:
+      return {ErrorCode::kInvalid, words};
+    default:
+      return {ErrorCode::kFailed, words};
+  }
+}
+
+/// Whether there is an argument if and only if the command takes one.
+Result<void> CheckArgument(const std::string& command, const MemberDescription& description,
+                           const std::string& argument) {
+  const bool is_given = !argument.empty() && argument != "null";
+  if (is_given == TakesArgument(description.signature)) return {};
+  if (is_given) return Error{ErrorCode::kInvalid, command + " takes no argument"};
+  return Error{ErrorCode::kInvalid, command + " needs an argument of " + description.in_type +
+                                        ", as JSON; gcm show " + command + " has a line to copy"};
+}
+
+}  // namespace
+
+struct Caller::Order {
+  Path path;
+  std::string command;  // for errors: "robot/arm/Control.MoveTo"
+  Signature signature;
+  std::string argument;
+  Handler<std::string> handler;
+};
+
+Caller::Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
+               std::chrono::milliseconds timeout)
+    : links_(std::move(links)), timer_(std::move(timer)), timeout_(timeout) {}
+
+void Caller::Call(const Path& path, const MemberDescription& command, const std::string& argument,
+                  Handler<std::string> handler) {
+  const std::string name = ToString(path.interface_name()) + "." + path.member;
+  if (auto checked = CheckArgument(name, command, argument); !checked) {
+    return handler(checked.error());
+  }
+  const auto order = std::make_shared<const Order>(
+      Order{path, name, command.signature, argument, std::move(handler)});
+  std::vector<Fingerprint> needed;
+  if (TakesArgument(order->signature)) needed.push_back(order->signature.in);
+  if (Answers(order->signature.kind)) needed.push_back(order->signature.out);
+  FetchSchemas(path.process, needed,
+               [self = shared_from_this(), order](const Result<void>& fetched) {
+                 if (!fetched) return order->handler(fetched.error());
+                 self->Send(order);
+               });
+}
+
+void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
+                       Handler<Schema> handler) {
+  FetchSchemas(process, {fingerprint},
+               [self = shared_from_this(), fingerprint,
+                handler = std::move(handler)](const Result<void>& fetched) {
+                 if (!fetched) return handler(fetched.error());
+                 handler(*self->Find(fingerprint));
+               });
+}
+
+void Caller::GetVersion(const std::string& process, Handler<message::ProgramVersion> handler) {
+  links_->With(
+      process, [self = shared_from_this(), handler = std::move(handler)](const auto& channel) {
+        if (channel) {
+          return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
+                                              self->timeout_, handler);
+        }
+        // An older program answers kDenied; the failure to open a link must not look like that.
+        const Error& why = channel.error();
+        handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
+      });
+}
+
+void Caller::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
+  AskProcess(required.process, message::kGetCounts, message::GetCounts{required},
+             std::move(handler));
+}
+
+void Caller::GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler) {
+  AskProcess(wire.provided.process, message::kGetCounts, message::GetCounts{wire.required},
+             std::move(handler));
+}
+
+void Caller::GetFill(const std::string& process, const std::string& component,
+                     Handler<MailboxFill> handler) {
+  AskProcess(process, message::kGetFill, message::GetFill{component}, std::move(handler));
+}
+
+template <Payload Answer, Message T>
+void Caller::AskProcess(const std::string& process, MessageType type, const T& question,
+                        Handler<Answer> handler) {
+  links_->With(process, [self = shared_from_this(), type, question,
+                         handler = std::move(handler)](const auto& channel) {
+    if (!channel) return handler(channel.error());
+    Ask<Answer>(*self->timer_, *channel, type, question, self->timeout_, handler);
+  });
+}
+
+void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler) {
+  const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
+  // Called when the last copy is destroyed.
+  const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
+  for (const auto& [process, wanted] : types) {
+    links_->With(
+        process, [self = shared_from_this(), wanted = wanted, timeout, all](const auto& channel) {
+          if (!channel) return;
+          LearnSchemas(*self->timer_, *channel, wanted, timeout, [all] { static_cast<void>(all); });
+        });
+  }
+}
+
+/// Asks the process for those that are not known yet.
+void Caller::FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
+                          Handler<void> handler) {
+  std::erase_if(fingerprints,
+                [this](const Fingerprint& fingerprint) { return Find(fingerprint).has_value(); });
+  if (fingerprints.empty()) return handler({});
+  links_->With(process, [self = shared_from_this(), process, fingerprints,
+                         handler = std::move(handler)](const auto& channel) {
+    if (!channel) return handler(channel.error());
+    Ask<message::Schemas>(*self->timer_, *channel, message::kGetSchemas,
+                          message::GetSchemas{fingerprints}, self->timeout_,
+                          [self, process, fingerprints, handler](const auto& schemas) {
+                            if (!schemas) return handler(schemas.error());
+                            handler(self->Keep(process, fingerprints, *schemas));
+                          });
+  });
+}
+
+Result<void> Caller::Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,
+                          const message::Schemas& schemas) {
+  for (std::size_t i = 0; i < fingerprints.size(); ++i) {
+    const std::string wanted = ToString(fingerprints[i]);
+    if (i >= schemas.texts.size() || schemas.texts[i].empty()) {
+      return Error{ErrorCode::kNotFound,
+                   "process '" + process + "' knows no payload type of fingerprint " + wanted};
+    }
+    const auto schema = Schema::Parse(schemas.texts[i]);
+    if (!schema) return schema.error();
+    if (schema->fingerprint() != fingerprints[i]) {
+      return Error{ErrorCode::kInvalid,
+                   "process '" + process + "' sent another schema than that of " + wanted};
+    }
+    const std::scoped_lock lock(mutex_);
+    schemas_.insert_or_assign(fingerprints[i], *schema);
+  }
+  return {};
+}
+
+std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = schemas_.find(fingerprint);
+  return found == schemas_.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// All schemas are known.
+void Caller::Send(const std::shared_ptr<const Order>& order) {
+  const Path& path = order->path;
+  message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
+  if (TakesArgument(order->signature)) {
+    auto argument = FromJson(*Find(order->signature.in), order->argument);
+    if (!argument) {
+      return order->handler(
+          Error{ErrorCode::kInvalid, order->command + ": " + argument.error().message});
+    }
+    call.argument = *std::move(argument);
+  }
+  links_->With(path.process,
+               [self = shared_from_this(), order, call = std::move(call)](const auto& channel) {
+                 if (!channel) return order->handler(channel.error());
+                 Ask<message::Called>(*self->timer_, *channel, message::kCallMember, call,
+                                      self->timeout_, [self, order](const auto& called) {
+                                        if (!called) return order->handler(called.error());
+                                        order->handler(self->Read(*order, *called));
+                                      });
+               });
+}
+
+Result<std::string> Caller::Read(const Order& order, const message::Called& called) const {
+  constexpr std::uint8_t kLast = Status::kFailed;
+  const Status status(called.status <= kLast ? static_cast<Status::Code>(called.status)
+                                             : Status::kFailed);
+  if (!status) return Refusal(order.command, status);
+  if (!Answers(order.signature.kind)) return std::string();
+  auto json = ToJson(*Find(order.signature.out), called.answer);
+  if (!json) return Error{ErrorCode::kInvalid, order.command + ": " + json.error().message};
+  return JsonField(*json, order.path.field);
+}
+
+}  // namespace tendon::client

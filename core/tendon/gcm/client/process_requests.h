@@ -1,0 +1,67 @@
+#pragma once
+
+#include <tendon/base/path.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/client/process_links.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/schema.h>
+#include <tendon/process/membership_messages.h>
+#include <tendon/process/version_messages.h>
+#include <tendon/process/viewer_messages.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::client {
+
+/// Calls commands of processes with JSON, using the catalogue and the schemas of the processes.
+/// Thread-safe. Calls each handler once, unless the client closes.
+class Caller final : public std::enable_shared_from_this<Caller> {
+ public:
+  template <typename T>
+  using Handler = std::function<void(Result<T>)>;
+
+  /// `timer` enforces deadlines.
+  Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
+         std::chrono::milliseconds timeout);
+
+  void Call(const Path& path, const MemberDescription& command, const std::string& argument,
+            Handler<std::string> handler);
+  void GetVersion(const std::string& process, Handler<message::ProgramVersion> handler);
+  void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
+  void GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler);
+  void GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler);
+  void GetFill(const std::string& process, const std::string& component,
+               Handler<MailboxFill> handler);
+  /// Fetches types from the processes that know them, for FindSchema(). Does not wait long for a
+  /// process that does not answer.
+  void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
+
+ private:
+  struct Order;
+
+  template <Payload Answer, Message T>
+  void AskProcess(const std::string& process, MessageType type, const T& question,
+                  Handler<Answer> handler);
+  void FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
+                    Handler<void> handler);
+  Result<void> Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,
+                    const message::Schemas& schemas);
+  [[nodiscard]] std::optional<Schema> Find(Fingerprint fingerprint) const;
+  void Send(const std::shared_ptr<const Order>& order);
+  [[nodiscard]] Result<std::string> Read(const Order& order, const message::Called& called) const;
+
+  const std::shared_ptr<ProcessLinks> links_;
+  const std::shared_ptr<Worker> timer_;
+  const std::chrono::milliseconds timeout_;
+  mutable std::mutex mutex_;
+  std::map<Fingerprint, Schema> schemas_;
+};
+
+}  // namespace tendon::client

@@ -1,0 +1,254 @@
+#pragma once
+
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/supervisor/restart_policy.h>
+#include <tendon/process/life/life_messages.h>
+#include <tendon/process/log/log_messages.h>
+#include <tendon/process/membership_messages.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The messages between a GCM and its viewers. For messages to LCMs see
+/// process/membership_messages.h and process/life/messages.h. Each struct is the body of a frame.
+namespace tendon {
+
+/// The orders to a GCM for a process on its own host.
+enum class ProcessVerb : std::int32_t {
+  kStart,  ///< starts an `lcm` without components; done when it has joined
+  kKill,   ///< asks it to end, and kills it if it does not; done when it is gone
+};
+
+template <>
+inline constexpr auto kPayload<ProcessVerb> = DescribeEnum("tendon.ProcessVerb",
+                                                           Enumerator{"start", ProcessVerb::kStart},
+                                                           Enumerator{"kill", ProcessVerb::kKill});
+
+/// "start", "kill"
+[[nodiscard]] constexpr std::string_view ToString(ProcessVerb verb) noexcept {
+  return NameOf(verb);
+}
+
+}  // namespace tendon
+
+namespace tendon::message {
+
+// From a viewer; all are requests. A viewer also sends kRenew every second, to check that the GCM
+// lives.
+inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
+inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
+inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
+inline constexpr auto kUndo = static_cast<MessageType>(0x313);      // StepSelection -> HistoryEntry
+inline constexpr auto kHistory = static_cast<MessageType>(0x314);   // None -> History
+inline constexpr auto kForget = static_cast<MessageType>(0x315);    // Forget -> None
+inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
+inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
+inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOrder -> None
+inline constexpr auto kPlanTurn = static_cast<MessageType>(0x31e);  // PlanLock -> None
+inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
+inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
+// From the GCM, besides process/log/messages.h.
+inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
+
+/// The catalogue as changes to an empty one (Catalogue::At(base)).
+struct Snapshot {
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t base = 0;
+  std::vector<CatalogueChange> changes;
+};
+
+/// The next changes. If they do not follow the viewer's revision, the viewer was too slow and sends
+/// kWatch again.
+struct Changes {
+  std::vector<CatalogueChange> changes;
+};
+
+/// Asks for the records of all processes from now on, preceded by those that the GCM has kept.
+struct WatchLog {
+  std::uint64_t gcm_instance = 0;  ///< the GCM of the viewer's records, or 0
+  std::uint64_t after = 0;         ///< the viewer has all records before this one
+};
+
+/// The answer to WatchLog; the records follow, as LogRecords.
+struct WatchLogReply {
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t begin = 0;  ///< the number of the first record
+  std::uint64_t end = 0;    ///< the number of the GCM's next record
+};
+
+/// The resources of a member, as last reported.
+struct ProcessHealth {
+  std::string process;
+  std::uint64_t instance = 0;
+  double cpu = -1.0;         ///< cores kept busy; below 0 until the second report
+  std::uint64_t memory = 0;  ///< resident bytes
+  /// How far its steady clock is ahead of the GCM's, and the bound of the error: below 0 if nothing
+  /// is known yet.
+  std::chrono::nanoseconds clock_offset{0};
+  std::chrono::nanoseconds clock_uncertainty{-1};
+  std::chrono::nanoseconds age{0};  ///< since its report; members report every second
+};
+
+/// The members that have reported; no tombstones.
+struct SystemHealth {
+  std::vector<ProcessHealth> processes;  ///< by name
+};
+
+/// Removes a tombstone.
+struct Forget {
+  std::string process;
+};
+
+/// One verb, for a process that the GCM starts or has started.
+struct ProcessOrder {
+  ProcessVerb verb = ProcessVerb::kStart;
+  std::string process;
+  RestartPolicy restart = RestartPolicy::kNever;  ///< start
+  /// The time for it to join, after which it is stopped, or to end, after which it is killed; 0:
+  /// the GCM chooses.
+  std::chrono::nanoseconds patience{0};
+};
+
+/// What a life-cycle step changed, and the state before it.
+struct LifeStep {
+  std::string process;
+  std::string component;  ///< empty: the step started the process itself
+  std::string class_name;
+  std::string library;
+  std::string configuration;  ///< "create", "configure": the new one
+  /// "configure", "remove": the old one; "stop": the components that stopped too, see followers.h.
+  std::string former;
+  std::string thread;                                   ///< "remove": as in LifeOrder
+  std::string leader;                                   ///< "remove": as in LifeOrder
+  ComponentState state = ComponentState::kConstructed;  ///< before the step
+  std::vector<Wire> connections;                        ///< "remove": those of the component
+
+  bool operator==(const LifeStep&) const = default;
+};
+
+/// The step to be undone or passed over.
+struct StepSelection {
+  std::uint64_t id = 0;                  ///< refused if it is not the newest; 0: the newest
+  std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: the GCM chooses
+};
+
+/// Sent before the first and after the last step of a plan. Otherwise two plans executed at once
+/// would undo each other's steps.
+struct PlanLock {
+  bool is_wanted = true;  ///< true: refused while another viewer has the turn; false: gives it back
+};
+
+/// One step of the history, which can be undone.
+struct HistoryEntry {
+  std::uint64_t id = 0;
+  std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
+  Wire wire;
+  InterfaceName former;   ///< "replace": the former provided interface
+  LifeStep life;          ///< for a life-cycle order; else its process is empty
+  std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
+  std::int64_t when = 0;  ///< ns since 1970
+  /// The instance of the required side's process, which made the change. A restarted process has
+  /// nothing to undo.
+  std::uint64_t instance = 0;
+  bool is_unknown = false;  ///< it was begun, and its outcome is unknown
+  bool undone = false;
+  bool passed_over = false;  ///< it could not be undone any more, and a user has confirmed that
+
+  bool operator==(const HistoryEntry&) const = default;
+};
+
+/// The requests of people and programs.
+struct History {
+  std::vector<HistoryEntry> entries;  ///< oldest first
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Snapshot> = tendon::Describe(
+    "tendon.Snapshot", tendon::Field{"gcm_instance", &tendon::message::Snapshot::gcm_instance},
+    tendon::Field{"base", &tendon::message::Snapshot::base},
+    tendon::Field{"changes", &tendon::message::Snapshot::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Changes> = tendon::Describe(
+    "tendon.Changes", tendon::Field{"changes", &tendon::message::Changes::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::WatchLog> = tendon::Describe(
+    "tendon.WatchLog", tendon::Field{"gcm_instance", &tendon::message::WatchLog::gcm_instance},
+    tendon::Field{"after", &tendon::message::WatchLog::after});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::WatchLogReply> =
+    tendon::Describe("tendon.WatchLogReply",
+                     tendon::Field{"gcm_instance", &tendon::message::WatchLogReply::gcm_instance},
+                     tendon::Field{"begin", &tendon::message::WatchLogReply::begin},
+                     tendon::Field{"end", &tendon::message::WatchLogReply::end});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ProcessHealth> = tendon::Describe(
+    "tendon.ProcessHealth", tendon::Field{"process", &tendon::message::ProcessHealth::process},
+    tendon::Field{"instance", &tendon::message::ProcessHealth::instance},
+    tendon::Field{"cpu", &tendon::message::ProcessHealth::cpu},
+    tendon::Field{"memory", &tendon::message::ProcessHealth::memory, "B"},
+    tendon::Field{"clock_offset", &tendon::message::ProcessHealth::clock_offset},
+    tendon::Field{"clock_uncertainty", &tendon::message::ProcessHealth::clock_uncertainty},
+    tendon::Field{"age", &tendon::message::ProcessHealth::age});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::SystemHealth> = tendon::Describe(
+    "tendon.SystemHealth", tendon::Field{"processes", &tendon::message::SystemHealth::processes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Forget> =
+    tendon::Describe("tendon.Forget", tendon::Field{"process", &tendon::message::Forget::process});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ProcessOrder> = tendon::Describe(
+    "tendon.ProcessOrder", tendon::Field{"verb", &tendon::message::ProcessOrder::verb},
+    tendon::Field{"process", &tendon::message::ProcessOrder::process},
+    tendon::Field{"restart", &tendon::message::ProcessOrder::restart},
+    tendon::Field{"patience", &tendon::message::ProcessOrder::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::StepSelection> = tendon::Describe(
+    "tendon.StepSelection", tendon::Field{"id", &tendon::message::StepSelection::id},
+    tendon::Field{"patience", &tendon::message::StepSelection::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::PlanLock> = tendon::Describe(
+    "tendon.PlanLock", tendon::Field{"is_wanted", &tendon::message::PlanLock::is_wanted});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifeStep> = tendon::Describe(
+    "tendon.LifeStep", tendon::Field{"process", &tendon::message::LifeStep::process},
+    tendon::Field{"component", &tendon::message::LifeStep::component},
+    tendon::Field{"class_name", &tendon::message::LifeStep::class_name},
+    tendon::Field{"library", &tendon::message::LifeStep::library},
+    tendon::Field{"configuration", &tendon::message::LifeStep::configuration},
+    tendon::Field{"former", &tendon::message::LifeStep::former},
+    tendon::Field{"thread", &tendon::message::LifeStep::thread},
+    tendon::Field{"leader", &tendon::message::LifeStep::leader},
+    tendon::Field{"state", &tendon::message::LifeStep::state},
+    tendon::Field{"connections", &tendon::message::LifeStep::connections});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
+    tendon::Describe("tendon.HistoryEntry", tendon::Field{"id", &tendon::message::HistoryEntry::id},
+                     tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
+                     tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
+                     tendon::Field{"former", &tendon::message::HistoryEntry::former},
+                     tendon::Field{"life", &tendon::message::HistoryEntry::life},
+                     tendon::Field{"who", &tendon::message::HistoryEntry::who},
+                     tendon::Field{"when", &tendon::message::HistoryEntry::when, "ns"},
+                     tendon::Field{"instance", &tendon::message::HistoryEntry::instance},
+                     tendon::Field{"is_unknown", &tendon::message::HistoryEntry::is_unknown},
+                     tendon::Field{"undone", &tendon::message::HistoryEntry::undone},
+                     tendon::Field{"passed_over", &tendon::message::HistoryEntry::passed_over});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::History> = tendon::Describe(
+    "tendon.History", tendon::Field{"entries", &tendon::message::History::entries});

@@ -1,0 +1,92 @@
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/server/connection_restorer.h>
+
+#include <algorithm>
+
+namespace tendon::server {
+namespace {
+
+constexpr std::chrono::milliseconds kShortestPause(200);
+constexpr std::chrono::milliseconds kLongestPause(5000);
+
+/// Whether a retry is pointless. kExists: the process has connected by itself.
+bool IsFinal(const Error& error) {
+  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
+         error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
+}
+
+std::string ClassOf(const Catalogue& catalogue, const InterfaceName& end) {
+  const ComponentDescription* component = catalogue.FindComponent(end.process, end.component);
+  return component == nullptr ? std::string() : component->class_name;
+}
+
+}  // namespace
+
+void ConnectionRestorer::Keep(const Catalogue& catalogue, const std::string& process) {
+  const ProcessEntry* entry = catalogue.FindProcess(process);
+  if (entry == nullptr) return;
+  for (const auto& [id, connection] : entry->connections) {
+    std::erase_if(kept_, [&required = connection.required](const Kept& kept) {
+      return kept.wire.required == required;
+    });
+    kept_.push_back({{connection.required, connection.provided},
+                     ClassOf(catalogue, connection.required),
+                     ClassOf(catalogue, connection.provided)});
+  }
+}
+
+void ConnectionRestorer::Drop(const std::string& process) {
+  std::erase_if(kept_, [&](const Kept& kept) { return kept.wire.required.process == process; });
+}
+
+std::vector<message::Wire> ConnectionRestorer::TakeDue(const Catalogue& catalogue, SteadyTime now) {
+  std::vector<message::Wire> due;
+  std::erase_if(kept_, [&](Kept& kept) {
+    if (kept.is_ordered || now < kept.not_before) return false;
+    const Readiness readiness = Judge(kept, catalogue);
+    kept.is_ordered = readiness == Readiness::kDue;
+    if (kept.is_ordered) due.push_back(kept.wire);
+    return readiness == Readiness::kPointless;
+  });
+  return due;
+}
+
+ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire,
+                                                       const Result<void>& outcome,
+                                                       SteadyTime now) {
+  const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
+    return one.is_ordered && one.wire == wire;
+  });
+  if (kept == kept_.end() || outcome || IsFinal(outcome.error())) {
+    if (kept != kept_.end()) kept_.erase(kept);
+    return outcome ? Verdict::kDone : Verdict::kGivenUp;
+  }
+  const bool is_first = kept->pause == kept->pause.zero();
+  kept->is_ordered = false;
+  kept->pause = std::clamp(2 * kept->pause, kShortestPause, kLongestPause);
+  kept->not_before = now + kept->pause;
+  return is_first ? Verdict::kTryAgain : Verdict::kStillTrying;
+}
+
+bool ConnectionRestorer::IsPauseOver(SteadyTime now) const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+    return !kept.is_ordered && kept.pause > kept.pause.zero() && kept.not_before <= now;
+  });
+}
+
+ConnectionRestorer::Readiness ConnectionRestorer::Judge(const Kept& kept,
+                                                        const Catalogue& catalogue) {
+  const auto& [required, provided] = kept.wire;
+  const ProcessEntry* owner = catalogue.FindProcess(required.process);
+  if (owner == nullptr || !IsPresent(owner->process)) return Readiness::kWaiting;
+  if (catalogue.FindConnection(required) != nullptr) return Readiness::kPointless;
+  if (catalogue.FindRequired(required) == nullptr || catalogue.FindProvided(provided) == nullptr) {
+    return Readiness::kWaiting;
+  }
+  const bool same_classes =
+      ClassOf(catalogue, required) == kept.required_class &&
+      (kept.provided_class.empty() || ClassOf(catalogue, provided) == kept.provided_class);
+  return same_classes ? Readiness::kDue : Readiness::kPointless;
+}
+
+}  // namespace tendon::server

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/base/result.h>
+#include <tendon/gcm/catalogue.h>
+#include <tendon/process/membership_messages.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace tendon::server {
+
+/// The connections of processes that are gone. A process gets them back when it returns and both
+/// ends are there. Each is kept until it is made or finally refused. Not thread-safe.
+class ConnectionRestorer {
+ public:
+  /// Keeps the present connections of the process, in addition to those not handed back yet.
+  void Keep(const Catalogue& catalogue, const std::string& process);
+  void Drop(const std::string& process);
+
+  /// The connections to order now. None is returned again before Settle() has its outcome. Silently
+  /// forgets one whose end returned with another class, or whose required interface was connected
+  /// meanwhile.
+  std::vector<message::Wire> TakeDue(const Catalogue& catalogue, SteadyTime now);
+
+  enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
+  /// Reports the outcome of an order. A temporary failure is retried after a growing pause:
+  /// kTryAgain the first time, then kStillTrying.
+  Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
+
+  /// Whether a pause is over: TakeDue() may return something without a change of the catalogue.
+  [[nodiscard]] bool IsPauseOver(SteadyTime now) const;
+
+ private:
+  enum class Readiness { kWaiting, kDue, kPointless };
+  struct Kept {
+    message::Wire wire;
+    std::string required_class;
+    std::string provided_class;  ///< empty: was not known
+    bool is_ordered = false;
+    std::chrono::milliseconds pause{0};  ///< after the last failure
+    SteadyTime not_before{};
+  };
+
+  static Readiness Judge(const Kept& kept, const Catalogue& catalogue);
+
+  std::vector<Kept> kept_;
+};
+
+}  // namespace tendon::server

@@ -1,0 +1,147 @@
+#include <tendon/base/printable.h>
+#include <tendon/gcm/server/sanitize.h>
+#include <tendon/process/life/life_messages.h>
+
+#include <set>
+#include <vector>
+
+namespace tendon::server {
+namespace {
+
+constexpr std::size_t kLongestPath = 4096;  // bytes
+constexpr std::size_t kLongestWord = 256;   // bytes of a type, a class, a file, a host
+
+constexpr double kLongestExpiry = 3600.0;  // s
+
+Error Invalid(const std::string& message) { return {ErrorCode::kInvalid, message}; }
+
+Result<void> TakeInMembers(const std::string& what, std::vector<MemberDescription>& members) {
+  for (MemberDescription& member : members) {
+    if (auto checked = CheckName(what, member.name); !checked) return checked;
+    member.in_type = Printable(member.in_type, kLongestWord);
+    member.out_type = Printable(member.out_type, kLongestWord);
+    member.hazard = Printable(member.hazard, kLongestWord);
+    const bool is_sensible = member.expires_after >= 0.0 && member.expires_after <= kLongestExpiry;
+    if (!is_sensible) member.expires_after = 0.0;
+  }
+  return {};
+}
+
+Result<void> TakeInTables(SharedList<TableDescription>& tables) {
+  for (TableDescription& table : tables) {
+    if (auto checked = CheckName("table", table.name); !checked) return checked;
+    for (ColumnDescription& column : table.columns) {
+      if (auto checked = CheckName("column", column.name); !checked) return checked;
+      column.type = Printable(column.type, kLongestWord);
+    }
+  }
+  return {};
+}
+
+Result<void> CheckEnd(InterfaceName& end, const std::string& process) {
+  if (end.process.empty()) end.process = process;
+  if (auto checked = CheckName("process", end.process); !checked) return checked;
+  if (auto checked = CheckName("component", end.component); !checked) return checked;
+  return CheckName("interface", end.interface);
+}
+
+void TakeInTexts(ProcessDescription& process) {
+  process.host = Printable(process.host, kLongestWord);
+  process.address = Printable(process.address, kLongestWord);
+  for (PluginDescription& plugin : process.plugins) {
+    plugin.name = Printable(plugin.name, kLongestWord);
+    plugin.file = Printable(plugin.file, kLongestPath);
+  }
+}
+
+}  // namespace
+
+Result<void> Sanitize(ComponentDescription& component) {
+  if (auto checked = CheckName("component", component.name); !checked) return checked;
+  component.class_name = Printable(component.class_name, kLongestWord);
+  component.library = Printable(component.library, kLongestWord);
+  if (component.configuration.size() > message::kLongestConfiguration ||
+      component.configuration !=
+          Printable(component.configuration, message::kLongestConfiguration)) {
+    return Invalid("the configuration of component '" + component.name + "' is longer than " +
+                   std::to_string(message::kLongestConfiguration) +
+                   " bytes, or has characters that do not print; JSON in one line is expected");
+  }
+  component.fault = Printable(component.fault);
+  for (ProvidedDescription& provided : component.provided) {
+    if (auto checked = CheckName("interface", provided.name); !checked) return checked;
+    if (auto taken = TakeInMembers("command", provided.commands); !taken) return taken;
+    if (auto taken = TakeInMembers("event", provided.events); !taken) return taken;
+  }
+  for (RequiredDescription& required : component.required) {
+    if (auto checked = CheckName("interface", required.name); !checked) return checked;
+    if (auto taken = TakeInMembers("function", required.functions); !taken) return taken;
+    if (auto taken = TakeInMembers("event handler", required.event_handlers); !taken) return taken;
+  }
+  return TakeInTables(component.tables);
+}
+
+Result<void> Sanitize(ConnectionDescription& connection, const std::string& process) {
+  if (auto checked = CheckEnd(connection.required, process); !checked) return checked;
+  if (auto checked = CheckEnd(connection.provided, process); !checked) return checked;
+  if (connection.required.process != process) {
+    return Invalid("a connection of " + ToString(connection.required) +
+                   " belongs to that process, not to '" + process + "'");
+  }
+  connection.reason = Printable(connection.reason);
+  return {};
+}
+
+Result<void> Sanitize(message::Join& join) {
+  if (auto checked = CheckName("process", join.process.name); !checked) return checked;
+  TakeInTexts(join.process);
+  std::set<std::string> components;
+  for (ComponentDescription& component : join.components) {
+    if (auto taken = Sanitize(component); !taken) return taken;
+    if (!components.insert(component.name).second) {
+      return Invalid("two components are named '" + component.name + "'");
+    }
+  }
+  std::set<InterfaceName> required;
+  std::set<std::uint64_t> ids;
+  for (ConnectionDescription& connection : join.connections) {
+    if (auto taken = Sanitize(connection, join.process.name); !taken) return taken;
+    if (!required.insert(connection.required).second || !ids.insert(connection.id).second) {
+      return Invalid("two connections of " + ToString(connection.required) + ", or of one id");
+    }
+  }
+  return {};
+}
+
+Result<void> Sanitize(CatalogueChange& change, const std::string& process) {
+  using Kind = CatalogueChange::Kind;
+  if (change.process.empty()) change.process = process;
+  if (change.process != process) return Invalid("a process can report of itself alone");
+  switch (change.kind) {
+    case Kind::kProcess:
+      if (change.processes.size() != 1) break;
+      TakeInTexts(change.processes.front());
+      return {};
+    case Kind::kComponent:
+      if (change.components.size() != 1) break;
+      return Sanitize(change.components.front());
+    case Kind::kConnection:
+      if (change.connections.size() != 1) break;
+      return Sanitize(change.connections.front(), process);
+    case Kind::kComponentRemoved:
+    case Kind::kConnectionRemoved:
+      return {};
+    case Kind::kProcessRemoved:
+      return Invalid("a process that goes says so with kLeave");
+  }
+  return Invalid("a change of this kind is about exactly one thing");
+}
+
+void Sanitize(message::LogRecords& batch) {
+  for (message::LogRecord& record : batch.records) {
+    record.source = Printable(record.source, kLongestWord);
+    record.text = Printable(record.text);
+  }
+}
+
+}  // namespace tendon::server

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <tendon/gcm/catalogue.h>
+#include <tendon/manager/unsatisfied_interface.h>
+
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The missing connections of a component that runs, for required interfaces that it needs to work.
+/// Empty if it does not run, or if `process`, its own, is absent. All programs use this.
+[[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
+                                                        const ComponentDescription& component);
+
+/// The same, with a faster search for connections.
+[[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
+                                                        const ComponentDescription& component,
+                                                        const FindConnection& find);
+
+/// What it would wait for if it ran.
+[[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ProcessEntry& process,
+                                                             const ComponentDescription& component);
+
+/// "waiting for Robot, Camera", or empty.
+[[nodiscard]] std::string WaitingText(const std::vector<UnsatisfiedInterface>& waits);
+
+/// "waiting for Robot: not connected", or empty.
+[[nodiscard]] std::string WaitingReasons(const std::vector<UnsatisfiedInterface>& waits);
+
+/// "active, waiting for Robot": the state of a component, and what prevents its work.
+[[nodiscard]] std::string StateText(const ProcessEntry& process,
+                                    const ComponentDescription& component);
+
+}  // namespace tendon

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Ice/Ice.h>
+#include <tendon/ice/broadcast/broker_connection.h>
+#include <tendon/middleware/broadcast.h>
+#include <tendon/process/worker.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace tendon::ice {
+
+/// Multicast through IceStorm. Calls its interfaces by Ice's generated code, because the broker is
+/// trusted: see BrokerConnection. Messages of a topic are untrusted, and are read like frames.
+class IceBroadcast final : public FanOut {
+ public:
+  IceBroadcast(std::shared_ptr<Ice::Communicator> communicator, bool is_certified);
+  ~IceBroadcast() override;
+
+  std::unique_ptr<Topic> Speak(const std::string& broker, const std::string& name) override;
+  Result<std::unique_ptr<Reception>> Listen(const std::string& broker, const std::string& name,
+                                            Hear hear, std::chrono::milliseconds timeout) override;
+
+ private:
+  /// The adapter on which the broker reaches listeners: our address towards it, any port.
+  std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
+
+  const std::shared_ptr<Ice::Communicator> communicator_;
+  const BrokerConnection door_;
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Ice::ObjectAdapter>> adapters_;  // by host
+  std::shared_ptr<Worker> worker_;                                       // for publishers
+};
+
+}  // namespace tendon::ice

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <tendon/ice/broadcast/broker_connection.h>
+#include <tendon/middleware/broadcast.h>
+#include <tendon/process/worker.h>
+
+#include <memory>
+#include <string>
+
+namespace tendon::ice {
+
+/// The operation of a topic's message, with one sequence of bytes.
+inline constexpr const char* kTopicOperation = "message";
+
+/// The publisher's end of a topic. The worker creates the topic, and checks every second that it
+/// exists. Stop the worker before `door` is destroyed.
+std::unique_ptr<FanOut::Topic> MakeTopic(const BrokerConnection& door,
+                                         std::shared_ptr<Worker> worker, std::string broker,
+                                         std::string name);
+
+}  // namespace tendon::ice

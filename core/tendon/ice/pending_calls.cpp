@@ -1,0 +1,67 @@
+#include <tendon/ice/pending_calls.h>
+#include <tendon/middleware/requests/pending_requests.h>
+
+#include <exception>
+#include <iterator>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+namespace tendon::ice {
+
+void PendingCalls::Add(const Call& call) noexcept {
+  try {
+    const std::scoped_lock lock(mutex_);
+    if (!is_released_) {
+      calls_.emplace(call, SteadyClock().Now());
+      return;
+    }
+  } catch (const std::bad_alloc&) {
+    // No memory to keep it.
+  }
+  AnswerWithNothing(*call);
+}
+
+bool PendingCalls::Take(const Call& call) {
+  const std::scoped_lock lock(mutex_);
+  return calls_.erase(call) > 0;
+}
+
+void PendingCalls::ReleaseOld(SteadyTime now) noexcept {
+  std::map<Call, SteadyTime> old;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (auto one = calls_.begin(); one != calls_.end();) {
+      const auto next = std::next(one);
+      if (now - one->second > kOpenAtMost) old.insert(calls_.extract(one));
+      one = next;
+    }
+  }
+  for (const auto& [call, since] : old) AnswerWithNothing(*call);
+}
+
+void PendingCalls::Release() noexcept {
+  std::map<Call, SteadyTime> released;
+  {
+    const std::scoped_lock lock(mutex_);
+    is_released_ = true;
+    released = std::exchange(calls_, {});
+  }
+  for (const auto& [call, since] : released) AnswerWithNothing(*call);
+}
+
+void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept {
+  CallGuarded("ice", [&call] {
+    call.startWriteParams()->writeSize(0);
+    call.endWriteParams();
+    call.completed();
+  });
+}
+
+void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept {
+  CallGuarded("ice", [&call] {
+    call.completed(std::make_exception_ptr(std::runtime_error("the answer could not be written")));
+  });
+}
+
+}  // namespace tendon::ice

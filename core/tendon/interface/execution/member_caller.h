@@ -1,0 +1,66 @@
+#pragma once
+
+#include <tendon/interface/execution/converting_command.h>
+#include <tendon/interface/execution/gate.h>
+#include <tendon/interface/execution/host.h>
+#include <tendon/interface/interface_description.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace tendon {
+
+/// The target of one function of a required interface.
+struct BoundMember {
+  CommandBase* command = nullptr;  ///< null for an optional function without a command
+  const Flag* enabled = nullptr;
+  const Host* server = nullptr;  ///< null if faults are not reported, as for state tables
+
+  /// True if a call would reach a server now.
+  [[nodiscard]] bool is_reached() const noexcept {
+    return command != nullptr && !is_server_faulted();
+  }
+  [[nodiscard]] bool is_server_faulted() const noexcept {
+    return server != nullptr && server->is_faulted();
+  }
+};
+
+/// Leads to the members of a connected interface, in the order of the functions. It points to the
+/// first of them, so that a call needs one pointer less. All change at once; null if not connected.
+using BindingGate = Gate<const BoundMember>;
+
+/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, else says why not.
+template <typename Call>
+Status CallMember(BindingGate& gate, std::size_t index, Call call) {
+  return gate.Enter([&](const BoundMember* members) -> Status {
+    if (members == nullptr) return Status::kNotConnected;
+    const BoundMember& member = members[index];
+    CommandBase* const command = member.command;
+    if (command == nullptr) return Status::kNotConnected;
+    if (member.is_server_faulted()) return Status::kNotActive;
+    if (!member.enabled->Get()) return Status::kDisabled;
+    return call(*command);
+  });
+}
+
+/// The calling end of a member: a function of a required interface, or an event of a provided one.
+class Caller {
+ public:
+  Caller() = default;
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+  virtual ~Caller() = default;
+
+  /// Null if `command` can be called directly, else a converting command to call instead. `command`
+  /// has the caller's signature and must outlive the result.
+  [[nodiscard]] virtual std::unique_ptr<CommandBase> Adapt(CommandBase& command) const = 0;
+};
+
+/// Adapts by layout: equal layouts are called directly, others through the codec.
+template <Payload In, Payload Out>
+std::unique_ptr<CommandBase> AdaptByLayout(CommandBase& command) {
+  if (command.Is<In, Out>()) return nullptr;
+  return std::make_unique<ConvertingCommand<In, Out>>(command);
+}
+
+}  // namespace tendon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <atomic>
+
+namespace tendon {
+
+/// A right that one thread at a time may hold. Nobody waits for it: a second thread goes without.
+/// Wait-free; one locked instruction.
+template <typename Atomics = StdAtomics>
+class TryLock {
+ public:
+  /// False if another thread holds it.
+  [[nodiscard]] bool TryTake() noexcept {
+    return !taken_.exchange(true, std::memory_order_acquire);  // pairs with (A)
+  }
+  /// Called by the thread whose TryTake() succeeded.
+  void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
+
+  /// Takes it if it is free, and returns it in the end.
+  class [[nodiscard]] Hold {
+   public:
+    explicit Hold(TryLock& lease) noexcept : lease_(lease.TryTake() ? &lease : nullptr) {}
+    ~Hold() {
+      if (lease_ != nullptr) lease_->Return();
+    }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+    explicit operator bool() const noexcept { return lease_ != nullptr; }
+
+   private:
+    TryLock* lease_;
+  };
+
+ private:
+  typename Atomics::template Atomic<bool> taken_{false};
+};
+
+}  // namespace tendon

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <tendon/base/name.h>
+#include <tendon/interface/interface_description.h>
+#include <tendon/payload/shared_list.h>
+#include <tendon/task/component_state.h>
+#include <tendon/task/thread_options.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// One column of a state table: a payload with a name.
+struct ColumnDescription {
+  std::string name;
+  std::string type;
+  Fingerprint fingerprint;
+
+  bool operator==(const ColumnDescription&) const = default;
+};
+
+/// A state table as others see it. It is also the provided interface `state` (the table named
+/// "state") or `state-NAME`, with one read command per column.
+struct TableDescription {
+  std::string name;          ///< of its provided interface: "state" or "state-NAME"
+  std::uint64_t length = 0;  ///< rows kept
+  std::vector<ColumnDescription> columns;
+
+  bool operator==(const TableDescription&) const = default;
+};
+
+/// The state of a plug-in's file since the plug-in was loaded.
+enum class PluginState : std::int32_t {
+  kCurrent,  ///< holds the loaded version
+  kChanged,  ///< holds another version, which only a new process runs
+  kGone,
+};
+
+template <>
+inline constexpr auto kPayload<PluginState> = DescribeEnum(
+    "tendon.PluginState", Enumerator{"current", PluginState::kCurrent},
+    Enumerator{"changed", PluginState::kChanged}, Enumerator{"gone", PluginState::kGone});
+
+/// "current", "changed", "gone".
+[[nodiscard]] constexpr std::string_view ToString(PluginState state) noexcept {
+  return NameOf(state);
+}
+
+/// A plug-in that a process has loaded. The process keeps that version.
+struct PluginDescription {
+  std::string name;
+  std::string file;          ///< its path
+  std::int64_t written = 0;  ///< write time of the loaded version, ns since 1970 (for people)
+  PluginState state = PluginState::kCurrent;
+  std::int64_t written_now = 0;  ///< kChanged: write time of the version there now
+
+  bool operator==(const PluginDescription&) const = default;
+};
+
+/// A component as others see it.
+struct ComponentDescription {
+  std::string name;
+  std::string class_name;
+  std::string library;        ///< the plug-in's file name, or empty
+  std::string configuration;  ///< JSON, as given to its class; empty if none was given
+  ComponentState state = ComponentState::kConstructed;
+  std::string fault;            ///< the reason of the fault
+  std::int64_t fault_time = 0;  ///< time of the fault, ns since 1970 (for people); 0 without one
+  std::string warning;          ///< a problem while it is active: "missed 8 x 10 ms"
+  double period = 0.0;          ///< s; 0 if it has none
+  /// How its own thread runs, or would run if it did not run after another one: one entry, or none
+  /// if it never has a thread of its own.
+  std::vector<ThreadOptions> thread{};
+  std::string leader{};  ///< the component after which it runs, or empty
+  SharedList<ProvidedDescription> provided;
+  SharedList<RequiredDescription> required;
+  SharedList<TableDescription> tables;
+
+  bool operator==(const ComponentDescription&) const = default;
+};
+
+enum class ConnectionState : std::int32_t {
+  kPending,  ///< wanted; the peer does not exist yet, is gone, or faulted
+  kActive,
+  kFailed,  ///< the peer exists and has refused
+};
+
+template <>
+inline constexpr auto kPayload<ConnectionState> = DescribeEnum(
+    "tendon.ConnectionState", Enumerator{"pending", ConnectionState::kPending},
+    Enumerator{"active", ConnectionState::kActive}, Enumerator{"failed", ConnectionState::kFailed});
+
+/// "pending", "active", "failed".
+[[nodiscard]] constexpr std::string_view ToString(ConnectionState state) noexcept {
+  return NameOf(state);
+}
+
+/// A connection; it belongs to the process of its required side. A required interface has at most
+/// one.
+struct ConnectionDescription {
+  std::uint64_t id = 0;  ///< unique within the process of the required side
+  InterfaceName required;
+  InterfaceName provided;
+  ConnectionState state = ConnectionState::kPending;
+  std::string reason;  ///< why it is pending or failed
+  /// Functions whose values pass through the codec, because the ends have different layouts of a
+  /// type: slower, and may allocate.
+  std::vector<std::string> converted{};
+
+  bool operator==(const ConnectionDescription&) const = default;
+};
+
+/// Statistics of a connection's calls and events since it was made, or made again.
+struct ConnectionCounts {
+  std::chrono::nanoseconds age{0};  ///< time since then
+  /// To the other process and back, as last measured; negative within one process, or if it is not
+  /// known yet.
+  std::chrono::nanoseconds round_trip{-1};
+  std::uint64_t taken = 0;        ///< calls and events that have left a mailbox: executed, or sent
+  std::uint64_t capacity = 0;     ///< calls that can wait at the server
+  std::uint64_t waiting = 0;      ///< calls that wait at the server now
+  std::uint64_t refused = 0;      ///< calls that found the server's mailbox full
+  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, if only the latest is kept
+  std::uint64_t lost_events = 0;  ///< events that did not reach the client
+
+  bool operator==(const ConnectionCounts&) const = default;
+};
+
+/// The fill of a component's fullest mailbox.
+struct MailboxFill {
+  std::uint64_t waiting = 0;   ///< calls or events that wait now
+  std::uint64_t capacity = 0;  ///< calls or events that can wait; 0 if not connected
+
+  bool operator==(const MailboxFill&) const = default;
+};
+
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::InterfaceName> = tendon::Describe(
+    "tendon.InterfaceName", tendon::Field{"process", &tendon::InterfaceName::process},
+    tendon::Field{"component", &tendon::InterfaceName::component},
+    tendon::Field{"interface", &tendon::InterfaceName::interface});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ColumnDescription> = tendon::Describe(
+    "tendon.ColumnDescription", tendon::Field{"name", &tendon::ColumnDescription::name},
+    tendon::Field{"type", &tendon::ColumnDescription::type},
+    tendon::Field{"fingerprint", &tendon::ColumnDescription::fingerprint});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::TableDescription> = tendon::Describe(
+    "tendon.TableDescription", tendon::Field{"name", &tendon::TableDescription::name},
+    tendon::Field{"length", &tendon::TableDescription::length},
+    tendon::Field{"columns", &tendon::TableDescription::columns});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::PluginDescription> = tendon::Describe(
+    "tendon.PluginDescription", tendon::Field{"name", &tendon::PluginDescription::name},
+    tendon::Field{"file", &tendon::PluginDescription::file},
+    tendon::Field{"written", &tendon::PluginDescription::written, "ns"},
+    tendon::Field{"state", &tendon::PluginDescription::state},
+    tendon::Field{"written_now", &tendon::PluginDescription::written_now, "ns"});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ComponentDescription> = tendon::Describe(
+    "tendon.ComponentDescription", tendon::Field{"name", &tendon::ComponentDescription::name},
+    tendon::Field{"class_name", &tendon::ComponentDescription::class_name},
+    tendon::Field{"library", &tendon::ComponentDescription::library},
+    tendon::Field{"configuration", &tendon::ComponentDescription::configuration},
+    tendon::Field{"state", &tendon::ComponentDescription::state},
+    tendon::Field{"fault", &tendon::ComponentDescription::fault},
+    tendon::Field{"fault_time", &tendon::ComponentDescription::fault_time, "ns"},
+    tendon::Field{"warning", &tendon::ComponentDescription::warning},
+    tendon::Field{"period", &tendon::ComponentDescription::period, "s"},
+    tendon::Field{"thread", &tendon::ComponentDescription::thread},
+    tendon::Field{"leader", &tendon::ComponentDescription::leader},
+    tendon::Field{"provided", &tendon::ComponentDescription::provided},
+    tendon::Field{"required", &tendon::ComponentDescription::required},
+    tendon::Field{"tables", &tendon::ComponentDescription::tables});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ConnectionDescription> = tendon::Describe(
+    "tendon.ConnectionDescription", tendon::Field{"id", &tendon::ConnectionDescription::id},
+    tendon::Field{"required", &tendon::ConnectionDescription::required},
+    tendon::Field{"provided", &tendon::ConnectionDescription::provided},
+    tendon::Field{"state", &tendon::ConnectionDescription::state},
+    tendon::Field{"reason", &tendon::ConnectionDescription::reason},
+    tendon::Field{"converted", &tendon::ConnectionDescription::converted});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ConnectionCounts> = tendon::Describe(
+    "tendon.ConnectionCounts", tendon::Field{"age", &tendon::ConnectionCounts::age},
+    tendon::Field{"round_trip", &tendon::ConnectionCounts::round_trip},
+    tendon::Field{"taken", &tendon::ConnectionCounts::taken},
+    tendon::Field{"capacity", &tendon::ConnectionCounts::capacity},
+    tendon::Field{"waiting", &tendon::ConnectionCounts::waiting},
+    tendon::Field{"refused", &tendon::ConnectionCounts::refused},
+    tendon::Field{"replaced", &tendon::ConnectionCounts::replaced},
+    tendon::Field{"lost_events", &tendon::ConnectionCounts::lost_events});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::MailboxFill> =
+    tendon::Describe("tendon.MailboxFill", tendon::Field{"waiting", &tendon::MailboxFill::waiting},
+                     tendon::Field{"capacity", &tendon::MailboxFill::capacity});

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/task/component.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <set>
+
+namespace tendon {
+
+/// True if `component` runs after `leader`, directly or through others.
+[[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
+
+/// Allows one request at a time for each component; requests of different components may overlap.
+/// All functions are called with the owner's lock held.
+class RequestSerializer {
+ public:
+  /// The time of one request of a component.
+  class Turn {
+   public:
+    /// Releases the lock until no other request of the component is in progress, for at least
+    /// kShortest. If one still is at `deadline`, is_ours() is false.
+    Turn(RequestSerializer& turns, const Component& component,
+         std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+    ~Turn();
+
+    [[nodiscard]] bool is_ours() const { return is_ours_; }
+
+   private:
+    RequestSerializer& turns_;
+    const Component& component_;
+    bool is_ours_ = true;
+  };
+
+  /// True if a request of it, or of one that runs after it, is in progress: it and its leader must
+  /// stay then.
+  [[nodiscard]] bool IsInUse(const Component& component) const;
+
+  static constexpr std::chrono::milliseconds kShortest{20};
+
+ private:
+  std::set<const Component*> asked_;
+  std::condition_variable_any ended_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+namespace tendon {
+
+/// While it lives, no thread of this program opens links: openings under way end at once, new ones
+/// are refused. For a program that ends while threads may be opening a link to a process that
+/// hangs. Thread-safe.
+class ConnectCancellation {
+ public:
+  ConnectCancellation() : ConnectCancellation(std::thread::id()) {}
+  /// The same for one thread only; the program goes on.
+  explicit ConnectCancellation(std::thread::id thread);
+  ConnectCancellation(const ConnectCancellation&) = delete;
+  ConnectCancellation& operator=(const ConnectCancellation&) = delete;
+  ~ConnectCancellation();
+
+ private:
+  const std::thread::id thread_;  // default-constructed: all threads
+};
+
+/// While it lives, this thread counts as waiting for a link.
+class CancellableConnect {
+ public:
+  /// `give_up` must end the wait and must not block. A ConnectCancellation calls it once or more,
+  /// from any thread, perhaps before the constructor returns, never after the destructor.
+  explicit CancellableConnect(std::function<void()> give_up);
+  CancellableConnect(const CancellableConnect&) = delete;
+  CancellableConnect& operator=(const CancellableConnect&) = delete;
+  ~CancellableConnect();
+
+ private:
+  std::uint64_t number_ = 0;
+};
+
+/// Whether a ConnectCancellation applies to this thread.
+[[nodiscard]] bool AreConnectsCancelled();
+/// The error in that case, of code kUnreachable.
+[[nodiscard]] Error ConnectCancelledError();
+
+}  // namespace tendon

@@ -1,0 +1,252 @@
+#include <openssl/crypto.h>
+#include <openssl/evp.h>
+#include <openssl/hmac.h>
+#include <tendon/base/os/process.h>
+#include <tendon/middleware/handshake.h>
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+using message::Challenge;
+using message::Digest;
+using message::Greeting;
+using message::Proof;
+
+/// The content of a proof. Each part is preceded by its size, so that parts cannot be shifted.
+struct Covered {
+  std::uint8_t role = 0;
+  Greeting opener;
+  Greeting acceptor;
+  std::string address;
+  std::uint64_t session = 0;
+};
+
+}  // namespace
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::Covered> =
+    tendon::Describe("tendon.Covered", tendon::Field{"role", &tendon::Covered::role},
+                     tendon::Field{"opener", &tendon::Covered::opener},
+                     tendon::Field{"acceptor", &tendon::Covered::acceptor},
+                     tendon::Field{"address", &tendon::Covered::address},
+                     tendon::Field{"session", &tendon::Covered::session});
+
+namespace tendon {
+namespace {
+
+Digest Sign(std::uint64_t cookie, const Covered& covered) {
+  const Bytes text = EncodeBody(covered);
+  Digest digest{};
+  unsigned size = 0;
+  const unsigned char* made =
+      HMAC(EVP_sha256(), &cookie, sizeof cookie,
+           reinterpret_cast<const unsigned char*>(text.data()), text.size(), digest.data(), &size);
+  if (made == nullptr || size != digest.size()) throw std::runtime_error("HMAC-SHA256 failed");
+  return digest;
+}
+
+/// In constant time, which does not reveal where they differ.
+bool AreEqual(const Digest& one, const Digest& other) {
+  return CRYPTO_memcmp(one.data(), other.data(), one.size()) == 0;
+}
+
+void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
+  const std::array<std::uint64_t, 2> random{os::RandomNumber(), os::RandomNumber()};
+  static_assert(sizeof random == sizeof nonce);
+  std::memcpy(nonce.data(), random.data(), sizeof random);
+}
+
+/// The range of protocol versions that an end speaks.
+struct Versions {
+  unsigned oldest = 0;
+  unsigned newest = 0;
+};
+
+std::string ToString(const Versions& versions) {
+  const std::string newest = std::to_string(versions.newest);
+  return versions.oldest < versions.newest ? std::to_string(versions.oldest) + "-" + newest
+                                           : newest;
+}
+
+/// Phrased for the opener of the link.
+Error VersionsDiffer(const std::string& acceptor, const Versions& its, const Versions& openers) {
+  return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + ToString(its) +
+                                        ", this program " + ToString(openers) + ": update " +
+                                        (its.newest > openers.newest ? "this program" : acceptor)};
+}
+
+Handshake::Step StepWith(MessageType type, Bytes body) {
+  return {.type = type, .body = std::move(body), .has_answer = true, .peer = std::nullopt};
+}
+
+}  // namespace
+
+Handshake::Handshake(Role role, Hello mine, std::string address, Strangers strangers,
+                     const Certificate* certificate)
+    : mine_(std::move(mine)),
+      address_(std::move(address)),
+      strangers_(strangers),
+      certificate_(certificate),
+      stage_(role == Role::kOpener ? Stage::kChallenge : Stage::kHello) {}
+
+Bytes Handshake::Greet() {
+  opener_ = MyGreeting();
+  return EncodeBody(opener_);
+}
+
+Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
+                                        std::span<const std::byte> body) {
+  const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
+  if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
+  if (header.version > mine_.protocol_version) {  // its body is unknown here
+    return CheckVersions(header.version, header.version).error();
+  }
+  switch (stage_) {
+    case Stage::kHello:
+      return OnHello(header, body);
+    case Stage::kChallenge:
+      return OnChallenge(header, body);
+    case Stage::kProof:
+      return OnProof(header, body);
+    default:
+      return OnWelcome(header);
+  }
+}
+
+Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
+                                           std::span<const std::byte> body) {
+  if (header.type != MessageType::kHello || header.request == 0) {
+    return Error{ErrorCode::kInvalid, mine_.name + " expects a Hello first"};
+  }
+  auto greeting = DecodeBody<Greeting>(body);
+  const unsigned newest = greeting ? greeting->protocol_version : header.version;
+  if (const auto checked = CheckVersions(header.version, newest); !checked) return checked.error();
+  if (!greeting) return greeting.error();
+  opener_ = *std::move(greeting);
+  acceptor_ = MyGreeting();
+  stage_ = Stage::kProof;
+  const Challenge challenge{.greeting = acceptor_, .proof = ProofOf(Role::kAcceptor, 0)};
+  return StepWith(MessageType::kChallenge, EncodeBody(challenge));
+}
+
+Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
+                                               std::span<const std::byte> body) {
+  auto challenge = DecodeBody<Challenge>(body);
+  if (header.type != MessageType::kChallenge || !challenge) {
+    return Error{ErrorCode::kInvalid, address_ + " answered the Hello with something else"};
+  }
+  acceptor_ = std::move(challenge->greeting);
+  const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
+  if (mine_.cookie != 0 && !is_proved) return NotKnown();
+  const auto spoken = CheckVersions(header.version, acceptor_.protocol_version);
+  if (!spoken) return spoken.error();
+  if (const auto checked = CheckAcceptor(); !checked) return checked.error();
+  stage_ = Stage::kWelcome;
+  const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
+  return StepWith(MessageType::kProof, EncodeBody(proof));
+}
+
+Result<Handshake::Step> Handshake::OnProof(const FrameHeader& header,
+                                           std::span<const std::byte> body) {
+  const auto proof = DecodeBody<Proof>(body);
+  if (header.type != MessageType::kProof || !proof) {
+    return Error{ErrorCode::kInvalid, mine_.name + " expects a proof after the Hello"};
+  }
+  if (!IsWelcome(*proof)) return NotKnown();
+  Step step = StepWith(MessageType::kWelcome, EncodeBody(None{}));
+  step.peer = Peer(proof->session);
+  return step;
+}
+
+Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
+  if (header.type != MessageType::kWelcome) {
+    return Error{ErrorCode::kInvalid, address_ + " answered the proof with something else"};
+  }
+  return Step{.peer = Peer(0)};
+}
+
+/// An error unless both ends have a version in common.
+Result<void> Handshake::CheckVersions(unsigned peers_oldest, unsigned peers_newest) const {
+  const Versions mine{.oldest = mine_.oldest_version, .newest = mine_.protocol_version};
+  const Versions peers{.oldest = peers_oldest, .newest = peers_newest};
+  if (peers.oldest <= mine.newest && mine.oldest <= peers.newest) return {};
+  const bool is_acceptor = stage_ == Stage::kHello || stage_ == Stage::kProof;
+  return is_acceptor ? VersionsDiffer(mine_.name, mine, peers)
+                     : VersionsDiffer(address_, peers, mine);
+}
+
+Greeting Handshake::MyGreeting() const {
+  Greeting greeting{.protocol_version = mine_.protocol_version,
+                    .instance = mine_.instance,
+                    .name = mine_.name,
+                    .nonce = {}};
+  FillWithRandom(greeting.nonce);
+  return greeting;
+}
+
+Hello Handshake::Peer(std::uint64_t session) const {
+  const Greeting& greeting = stage_ == Stage::kProof ? opener_ : acceptor_;
+  Hello peer{.protocol_version = std::min(mine_.protocol_version, greeting.protocol_version),
+             .instance = greeting.instance,
+             .name = greeting.name,
+             .session = session};
+  if (certificate_ == nullptr) return peer;
+  peer.role = certificate_->role;
+  const bool is_process = certificate_->holder == Holder::kProcess;
+  if (!is_process || peer.name != certificate_->name) {
+    peer.name = certificate_->name + " (" + peer.name + ")";
+  }
+  return peer;
+}
+
+/// Zeroes if this end has no cookie.
+Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
+  if (mine_.cookie == 0) return {};
+  return Sign(mine_.cookie, {.role = static_cast<std::uint8_t>(role),
+                             .opener = opener_,
+                             .acceptor = acceptor_,
+                             .address = address_,
+                             .session = session});
+}
+
+bool Handshake::IsWelcome(const Proof& proof) const {
+  if (certificate_ != nullptr) return true;  // TLS has authenticated the peer
+  if (strangers_ == Strangers::kFromElsewhere) return true;
+  if (AreEqual(proof.proof, Digest{})) return strangers_ == Strangers::kAllowed;
+  return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
+}
+
+/// Called before the opener sends anything confidential.
+Result<void> Handshake::CheckAcceptor() const {
+  const std::string& name = acceptor_.name;
+  const bool is_proved = certificate_ == nullptr ||
+                         (certificate_->holder == Holder::kProcess && certificate_->name == name);
+  if (!is_proved) {
+    return Error{ErrorCode::kDenied, address_ + " calls itself '" + name +
+                                         "', but shows the certificate of the " +
+                                         std::string(ToString(certificate_->holder)) + " '" +
+                                         certificate_->name + "': do not trust it"};
+  }
+  if (certificate_ != nullptr && certificate_->role != tendon::Role::kOperator) {
+    return Error{ErrorCode::kDenied, address_ +
+                                         " shows a viewer's certificate, and to give orders "
+                                         "takes an operator's: issue '" +
+                                         name + "' another"};
+  }
+  if (mine_.wanted.empty() || mine_.wanted == name) return {};
+  return Error{ErrorCode::kUnreachable,
+               "at " + address_ + " is '" + name + "', not '" + mine_.wanted + "'"};
+}
+
+Error Handshake::NotKnown() const {
+  return {ErrorCode::kDenied, acceptor_.name + " does not know '" + opener_.name +
+                                  "': both must run as the same user of this machine"};
+}
+
+}  // namespace tendon

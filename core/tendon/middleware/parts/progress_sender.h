@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <thread>
+
+namespace tendon {
+
+/// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost: a
+/// sign of life for the peer while the middleware's thread handles something large. If no thread
+/// can be started, gives no sign and logs that.
+class ProgressSender {
+ public:
+  ProgressSender(const std::string& peer, std::function<void()> give);
+
+ private:
+  std::jthread thread_;
+};
+
+}  // namespace tendon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <tendon/manager/component_loader.h>
+#include <tendon/manager/local_manager.h>
+#include <tendon/process/life/life_messages.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+/// Creates components from the classes of plug-ins, one at a time, because plug-ins need not be
+/// thread-safe. Thread-safe.
+class ComponentFactory {
+ public:
+  /// Called when the order's turn has come; returns whether it is still to be executed.
+  using Begin = std::function<Result<void>()>;
+  /// A component that is not in its process yet.
+  struct Made {
+    std::unique_ptr<Component> component;
+    ComponentOrigin origin;
+  };
+
+  /// Do not use `loader` elsewhere afterwards. Null: every order is refused.
+  ComponentFactory(std::string process, std::shared_ptr<ComponentLoader> loader)
+      : process_(std::move(process)), loader_(std::move(loader)) {}
+
+  Result<void> Load(const std::string& library, const Begin& begin);
+  Result<Made> Make(const message::LifeOrder& order, const Begin& begin);
+  [[nodiscard]] message::Classes classes();
+  /// The files of the loaded plug-ins; null without a loader.
+  [[nodiscard]] std::shared_ptr<PluginFiles> files() const;
+
+ private:
+  [[nodiscard]] Result<std::string> LibraryOf(const std::string& class_name) const;
+  [[nodiscard]] Error NoLoader() const;
+
+  const std::string process_;
+  const std::shared_ptr<ComponentLoader> loader_;
+  std::mutex mutex_;  // for the loader
+};
+
+}  // namespace tendon

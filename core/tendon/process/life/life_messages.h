@@ -1,0 +1,167 @@
+#pragma once
+
+#include <tendon/manager/component_description.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/payload.h>
+#include <tendon/task/component_state.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+/// What an order does with a process or its components.
+enum class LifeVerb : std::int32_t {
+  kLoad,       ///< loads a plug-in
+  kCreate,     ///< creates a component of a class
+  kConfigure,  ///< creates a stopped component anew with another configuration
+  kStart,
+  kSuspend,
+  kStop,
+  kRestart,  ///< stops it if it runs, then starts it
+  kRemove,
+};
+
+template <>
+inline constexpr auto kPayload<LifeVerb> = DescribeEnum(
+    "tendon.LifeVerb", Enumerator{"load", LifeVerb::kLoad}, Enumerator{"create", LifeVerb::kCreate},
+    Enumerator{"configure", LifeVerb::kConfigure}, Enumerator{"start", LifeVerb::kStart},
+    Enumerator{"suspend", LifeVerb::kSuspend}, Enumerator{"stop", LifeVerb::kStop},
+    Enumerator{"restart", LifeVerb::kRestart}, Enumerator{"remove", LifeVerb::kRemove});
+
+/// "load", "create", ...
+[[nodiscard]] constexpr std::string_view ToString(LifeVerb verb) noexcept { return NameOf(verb); }
+
+/// A class from which a process can create components.
+struct ClassDescription {
+  std::string name;
+  std::string library;
+  std::string configuration;  ///< Schema::TextWithHelp(); of None if it takes no configuration
+  std::string defaults;       ///< the default configuration, as JSON
+
+  bool operator==(const ClassDescription&) const = default;
+};
+
+}  // namespace tendon
+
+/// Orders for the life cycle of components, from a viewer to its GCM and from there to the LCM.
+/// Each struct is the body of a frame; all are requests.
+namespace tendon::message {
+
+// LifeOrder -> LifeOutcome; the LCM reports the changes before it answers
+inline constexpr auto kLife = static_cast<MessageType>(0x317);
+inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
+// From an LCM to its GCM, BeginOrder -> None, before it executes an order. A refusal cancels the
+// order, because nobody waits for it any more: a process that was stopped or busy for a while does
+// not execute it late.
+inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
+
+/// The longest configuration, in bytes.
+inline constexpr std::size_t kLongestConfiguration = std::size_t{1} << 16U;
+
+/// One verb, for one component or library. Fields that the verb does not use are empty.
+struct LifeOrder {
+  std::uint64_t id = 0;  ///< issued by the GCM
+  LifeVerb verb = LifeVerb::kStart;
+  std::string process;
+  std::uint64_t instance = 0;  ///< of the intended process; 0: any instance
+  std::string component;       ///< all but load
+  std::string class_name;      ///< create
+  /// Load; create, where empty means the only loaded library with this class.
+  std::string library;
+  std::string configuration;  ///< create, configure: JSON; empty for the defaults
+  /// Configure: BaseOf() the configuration that this one was made from. Refused if the component
+  /// has another one by now. Zeros: replaces any configuration.
+  Fingerprint based_on;
+  std::string thread;  ///< create: ThreadOptions as JSON; empty for those of the class
+  std::string leader;  ///< create: the component that it runs after, or empty
+  /// Start: refuses if a required interface that the component needs is not connected.
+  bool is_strict = false;
+  /// The time limit; 0: the forwarding program chooses. An order that has not begun by then is not
+  /// executed.
+  std::chrono::nanoseconds patience{0};
+};
+
+/// The state before an executed order.
+struct LifeOutcome {
+  ComponentState state = ComponentState::kConstructed;  ///< all but load and create
+  std::string class_name;                               ///< all but load
+  std::string library;                                  ///< all but load
+  std::string former;                                   ///< configure, remove: the old one
+  std::string configuration;                            ///< create, configure: as understood
+  std::string thread;                                   ///< remove: as in LifeOrder
+  std::string leader;                                   ///< remove: as in LifeOrder
+  std::string warning;  ///< what differs from the order, though it was executed
+};
+
+/// The order that an LCM is about to execute.
+struct BeginOrder {
+  std::uint64_t id = 0;
+};
+
+/// Asks for the classes from which a process can create components.
+struct GetClasses {
+  std::string process;
+};
+
+/// The answer to GetClasses.
+struct Classes {
+  std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, by library and name
+  std::vector<std::string> plugins;         ///< all in the plug-in folders of the process
+  std::vector<PluginDescription> loaded{};  ///< the loaded ones
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ClassDescription> = tendon::Describe(
+    "tendon.ClassDescription", tendon::Field{"name", &tendon::ClassDescription::name},
+    tendon::Field{"library", &tendon::ClassDescription::library},
+    tendon::Field{"configuration", &tendon::ClassDescription::configuration},
+    tendon::Field{"defaults", &tendon::ClassDescription::defaults});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifeOrder> =
+    tendon::Describe("tendon.LifeOrder", tendon::Field{"id", &tendon::message::LifeOrder::id},
+                     tendon::Field{"verb", &tendon::message::LifeOrder::verb},
+                     tendon::Field{"process", &tendon::message::LifeOrder::process},
+                     tendon::Field{"instance", &tendon::message::LifeOrder::instance},
+                     tendon::Field{"component", &tendon::message::LifeOrder::component},
+                     tendon::Field{"class_name", &tendon::message::LifeOrder::class_name},
+                     tendon::Field{"library", &tendon::message::LifeOrder::library},
+                     tendon::Field{"configuration", &tendon::message::LifeOrder::configuration},
+                     tendon::Field{"based_on", &tendon::message::LifeOrder::based_on},
+                     tendon::Field{"thread", &tendon::message::LifeOrder::thread},
+                     tendon::Field{"leader", &tendon::message::LifeOrder::leader},
+                     tendon::Field{"is_strict", &tendon::message::LifeOrder::is_strict},
+                     tendon::Field{"patience", &tendon::message::LifeOrder::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifeOutcome> = tendon::Describe(
+    "tendon.LifeOutcome", tendon::Field{"state", &tendon::message::LifeOutcome::state},
+    tendon::Field{"class_name", &tendon::message::LifeOutcome::class_name},
+    tendon::Field{"library", &tendon::message::LifeOutcome::library},
+    tendon::Field{"former", &tendon::message::LifeOutcome::former},
+    tendon::Field{"configuration", &tendon::message::LifeOutcome::configuration},
+    tendon::Field{"thread", &tendon::message::LifeOutcome::thread},
+    tendon::Field{"leader", &tendon::message::LifeOutcome::leader},
+    tendon::Field{"warning", &tendon::message::LifeOutcome::warning});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::BeginOrder> =
+    tendon::Describe("tendon.BeginOrder", tendon::Field{"id", &tendon::message::BeginOrder::id});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetClasses> = tendon::Describe(
+    "tendon.GetClasses", tendon::Field{"process", &tendon::message::GetClasses::process});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Classes> =
+    tendon::Describe("tendon.Classes", tendon::Field{"classes", &tendon::message::Classes::classes},
+                     tendon::Field{"plugins", &tendon::message::Classes::plugins},
+                     tendon::Field{"loaded", &tendon::message::Classes::loaded});

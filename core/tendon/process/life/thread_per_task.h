@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/base/result.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <utility>
+
+namespace tendon {
+
+/// Executes each task in a thread of its own, so that none waits for another: code of component
+/// authors may take long, or never return. Thread-safe.
+class ThreadPerTask {
+ public:
+  /// `most` tasks may run at a time. `owner` is the process named in errors and in the log.
+  ThreadPerTask(std::string owner, std::size_t most) : owner_(std::move(owner)), most_(most) {}
+  ThreadPerTask(const ThreadPerTask&) = delete;
+  ThreadPerTask& operator=(const ThreadPerTask&) = delete;
+  /// Stop().
+  ~ThreadPerTask() { Stop(); }
+
+  /// An error if too many tasks run, no thread can be started, or Stop() was called; then the task
+  /// is not executed.
+  Result<void> Do(std::function<void()> task);
+  /// Starts no tasks from now on.
+  void Close();
+  /// Returns whether all tasks have ended within `patience`.
+  [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds patience);
+  /// Waits for running tasks; starts no more. Must not be called from a task.
+  void Stop();
+
+ private:
+  using Threads = std::list<std::thread>;
+
+  void Run(const std::function<void()>& task, Threads::iterator self);
+  void JoinEnded();
+
+  const std::string owner_;
+  const std::size_t most_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Threads threads_;
+  Threads ended_;  // to be joined
+  bool is_stopped_ = false;
+};
+
+}  // namespace tendon

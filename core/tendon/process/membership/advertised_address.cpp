@@ -1,0 +1,98 @@
+#include <tendon/base/os/route.h>
+#include <tendon/middleware/middleware.h>
+#include <tendon/process/membership/advertised_address.h>
+
+#include <optional>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+/// Nothing if the address is not a host and a port, as with some middlewares.
+std::optional<HostPort> HostPortOf(const std::string& address) {
+  auto place = ParseAddress(address, 0);
+  return place ? std::optional(*std::move(place)) : std::nullopt;
+}
+
+bool IsEveryHost(const std::string& host) { return host == "0.0.0.0" || host == "::"; }
+
+bool IsLoopbackHost(const std::string& host) {
+  return CheckExposure(host, Exposure::kLoopbackOnly).ok();
+}
+
+bool IsHostAlone(const std::string& address) {
+  return address.find(':') == std::string::npos || address.ends_with(']');
+}
+
+/// As typed after --listen.
+std::string AnyPortOf(const std::string& host) { return ToString(HostPort{host, 0}); }
+
+std::string OutOfReach(const std::string& address, const std::string& host) {
+  return "is reached at " + address +
+         " from its own host alone, which is not that of the GCM; start it with --listen " +
+         AnyPortOf(host);
+}
+
+/// For a process that listens at every address and reaches its GCM by loopback.
+std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
+  return "listens at " + listens + ", but reaches its GCM by loopback, and tells others " + told +
+         ", which leads nowhere from other hosts; where those are to reach it, start it with "
+         "--advertise and an address of this host";
+}
+
+std::string OnAnotherNetwork(const std::string& listens, const std::string& from) {
+  return "listens at " + listens + ", but reaches its GCM from " + from +
+         ": hosts on that network may not reach it; start it with --listen " + AnyPortOf(from) +
+         ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
+}
+
+}  // namespace
+
+AdvertisedAddress AdvertisedAddressOf(const std::string& listens, const std::string& advertise,
+                                      const GcmRoute& way) {
+  const auto here = HostPortOf(listens);
+  if (!advertise.empty() && here && IsHostAlone(advertise)) {
+    return {advertise + ":" + std::to_string(here->port), {}};
+  }
+  if (!advertise.empty()) return {advertise, {}};
+  const auto gcm = HostPortOf(way.to);
+  if (!here || !gcm || way.from.empty()) return {listens, {}};
+  const bool is_other_family = here->host == "0.0.0.0" && way.from.find(':') != std::string::npos;
+  if (is_other_family) return {listens, {}};
+  if (IsEveryHost(here->host)) {
+    const std::string told = ToString(HostPort{way.from, here->port});
+    return {told, IsLoopbackHost(way.from) ? ForThisHostOnly(listens, told) : std::string()};
+  }
+  const bool is_gcm_here = IsLoopbackHost(way.from) || os::NumberOf(gcm->host) == way.from;
+  const std::string host = os::NumberOf(here->host);
+  if (is_gcm_here || host == way.from) return {listens, {}};
+  return {listens, IsLoopbackHost(host) ? OutOfReach(listens, way.from)
+                                        : OnAnotherNetwork(listens, way.from)};
+}
+
+Result<void> CheckAdvertise(const std::string& advertise) {
+  const auto place = ParseAddress(IsHostAlone(advertise) ? advertise + ":1" : advertise, 1);
+  if (!place) return place.error();
+  if (!IsEveryHost(place->host)) return {};
+  return Error{ErrorCode::kInvalid,
+               "--advertise " + advertise +
+                   " leads nowhere: give an address of this host, or leave it out, and the one "
+                   "from which the GCM is reached is told"};
+}
+
+bool IsOfOneHost(const std::string& address) {
+  const auto place = HostPortOf(address);
+  return place && IsLoopbackHost(place->host);
+}
+
+std::string WhyOutOfReach(const std::string& address, const std::string& peer) {
+  const auto told = HostPortOf(address);
+  const auto from = HostPortOf(peer);
+  if (!told || !from) return {};
+  if (!IsLoopbackHost(told->host) && !IsEveryHost(told->host)) return {};
+  const bool is_here =
+      IsLoopbackHost(from->host) || os::AddressTowards(from->host, from->port) == from->host;
+  return is_here ? std::string() : OutOfReach(address, from->host);
+}
+
+}  // namespace tendon

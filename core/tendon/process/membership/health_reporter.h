@@ -1,0 +1,32 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/telemetry/clock_offset.h>
+
+#include <memory>
+#include <mutex>
+
+namespace tendon {
+
+/// Reports to a GCM every second which resources this process uses, and estimates the GCM's clock
+/// from the answers. One thread, apart from the answers.
+class HealthReporter {
+ public:
+  /// Reports if a second has passed or the channel is another one. Lowers `next` to the next time.
+  void Tell(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
+
+ private:
+  struct GcmClockOffset {
+    std::mutex mutex;
+    ClockOffset offset;
+  };
+
+  void TellNow(Channel& channel);
+
+  std::weak_ptr<Channel> channel_;
+  std::shared_ptr<GcmClockOffset> clock_;  // shared with handlers of pending answers
+  SteadyTime next_{};
+};
+
+}  // namespace tendon

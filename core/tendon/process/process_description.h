@@ -1,0 +1,101 @@
+#pragma once
+
+#include <tendon/manager/component_description.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+/// The state of a process, as the GCM sees it.
+enum class ProcessState : std::int32_t {
+  kAlive,
+  kSuspect,   ///< has missed lease renewals
+  kLost,      ///< its connection broke or its lease ran out; its description is kept as a tombstone
+  kLeft,      ///< said good-bye; kept as a tombstone too
+  kStarting,  ///< the GCM has started its program, which has not joined yet
+};
+
+template <>
+inline constexpr auto kPayload<ProcessState> = DescribeEnum(
+    "tendon.ProcessState", Enumerator{"alive", ProcessState::kAlive},
+    Enumerator{"suspect", ProcessState::kSuspect}, Enumerator{"lost", ProcessState::kLost},
+    Enumerator{"left", ProcessState::kLeft}, Enumerator{"starting", ProcessState::kStarting});
+
+[[nodiscard]] std::string_view ToString(ProcessState state) noexcept;
+
+/// A process without its components.
+struct ProcessDescription {
+  std::string name;
+  std::uint64_t instance = 0;  ///< new at each start of the process
+  std::string host;
+  std::int64_t pid = 0;
+  std::string address;  ///< where viewers and peers reach it
+  ProcessState state = ProcessState::kAlive;
+  std::string reason;      ///< why it is lost; while alive, from where it cannot be reached
+  std::int64_t since = 0;  ///< when it entered `state`, ns since 1970; for display only
+  std::vector<PluginDescription> plugins{};  ///< in the order of loading
+
+  bool operator==(const ProcessDescription&) const = default;
+};
+
+/// One numbered change of the catalogue. Exactly one of the lists has one element, or a name says
+/// what is removed. Revisions have no gaps.
+struct CatalogueChange {
+  enum class Kind : std::int32_t {
+    kProcess,  ///< added or changed; a new instance empties its components and connections
+    kProcessRemoved,
+    kComponent,  ///< added or changed
+    kComponentRemoved,
+    kConnection,  ///< added or changed
+    kConnectionRemoved,
+  };
+
+  std::uint64_t revision = 0;  ///< of the catalogue after this change
+  Kind kind = Kind::kProcess;
+  std::string process;                             ///< which process it is about
+  std::string component;                           ///< kComponentRemoved
+  std::uint64_t connection = 0;                    ///< kConnectionRemoved
+  std::vector<ProcessDescription> processes;       ///< kProcess
+  std::vector<ComponentDescription> components;    ///< kComponent
+  std::vector<ConnectionDescription> connections;  ///< kConnection
+
+  bool operator==(const CatalogueChange&) const = default;
+};
+
+}  // namespace tendon
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ProcessDescription> = tendon::Describe(
+    "tendon.ProcessDescription", tendon::Field{"name", &tendon::ProcessDescription::name},
+    tendon::Field{"instance", &tendon::ProcessDescription::instance},
+    tendon::Field{"host", &tendon::ProcessDescription::host},
+    tendon::Field{"pid", &tendon::ProcessDescription::pid},
+    tendon::Field{"address", &tendon::ProcessDescription::address},
+    tendon::Field{"state", &tendon::ProcessDescription::state},
+    tendon::Field{"reason", &tendon::ProcessDescription::reason},
+    tendon::Field{"since", &tendon::ProcessDescription::since, "ns"},
+    tendon::Field{"plugins", &tendon::ProcessDescription::plugins});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::CatalogueChange::Kind> = tendon::DescribeEnum(
+    "tendon.CatalogChangeKind",
+    tendon::Enumerator{"process", tendon::CatalogueChange::Kind::kProcess},
+    tendon::Enumerator{"process_removed", tendon::CatalogueChange::Kind::kProcessRemoved},
+    tendon::Enumerator{"component", tendon::CatalogueChange::Kind::kComponent},
+    tendon::Enumerator{"component_removed", tendon::CatalogueChange::Kind::kComponentRemoved},
+    tendon::Enumerator{"connection", tendon::CatalogueChange::Kind::kConnection},
+    tendon::Enumerator{"connection_removed", tendon::CatalogueChange::Kind::kConnectionRemoved});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::CatalogueChange> = tendon::Describe(
+    "tendon.CatalogueChange", tendon::Field{"revision", &tendon::CatalogueChange::revision},
+    tendon::Field{"kind", &tendon::CatalogueChange::kind},
+    tendon::Field{"process", &tendon::CatalogueChange::process},
+    tendon::Field{"component", &tendon::CatalogueChange::component},
+    tendon::Field{"connection", &tendon::CatalogueChange::connection},
+    tendon::Field{"processes", &tendon::CatalogueChange::processes},
+    tendon::Field{"components", &tendon::CatalogueChange::components},
+    tendon::Field{"connections", &tendon::CatalogueChange::connections});

@@ -1,9 +1,0 @@
-#include <tendon/process/program_messages.h>
-
-namespace tendon {
-
-message::ProgramVersion OwnVersion() {
-  return {.release = TENDON_VERSION, .protocol = FrameHeader::kProtocolVersion};
-}
-
-}  // namespace tendon

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <tendon/process/viewer_messages.h>
+
+#include <string>
+
+/// How viewers get rows through a broker: the process sends them once for all viewers.
+namespace tendon::message {
+
+// From a viewer to a process: as kSubscribe, but the rows come through a topic. kUnsubscribe and
+// kRowsEnded work as usual with the handle. A message of the topic is the body of kRows, and
+// `rows_before` counts all rows ever sent to the topic. At least one message comes each second,
+// perhaps without rows, so that losses are noticed.
+inline constexpr auto kJoinTopic =
+    static_cast<MessageType>(0x20a);  // request: Subscribe -> JoinTopicReply
+// From a viewer or a process to a GCM.
+inline constexpr auto kFanOut =
+    static_cast<MessageType>(0x31c);  // request: None -> BroadcastAddress
+
+/// The answer to kJoinTopic.
+struct JoinTopicReply {
+  Subscribed subscribed;  ///< `first_tick` has no meaning: the first arriving row sets it
+  std::string topic;
+};
+
+/// The address of the broker.
+struct BroadcastAddress {
+  std::string address;  ///< empty if there is none
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::JoinTopicReply> =
+    tendon::Describe("tendon.JoinTopicReply",
+                     tendon::Field{"subscribed", &tendon::message::JoinTopicReply::subscribed},
+                     tendon::Field{"topic", &tendon::message::JoinTopicReply::topic});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::BroadcastAddress> =
+    tendon::Describe("tendon.BroadcastAddress",
+                     tendon::Field{"address", &tendon::message::BroadcastAddress::address});

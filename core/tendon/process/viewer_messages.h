@@ -1,0 +1,174 @@
+#pragma once
+
+#include <tendon/manager/component_description.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/process/telemetry/row_choice.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The requests that viewers send directly to a process: schemas, calls, events, and rows of state
+/// tables. Each struct is the body of a frame; requests are answered, notices are not.
+namespace tendon::message {
+
+// From a viewer.
+inline constexpr auto kGetSchemas =
+    static_cast<MessageType>(0x200);  // request: GetSchemas -> Schemas
+inline constexpr auto kCallMember =
+    static_cast<MessageType>(0x201);  // request: CallMember -> Called
+inline constexpr auto kSubscribe =
+    static_cast<MessageType>(0x202);  // request: Subscribe -> Subscribed
+inline constexpr auto kUnsubscribe =
+    static_cast<MessageType>(0x203);  // notice: empty; frame's handle
+// From the process.
+inline constexpr auto kRows =
+    static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
+inline constexpr auto kRowsEnded =
+    static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
+// From a viewer that wants the newest row only: it has taken the last row, so send the next.
+inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
+// From a viewer: as kOpenInterface, but without functions. Afterwards as in proxy/messages.h: the
+// process sends kTimedEvents, kEventsLost and kInterfaceClosed, the viewer kCloseInterface.
+inline constexpr auto kListen =
+    static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
+
+/// The counts of a connection with its required side in the process; the mailboxes of a component.
+inline constexpr auto kGetCounts =
+    static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
+inline constexpr auto kGetFill =
+    static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
+
+/// Names the required side. The process of the provided side also answers, with that end's capacity
+/// and lost events only.
+struct GetCounts {
+  InterfaceName required;
+};
+
+/// Names the component.
+struct GetFill {
+  std::string component;
+};
+
+/// The payload types whose schemas are wanted.
+struct GetSchemas {
+  std::vector<Fingerprint> fingerprints;
+};
+
+/// Schema::Text() of each type, in the order asked for; empty if the process does not know it.
+struct Schemas {
+  std::vector<std::string> texts;
+};
+
+/// Executes a command. Columns of state tables are read commands too: interface "state" or
+/// "state-NAME", member = column.
+struct CallMember {
+  std::string component;
+  std::string interface;
+  std::string member;
+  std::vector<std::byte> argument;  ///< the encoded argument; empty if the command takes none
+  std::chrono::nanoseconds timeout{2'000'000'000};  ///< for a command that its caller waits for
+};
+
+/// The outcome of a call.
+struct Called {
+  std::uint8_t status = 0;        ///< Status::Code
+  std::vector<std::byte> answer;  ///< the encoded result; empty if there is none
+};
+
+/// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. Names no column
+/// twice. TelemetryServer documents the limits.
+struct Subscribe {
+  std::string component;
+  std::string table;  ///< "state" or "state-NAME"
+  std::vector<std::string> columns;
+  RowChoice rows;
+};
+
+/// The answer to Subscribe.
+struct Subscribed {
+  std::uint32_t handle = 0;  ///< of the frames of this subscription
+  std::uint64_t epoch = 0;   ///< StateTable::epoch(): in another epoch ticks count anew
+  /// The first row that will come or be reported as lost. With the newest row only, the first row
+  /// may be older.
+  std::uint64_t first_tick = 0;
+  std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
+};
+
+/// The body of kRows, little-endian. The layout lets a reader find each cell with one addition:
+///
+///     RowsHeader
+///     u32 x columns    bytes of a cell of that column, or 0 if they differ from row to row
+///     padding to 8
+///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then per column, at
+///                      the next multiple of 8: the cell's body; or, if its size is 0, u32
+///                      offset (from the start of the frame's body, a multiple of 8), u32 size
+///     the cells whose sizes differ, each at a multiple of 8
+///
+/// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
+///
+/// An empty batch reports rows that the link refused if no others follow.
+struct RowsHeader {
+  std::uint64_t rows_before = 0;  ///< rows sent before in this subscription: a gap is a loss
+  /// Rows since the last batch that were overwritten before they were gathered.
+  std::uint64_t lost_table = 0;
+  std::uint64_t next_tick = 0;  ///< this and earlier batches have all rows below it
+  std::uint32_t rows = 0;
+  std::uint32_t columns = 0;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetCounts> = tendon::Describe(
+    "tendon.GetCounts", tendon::Field{"required", &tendon::message::GetCounts::required});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetFill> = tendon::Describe(
+    "tendon.GetFill", tendon::Field{"component", &tendon::message::GetFill::component});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetSchemas> = tendon::Describe(
+    "tendon.GetSchemas", tendon::Field{"fingerprints", &tendon::message::GetSchemas::fingerprints});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Schemas> =
+    tendon::Describe("tendon.Schemas", tendon::Field{"texts", &tendon::message::Schemas::texts});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::CallMember> = tendon::Describe(
+    "tendon.CallMember", tendon::Field{"component", &tendon::message::CallMember::component},
+    tendon::Field{"interface", &tendon::message::CallMember::interface},
+    tendon::Field{"member", &tendon::message::CallMember::member},
+    tendon::Field{"argument", &tendon::message::CallMember::argument},
+    tendon::Field{"timeout", &tendon::message::CallMember::timeout});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Called> =
+    tendon::Describe("tendon.Called", tendon::Field{"status", &tendon::message::Called::status},
+                     tendon::Field{"answer", &tendon::message::Called::answer});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Describe(
+    "tendon.Subscribe", tendon::Field{"component", &tendon::message::Subscribe::component},
+    tendon::Field{"table", &tendon::message::Subscribe::table},
+    tendon::Field{"columns", &tendon::message::Subscribe::columns},
+    tendon::Field{"rows", &tendon::message::Subscribe::rows});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Subscribed> = tendon::Describe(
+    "tendon.Subscribed", tendon::Field{"handle", &tendon::message::Subscribed::handle},
+    tendon::Field{"epoch", &tendon::message::Subscribed::epoch},
+    tendon::Field{"first_tick", &tendon::message::Subscribed::first_tick},
+    tendon::Field{"schemas", &tendon::message::Subscribed::schemas});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::RowsHeader> = tendon::Describe(
+    "tendon.RowsHeader", tendon::Field{"rows_before", &tendon::message::RowsHeader::rows_before},
+    tendon::Field{"lost_table", &tendon::message::RowsHeader::lost_table},
+    tendon::Field{"next_tick", &tendon::message::RowsHeader::next_tick},
+    tendon::Field{"rows", &tendon::message::RowsHeader::rows},
+    tendon::Field{"columns", &tendon::message::RowsHeader::columns});

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <tendon/manager/component_description.h>
+#include <tendon/middleware/frame.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The messages between the two ends of a connection. The opener is the process of the required
+/// interface. Each struct is the body of a frame; requests are answered, notices are not. Each end
+/// issues a number for the connection, which the other end puts into the header's handle; member i
+/// has the number + 1 + i.
+namespace tendon::message {
+
+// From the opener.
+inline constexpr auto kOpenInterface =
+    static_cast<MessageType>(0x100);  // request: OpenInterface -> OpenInterfaceReply
+inline constexpr auto kCloseInterface = static_cast<MessageType>(0x101);  // notice: empty
+// notice: calls of functions, as a CallBatch
+inline constexpr auto kCommands = static_cast<MessageType>(0x102);
+// request to a function's handle: the argument -> the result, followed by one byte of Status::Code
+inline constexpr auto kRead = static_cast<MessageType>(0x103);
+inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> Pong
+// request to a function's handle: the argument, followed by u64, how many ns the caller waits -> as
+// kRead, after the call was executed or refused
+inline constexpr auto kWait = static_cast<MessageType>(0x105);
+inline constexpr auto kOpenMarked =
+    static_cast<MessageType>(0x106);  // request: OpenMarked -> MarkedOpened
+// From the peer.
+// notice: calls of event handlers, as a CallBatch
+inline constexpr auto kEvents = static_cast<MessageType>(0x110);
+inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
+// The reply to an executed kWait also acts as a Credit: all calls sent before it were executed too.
+// notice: Error; the provided interface is gone
+inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
+// notice, to a listener without functions: as kEvents, each value with its time (AddTimed())
+inline constexpr auto kTimedEvents = static_cast<MessageType>(0x113);
+// From either end.
+inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
+
+/// The answer to kPing.
+struct Pong {
+  std::int64_t time = 0;  ///< when the reply was made, ns on the peer's steady clock
+};
+
+/// Asks for a connection.
+struct OpenInterface {
+  InterfaceName required;
+  InterfaceName provided;
+  RequiredDescription description;  ///< the required interface: what it calls and handles
+  std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
+  std::uint32_t capacity = 0;       ///< calls, and events, that may wait at a time
+};
+
+/// Confirms the connection.
+struct OpenInterfaceReply {
+  std::uint32_t handle = 0;  ///< the peer's number; its members are the functions
+  std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
+  bool accepting = false;    ///< whether the component executes calls now
+  ProvidedDescription description;
+};
+
+/// Asks for a connection. `latest_only` names the event handlers that keep the latest event only.
+struct OpenMarked {
+  OpenInterface open;
+  std::vector<std::string> latest_only;
+};
+
+/// Confirms the connection. `latest_only` names the commands that keep the latest call only.
+struct MarkedOpened {
+  OpenInterfaceReply opened;
+  std::vector<std::string> latest_only;
+};
+
+/// The progress and state of the component; sent within 5 ms of each change.
+struct Credit {
+  std::uint64_t executed = 0;  ///< calls taken out of its mailbox since the connection was opened
+  bool accepting = false;
+  std::string fault;  ///< why it is faulted; else empty
+
+  bool operator==(const Credit&) const = default;
+};
+
+/// Events lost since the connection was opened, by event handler. The raising end reports those
+/// that it could not send; the handling end those that it lost on arrival.
+struct EventsLost {
+  /// A report may exceed the one before by this much: its receiver counts each event in a loop.
+  static constexpr std::uint64_t kMostAtOnce = 65536;
+
+  std::vector<std::uint64_t> lost;
+
+  bool operator==(const EventsLost&) const = default;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Pong> =
+    tendon::Describe("tendon.Pong", tendon::Field{"time", &tendon::message::Pong::time, "ns"});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::OpenInterface> = tendon::Describe(
+    "tendon.OpenInterface", tendon::Field{"required", &tendon::message::OpenInterface::required},
+    tendon::Field{"provided", &tendon::message::OpenInterface::provided},
+    tendon::Field{"description", &tendon::message::OpenInterface::description},
+    tendon::Field{"handle", &tendon::message::OpenInterface::handle},
+    tendon::Field{"capacity", &tendon::message::OpenInterface::capacity});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::OpenInterfaceReply> = tendon::Describe(
+    "tendon.OpenInterfaceReply",
+    tendon::Field{"handle", &tendon::message::OpenInterfaceReply::handle},
+    tendon::Field{"credit", &tendon::message::OpenInterfaceReply::credit},
+    tendon::Field{"accepting", &tendon::message::OpenInterfaceReply::accepting},
+    tendon::Field{"description", &tendon::message::OpenInterfaceReply::description});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::OpenMarked> =
+    tendon::Describe("tendon.OpenMarked", tendon::Field{"open", &tendon::message::OpenMarked::open},
+                     tendon::Field{"latest_only", &tendon::message::OpenMarked::latest_only});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::MarkedOpened> = tendon::Describe(
+    "tendon.MarkedOpened", tendon::Field{"opened", &tendon::message::MarkedOpened::opened},
+    tendon::Field{"latest_only", &tendon::message::MarkedOpened::latest_only});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Credit> =
+    tendon::Describe("tendon.Credit", tendon::Field{"executed", &tendon::message::Credit::executed},
+                     tendon::Field{"accepting", &tendon::message::Credit::accepting},
+                     tendon::Field{"fault", &tendon::message::Credit::fault});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::EventsLost> = tendon::Describe(
+    "tendon.EventsLost", tendon::Field{"lost", &tendon::message::EventsLost::lost});

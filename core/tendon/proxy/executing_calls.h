@@ -1,0 +1,72 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/interface/command.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/middleware/requests/responder.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+/// Calls from other processes that a component here executes and whose callers wait. No thread
+/// waits here: the network thread checks whenever it hears that a call has ended. Not thread-safe.
+class ExecutingCalls {
+ public:
+  /// A call that `command` has begun. `command` lives until the call is answered.
+  struct Begun {
+    CommandBase* command = nullptr;
+    std::size_t call = 0;
+    SteadyTime since{};
+    SteadyTime deadline{};
+    std::size_t function = 0;  ///< the owner's index
+    Responder responder;
+  };
+  /// Sends the answers.
+  class Owner {
+   public:
+    virtual ~Owner() = default;
+    /// The call has ended, or will not be executed. With a good status the owner may take `result`.
+    virtual void OnEnd(Begun& begun, Status status, Bytes& result) = 0;
+  };
+
+  /// The network thread may miss a call that was begun just as its server stopped, so it checks
+  /// this often.
+  static constexpr std::chrono::milliseconds kNextLook{100};
+
+  explicit ExecutingCalls(Owner& owner) : owner_(owner) {}
+  void Add(Begun begun) {
+    newest_ = begun.since;
+    begun_.push_back(std::move(begun));
+  }
+  /// When the network thread must first check a new call, unless it is notified before.
+  [[nodiscard]] static SteadyTime FirstLook(const Begun& begun) {
+    return std::min(begun.deadline, begun.since + 2 * kNextLook);
+  }
+  /// Answers the calls that have ended or timed out, in the order in which they were begun, many in
+  /// one message. Lowers `next` to the time of the next check.
+  void Answer(SteadyTime now, SteadyTime& next);
+  /// Answers all calls, because their connection ends.
+  void GiveUp();
+
+ private:
+  void End(Begun& begun, Status if_not_started);
+
+  Owner& owner_;
+  std::vector<Begun> begun_;
+  SteadyTime newest_{};
+  Bytes result_;
+};
+
+/// Appends the timeout to the body of kWait.
+void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question);
+/// Removes the timeout and returns it; nothing if it is missing.
+std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question);
+
+}  // namespace tendon

@@ -1,0 +1,15 @@
+#include <tendon/proxy/outstanding_calls.h>
+#include <tendon/proxy/read_proxy.h>
+
+#include <utility>
+
+namespace tendon {
+
+Status TakeOutcome(Result<Bytes> answer, Bytes& result) {
+  // The call was sent: unless it was refused, it may have been executed.
+  if (!answer) return StatusOfRefusal(answer.error()).value_or(Status::kOutcomeUnknown);
+  result = *std::move(answer);
+  return TakeStatus(result);
+}
+
+}  // namespace tendon
