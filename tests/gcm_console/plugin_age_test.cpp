@@ -134,6 +134,15 @@ TEST_F(PluginAgeTest, EachVerbTellsThatTheFileWasWrittenAgain) {
   EXPECT_THAT(status.err, HasSubstr("see gcm doctor"));
 }
 
+TEST_F(PluginAgeTest, WhatAnOrderHasSeenFirstIsShownToo) {
+  StartOld();
+  OverwriteInPlace();
+
+  ASSERT_EQ(Gcm({"classes", "robot"}).exit_code, program::kOk);  // which looks at the files
+
+  EXPECT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
+}
+
 TEST_F(PluginAgeTest, DocumentsTellItToo) {
   StartOld();
   Replace();
@@ -161,11 +170,11 @@ TEST_F(PluginAgeTest, APlanJudgesByWhatTheProcessWouldRun) {
     return (home.path() / "wanted.json").string();
   };
 
-  const Outcome refused = Gcm({"plan", write("PendingHandshake")});
+  const Outcome refused = Gcm({"plan", write("Newcomer")});
   EXPECT_EQ(refused.exit_code, program::kRefused);
   EXPECT_THAT(refused.err,
               AllOf(HasSubstr("robot/new cannot be made as the file says: process 'robot' has no "
-                              "class 'PendingHandshake' in ageing"),
+                              "class 'Newcomer' in ageing"),
                     HasSubstr("the file was written again at 20")));
 
   const Outcome planned = Gcm({"plan", write("Ageing")});
@@ -208,7 +217,7 @@ TEST_F(PluginAgeTest, AProcessThatIsStartedAnewRunsTheNewCode) {
   ASSERT_EQ(Gcm({"start", "robot/new"}).exit_code, program::kOk);
 
   EXPECT_EQ(RowsOf("new", 2), 200U);
-  EXPECT_EQ(Create("newer", "PendingHandshake").exit_code, program::kOk);
+  EXPECT_EQ(Create("newer", "Newcomer").exit_code, program::kOk);
   EXPECT_THAT(Gcm({"load", "ageing"}).err, Not(HasSubstr("again")));
 }
 

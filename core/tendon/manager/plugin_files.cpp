@@ -24,17 +24,22 @@ void PluginFiles::Add(const std::string& library, os::FileContent content) {
     const std::scoped_lock lock(look_mutex_);
     loaded_.push_back({library, os::FileWatch(std::move(content))});
   }
-  (void)Look();
+  Look();
 }
 
-bool PluginFiles::Look() {
+void PluginFiles::Look() {
   const std::scoped_lock look(look_mutex_);
   std::vector<PluginDescription> now;
   for (Loaded& one : loaded_) now.push_back(Describe(one));
   const std::scoped_lock lock(mutex_);
-  if (now == descriptions_) return false;
+  if (now == descriptions_) return;
   descriptions_ = std::move(now);
-  return true;
+  ++revision_;
+}
+
+std::uint64_t PluginFiles::revision() const {
+  const std::scoped_lock lock(mutex_);
+  return revision_;
 }
 
 std::vector<PluginDescription> PluginFiles::descriptions() const {

@@ -3,6 +3,7 @@
 #include <tendon/base/os/file_content.h>
 #include <tendon/manager/component_description.h>
 
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -14,9 +15,10 @@ class PluginFiles {
  public:
   /// `content` was read from the file of the plug-in and is now loaded.
   void Add(const std::string& library, os::FileContent content);
-  /// Checks all files, which may take as long as their disks need. True if the descriptions have
-  /// changed.
-  bool Look();
+  /// Checks all files, which may take as long as their disks need.
+  void Look();
+  /// Changes whenever the descriptions do.
+  [[nodiscard]] std::uint64_t revision() const;
   /// As of the last Look(), in the order of loading. Does not wait for a Look().
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
@@ -30,8 +32,9 @@ class PluginFiles {
 
   std::mutex look_mutex_;  // locked before mutex_
   std::vector<Loaded> loaded_;
-  mutable std::mutex mutex_;  // guards descriptions_
+  mutable std::mutex mutex_;  // guards what follows
   std::vector<PluginDescription> descriptions_;
+  std::uint64_t revision_ = 0;
 };
 
 }  // namespace tendon

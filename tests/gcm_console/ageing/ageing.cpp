@@ -37,9 +37,9 @@ class Ageing final : public tendon::PeriodicTask {
 };
 
 #if TENDON_TEST_GENERATION > 1
-class PendingHandshake final : public tendon::Component {
+class Newcomer final : public tendon::Component {
  public:
-  explicit PendingHandshake(std::string name) : Component(std::move(name)) {}
+  explicit Newcomer(std::string name) : Component(std::move(name)) {}
 };
 #endif
 
@@ -48,6 +48,6 @@ class PendingHandshake final : public tendon::Component {
 extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
   registry.Add<test::Ageing>("Ageing");
 #if TENDON_TEST_GENERATION > 1
-  registry.Add<test::PendingHandshake>("PendingHandshake");
+  registry.Add<test::Newcomer>("Newcomer");
 #endif
 }

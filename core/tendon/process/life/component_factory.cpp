@@ -41,7 +41,7 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
   if (auto begun = begin(); !begun) return begun;
-  (void)loader_->files()->Look();  // updates the state of a plug-in that is loaded already
+  loader_->files()->Look();  // updates the state of a plug-in that is loaded already
   return loader_->Load(library);
 }
 
@@ -62,7 +62,7 @@ Result<ComponentFactory::Made> ComponentFactory::Make(const LifeOrder& order, co
     if (!found) return found.error();
     library = *found;
   }
-  (void)loader_->files()->Look();
+  loader_->files()->Look();
   auto component = loader_->Create(library, order.class_name, order.component, order.configuration);
   if (!component) return component.error();
   if (auto set = SetThread(order, **component); !set) return set.error();
@@ -83,7 +83,7 @@ message::Classes ComponentFactory::classes() {
     }
   }
   all.plugins = loader_->available();
-  (void)loader_->files()->Look();
+  loader_->files()->Look();
   all.loaded = loader_->files()->descriptions();
   return all;
 }

@@ -2,6 +2,7 @@
 #include <tendon/process/life/plugin_watch.h>
 
 #include <chrono>
+#include <cstdint>
 #include <utility>
 
 namespace tendon {
@@ -21,10 +22,12 @@ PluginWatch::~PluginWatch() {
 void PluginWatch::Run() {
   constexpr std::chrono::seconds kBetweenLooks(1);
   os::NameThisThread("plugin watch");
+  std::uint64_t told = 0;  // orders look at the files, too: what they find is also news
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, kBetweenLooks, [this] { return is_ending_; })) {
     lock.unlock();
-    if (files_->Look()) changed_();
+    files_->Look();
+    if (const std::uint64_t now = files_->revision(); now != std::exchange(told, now)) changed_();
     lock.lock();
   }
 }

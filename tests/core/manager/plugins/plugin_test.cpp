@@ -222,14 +222,18 @@ TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
   Write("lamp", "nothing of what was there");
 
   EXPECT_TRUE(loader.Create("lamp", "Lamp", "lamp", ""));
-  EXPECT_TRUE(loader.files()->Look());
+  const std::uint64_t before = loader.files()->revision();
+  loader.files()->Look();
+  EXPECT_NE(loader.files()->revision(), before);
   const auto files = loader.files()->descriptions();
   ASSERT_EQ(files.size(), 1U);
   EXPECT_EQ(files[0].name, "lamp");
   EXPECT_EQ(files[0].file, (folder / "lamp.so").string());
   EXPECT_EQ(files[0].state, PluginState::kChanged);
   EXPECT_GE(files[0].written_now, files[0].written);
-  EXPECT_FALSE(loader.files()->Look()) << "nothing has changed since";
+  const std::uint64_t now = loader.files()->revision();
+  loader.files()->Look();
+  EXPECT_EQ(loader.files()->revision(), now) << "nothing has changed since";
 }
 
 TEST_F(PluginTest, IsLoadedOnceHoweverManyLoadersAskForIt) {
