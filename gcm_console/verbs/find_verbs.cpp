@@ -124,7 +124,7 @@ void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDesc
   add(WaitingReasons(waits));
   if (std::ranges::all_of(waits, &tendon::UnsatisfiedInterface::has_connection)) return;
   ++health.wrong;
-  health.verbs.insert("gcm candidates");
+  health.verbs.insert("gcm doctor");  // which names the interface
 }
 
 std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits, Health& health) {

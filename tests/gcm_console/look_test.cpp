@@ -55,7 +55,7 @@ TEST_F(LookTest, AComponentThatLacksWhatItNeedsIsSaidToWait) {
   EXPECT_THAT(status.out,
               HasSubstr("component\t" + path + "\tactive\twaiting for Robot: not connected\n"));
   EXPECT_EQ(status.err,
-            "gcm: 2 processes, 1 connection; 1 thing not as it should be: see gcm candidates\n");
+            "gcm: 2 processes, 1 connection; 1 thing not as it should be: see gcm doctor\n");
   const Outcome doctor = Gcm({"doctor"});
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  component " + path +

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <support/machine/sanitized.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <span>
 #include <string_view>
@@ -12,15 +15,15 @@
 
 namespace tendon::ice {
 
-/// How many mutants a program must bear, and how many inside TLS, where most of them cost a
-/// handshake. A sanitizer slows each down some ten times, and looks at fewer.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr int kMutants = 2'000;
-inline constexpr int kMutantsInTls = 200;
-#else
-inline constexpr int kMutants = 20'000;
-inline constexpr int kMutantsInTls = 20'000;
-#endif
+/// How many mutants a program must bear. A sanitizer slows each down some ten times, and looks at
+/// fewer.
+inline constexpr int kMutants = test::kIsSanitized ? 2'000 : 20'000;
+
+/// How many inside TLS, where most of them cost a handshake: 20,000 if TENDON_FULL_FAULTS is set.
+inline int MutantsInTls() {
+  if (std::getenv("TENDON_FULL_FAULTS") != nullptr) return 20'000;
+  return test::kIsSanitized ? 200 : 4'000;
+}
 
 /// Messages that were right until one to four of their bytes were changed: always the same ones.
 class Mutants {

@@ -110,7 +110,7 @@ TEST_F(MutantsTest, FromInsideTlsTheHolderOfACertificateIsBorne) {
   const HostPort place = Serve(*robot_);
   const TlsClient insider(Issue({.name = "eve"}).certificate_file);
 
-  ExpectBorne(*As({.name = "anna"}), kMutantsInTls, [&] { return insider.ConnectTo(place); });
+  ExpectBorne(*As({.name = "anna"}), MutantsInTls(), [&] { return insider.ConnectTo(place); });
 }
 
 TEST_F(MutantsTest, WhatStrangersSayUnderNoTlsIsNotEvenRead) {

@@ -41,7 +41,7 @@ TEST_F(OddTerminalTest, TheShellWorksOnEach) {
     Terminal shell(Command(variables, "shell"), Environment());
     ASSERT_TRUE(shell.Shows("gcm> ")) << variables << shell.seen();
     shell.Type("status\r");  // until the catalogue is here
-    ASSERT_TRUE(shell.Shows("see gcm candidates\r\ngcm> ")) << variables << shell.seen();
+    ASSERT_TRUE(shell.Shows("see gcm doctor\r\ngcm> ")) << variables << shell.seen();
     shell.Type("cd rob\t/ar\t\r");
     EXPECT_TRUE(shell.Shows("robot/arm> ")) << variables << shell.seen();
     shell.Type("exit\r");

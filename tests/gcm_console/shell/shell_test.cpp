@@ -57,7 +57,7 @@ TEST_F(ShellTest, WhoTypesMayShortenNamesAndIsToldWhatIsMeant) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
   terminal.Type("status\r");  // until the catalogue is here
-  ASSERT_TRUE(terminal.Shows("see gcm candidates\r\ngcm> ")) << terminal.seen();
+  ASSERT_TRUE(terminal.Shows("see gcm doctor\r\ngcm> ")) << terminal.seen();
 
   terminal.Type("get r/a/s.J.position[0]\r");
   EXPECT_TRUE(terminal.Shows("gcm: r/a/s.J.position[0] is robot/arm/state.Joints.position[0]\r\n"))
@@ -80,7 +80,7 @@ TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
   terminal.Type("status\r");  // until the catalogue is here
-  ASSERT_TRUE(terminal.Shows("see gcm candidates\r\ngcm> ")) << terminal.seen();
+  ASSERT_TRUE(terminal.Shows("see gcm doctor\r\ngcm> ")) << terminal.seen();
 
   terminal.Type("sho\trob\t/ar\t/Con\t.MoveT\t\r");
   EXPECT_TRUE(terminal.Shows("gcm call robot/arm/Control.MoveTo '")) << terminal.seen();

@@ -50,7 +50,7 @@ TEST_F(StripFlow, TheConsoleSpeaksTheLanguageOfTheShell) {
   EXPECT_TRUE(Console().isRunning());
   QTest::keyClick(&Line(), Qt::Key_C, Qt::ControlModifier);
   ASSERT_TRUE(IsDone());
-  EXPECT_TRUE(Says(" rows, "));
+  EXPECT_TRUE(Says(" lost"));
 
   QTest::keyClick(&Line(), Qt::Key_Up);
   EXPECT_EQ(Line().text(), "watch state.Joints --hz 20");

@@ -39,7 +39,8 @@ class Lonely final : public tendon::ChannelHandler {
 /// Processes that listen, and one that looks for links to them.
 class Peers : public testing::Test, private tendon::PeerListener {
  protected:
-  ~Peers() override {
+  /// Not in the destructor: until the worker has stopped, it may call this listener.
+  void TearDown() override {
     context_.opener->Stop();
     context_.worker->Stop();
     peers_.CloseAll();
