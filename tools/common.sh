@@ -78,18 +78,17 @@ must_be_preset() {
   grep -qxF -- "$1" <<<"$names" || fail "There is no preset '$1'; there are: ${names//$'\n'/, }."
 }
 
-# tenths: of ninja's lines "[37/923] ...", one for each tenth of the work; whatever else it says, as it is.
+# each_minute: of ninja's lines "[37/923] ...", one a minute; whatever else it says, as it is.
 # Behind a pipe, whose exit code is that of its first failure with pipefail, as all scripts here set it.
-tenths() {
-  local line tenth=0 now
+each_minute() {
+  local line next=$((SECONDS + 60))
   while IFS= read -r line; do
     if [[ ! $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
       [[ $line == "ninja: no work to do." ]] || say "$line"
-      continue
+    elif ((SECONDS >= next)); then
+      say "  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+      next=$((SECONDS + 60))
     fi
-    now=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
-    ((BASH_REMATCH[2] < 100 || now <= tenth)) || say "  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
-    tenth=$now
   done
 }
 
@@ -106,18 +105,48 @@ build_preset() {
 }
 
 configure_and_build() {
-  local preset=$1 log="$TENDON_ROOT/build/$1/configure.log" targets=()
+  local preset=$1 targets=()
   shift
   (($# == 0)) || targets=(--target "$@")
   # Presets, and clones in other places, share what the compiler makes of the same source.
   export CCACHE_BASEDIR=$TENDON_ROOT CCACHE_NOHASHDIR=1
   export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}
 
-  : >"$log"
   say "Building $preset."
-  logged "$log" in_place "$preset" cmake --preset "$preset" ||
-    fail "Preset $preset cannot be configured; all of CMake's output is in build/$preset/configure.log."
+  configure "$preset"
   local compile=(in_place "$preset" cmake --build --preset "$preset" "${targets[@]}")
-  if [[ -t 1 ]]; then "${compile[@]}"; else "${compile[@]}" | tenths; fi ||
+  if [[ -t 1 ]]; then "${compile[@]}"; else "${compile[@]}" | each_minute; fi ||
     fail "Preset $preset does not build; what is above says why."
 }
+
+# configure PRESET: in its folder, which is there. Says nothing, unless something is wrong.
+configure() {
+  local log="$TENDON_ROOT/build/$1/configure.log"
+  : >"$log"
+  logged "$log" in_place "$1" cmake --preset "$1" ||
+    fail "Preset $1 cannot be configured; all of CMake's output is in build/$1/configure.log."
+}
+
+# changed_files PATTERN...: of the files that match, those that differ from where this branch left main, committed or
+# not, and those that git does not know yet. Paths from the root, each with a zero byte behind it.
+changed_files() {
+  # Git writes nothing, not even what it has found out about the files, for another git may run at the same time.
+  local git=(env GIT_OPTIONAL_LOCKS=0 git -C "$TENDON_ROOT") base
+  base=$(branch_point)
+  "${git[@]}" diff -z --name-only --relative --diff-filter=d "$base" -- "$@"
+  "${git[@]}" ls-files -z --others --exclude-standard -- "$@"
+}
+
+# The commit at which this branch left main. On main, and where no main is known: the last commit that was pushed, or
+# the last one.
+branch_point() {
+  local git=(git -C "$TENDON_ROOT") bases=(main origin/main HEAD) base
+  [[ $("${git[@]}" branch --show-current) != main ]] || bases=(origin/main HEAD)
+  for base in "${bases[@]}"; do
+    "${git[@]}" merge-base HEAD "$base" 2>/dev/null && return
+  done
+  return 1
+}
+
+# is_clone: true where git can say what has changed.
+is_clone() { git -C "$TENDON_ROOT" rev-parse --verify --quiet HEAD >/dev/null 2>&1; }

@@ -11,7 +11,7 @@ def main(root):
     docs = root / "docs"
     wrong = []
     folders = ("docs", "components", "core", "resources", "tests")
-    pages = [root / "README.md", *(page for folder in folders for page in (root / folder).rglob("*.md"))]
+    pages = [*root.glob("*.md"), *(page for folder in folders for page in (root / folder).rglob("*.md"))]
     for page in pages:
         for target in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):
             if "://" not in target and not (page.parent / target).exists():

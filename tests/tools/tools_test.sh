@@ -20,7 +20,7 @@ eventually() {
 each_explains_itself_and_leaves_nothing_behind() {
   local tool
   mkdir "$folder/left"
-  for tool in setup build check demo build-qwt; do
+  for tool in setup build check demo build-qwt format tidy; do
     [[ $(TMPDIR=$folder/left "$root/tools/$tool" --help) == "tools/$tool"* ]] ||
       fail "tools/$tool --help does not say what it does"
     [[ -z $(ls -A "$folder/left") ]] || fail "tools/$tool --help leaves a file behind"
@@ -34,7 +34,7 @@ is_found_through_a_link() {
 
 what_is_no_option_is_refused() {
   local tool
-  for tool in setup build check demo build-qwt; do
+  for tool in setup build check demo build-qwt format tidy; do
     ! "$root/tools/$tool" --nonsense too 2>"$folder/error" || fail "tools/$tool takes --nonsense"
     grep -q "^usage: tools/$tool" "$folder/error" || fail "tools/$tool does not say how it is used"
   done
@@ -89,6 +89,12 @@ one_build_at_a_time() {
   [[ $(tr '\n' ' ' <"$order") == "begin end begin end " ]] || fail "two builds ran in one folder at once"
 }
 
+a_quick_build_tells_only_what_is_wrong() {
+  local told
+  told=$(printf '%s\n' '[1/2] Building' 'warning: odd' '[2/2] Linking' 'ninja: no work to do.' | each_minute)
+  [[ $told == "warning: odd" ]] || fail "a build says: $told"
+}
+
 at_least_one_job_and_no_more_than_processors() {
   local jobs
   jobs=$(parallel_jobs)
@@ -106,6 +112,7 @@ is_found_through_a_link
 what_is_no_option_is_refused
 a_preset_that_is_none_is_refused_and_leaves_no_folder
 shell_and_cmake_share_one_cache
+a_quick_build_tells_only_what_is_wrong
 at_least_one_job_and_no_more_than_processors
 a_free_port_can_be_listened_at
 sudo_does_not_make_the_build_roots

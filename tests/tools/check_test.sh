@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# check_test.sh: tools/check prints what fails and why tests were skipped, and no more, in a small project of its own.
+set -euo pipefail
+root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
+source "$root/tools/common.sh"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# A copy of the tools, which has nothing to install.
+make_project() {
+  cp -r "$root/tools" "$folder"
+  printf '#!/bin/sh\n' >"$folder/tools/setup"
+  cat >"$folder/CMakePresets.json" <<'END'
+{"version": 6,
+ "configurePresets": [{"name": "dev", "generator": "Ninja", "binaryDir": "${sourceDir}/build/dev"}],
+ "buildPresets": [{"name": "dev", "configurePreset": "dev"}],
+ "testPresets": [{"name": "dev", "configurePreset": "dev", "output": {"outputOnFailure": true}}]}
+END
+  cat >"$folder/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(small NONE)
+enable_testing()
+add_custom_target(step ALL COMMAND sleep 0.1)
+add_test(NAME silent COMMAND echo "this passes")
+add_test(NAME scripted COMMAND sh -c "echo 'Skipped: no such tool.'; exit 77")
+set_tests_properties(scripted PROPERTIES SKIP_RETURN_CODE 77)
+add_test(NAME Suite.Case COMMAND printf
+  "[ RUN ] Suite.Case\\n/a/b.cpp:12: Skipped\\nno zsh\\nhere\\n\\n[  SKIPPED ] Suite.Case\\n")
+set_tests_properties(Suite.Case PROPERTIES
+  SKIP_REGULAR_EXPRESSION "[[]  SKIPPED []]")
+if(EXISTS ${PROJECT_SOURCE_DIR}/broken)
+  add_test(NAME broken COMMAND sh -c "echo 'Test project x'; echo '100% tests passed, 0'; echo 'the reason'; exit 1")
+endif()
+END
+}
+
+says() { grep -qxF -- "$1" "$folder/said" || fail "tools/check does not say '$1', but:" "$(<"$folder/said")"; }
+is_silent_about() { ! grep -qF -- "$1" "$folder/said" || fail "tools/check says '$1':" "$(<"$folder/said")"; }
+
+skipped_tests_are_told_with_their_reasons() {
+  "$folder/tools/check" >"$folder/said" || fail "tools/check fails where all passed:" "$(<"$folder/said")"
+  says "Skipped scripted: no such tool."
+  says "Skipped Suite.Case: no zsh here"
+  says "100% tests passed, 0 tests failed out of 3"
+  is_silent_about "this passes"
+  is_silent_about "silent"
+  is_silent_about "did not run"
+}
+
+failures_are_told_whole() {
+  touch "$folder/broken"
+  ! "$folder/tools/check" >"$folder/said" 2>&1 || fail "tools/check passes though a test fails"
+  says "Test project x"
+  says "100% tests passed, 0"
+  says "the reason"
+  grep -q "broken (Failed)" "$folder/said" || fail "the summary does not name what failed:" "$(<"$folder/said")"
+  says "Preset dev failed; what is above says why. Again: tools/check --preset dev"
+}
+
+times_are_those_of_the_last_run() {
+  printf '# ninja log v5\n0\t2500\t1\tcore/CMakeFiles/core.dir/a.cpp.o\tabc\n' >"$folder/build/dev/.ninja_log"
+  "$folder/tools/check" --times >"$folder/said"
+  says "     2.5 s  core: a.cpp.o"
+  grep -q "s  silent$" "$folder/said" || fail "the time of a test is not told:" "$(<"$folder/said")"
+  "$folder/tools/check" --times --preset none >"$folder/said"
+  says "build/none has no tests.xml, so nothing is known of its tests; tools/check writes it."
+}
+
+make_project
+skipped_tests_are_told_with_their_reasons
+failures_are_told_whole
+times_are_those_of_the_last_run
+say "tools/check says what matters."

@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""compile_commands.py ROOT BUILD FOLDER FILE...: the commands that compile these files, each alone.
+
+FOLDER gets compile_commands.json, for clang-tidy; sources, which are to be read; and line_filter, which leaves out what
+is found in any other file. FILE is a path from ROOT. Exit code 1 where nothing in BUILD compiles one of them.
+"""
+
+import json
+import re
+import shlex
+import sys
+from pathlib import Path
+
+JOINED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
+
+
+def commands_of(build):
+    """The command of each source, by its path; those that CMake joins have the command of all that are with them."""
+    commands = {}
+    for command in json.loads((build / "compile_commands.json").read_text()):
+        file = command["file"]
+        commands.setdefault(file, command)
+        if "/Unity/" in file and Path(file).exists():
+            for source in JOINED.findall(Path(file).read_text()):
+                commands.setdefault(source, {**command, "file": source})
+    return commands
+
+
+def alone(command, source):
+    """The command with this source in place of what it compiles."""
+    words = shlex.split(command["command"])
+    return {"directory": command["directory"], "file": source, "arguments": words[: words.index("-c") + 1] + [source]}
+
+
+def source_of(path, commands):
+    """What is compiled to read a file: itself, the source beside a header, or CMake's check that it stands alone."""
+    beside = str(path.with_suffix(".cpp"))
+    if path.suffix != ".h" or beside in commands:
+        return beside
+    check = "_verify_interface_header_sets/"
+    return next((file for file in commands if check in file
+                 and str(path).endswith("/" + file.rpartition(check)[2].removesuffix(".cxx"))), None)
+
+
+def main():
+    root, build, folder, *names = sys.argv[1:]
+    paths = [Path(root).resolve() / name for name in names]
+    if other := [name for name, path in zip(names, paths) if path.suffix not in (".h", ".cpp")]:
+        sys.exit("Only .h and .cpp files are read by clang-tidy, not: " + ", ".join(other))
+    commands = commands_of(Path(root, build))
+    sources = {path: source_of(path, commands) for path in paths}
+    unknown = [name for name, path in zip(names, paths) if path.suffix == ".cpp" and sources[path] not in commands]
+    if unknown:
+        sys.exit("Nothing in preset dev compiles these; add them to a CMakeLists.txt: " + ", ".join(unknown))
+    if unread := [name for name, path in zip(names, paths) if not sources[path]]:
+        print("Not read, for no source has their names: " + ", ".join(unread))
+
+    wanted = sorted({source for source in sources.values() if source})
+    Path(folder, "compile_commands.json").write_text(json.dumps([alone(commands[s], s) for s in wanted]))
+    Path(folder, "sources").write_text("".join(source + "\n" for source in wanted))
+    Path(folder, "line_filter").write_text(json.dumps([{"name": str(path)} for path in {*paths, *map(Path, wanted)}]))
+
+
+if __name__ == "__main__":
+    main()
