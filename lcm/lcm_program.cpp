@@ -1,4 +1,5 @@
 #include <lcm/lcm_program.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/find_named.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
@@ -247,9 +248,8 @@ Told Start(const Share& share, tendon::Process& process, const Options& options)
                 "runs as root, and so does every plug-in; the limits rtprio and memlock of a user "
                 "of its own are enough");
   }
-  const std::size_t count = share.components.size();
   tendon::Log(tendon::LogLevel::kInfo, options.name,
-              "runs " + std::to_string(count) + (count == 1 ? " component" : " components") +
+              "runs " + tendon::Counted(share.components.size(), "component", "components") +
                   ", joined the GCM at " + options.gcm);
   return Told::kGoOn;
 }

@@ -145,7 +145,7 @@ QString ActivityModel::command(int row) const {
     case Action::Verb::kSteer:
       return QStringLiteral("gcm %1 %2").arg(VerbText(action), ToQString(action.component));
     case Action::Verb::kCall:
-      return SerialExecutor(action.command, action.argument);
+      return CallLine(action.command, action.argument);
     case Action::Verb::kLogLevel:
       return QStringLiteral("gcm log-level %1 %2").arg(ToQString(action.process), action.argument);
     case Action::Verb::kApply:

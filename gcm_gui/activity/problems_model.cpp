@@ -116,6 +116,8 @@ void ProblemsModel::hear(const Action& finished) {
 }
 
 void ProblemsModel::showFaults(const QList<ViewFault>& faults) {
+  if (faults == faults_) return;
+  faults_ = faults;
   of_views_.clear();
   for (const ViewFault& fault : faults) {
     const QString begin = fault.is_covered ? Words::tr("%1 has met an error and is not drawn: %2")

@@ -49,7 +49,8 @@ class ProblemsModel : public RowListModel<Problem> {
 
   std::vector<Problem> of_system_;
   std::map<InterfaceName, Problem> refusals_;  // by the required interface
-  std::vector<Problem> of_views_;
+  QList<ViewFault> faults_;
+  std::vector<Problem> of_views_;  // from faults_
 };
 
 }  // namespace tendon::gui

@@ -462,7 +462,7 @@ void CallPanel::focusFirst() {
 }
 
 void CallPanel::copyCommand() const {
-  QGuiApplication::clipboard()->setText(SerialExecutor(path_, ToQString(argument())));
+  QGuiApplication::clipboard()->setText(CallLine(path_, ToQString(argument())));
 }
 
 }  // namespace tendon::gui

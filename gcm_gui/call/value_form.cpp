@@ -67,7 +67,12 @@ std::string ValueForm::json() const { return entry_->value().dump(); }
 
 void ValueForm::setJson(const std::string& json) {
   const auto value = ParseOrderedJson(WithExactDurations(schema_, json));
-  if (value) entry_->setValue(*value);
+  if (!value) return;
+  // All fields at once: each of them reports its change.
+  is_filling_ = true;
+  entry_->setValue(*value);
+  is_filling_ = false;
+  if (std::exchange(has_changed_, false)) hearEdit();
 }
 
 QStringList ValueForm::wrongFields() const {
@@ -79,6 +84,10 @@ QStringList ValueForm::wrongFields() const {
 }
 
 void ValueForm::hearEdit() {
+  if (is_filling_) {
+    has_changed_ = true;
+    return;
+  }
   showRefusals();
   Q_EMIT edited();
 }

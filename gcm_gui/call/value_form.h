@@ -54,6 +54,8 @@ class ValueForm : public QWidget {
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
   std::vector<Place> places_;  // of all fields without subfields
+  bool is_filling_ = false;    // by setJson()
+  bool has_changed_ = false;   // while it did
 };
 
 }  // namespace tendon::gui

@@ -280,15 +280,9 @@ void Inspector::showTabOfSelected() {
   if (!path.ok() || path->interface.empty()) return;
   const auto* component = store_.catalogue().FindComponent(path->process, path->component);
   if (component == nullptr) return;
-  const auto is_named = [](const std::string& name) {
-    return [&name](const auto& each) { return each.name == name; };
-  };
-  const auto& tables = component->tables;
-  const bool is_table = std::any_of(tables.begin(), tables.end(), is_named(path->interface));
+  const bool is_table = FindNamed(component->tables, path->interface) != nullptr;
   const auto* provided = store_.catalogue().FindProvided(path->interface_name());
-  const bool is_event =
-      provided != nullptr &&
-      std::any_of(provided->events.begin(), provided->events.end(), is_named(path->member));
+  const bool is_event = provided != nullptr && FindNamed(provided->events, path->member) != nullptr;
   const int tab = tabs_->current();
   if (is_table && !path->field.empty()) {
     tabs_->setCurrent(values_page_);

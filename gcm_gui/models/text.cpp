@@ -115,7 +115,7 @@ QString ShellWord(QString word) {
   return '\'' + word.replace('\'', QStringLiteral("'\\''")) + '\'';
 }
 
-QString SerialExecutor(const QString& path, const QString& json) {
+QString CallLine(const QString& path, const QString& json) {
   const QString line = QStringLiteral("gcm call ") + path;
   return json.isEmpty() ? line : line + ' ' + ShellWord(json);
 }

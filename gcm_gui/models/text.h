@@ -59,7 +59,7 @@ enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString ShellWord(QString word);
 
 /// The shell command for a call: "gcm call robot/arm/Control.MoveTo '{...}'".
-[[nodiscard]] QString SerialExecutor(const QString& path, const QString& json);
+[[nodiscard]] QString CallLine(const QString& path, const QString& json);
 
 /// The present time in ns since 1970, like ProcessDescription::since.
 [[nodiscard]] std::int64_t WallClock();

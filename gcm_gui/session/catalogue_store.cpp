@@ -1,3 +1,4 @@
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/session/catalogue_store.h>
 
 #include <chrono>
@@ -51,10 +52,6 @@ void TouchAll(Touched& touched, const Catalogue& catalogue) {
     touched.insert({name, {}});
     TouchConnections(touched, entry);
   }
-}
-
-std::int64_t Now() {
-  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 /// Moves about `most` components from the front of `parts` to the result; a whole process counts as
@@ -126,7 +123,8 @@ void CatalogueStore::apply(const std::vector<CatalogueChange>& changes) {
     Touch(here, catalogue_, change);
     if (!catalogue_.Apply(change)) continue;
     untold_.merge(here);
-    for (const auto& component : change.components) noteState(change.process, component, Now());
+    for (const auto& component : change.components)
+      noteState(change.process, component, WallClock());
     if (change.kind == CatalogueChange::Kind::kComponentRemoved) {
       states_.erase(TouchedPart{change.process, change.component});
     }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <string>
@@ -19,9 +20,16 @@ namespace leading {
 /// The actions of the components, in order; outlives them.
 class Story {
  public:
-  void Add(const std::string& line) {
+  void Add(const std::string& line) { Finish(Begin(), line); }
+  /// The place of a line that is known later, for Finish().
+  [[nodiscard]] std::size_t Begin() {
     const std::scoped_lock lock(mutex_);
-    lines_.push_back(line);
+    lines_.emplace_back();
+    return lines_.size() - 1;
+  }
+  void Finish(std::size_t place, const std::string& line) {
+    const std::scoped_lock lock(mutex_);
+    lines_[place] = line;
   }
   [[nodiscard]] std::vector<std::string> lines() const {
     const std::scoped_lock lock(mutex_);
@@ -70,9 +78,11 @@ class Leading final : public Base {
     }
   }
   void Cleanup() override {
+    // The next one may be stopped before this one knows that it was told.
+    const std::size_t place = story_.Begin();
     const tendon::Status sent = stop_();
     const std::string outcome = sent ? "" : ", " + std::string(ToString(sent));
-    story_.Add(this->name() + " ends" + outcome);
+    story_.Finish(place, this->name() + " ends" + outcome);
   }
   void Go() { ++gone; }
   void Stop() { story_.Add(this->name() + " is stopped"); }

@@ -1,4 +1,5 @@
 #include <tendon/base/name.h>
+#include <tendon/base/printable.h>
 
 #include <algorithm>
 #include <vector>
@@ -14,7 +15,7 @@ bool IsAllowed(char letter) {
 }
 
 /// Makes any bytes safe to print inside quotes.
-std::string Printable(std::string_view text) {
+std::string ToAscii(std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string out;
   for (const char letter : text.substr(0, kMaxLength + 1)) {
@@ -28,14 +29,6 @@ std::string Printable(std::string_view text) {
     }
   }
   return out;
-}
-
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
 }
 
 /// Number of letters to insert, delete, replace or swap with a neighbour (optimal string
@@ -64,9 +57,10 @@ std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::s
   constexpr std::size_t kShortest = 2;
   std::string found;
   if (beginning.size() < kShortest) return found;
+  const std::string lower = InLowerCase(beginning);
   for (const std::string& candidate : candidates) {
     const bool begins = candidate.size() > beginning.size() &&
-                        Lower(candidate.substr(0, beginning.size())) == Lower(beginning);
+                        InLowerCase(candidate.substr(0, beginning.size())) == lower;
     if (!begins) continue;
     if (!found.empty() && found != candidate) return {};
     found = candidate;
@@ -83,12 +77,12 @@ Result<void> CheckName(std::string_view what, std::string_view name) {
   const std::string rule = "; allowed: letters digits _ - (max 64)";
   if (bad != name.end()) {
     const auto at = static_cast<std::size_t>(bad - name.begin()) + 1;
-    return Error{ErrorCode::kInvalid, kind + " name '" + Printable(name) + "' has '" +
-                                          Printable({&*bad, 1}) + "' at " + std::to_string(at) +
+    return Error{ErrorCode::kInvalid, kind + " name '" + ToAscii(name) + "' has '" +
+                                          ToAscii({&*bad, 1}) + "' at " + std::to_string(at) +
                                           rule};
   }
   if (name.size() > kMaxLength) {
-    return Error{ErrorCode::kInvalid, kind + " name '" + Printable(name.substr(0, 20)) +
+    return Error{ErrorCode::kInvalid, kind + " name '" + ToAscii(name.substr(0, 20)) +
                                           "...' has " + std::to_string(name.size()) +
                                           " characters" + rule};
   }
@@ -105,10 +99,11 @@ std::string Nearest(std::string_view name, std::span<const std::string> candidat
   const std::size_t limit = std::min<std::size_t>(3, std::max<std::size_t>(1, name.size() / 3));
   std::string best;
   std::size_t best_distance = limit + 1;
+  const std::string lower = InLowerCase(name);
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
     if (longer - shorter > limit) continue;  // a name from outside may have megabytes
-    const std::size_t distance = EditDistance(Lower(name), Lower(candidate));
+    const std::size_t distance = EditDistance(lower, InLowerCase(candidate));
     if (2 * distance <= shorter && distance < best_distance) {
       best = candidate;
       best_distance = distance;
@@ -132,7 +127,7 @@ Result<InterfaceName> ParseInterfaceName(std::string_view text) {
   const std::size_t second = first == text.npos ? text.npos : text.find('/', first + 1);
   if (second == text.npos || text.find('/', second + 1) != text.npos) {
     return Error{ErrorCode::kInvalid,
-                 "'" + Printable(text) + "' is no interface: expected process/component/interface"};
+                 "'" + ToAscii(text) + "' is no interface: expected process/component/interface"};
   }
   InterfaceName name(std::string(text.substr(0, first)),
                      std::string(text.substr(first + 1, second - first - 1)),

@@ -49,4 +49,12 @@ std::string Printable(std::string_view text, std::size_t most) {
   return text.empty() ? out : out + "...";
 }
 
+std::string InLowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return lower;
+}
+
 }  // namespace tendon

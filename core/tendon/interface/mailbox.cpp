@@ -63,6 +63,7 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
 std::byte* Mailbox::AwaitRoom() noexcept {
   constexpr std::chrono::microseconds kBetweenLooks(200);
   const SteadyTime deadline = BlockWhenFull::deadline();
+  if (deadline == SteadyTime::min()) return nullptr;  // the usual case asks no clock
   std::byte* slot = nullptr;
   while (slot == nullptr && is_open() && !is_executed_here() && SteadyClock().Now() < deadline) {
     std::this_thread::sleep_for(kBetweenLooks);

@@ -75,7 +75,7 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
       if (entry.component->name() == added.name()) throw ExistsAlready(added.name(), entry.origin);
     }
     entries_.push_back(MakeEntry(std::move(component), std::move(origin)));
-    Sanitize(added);
+    TakeIn(added);
   }
   NotifyChanged();
   return added;
@@ -153,7 +153,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
   return {};
 }
 
-void LocalManager::Sanitize(Component& component) {
+void LocalManager::TakeIn(Component& component) {
   component.SetStateObserver([this] { NotifyChanged(); });
   if (const auto* task = dynamic_cast<const Task*>(&component)) watchdog_.Watch(*task);
 }

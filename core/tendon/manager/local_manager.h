@@ -176,7 +176,7 @@ class LocalManager {
     std::unique_ptr<Connection> connection;
   };
 
-  /// Seals the component; then it is ready for Sanitize().
+  /// Seals the component; then it is ready for TakeIn().
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
@@ -212,7 +212,7 @@ class LocalManager {
   /// Afterwards, `given` is the former entry.
   Result<void> TryReplace(Entry& given, SteadyTime deadline);
   void PutInPlace(Entry& given, Component& former);
-  void Sanitize(Component& component);
+  void TakeIn(Component& component);
   void LetGo(Component& component);
 
   mutable std::recursive_mutex mutex_;

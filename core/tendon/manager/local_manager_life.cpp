@@ -292,7 +292,7 @@ void LocalManager::PutInPlace(Entry& given, Component& former) {
   const auto place =
       std::ranges::find(entries_, &former, [](const Entry& one) { return one.component.get(); });
   std::swap(*place, given);
-  Sanitize(*place->component);
+  TakeIn(*place->component);
   for (const ConnectionDescription& ends : own) (void)Join(ends.required, ends.provided);
 }
 

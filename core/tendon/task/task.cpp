@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/task/cycle/task_life.h>
@@ -133,7 +134,8 @@ void Task::PrepareStart() {
   // Calls that waited when the task ended were meant for the world of that time.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
-        std::to_string(stale) + " calls that waited when it ended were dropped");
+        Counted(stale, "call", "calls") + " that waited when it ended " +
+            (stale == 1 ? "was" : "were") + " dropped");
   }
 }
 

@@ -92,7 +92,7 @@ void FavouriteBar::show(const Button& one) {
   const auto* component = catalogue.FindComponent(path->process, path->component);
   const bool is_careful = component != nullptr && NeedsCare(*command, component->state);
   one.button->setCareful(is_careful);
-  one.button->setToolTip(SerialExecutor(one.favourite.path, one.favourite.argument) +
+  one.button->setToolTip(CallLine(one.favourite.path, one.favourite.argument) +
                          (is_careful ? Words::tr("\nIt can set something in motion: hold the "
                                                  "button for 0.4 s")
                                      : QString()));
@@ -110,7 +110,7 @@ void FavouriteBar::openMenu(const Favourite& favourite, const QPoint& place) {
   menu->addAction(Words::tr("Show the command"), this,
                   [this, favourite] { Q_EMIT pathChosen(favourite.path); });
   menu->addAction(Words::tr("Copy as command"), this, [favourite] {
-    QApplication::clipboard()->setText(SerialExecutor(favourite.path, favourite.argument));
+    QApplication::clipboard()->setText(CallLine(favourite.path, favourite.argument));
   });
   menu->addAction(Words::tr("Remove from favourites"), this,
                   [this, favourite] { favourites_.remove(favourite); });

@@ -13,22 +13,25 @@ constexpr int kFigure = 8;  // characters of a number of the statistics
 constexpr int kLogarithmicDigits = 5;
 
 // For states: the share of samples in each state.
-QString SharesOf(const Curve& curve, const TimeSpan& span, const Statistics& all) {
+QString SharesOf(const Curve& curve, const TimeSpan& span) {
   constexpr double kPercent = 100;
+  const SampleRing& samples = curve.samples();
+  const std::uint64_t count = samples.lowerBound(span.to_ns + 1) - samples.lowerBound(span.from_ns);
+  if (count == 0) return {};
   QStringList shares;
-  for (const auto& [value, count] : OccurrencesOf(curve.samples(), span.from_ns, span.to_ns)) {
-    const double share = kPercent * static_cast<double>(count) / static_cast<double>(all.count);
+  for (const auto& [value, times] : OccurrencesOf(samples, span.from_ns, span.to_ns)) {
+    const double share = kPercent * static_cast<double>(times) / static_cast<double>(count);
     shares << QStringLiteral("%1 %2 %").arg(curve.names()->textOf(ExactNumber::Signed(value)),
                                             QString::number(share, 'f', 1));
   }
-  shares << RateText(all.rate);
+  shares << RateText(RateOf(samples, span.from_ns, span.to_ns));
   return shares.join(QStringLiteral("  "));
 }
 
 QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& span) {
+  if (curve.names() != nullptr) return SharesOf(curve, span);
   const auto plain = StatisticsOf(curve.samples(), span.from_ns, span.to_ns);
   if (!plain) return {};
-  if (curve.names() != nullptr) return SharesOf(curve, span, *plain);
   const Statistics found = plain->scaled(curve.scaling());
   const auto text = [&](const ExactNumber& number) {
     return ' ' + NumberOf(number, curve, curves).rightJustified(kFigure - 1);

@@ -53,10 +53,9 @@ bool SampleRing::takeKind(const Sample& sample) {
 
 // True if the sample belongs at the end. Records the gap before it.
 bool SampleRing::continues(const Sample& sample) {
-  const bool has_no_value = std::exchange(has_no_value_, false);
-  const std::uint64_t lost_before = std::exchange(lost_before_, 0);
   if (empty()) {
-    epoch_begins_ = false;
+    epoch_begins_ = has_no_value_ = false;
+    lost_before_ = 0;
     base_index_ = end_;
     base_tick_ = sample.tick;
     return true;
@@ -67,16 +66,23 @@ bool SampleRing::continues(const Sample& sample) {
     if (sample.time_ns + kClockToleranceNs < time(end_ - 1)) forgetUntil(end_);
     if (empty()) return continues(sample);
     addGap(Gap::Cause::kRestart, sample);
+    has_no_value_ = stands_still_ = standstill_ends_ = false;
+    lost_before_ = 0;
     return true;
   }
   if (sample.tick <= last_tick_) {
     ++repeated_;
     return false;
   }
-  const std::uint64_t lost = lost_before + (sample.tick - last_tick_ - 1);
+  const bool has_no_value = std::exchange(has_no_value_, false);
+  const std::uint64_t lost = std::exchange(lost_before_, 0) + (sample.tick - last_tick_ - 1);
+  const bool is_standstill =
+      stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs;
+  // The source runs again. A slow one may leave as much time before its next sample.
+  if (is_standstill) stands_still_ = standstill_ends_ = false;
   if (lost > 0) {
     addGap(Gap::Cause::kLost, sample, lost);
-  } else if (stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs) {
+  } else if (is_standstill) {
     addGap(Gap::Cause::kStandstill, sample);
   } else if (has_no_value) {
     addGap(Gap::Cause::kNoValue, sample);

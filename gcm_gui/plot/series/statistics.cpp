@@ -90,9 +90,16 @@ std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from
                     : ExactNumber(base + from_base);
   result.rms = base == 0 ? FromUnit(std::hypot(deviation, mean), unit)
                          : std::hypot(result.deviation, result.mean.nearest());
-  const auto span_ns = static_cast<double>(ring.time(end - 1) - ring.time(first));
-  if (span_ns > 0) result.rate = static_cast<double>(end - 1 - first) * 1e9 / span_ns;
+  result.rate = RateOf(ring, from_ns, to_ns);
   return result;
+}
+
+double RateOf(const SampleRing& ring, std::int64_t from_ns, std::int64_t to_ns) {
+  const std::uint64_t first = ring.lowerBound(from_ns);
+  const std::uint64_t end = ring.lowerBound(to_ns + 1);
+  if (end <= first) return 0;
+  const auto span_ns = static_cast<double>(ring.time(end - 1) - ring.time(first));
+  return span_ns > 0 ? static_cast<double>(end - 1 - first) * 1e9 / span_ns : 0;
 }
 
 std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring, std::int64_t from_ns,

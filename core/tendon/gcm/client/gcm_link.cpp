@@ -3,6 +3,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/membership/no_gcm.h>
+#include <tendon/process/watch_over.h>
 
 #include <map>
 #include <utility>
@@ -14,7 +15,6 @@ constexpr std::chrono::milliseconds kPause(100);  // before reopening what was o
 constexpr std::chrono::milliseconds kRetry(1000);
 constexpr std::chrono::milliseconds kRenewal(1000);
 constexpr std::chrono::milliseconds kTick(500);
-constexpr std::chrono::milliseconds kPatienceOfOthers(1500);  // until they give up a silent peer
 
 /// The address of each reachable process.
 using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
@@ -298,7 +298,7 @@ void GcmLink::Tick() {
     const std::scoped_lock lock(mutex_);
     const SteadyTime now = SteadyClock().Now();
     const auto pause = now - std::exchange(last_tick_, now) - kTick;
-    if (pause >= kPatienceOfOthers / 2) {
+    if (pause >= kLongestPeerSilence / 2) {
       awake_since_ = now;
       last_pause_ = pause;
     }
@@ -311,8 +311,8 @@ void GcmLink::Tick() {
 /// With the lock held: the pause after which peers may just have given this program up.
 std::chrono::nanoseconds GcmLink::StoodStillFor() const {
   const SteadyTime now = SteadyClock().Now();
-  if (now - last_tick_ >= kPatienceOfOthers) return now - last_tick_;
-  return now - awake_since_ < 2 * kPatienceOfOthers ? last_pause_ : std::chrono::nanoseconds(0);
+  if (now - last_tick_ >= kLongestPeerSilence) return now - last_tick_;
+  return now - awake_since_ < 2 * kLongestPeerSilence ? last_pause_ : std::chrono::nanoseconds(0);
 }
 
 /// Reported once, not at each attempt. If this program had paused, the GCM may well be there: the
@@ -323,7 +323,7 @@ void GcmLink::Lost(const Error& reason) {
     const std::scoped_lock lock(mutex_);
     const auto pause = StoodStillFor();
     const bool is_new = !lost_ || IsFinal(*lost_) != IsFinal(reason);
-    if (is_new && pause >= kPatienceOfOthers / 2) {
+    if (is_new && pause >= kLongestPeerSilence / 2) {
       awake_since_ = {};
       last_tick_ = SteadyClock().Now();
       untold_pause_ = pause;

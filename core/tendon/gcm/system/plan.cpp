@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/leaders.h>
@@ -16,10 +17,6 @@ namespace tendon {
 namespace {
 
 using Kind = PlanStep::Kind;
-
-std::string Counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
@@ -165,7 +162,8 @@ class Planner {
         std::all_of(process.components.begin(), process.components.end(), IsMadeByItsProgram);
     const bool is_own = is_program && !process.components.empty();
     plan_.obstacles.push_back("process '" + process.name + "' is not there, nor " +
-                              Counted(process.components.size(), "component") + " of it; start " +
+                              Counted(process.components.size(), "component", "components") +
+                              " of it; start " +
                               (is_own ? "its program" : "it: lcm --name " + process.name));
   }
 

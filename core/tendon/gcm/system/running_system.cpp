@@ -1,3 +1,4 @@
+#include <tendon/base/counted.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
@@ -64,10 +65,9 @@ std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& sav
   std::vector<std::string> kept;
   for (const SystemFile::Process& process : former.processes) {
     if (present.contains(process.name)) continue;
-    const std::size_t count = process.components.size();
     kept.push_back("process '" + process.name +
-                   "' is not there now: kept as the file has it, with " + std::to_string(count) +
-                   (count == 1 ? " component" : " components"));
+                   "' is not there now: kept as the file has it, with " +
+                   Counted(process.components.size(), "component", "components"));
     saved.file.processes.push_back(process);
   }
   for (const SystemFile::Connection& connection : former.connections) {

@@ -140,13 +140,6 @@ std::string Trimmed(std::string_view text) {
   return std::string(end == text.npos ? "" : text.substr(begin, end + 1 - begin));
 }
 
-std::string InLowerCase(std::string text) {
-  for (char& letter : text) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return text;
-}
-
 /// "inf" for "+Infinity"; empty if it is no such word.
 std::string NotFinite(const std::string& text) {
   const std::string lower = InLowerCase(text);

@@ -175,18 +175,18 @@ Sample Count(std::uint64_t tick, std::int64_t value) {
 }
 
 TEST(SampleRing, IntegersKeepAllTheirBits) {
-  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
   SampleRing ring;
   std::vector<Sample> rows;
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    rows.push_back(Count(i, kMost - static_cast<std::int64_t>(i)));
+    rows.push_back(Count(i, kLargest - static_cast<std::int64_t>(i)));
   }
 
   ring.append(rows);
 
   EXPECT_EQ(ring.kind(), ExactNumber::Kind::kSigned);
   for (std::uint64_t i = 0; i < 3000; ++i) {
-    ASSERT_EQ(ring.number(i), ExactNumber::Signed(kMost - static_cast<std::int64_t>(i)));
+    ASSERT_EQ(ring.number(i), ExactNumber::Signed(kLargest - static_cast<std::int64_t>(i)));
   }
 }
 
@@ -259,6 +259,32 @@ TEST(SampleRing, ASourceThatStoodStillLeavesAGapWithoutALoss) {
   EXPECT_EQ(ring.tick(4), 5U);
 }
 
+TEST(SampleRing, ASlowSourceThatRunsAgainLeavesOneGap) {
+  SampleRing ring;
+  ring.append(std::vector{Row(1, 1000), Row(2, 2000)});
+  ring.noteStandstill();
+  ring.append(std::vector{Row(3, 9000)});  // before anybody has noticed that it runs
+  ring.endStandstill();
+  ring.append(std::vector{Row(4, 10000), Row(5, 11000)});
+
+  ASSERT_EQ(ring.gaps().size(), 1U);
+  EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kStandstill);
+  EXPECT_EQ(ring.gaps().front().to_ns, 9000 * kMillisecond);
+}
+
+TEST(SampleRing, ASlowSourceThatIsStartedAnewLeavesOneGap) {
+  SampleRing ring;
+  ring.append(std::vector{Row(7, 1000), Row(8, 2000)});
+  ring.noteStandstill();
+  ring.beginEpoch();
+  ring.append(std::vector{Row(1, 9000)});
+  ring.endStandstill();
+  ring.append(std::vector{Row(2, 10000), Row(3, 11000)});
+
+  ASSERT_EQ(ring.gaps().size(), 1U);
+  EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kRestart);
+}
+
 TEST(SampleRing, ASlowSourceThatRunsHasNoGaps) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1000)});
@@ -274,7 +300,7 @@ TEST(SampleRing, OfRowsWithoutTheElementThoseBeforeAreLostAlone) {
   nothing.value = std::numeric_limits<double>::quiet_NaN();
   SampleRing ring;
 
-  ring.append(std::vector{Count(3, 7), nothing, Count(6, 8)});
+  ring.append(std::vector{Count(3, 7), nothing, Count(5, 7), Count(6, 8)});  // one comes again
 
   EXPECT_EQ(ring.lost(), 1U);
   ASSERT_EQ(ring.gaps().size(), 1U);
