@@ -119,12 +119,16 @@ configure_and_build() {
     fail "Preset $preset does not build; what is above says why."
 }
 
-# configure PRESET: in its folder, which is there. Says nothing, unless something is wrong.
+# configure PRESET: in its folder, which is there. Says nothing, unless something is wrong. Where the folder was made with
+# another compiler, CMake forgets all that the preset says, and goes on: then it begins anew.
 configure() {
   local log="$TENDON_ROOT/build/$1/configure.log"
   : >"$log"
-  logged "$log" in_place "$1" cmake --preset "$1" ||
+  if ! logged "$log" in_place "$1" cmake --preset "$1" ||
+    { grep -q "require your cache to be deleted" "$log" &&
+      ! logged "$log" in_place "$1" cmake --fresh --preset "$1"; }; then
     fail "Preset $1 cannot be configured; all of CMake's output is in build/$1/configure.log."
+  fi
 }
 
 # changed_files PATTERN...: of the files that match, those that differ from where this branch left main, committed or

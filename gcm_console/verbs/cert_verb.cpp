@@ -225,7 +225,7 @@ constexpr Act kActs[] = {
      },
      &Revoke}};
 
-Verb::Run Prepare(CLI::App& app) {
+Verb::Run PrepareCert(CLI::App& app) {
   const auto chosen = std::make_shared<const Act*>(nullptr);
   const auto arguments = std::make_shared<CertArguments>();
   app.require_subcommand(1);
@@ -241,7 +241,7 @@ Verb::Run Prepare(CLI::App& app) {
 }  // namespace
 
 std::vector<Verb> CertVerbs() {
-  return {{"cert", "make and check the certificates of people and processes", &Prepare}};
+  return {{"cert", "make and check the certificates of people and processes", &PrepareCert}};
 }
 
 }  // namespace console

@@ -160,12 +160,12 @@ ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
   return code == ErrorCode::kUnreachable ? program::kRefused : program::ExitCodeOf(code);
 }
 
-struct Ends {
+struct ExplainedEnds {
   std::string required;
   std::string provided;
 };
 
-Result<ExitCode> Explain(Context& context, const Ends& ends) {
+Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();
   const auto client = context.Client();
@@ -209,7 +209,7 @@ std::vector<Verb> ExplainVerbs() {
        }},
       {"explain", "check a connection step by step and say what keeps it from working",
        [](CLI::App& app) -> Verb::Run {
-         auto ends = std::make_shared<Ends>();
+         auto ends = std::make_shared<ExplainedEnds>();
          Names(app.add_option("required", ends->required, "process/component/interface"),
                WordKind::kRequired)
              ->required();

@@ -216,7 +216,7 @@ struct LevelOrder {
 };
 
 /// Checks that the process can be told.
-Result<void> CheckOrder(Context& context, const LevelOrder& order) {
+Result<void> CheckLevelOrder(Context& context, const LevelOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto client = context.Client();
   if (!client) return client.error();
@@ -226,7 +226,7 @@ Result<void> CheckOrder(Context& context, const LevelOrder& order) {
 }
 
 Result<void> Carry(Context& context, const LevelOrder& order) {
-  if (order.dry_run) return CheckOrder(context, order);
+  if (order.dry_run) return CheckLevelOrder(context, order);
   return context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
     client.SetLogLevel(order.process, LevelOf(order.level), handler);
   });

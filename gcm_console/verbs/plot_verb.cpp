@@ -141,7 +141,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   return ended;
 }
 
-Verb::Run Prepare(CLI::App& app) {
+Verb::Run PreparePlot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
   Names(app.add_option(
             "paths", options->paths,
@@ -162,7 +162,7 @@ Verb::Run Prepare(CLI::App& app) {
 std::vector<Verb> PlotVerbs() {
   return {{"plot",
            "draw numbers over time; q ends it",
-           &Prepare,
+           &PreparePlot,
            {"gcm plot robot/arm/state.Joints.position[0] robot/arm/state.Joints.velocity[0]",
             "gcm plot robot/arm/state.Joints.position"}}};
 }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# check_test.sh: tools/check prints what fails and why tests were skipped, and no more, in a small project of its own.
+# check_test.sh: tools/check prints what fails and why tests were skipped, and no more, and heeds a changed preset, in a
+# small project of its own.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
@@ -7,16 +8,21 @@ source "$root/tools/common.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
+# make_preset VARIABLES: those of CMake's cache.
+make_preset() {
+  cat >"$folder/CMakePresets.json" <<END
+{"version": 6,
+ "configurePresets": [{"name": "dev", "generator": "Ninja", "binaryDir": "build/dev", "cacheVariables": $1}],
+ "buildPresets": [{"name": "dev", "configurePreset": "dev"}],
+ "testPresets": [{"name": "dev", "configurePreset": "dev", "output": {"outputOnFailure": true}}]}
+END
+}
+
 # A copy of the tools, which has nothing to install.
 make_project() {
   cp -r "$root/tools" "$folder"
   printf '#!/bin/sh\n' >"$folder/tools/setup"
-  cat >"$folder/CMakePresets.json" <<'END'
-{"version": 6,
- "configurePresets": [{"name": "dev", "generator": "Ninja", "binaryDir": "${sourceDir}/build/dev"}],
- "buildPresets": [{"name": "dev", "configurePreset": "dev"}],
- "testPresets": [{"name": "dev", "configurePreset": "dev", "output": {"outputOnFailure": true}}]}
-END
+  make_preset '{}'
   cat >"$folder/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(small NONE)
@@ -67,8 +73,21 @@ times_are_those_of_the_last_run() {
   says "build/none has no tests.xml, so nothing is known of its tests; tools/check writes it."
 }
 
+a_change_of_the_compiler_forgets_nothing_of_the_preset() {
+  local compiler
+  rm "$folder/broken"
+  sed -i 's/small NONE/small CXX/' "$folder/CMakeLists.txt"
+  for compiler in g++ clang++; do
+    make_preset '{"CMAKE_CXX_COMPILER": "'$compiler'", "TOLD": "yes"}'
+    "$folder/tools/check" >"$folder/said" 2>&1 || fail "tools/check fails with $compiler:" "$(<"$folder/said")"
+  done
+  grep -q "^CMAKE_CXX_COMPILER:.*clang++$" "$folder/build/dev/CMakeCache.txt" || fail "the compiler is still g++"
+  grep -q "^TOLD:.*=yes$" "$folder/build/dev/CMakeCache.txt" || fail "a variable of the preset is lost"
+}
+
 make_project
 skipped_tests_are_told_with_their_reasons
 failures_are_told_whole
 times_are_those_of_the_last_run
+a_change_of_the_compiler_forgets_nothing_of_the_preset
 say "tools/check says what matters."

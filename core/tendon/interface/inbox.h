@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/interface/command.h>
 #include <tendon/interface/mailbox.h>
 #include <tendon/lockfree/guarded_pointer.h>
 #include <tendon/lockfree/ready_flag.h>
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace tendon {
-
-class CommandBase;
 
 /// All mailboxes of one component, of commands and of events, and the thread that empties them.
 ///

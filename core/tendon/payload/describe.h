@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <tuple>
+#include <utility>
 
 namespace tendon {
 
@@ -54,11 +54,32 @@ struct Field {
 template <typename Owner, typename Member>
 Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
 
+namespace payload {
+
+template <std::size_t kIndex, typename AField>
+struct FieldAt {
+  AField field;
+};
+/// A std::tuple would do, but takes ten times as long to compile, in each source that describes a
+/// payload.
+template <typename Indices, typename... Fields>
+struct FieldList;
+template <std::size_t... kIndices, typename... Fields>
+struct FieldList<std::index_sequence<kIndices...>, Fields...> : FieldAt<kIndices, Fields>... {
+  /// Calls `visit(field...)` with all of them.
+  template <typename Visitor>
+  constexpr decltype(auto) Visit(Visitor&& visit) const {
+    return std::forward<Visitor>(visit)(FieldAt<kIndices, Fields>::field...);
+  }
+};
+
+}  // namespace payload
+
 /// A structure: its name on the network and its fields, in wire order.
 template <typename... Fields>
 struct Description {
   std::string_view name;
-  std::tuple<Fields...> fields;
+  payload::FieldList<std::index_sequence_for<Fields...>, Fields...> fields;
 };
 
 /// One named value of an enum.
@@ -151,7 +172,7 @@ consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
   if (!payload::AreDistinct(std::array<std::string_view, sizeof...(fields)>{fields.name...})) {
     throw ConfigurationError("two fields have one name");
   }
-  return Description<Field<Owner, Member>...>{name, {fields...}};
+  return Description<Field<Owner, Member>...>{name, {{fields}...}};
 }
 
 /// Describes an enum. On the wire it is an int32; a value without a name cannot be decoded.

@@ -112,7 +112,7 @@ using TypeOf = typename std::remove_cvref_t<AField>::Type;
 /// Calls `visit(field...)` with all fields of a structure at once. Needs no value.
 template <Structure T, typename Visitor>
 constexpr decltype(auto) WithFields(Visitor&& visit) {
-  return std::apply(std::forward<Visitor>(visit), kPayload<T>.fields);
+  return kPayload<T>.fields.Visit(std::forward<Visitor>(visit));
 }
 
 /// True if T is a number (not bool), a time span, or a list of these: it can have a range.

@@ -14,7 +14,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kWidth = 560;
+constexpr int kPaletteWidth = 560;
 constexpr int kRowsSeen = 14;
 
 }  // namespace
@@ -45,7 +45,7 @@ CommandPalette::CommandPalette(QList<QAction*> actions, const CatalogueModel& ca
 void CommandPalette::open() {
   const QWidget& window = *parentWidget();
   const int height = (kRowsSeen + 2) * kRowHeight;
-  const int width = std::min(kWidth, window.width() - 2 * kInset);
+  const int width = std::min(kPaletteWidth, window.width() - 2 * kInset);
   setGeometry((window.width() - width) / 2, kTopBarHeight, width,
               std::min(height, window.height() - kTopBarHeight - kInset));
   if (!isVisible()) before_ = window.focusWidget();

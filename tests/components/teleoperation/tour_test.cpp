@@ -8,16 +8,16 @@
 namespace arm {
 namespace {
 
-constexpr double kPeriod = 12.0;  // s
+constexpr double kTourTime = 12.0;  // s
 
 /// How alike two joints move over three rounds: 1 or -1 is the same shape.
 double Correlation(std::size_t one, std::size_t other) {
-  const Tour tour(kPeriod, 1.0);
+  const Tour tour(kTourTime, 1.0);
   constexpr int kSamples = 3600;
   std::array<double, 2> sum{};
   std::array<double, 3> squares{};
   for (int i = 0; i < kSamples; ++i) {
-    const JointVector posture = tour.At(i * 3.0 * kPeriod / kSamples);
+    const JointVector posture = tour.At(i * 3.0 * kTourTime / kSamples);
     const double a = posture[one];
     const double b = posture[other];
     sum[0] += a;
@@ -32,7 +32,7 @@ double Correlation(std::size_t one, std::size_t other) {
 }
 
 TEST(Tour, StaysWellWithinTheRangeOfAnArm) {
-  const Tour tour(kPeriod, 1.0);
+  const Tour tour(kTourTime, 1.0);
   const ArmConfiguration arm;
 
   for (double time = -40.0; time < 40.0; time += 0.05) {
@@ -45,24 +45,24 @@ TEST(Tour, StaysWellWithinTheRangeOfAnArm) {
 }
 
 TEST(Tour, IsSlowEnoughForAnArm) {
-  const Tour tour(kPeriod, 1.0);
-  constexpr double kStep = 0.01;  // s
+  const Tour tour(kTourTime, 1.0);
+  constexpr double kTimeStep = 0.01;  // s
 
-  for (double time = 0.0; time < 3 * kPeriod; time += kStep) {
+  for (double time = 0.0; time < 3 * kTourTime; time += kTimeStep) {
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
-      EXPECT_LT(std::abs(tour.At(time + kStep)[joint] - tour.At(time)[joint]) / kStep, 1.0);
+      EXPECT_LT(std::abs(tour.At(time + kTimeStep)[joint] - tour.At(time)[joint]) / kTimeStep, 1.0);
     }
   }
 }
 
 TEST(Tour, IsClosed) {
-  const Tour tour(kPeriod, 1.0);
+  const Tour tour(kTourTime, 1.0);
 
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
-    EXPECT_NEAR(tour.At(1.7)[joint], tour.At(1.7 + 3 * kPeriod)[joint], 1e-9) << joint;
+    EXPECT_NEAR(tour.At(1.7)[joint], tour.At(1.7 + 3 * kTourTime)[joint], 1e-9) << joint;
   }
   for (const std::size_t joint : {0U, 1U, 3U, 5U}) {
-    EXPECT_NEAR(tour.At(1.7)[joint], tour.At(1.7 + kPeriod)[joint], 1e-9) << joint;
+    EXPECT_NEAR(tour.At(1.7)[joint], tour.At(1.7 + kTourTime)[joint], 1e-9) << joint;
   }
 }
 
@@ -73,7 +73,7 @@ TEST(Tour, TheJointsMoveDifferently) {
 }
 
 TEST(Tour, AnAmplitudeOfZeroIsOnePosture) {
-  const Tour tour(kPeriod, 0.0);
+  const Tour tour(kTourTime, 0.0);
 
   EXPECT_EQ(tour.At(0.0), tour.At(4.2));
 }

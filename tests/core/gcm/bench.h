@@ -6,6 +6,7 @@
 #include <tendon/middleware/loopback.h>
 #include <tendon/middleware/tcp.h>
 #include <tests/core/gcm/fake_process.h>
+#include <tests/core/gcm/samples.h>
 #include <tests/support/folder.h>
 #include <tests/support/program.h>
 
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace tendon::test {
-
-const InterfaceName kRobot("desk", "teleoperation", "Robot");
-const InterfaceName kControl("robot", "arm", "Control");
 
 /// Keeps what a client is told.
 class Recorder : public GcmListener {

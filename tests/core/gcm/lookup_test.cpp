@@ -6,10 +6,9 @@
 namespace tendon {
 namespace {
 
+using test::kControl;
+using test::kRobot;
 using Kind = CatalogueChange::Kind;
-
-const InterfaceName kRobot("desk", "teleoperation", "Robot");
-const InterfaceName kControl("robot", "arm", "Control");
 
 class Lookup : public testing::Test {
  protected:

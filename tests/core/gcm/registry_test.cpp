@@ -7,10 +7,9 @@ namespace tendon::server {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using test::kControl;
+using test::kRobot;
 using Kind = CatalogueChange::Kind;
-
-const InterfaceName kRobot("desk", "teleoperation", "Robot");
-const InterfaceName kControl("robot", "arm", "Control");
 
 class RegistryTest : public testing::Test {
  protected:

@@ -10,6 +10,10 @@ namespace tendon::test {
 
 using Joints = std::array<double, 7>;
 
+/// The ends of a connection.
+const InterfaceName kRobot("desk", "teleoperation", "Robot");
+const InterfaceName kControl("robot", "arm", "Control");
+
 /// Something that offers joints to be read and moved: fits Robot() below.
 inline ProvidedDescription Control() {
   return {.name = "Control",

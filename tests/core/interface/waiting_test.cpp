@@ -13,14 +13,14 @@ using tendon::Status;
 /// Long enough for anything that happens at all.
 constexpr auto kLong = 60s;
 
-struct Connected {
+struct WaitingPair {
   Planner planner;
   Operator client;
   std::unique_ptr<Connection> connection = std::move(*Connect(client, planner));
 };
 
 TEST(Waiting, ForAWriteReturnsOnceTheServerHasExecutedIt) {
-  Connected both;
+  WaitingPair both;
   const Executor server(both.planner.inbox);
 
   EXPECT_EQ(both.client.move.Wait(7, kLong), Status::kDone);
@@ -29,7 +29,7 @@ TEST(Waiting, ForAWriteReturnsOnceTheServerHasExecutedIt) {
 }
 
 TEST(Waiting, ForAVoidCommandToo) {
-  Connected both;
+  WaitingPair both;
   const Executor server(both.planner.inbox);
 
   EXPECT_EQ(both.client.slow.Wait(kLong), Status::kDone);
@@ -38,7 +38,7 @@ TEST(Waiting, ForAVoidCommandToo) {
 }
 
 TEST(Waiting, KeepsTheOrderOfEarlierCalls) {
-  Connected both;
+  WaitingPair both;
   EXPECT_EQ(both.client.move(1), Status::kQueued);
   EXPECT_EQ(both.client.move(2), Status::kQueued);
   const Executor server(both.planner.inbox);
@@ -49,7 +49,7 @@ TEST(Waiting, KeepsTheOrderOfEarlierCalls) {
 }
 
 TEST(Waiting, BringsTheAnswerOfAVoidReturnCommand) {
-  Connected both;
+  WaitingPair both;
   EXPECT_EQ(both.client.move(1), Status::kQueued);
   const Executor server(both.planner.inbox);
   std::int32_t count = 0;
@@ -60,7 +60,7 @@ TEST(Waiting, BringsTheAnswerOfAVoidReturnCommand) {
 }
 
 TEST(Waiting, BringsTheDynamicAnswerOfAWriteReturnCommand) {
-  Connected both;
+  WaitingPair both;
   EXPECT_EQ(both.client.move(5), Status::kQueued);
   const Executor server(both.planner.inbox);
   Message message;
@@ -74,7 +74,7 @@ TEST(Waiting, BringsTheDynamicAnswerOfAWriteReturnCommand) {
 }
 
 TEST(Waiting, ACallNotStartedByItsDeadlineIsNeverExecuted) {
-  Connected both;
+  WaitingPair both;
 
   EXPECT_EQ(both.client.move.Wait(1, 1ms), Status::kTimeout);
   EXPECT_EQ(both.client.move(2), Status::kQueued);
@@ -84,7 +84,7 @@ TEST(Waiting, ACallNotStartedByItsDeadlineIsNeverExecuted) {
 }
 
 TEST(Waiting, ManyTimeoutsInARowLeaveTheConnectionUsable) {
-  Connected both;
+  WaitingPair both;
   for (int round = 0; round < 3; ++round) {
     int timeouts = 0;
     while (both.client.move.Wait(1, 0ms) == Status::kTimeout) ++timeouts;
@@ -99,7 +99,7 @@ TEST(Waiting, ManyTimeoutsInARowLeaveTheConnectionUsable) {
 }
 
 TEST(Waiting, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
-  Connected both;
+  WaitingPair both;
   both.planner.gate_is_open = false;
   const Executor server(both.planner.inbox);
 
@@ -112,7 +112,7 @@ TEST(Waiting, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
 }
 
 TEST(Waiting, ACallThatThrowsHasFailedAndTheExceptionGoesItsWay) {
-  Connected both;
+  WaitingPair both;
   std::atomic<bool> is_thrown = false;
   std::jthread server([&] {
     while (!is_thrown) {
@@ -130,7 +130,7 @@ TEST(Waiting, ACallThatThrowsHasFailedAndTheExceptionGoesItsWay) {
 }
 
 TEST(Waiting, ForAServerThatDoesNotRunIsRefusedAtOnce) {
-  Connected both;
+  WaitingPair both;
   both.planner.inbox.SetAccepting(false);
   std::int32_t count = 0;
 
@@ -138,7 +138,7 @@ TEST(Waiting, ForAServerThatDoesNotRunIsRefusedAtOnce) {
 }
 
 TEST(Waiting, EndsWhenTheServerStopsAndTheCallIsNotExecutedLater) {
-  Connected both;
+  WaitingPair both;
   Status status = Status::kDone;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
   ASSERT_TRUE(EventuallyTrue([&] { return both.connection->waiting() == 1; }));
@@ -153,7 +153,7 @@ TEST(Waiting, EndsWhenTheServerStopsAndTheCallIsNotExecutedLater) {
 }
 
 TEST(Waiting, ACallDroppedByARestartEndsWithNotActive) {
-  Connected both;
+  WaitingPair both;
   Status status = Status::kDone;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
   ASSERT_TRUE(EventuallyTrue([&] { return both.connection->waiting() == 1; }));
@@ -172,7 +172,7 @@ TEST(Waiting, WithoutAConnectionIsRefused) {
 }
 
 TEST(Waiting, ForOnesOwnThreadIsRefused) {
-  Connected both;
+  WaitingPair both;
   both.planner.inbox.BindToThisThread();
   std::int32_t count = 0;
 
@@ -196,7 +196,7 @@ TEST(Waiting, ATaskIsNotConnectedToItselfByACommandThatMakesItWait) {
 }
 
 TEST(Waiting, IsEndedByADisconnect) {
-  Connected both;
+  WaitingPair both;
   Status status = Status::kDone;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
   ASSERT_TRUE(EventuallyTrue([&] { return both.connection->waiting() == 1; }));
@@ -209,7 +209,7 @@ TEST(Waiting, IsEndedByADisconnect) {
 }
 
 TEST(Waiting, ADisconnectLetsAnActiveServerAnswerFirst) {
-  Connected both;
+  WaitingPair both;
   Status status = Status::kTimeout;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
   ASSERT_TRUE(EventuallyTrue([&] { return both.connection->waiting() == 1; }));
@@ -263,7 +263,7 @@ TEST(Waiting, AnAnswerInAnotherLayoutIsConverted) {
 }
 
 TEST(Waiting, AllocatesNothing) {
-  Connected both;
+  WaitingPair both;
   const Executor server(both.planner.inbox);
   std::int32_t count = 0;
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-SteadyTime In(std::chrono::nanoseconds time) { return StdAtomics::Now() + time; }
+SteadyTime After(std::chrono::nanoseconds time) { return StdAtomics::Now() + time; }
 
 TEST(Wakeup, ReturnsAtOnceWhenReady) {
   Wakeup<> wakeup;
@@ -28,7 +28,7 @@ TEST(Wakeup, AWorkFoundAtAPassedDeadlineStillCounts) {
 
 TEST(Wakeup, GivesUpAtItsDeadlineAndNotBefore) {
   Wakeup<> wakeup;
-  const SteadyTime deadline = In(2ms);
+  const SteadyTime deadline = After(2ms);
 
   EXPECT_FALSE(wakeup.WaitUntil([] { return false; }, deadline));
 
@@ -51,7 +51,7 @@ TEST(Wakeup, ANotificationWithoutWorkDoesNotEndTheWait) {
         ++looks;
         return has_work.load();
       },
-      In(60s)));
+      After(60s)));
 
   EXPECT_TRUE(has_work);
   poster.join();
@@ -60,7 +60,7 @@ TEST(Wakeup, ANotificationWithoutWorkDoesNotEndTheWait) {
 TEST(Wakeup, WhoWakesByItselfInTimeIsLeftAsleep) {
   Wakeup<> wakeup;
   std::atomic<int> looks = 0;
-  const SteadyTime until = In(50ms);
+  const SteadyTime until = After(50ms);
   std::thread poster([&] {
     while (StdAtomics::Now() < until) wakeup.NotifyBy(until);
   });
@@ -78,7 +78,7 @@ TEST(Wakeup, WhoWouldWakeTooLateIsWoken) {
   std::thread poster([&] {
     while (looks < 2) std::this_thread::yield();
     has_work = true;
-    wakeup.NotifyBy(In(1h));
+    wakeup.NotifyBy(After(1h));
   });
 
   EXPECT_TRUE(wakeup.WaitUntil(
@@ -86,7 +86,7 @@ TEST(Wakeup, WhoWouldWakeTooLateIsWoken) {
         ++looks;
         return has_work.load();
       },
-      In(2h)));
+      After(2h)));
   poster.join();
 }
 
@@ -105,7 +105,7 @@ TEST(Wakeup, NoneOfManyTurnsIsLost) {
   const auto play = [&](int player) {
     for (int mine = player; mine < kTurns; mine += 2) {
       const auto is_mine = [&] { return turn.load(std::memory_order_acquire) == mine; };
-      if (!wakeups[static_cast<std::size_t>(player)].WaitUntil(is_mine, In(60s))) ++missed;
+      if (!wakeups[static_cast<std::size_t>(player)].WaitUntil(is_mine, After(60s))) ++missed;
       turn.store(mine + 1, std::memory_order_release);
       wakeups[static_cast<std::size_t>(1 - player)].Notify();
     }
@@ -136,7 +136,7 @@ TEST(Wakeup, ManyPostersWakeOneSleeper) {
   std::uint64_t seen = 0;
   while (seen < 2 * kPosts) {
     ASSERT_TRUE(
-        wakeup.WaitUntil([&] { return posted.load(std::memory_order_acquire) > seen; }, In(60s)));
+        wakeup.WaitUntil([&] { return posted.load(std::memory_order_acquire) > seen; }, After(60s)));
     seen = posted;
   }
 }

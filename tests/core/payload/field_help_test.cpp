@@ -52,12 +52,12 @@ constexpr std::string_view kText = R"(struct arm.Goal {
   note: string
 })";
 
-std::string ErrorOf(std::string_view json) {
+std::string ErrorOfGoal(std::string_view json) {
   const auto goal = FromJson<arm::Goal<1>>(json);
   return goal ? "accepted" : goal.error().message;
 }
 
-std::string Json(const std::string& speed, const std::string& retries, const std::string& timeout) {
+std::string JsonOf(const std::string& speed, const std::string& retries, const std::string& timeout) {
   return R"({"speed":)" + speed + R"(,"retries":)" + retries + R"(,"timeout":)" + timeout +
          R"(,"note":""})";
 }
@@ -123,16 +123,16 @@ TEST(FieldHelp, ThatIsMalformedIsRefusedWithItsPlace) {
 }
 
 TEST(FieldRange, HoldsForJsonFromOutside) {
-  EXPECT_EQ(ErrorOf(Json("[0,2.5]", "3", "0.25")), "accepted");
-  EXPECT_EQ(ErrorOf(Json("[0,2.6]", "3", "1")),
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[0,2.5]", "3", "0.25")), "accepted");
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[0,2.6]", "3", "1")),
             "speed[1]: expected a number from 0 to 2.5 (rad/s), got number 2.6");
-  EXPECT_EQ(ErrorOf(Json("[-0.1,0]", "3", "1")),
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[-0.1,0]", "3", "1")),
             "speed[0]: expected a number from 0 to 2.5 (rad/s), got number -0.1");
-  EXPECT_EQ(ErrorOf(Json("[\"nan\",0]", "3", "1")),
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[\"nan\",0]", "3", "1")),
             "speed[0]: expected a number from 0 to 2.5 (rad/s), got string 'nan'");
-  EXPECT_EQ(ErrorOf(Json("[0,0]", "4", "1")),
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[0,0]", "4", "1")),
             "retries: expected an integer from -1 to 3, got number 4");
-  EXPECT_EQ(ErrorOf(Json("[0,0]", "-1", "0.2")),
+  EXPECT_EQ(ErrorOfGoal(JsonOf("[0,0]", "-1", "0.2")),
             "timeout: expected a number of seconds from 0.25 to inf, got number 0.2");
 }
 
@@ -140,10 +140,10 @@ TEST(FieldRange, HoldsThroughASchemaAlone) {
   const auto schema = Schema::Parse(kText);
   ASSERT_TRUE(schema);
 
-  const auto body = FromJson(*schema, Json("[3,0]", "0", "1"));
+  const auto body = FromJson(*schema, JsonOf("[3,0]", "0", "1"));
 
   ASSERT_FALSE(body);
-  EXPECT_EQ(body.error().message, ErrorOf(Json("[3,0]", "0", "1")));
+  EXPECT_EQ(body.error().message, ErrorOfGoal(JsonOf("[3,0]", "0", "1")));
 }
 
 TEST(FieldRange, DoesNotKeepAValueFromTravelling) {
@@ -154,7 +154,7 @@ TEST(FieldRange, DoesNotKeepAValueFromTravelling) {
   Encode(goal, body);
 
   EXPECT_TRUE(Decode(body, goal));
-  EXPECT_EQ(ToJson(goal), Json("[7,\"nan\"]", "0", "0"));
+  EXPECT_EQ(ToJson(goal), JsonOf("[7,\"nan\"]", "0", "0"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 using Kind = Schema::Kind;
 
-const Schema kReal(Kind::kFloat64);
+const Schema kDouble(Kind::kFloat64);
 
 TEST(Schema, OfAStructureNamesFieldsAndUnits) {
   const Schema& schema = SchemaOf<sample::JointState>();
@@ -19,7 +19,7 @@ TEST(Schema, OfAStructureNamesFieldsAndUnits) {
   EXPECT_EQ(schema.fields()[1].unit, "rad/s");
   EXPECT_EQ(schema.fields()[1].schema.kind(), Kind::kArray);
   EXPECT_EQ(schema.fields()[1].schema.length(), 7U);
-  EXPECT_EQ(schema.fields()[1].schema.element(), kReal);
+  EXPECT_EQ(schema.fields()[1].schema.element(), kDouble);
 }
 
 TEST(Schema, KnowsEveryKind) {
@@ -105,7 +105,7 @@ TEST(FirstDifference, IsNothingBetweenEqualTypes) {
 }
 
 TEST(FirstDifference, NamesAnotherUnit) {
-  const Schema joints = Schema::Array(kReal, 7);
+  const Schema joints = Schema::Array(kDouble, 7);
   EXPECT_EQ(DifferenceOfFields({"position", "rad", joints}, {"position", "deg", joints}),
             "position of arm.JointState: float64[7] in rad needed, float64[7] in deg offered");
   EXPECT_EQ(DifferenceOfFields({"position", "rad", joints}, {"position", "", joints}),
@@ -114,27 +114,27 @@ TEST(FirstDifference, NamesAnotherUnit) {
 }
 
 TEST(FirstDifference, NamesAnotherShape) {
-  EXPECT_EQ(DifferenceOfFields({"position", "rad", Schema::Array(kReal, 7)},
-                               {"position", "rad", Schema::Array(kReal, 6)}),
+  EXPECT_EQ(DifferenceOfFields({"position", "rad", Schema::Array(kDouble, 7)},
+                               {"position", "rad", Schema::Array(kDouble, 6)}),
             "position of arm.JointState: float64[7] needed, float64[6] offered");
   EXPECT_EQ(
-      DifferenceOfFields({"p", "", Schema::Array(kReal, 7)}, {"p", "", Schema::Sequence(kReal)}),
+      DifferenceOfFields({"p", "", Schema::Array(kDouble, 7)}, {"p", "", Schema::Sequence(kDouble)}),
       "p of arm.JointState: float64[7] needed, float64[] offered");
-  EXPECT_EQ(DifferenceOfFields({"p", "", Schema::Sequence(Schema::Array(kReal, 3))},
-                               {"p", "", Schema::Sequence(Schema::Array(kReal, 4))}),
+  EXPECT_EQ(DifferenceOfFields({"p", "", Schema::Sequence(Schema::Array(kDouble, 3))},
+                               {"p", "", Schema::Sequence(Schema::Array(kDouble, 4))}),
             "p of arm.JointState: float64[3][] needed, float64[4][] offered");
 }
 
 TEST(FirstDifference, NamesAnotherType) {
   EXPECT_EQ(FirstDifference(SchemaOf<sample::JointState>(), SchemaOf<sample::Point>()),
             "sample.JointState needed, sample.Point offered");
-  EXPECT_EQ(FirstDifference(kReal, SchemaOf<None>()), "float64 needed, tendon.None offered");
+  EXPECT_EQ(FirstDifference(kDouble, SchemaOf<None>()), "float64 needed, tendon.None offered");
 }
 
 TEST(FirstDifference, NamesAFieldThatIsNotThere) {
-  const Schema both = Schema::Structure("arm.A", {{"a", "", kReal}, {"b", "", kReal}});
-  const Schema one = Schema::Structure("arm.A", {{"a", "", kReal}});
-  const Schema other = Schema::Structure("arm.A", {{"a", "", kReal}, {"c", "", kReal}});
+  const Schema both = Schema::Structure("arm.A", {{"a", "", kDouble}, {"b", "", kDouble}});
+  const Schema one = Schema::Structure("arm.A", {{"a", "", kDouble}});
+  const Schema other = Schema::Structure("arm.A", {{"a", "", kDouble}, {"c", "", kDouble}});
   EXPECT_EQ(FirstDifference(both, one), "arm.A: field b needed, no further field offered");
   EXPECT_EQ(FirstDifference(one, both), "arm.A: no further field needed, field b offered");
   EXPECT_EQ(FirstDifference(both, other), "arm.A: field b needed, field c offered");
@@ -152,7 +152,7 @@ TEST(FirstDifference, NamesAnEnumsValue) {
 
 TEST(FirstDifference, IsFoundInsideNestedTypes) {
   const auto make = [](const char* unit) {
-    const Schema inner = Schema::Structure("arm.Inner", {{"x", unit, kReal}});
+    const Schema inner = Schema::Structure("arm.Inner", {{"x", unit, kDouble}});
     return Schema::Structure("arm.Outer", {{"list", "", Schema::Sequence(inner)}});
   };
   EXPECT_EQ(FirstDifference(make("m"), make("mm")),

@@ -19,7 +19,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kRefusalPatience(20);
 
 /// Slots of 64 KiB.
 struct Picture {
@@ -135,7 +135,7 @@ class RefusedForItsTypes : public RemoteConnection {
                                        {.instance = tendon::os::RandomNumber(),
                                         .name = "desk",
                                         .cookie = *tendon::LoopbackCookie()},
-                                       std::make_shared<Foreigner>(schema, manner), kPatience);
+                                       std::make_shared<Foreigner>(schema, manner), kRefusalPatience);
     EXPECT_TRUE(channel.ok()) << channel.error().message;
     OpenInterface open{.required = kRobot, .provided = kControl, .handle = 1, .capacity = 64};
     open.description.name = "Robot";
@@ -145,7 +145,7 @@ class RefusedForItsTypes : public RemoteConnection {
                        tendon::FingerprintOf<tendon::None>()},
          .in_type = schema.name()});
     const auto opened =
-        (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0, open, kPatience);
+        (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0, open, kRefusalPatience);
     (*channel)->Close();
     EXPECT_FALSE(opened.ok());
     if (opened.ok()) return "accepted";

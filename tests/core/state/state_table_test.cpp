@@ -107,11 +107,11 @@ TEST_F(StateTableTest, CannotGrowOnceItIsPrepared) {
 }
 
 TEST_F(StateTableTest, CanBecomeLongerUntilRowsAreWritten) {
-  constexpr std::size_t kLength = 2000;
+  constexpr std::size_t kLonger = 2000;
   table_.Add(number_, "Number");
   table_.Prepare();
-  table_.SetLength(kLength);
-  for (std::size_t i = 0; i < kLength; ++i) {
+  table_.SetLength(kLonger);
+  for (std::size_t i = 0; i < kLonger; ++i) {
     number_ = static_cast<double>(i);
     Advance();
   }
@@ -119,7 +119,7 @@ TEST_F(StateTableTest, CanBecomeLongerUntilRowsAreWritten) {
   double value = -1;
   EXPECT_EQ(table_.Find(number_).ReadAt(0, value), RowResult::kDone);
   EXPECT_EQ(value, 0);
-  EXPECT_THAT(Refusal([&] { table_.SetLength(2 * kLength); }),
+  EXPECT_THAT(Refusal([&] { table_.SetLength(2 * kLonger); }),
               AllOf(HasSubstr("holds rows already"), HasSubstr("before the component starts")));
 }
 

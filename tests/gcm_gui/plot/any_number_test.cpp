@@ -306,10 +306,10 @@ TEST(AnyNumber, TicksOfWhateverIsZoomedToDiffer) {
 
 TEST(AnyNumber, NeighboursAtTheEndsOfAllIntegersStandOnDifferentRows) {
   constexpr std::int64_t kMostSigned = std::numeric_limits<std::int64_t>::max();
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   for (const auto& [low, high] :
        {std::pair(ExactNumber::Signed(kMostSigned - 1), ExactNumber::Signed(kMostSigned)),
-        std::pair(ExactNumber::Unsigned(kMost - 1), ExactNumber::Unsigned(kMost)),
+        std::pair(ExactNumber::Unsigned(kLargest - 1), ExactNumber::Unsigned(kLargest)),
         std::pair(ExactNumber::Signed(-kMostSigned - 1), ExactNumber::Signed(-kMostSigned))}) {
     CurveSet set;
     Curve& curve = set.add({"p/a/state.x", ""});

@@ -166,14 +166,14 @@ TEST_F(PlotValues, UnixSecondsAreDrawnInTheirRow) {
 }
 
 TEST_F(PlotValues, TheLargestDoublesAreDrawnAtBothEnds) {
-  constexpr double kMost = std::numeric_limits<double>::max();
-  show(Rows(0, 10'000, [](double t) { return t < 5 ? kMost : -kMost; }));
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  show(Rows(0, 10'000, [](double t) { return t < 5 ? kLargest : -kLargest; }));
 
   const auto before = drawnRow(columnOf(2 * kSecond));
   const auto after = drawnRow(columnOf(8 * kSecond));
   ASSERT_TRUE(before && after);
-  EXPECT_NEAR(*before, rowOfDistance(kMost), 1);
-  EXPECT_NEAR(*after, rowOfDistance(-kMost), 1);
+  EXPECT_NEAR(*before, rowOfDistance(kLargest), 1);
+  EXPECT_NEAR(*after, rowOfDistance(-kLargest), 1);
 }
 
 TEST_F(PlotValues, ATinyConstantIsALineAtZero) {
@@ -301,8 +301,8 @@ TEST(PlotValuesOfALayout, AWindowWithALayoutOfTheLargestDoublesOpens) {
   panel.show();
   ASSERT_EQ(ShowLayout(panel, layout), std::nullopt);
   panel.append(kSignal, Rows(0, 10'000, [](double t) {
-                 constexpr double kMost = std::numeric_limits<double>::max();
-                 return std::fmod(t, 2) < 1 ? kMost : -kMost;
+                 constexpr double kLargest = std::numeric_limits<double>::max();
+                 return std::fmod(t, 2) < 1 ? kLargest : -kLargest;
                }));
   const QImage image = Painted(panel.currentPlot());
 

@@ -16,7 +16,7 @@ std::int64_t SteadyTime() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-const QString kSignal = QStringLiteral("robot/arm/state.Joints.position[0]");
+const QString kMarkedSignal = QStringLiteral("robot/arm/state.Joints.position[0]");
 
 class MarkBindingTest : public testing::Test {
  protected:
@@ -108,7 +108,7 @@ TEST_F(MarkBindingTest, ACallIsMarkedWhenItWasMadeAndARefusalIsBad) {
 
 TEST_F(MarkBindingTest, EventsOfWhatIsPlottedAreListenedToAndMarkedAndNoOthers) {
   EXPECT_TRUE(reports_.listened().isEmpty());
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
   EXPECT_EQ(reports_.listened(), QStringList{"robot/arm/*"});
 
   raise("robot/arm/Control.LimitExceeded");
@@ -117,12 +117,12 @@ TEST_F(MarkBindingTest, EventsOfWhatIsPlottedAreListenedToAndMarkedAndNoOthers) 
   EXPECT_EQ(panel_.marks().all().back().kind, Mark::Kind::kEvent);
   EXPECT_EQ(panel_.marks().all().back().text, "robot/arm/Control.LimitExceeded {\"joint\": 2}");
 
-  panel_.removeSignal(kSignal);
+  panel_.removeSignal(kMarkedSignal);
   EXPECT_TRUE(reports_.listened().isEmpty());
 }
 
 TEST_F(MarkBindingTest, WhileMarksAreHiddenNoEventIsListenedTo) {
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
 
   panel_.setMarksShown(false);
   EXPECT_TRUE(reports_.listened().isEmpty());
@@ -138,7 +138,7 @@ TEST_F(MarkBindingTest, SoManyComponentsAreListenedToAndNoMore) {
 }
 
 TEST_F(MarkBindingTest, EventsThatComeFastAreOneMarkThatCountsThem) {
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
   const std::int64_t now = WallClock();
   for (int i = 0; i < 10; ++i) raise("robot/arm/Control.Tick", now + i * 1'000'000);
   raise("robot/arm/Control.Tick", now + MarkBinding::kEventPauseNs);
@@ -148,7 +148,7 @@ TEST_F(MarkBindingTest, EventsThatComeFastAreOneMarkThatCountsThem) {
 }
 
 TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) {
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
   ASSERT_TRUE(reports_.watches_log);
   sent("before this window watched", false);
   sent("arm/Control.MoveTo: allowed", true);  // the first that is new comes behind it
@@ -164,7 +164,7 @@ TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) 
 
 /// A form of this window or another asks what to begin with; nobody has called anything.
 TEST_F(MarkBindingTest, ACommandThatOnlyReadsIsNotMarked) {
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
   sent("nothing", true);
 
   sent("controller/Control.GetJoints: allowed", true);
@@ -174,7 +174,7 @@ TEST_F(MarkBindingTest, ACommandThatOnlyReadsIsNotMarked) {
 }
 
 TEST_F(MarkBindingTest, ACallOfThisWindowIsMarkedOnce) {
-  panel_.addSignal(kSignal, "rad");
+  panel_.addSignal(kMarkedSignal, "rad");
   sent("nothing", true);
   Action call;
   call.verb = Action::Verb::kCall;

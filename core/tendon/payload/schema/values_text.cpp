@@ -6,8 +6,7 @@ namespace {
 
 /// The possible values of an enum, or of a list of enums.
 std::string NamesIn(const Schema& schema) {
-  using Kind = Schema::Kind;
-  if (schema.kind() == Kind::kArray || schema.kind() == Kind::kSequence) {
+  if (schema.kind() == Schema::Kind::kArray || schema.kind() == Schema::Kind::kSequence) {
     return NamesIn(schema.element());
   }
   std::string names;

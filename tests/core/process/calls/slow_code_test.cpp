@@ -19,7 +19,7 @@ using plant::Operator;
 using tendon::InterfaceName;
 using tendon::Status;
 
-constexpr auto kPatience = 20s;
+constexpr auto kSlowCodePatience = 20s;
 
 /// The plant is asked what it does not answer while its gate is locked.
 class SlowRead : public RemoteConnection {
@@ -37,7 +37,7 @@ class SlowRead : public RemoteConnection {
   void ExpectAllElseIsServed(Operator& caller) {
     plant::Move move;
     EXPECT_TRUE(EventuallyTrue([&] { return caller.get_move(move) == Status(Status::kDone); }));
-    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kPatience), Status(Status::kDone));
+    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kSlowCodePatience), Status(Status::kDone));
     EXPECT_TRUE(EventuallyQueued([&] { return caller.stop(); }));
   }
 };
@@ -219,14 +219,14 @@ TEST_P(SlowFilter, KeepsTheOrderOfAllCommandsOfItsConnection) {
 
   for (int i = 0; i < kWeights; ++i) {
     if (i % 7 == 6) {
-      ASSERT_EQ(weigher->put.Wait(i, kPatience), Status(Status::kDone));
+      ASSERT_EQ(weigher->put.Wait(i, kSlowCodePatience), Status(Status::kDone));
       EXPECT_EQ(scale->weights.size(), static_cast<std::size_t>(i + 1));
     } else {
       ASSERT_TRUE(EventuallyTrue([&] { return Put(i) == Status(Status::kQueued); }));
     }
   }
 
-  EXPECT_EQ(weigher->put_rounded.Wait(kWeights, kPatience), Status(Status::kDone));
+  EXPECT_EQ(weigher->put_rounded.Wait(kWeights, kSlowCodePatience), Status(Status::kDone));
   EXPECT_EQ(scale->weights.values(), Weights(kWeights + 1));
 }
 
@@ -255,7 +255,7 @@ TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
     EXPECT_FALSE(weigher->put.Wait(kNext, 2s));
   }
 
-  EXPECT_EQ(weigher->put.Wait(1, kPatience), Status(Status::kDone));
+  EXPECT_EQ(weigher->put.Wait(1, kSlowCodePatience), Status(Status::kDone));
   const auto weights = scale->weights.values();
   EXPECT_EQ(weights.front(), 0);
   EXPECT_EQ(weights.back(), 1);
@@ -271,7 +271,7 @@ TEST_P(SlowFilter, AnAnswerToWhatGoesPastTheMailboxLosesNothingThatWaitsThere) {
     ASSERT_EQ(weigher->put(put), Status(Status::kQueued));
   }
   for (int i = 0; i < 3; ++i) {  // the first behind what is not sent yet
-    EXPECT_EQ(weigher->ring.Wait(kPatience), Status(Status::kDone));
+    EXPECT_EQ(weigher->ring.Wait(kSlowCodePatience), Status(Status::kDone));
   }
   // The desk keeps a mailbox full of them; the others are sent, more than there is room for.
   for (; put < 2 * Weigher::kCapacity + Weigher::kCapacity / 4; ++put) {
@@ -292,7 +292,7 @@ TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
   ASSERT_TRUE(desk->Disconnect(kWeigher).ok());
   ASSERT_TRUE(desk->Connect(kWeigher, kScale).ok());
   ASSERT_TRUE(EventuallyActive(*desk, 1));
-  ASSERT_EQ(weigher->put.Wait(100, kPatience), Status(Status::kDone));
+  ASSERT_EQ(weigher->put.Wait(100, kSlowCodePatience), Status(Status::kDone));
   const auto serves = [&](std::size_t connections) {
     const auto all = robot->proxies();
     return all.size() == 1 && all.front().required.size() == connections;
@@ -375,7 +375,7 @@ TEST_P(SlowHandler, HoldsUpNothingElseThatItsProcessHears) {
 
   plant::Move move;
   EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(move) == Status(Status::kDone); }));
-  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kPatience), Status(Status::kDone));
+  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kSlowCodePatience), Status(Status::kDone));
   EXPECT_TRUE(EventuallyTrue([&] { return user->Process() > 0 && user->moved.size() >= 11; }));
   EXPECT_TRUE(desk->is_joined());
 
@@ -392,7 +392,7 @@ TEST_P(SlowHandler, MissesWhatThereIsNoRoomForAndCountsIt) {
   std::unique_lock closed(watcher->gate);
   for (std::uint64_t i = 0; i < kMoves; ++i) Move(i);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->moves.size() == kMoves; }));
-  ASSERT_EQ(user->move_to.Wait({}, kPatience), Status(Status::kDone));
+  ASSERT_EQ(user->move_to.Wait({}, kSlowCodePatience), Status(Status::kDone));
   closed.unlock();
 
   EXPECT_TRUE(EventuallyTrue([&] {

@@ -34,12 +34,12 @@ class Peer final : public tendon::Component {
   tendon::ReadFunction<std::uint64_t> recorded_runs;
 };
 
-struct FaultCase {
+struct PeerCase {
   Script::Function function;
   const char* name;
 };
 
-struct PeersOfAFaultedTask : testing::TestWithParam<FaultCase> {
+struct PeersOfAFaultedTask : testing::TestWithParam<PeerCase> {
   tendon::LocalManager manager;
   Periodic& arm = manager.Add<Periodic>("arm", 1ms);
   Peer& peer = manager.Add<Peer>("peer");
@@ -115,11 +115,11 @@ TEST_P(PeersOfAFaultedTask, AreSeenByToolsAsPendingWithTheReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(InEachFunction, PeersOfAFaultedTask,
-                         testing::Values(FaultCase{Script::kConfigure, "Configure"},
-                                         FaultCase{Script::kStartup, "Startup"},
-                                         FaultCase{Script::kRun, "Run"},
-                                         FaultCase{Script::kHandler, "Handler"},
-                                         FaultCase{Script::kCleanup, "Cleanup"}),
+                         testing::Values(PeerCase{Script::kConfigure, "Configure"},
+                                         PeerCase{Script::kStartup, "Startup"},
+                                         PeerCase{Script::kRun, "Run"},
+                                         PeerCase{Script::kHandler, "Handler"},
+                                         PeerCase{Script::kCleanup, "Cleanup"}),
                          [](const auto& one) { return one.param.name; });
 
 struct PeerThatWaits : PeersOfAFaultedTask {};
@@ -143,7 +143,7 @@ TEST_P(PeerThatWaits, IsToldAtOnce) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered == 2; }));
 }
 
-INSTANTIATE_TEST_SUITE_P(, PeerThatWaits, testing::Values(FaultCase{Script::kRun, "Run"}),
+INSTANTIATE_TEST_SUITE_P(, PeerThatWaits, testing::Values(PeerCase{Script::kRun, "Run"}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(ARestart, HealsTheConnectionsAThousandTimes) {

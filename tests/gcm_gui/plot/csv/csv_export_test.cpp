@@ -19,7 +19,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kPatience = 20000;  // ms; bounds a test that fails
-const QString kX = "robot/arm/state.x";
+const QString kSignalX = "robot/arm/state.x";
 
 class CsvExportTest : public ::testing::Test {
  protected:
@@ -40,8 +40,8 @@ class CsvExportTest : public ::testing::Test {
 
 TEST_F(CsvExportTest, WhatIsSeenIsSavedWhereTheUserSays) {
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  panel_.addSignal(kX, "rad");
-  panel_.append(kX, Rows(0, 1000));
+  panel_.addSignal(kSignalX, "rad");
+  panel_.append(kSignalX, Rows(0, 1000));
   panel_.currentPlot().refresh();
   QFileDialog* dialog = Ask();
   ASSERT_NE(dialog, nullptr);
@@ -97,7 +97,7 @@ TEST(CsvExport, ASlowDiskHoldsUpNeitherWhoSavesNorHisEnd) {
   const QString file = folder.filePath("x.csv");
   SlowDisk disk(folder);
 
-  { CsvExport().save({.curves = {{.path = kX, .times = {1}, .words = {2}}}}, file); }
+  { CsvExport().save({.curves = {{.path = kSignalX, .times = {1}, .words = {2}}}}, file); }
 
   EXPECT_FALSE(QFile::exists(file));
   disk.answer();
@@ -113,7 +113,7 @@ TEST(CsvExport, AFileAskedForTwiceIsToldOfOnceWhereItIsWrittenOnce) {
   const QString file = folder.filePath("x.csv");
 
   csv.save({}, file);
-  csv.save({.curves = {{.path = kX, .times = {1}, .words = {2}}}}, file);
+  csv.save({.curves = {{.path = kSignalX, .times = {1}, .words = {2}}}}, file);
   disk.answer();
 
   ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));

@@ -60,24 +60,24 @@ TEST(Statistics, OfIntegersThatDoublesCannotTellApartAreExact) {
 }
 
 TEST(Statistics, OfTheLargestAndTheSmallestDoublesAreFinite) {
-  constexpr double kMost = std::numeric_limits<double>::max();
-  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  constexpr double kLargest = std::numeric_limits<double>::max();
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   SampleRing large;
   bool is_high = false;
   large.append(Rows(0, 100, [&](double) {
     is_high = !is_high;
-    return is_high ? kMost : -kMost;
+    return is_high ? kLargest : -kLargest;
   }));
   SampleRing small;
-  small.append(Rows(0, 10, [&](double) { return kLeast; }));
+  small.append(Rows(0, 10, [&](double) { return kSmallest; }));
 
   const auto of_large = StatisticsOf(large, 0, kSecond);
   const auto of_small = StatisticsOf(small, 0, kSecond);
 
-  EXPECT_NEAR(of_large->deviation / kMost, 1, 1e-9);
-  EXPECT_NEAR(of_large->rms / kMost, 1, 1e-9);
-  EXPECT_LT(std::abs(of_large->mean.nearest()), 1e-9 * kMost);
-  EXPECT_EQ(of_small->mean, ExactNumber(kLeast));
+  EXPECT_NEAR(of_large->deviation / kLargest, 1, 1e-9);
+  EXPECT_NEAR(of_large->rms / kLargest, 1, 1e-9);
+  EXPECT_LT(std::abs(of_large->mean.nearest()), 1e-9 * kLargest);
+  EXPECT_EQ(of_small->mean, ExactNumber(kSmallest));
   EXPECT_EQ(of_small->deviation, 0);
 }
 
@@ -109,10 +109,10 @@ TEST(FrameGovernor, LeavesHalfOfTheTimeWhenTheyAreDearAndRecovers) {
 }
 
 TEST(Statistics, AreExactAtTheEndOfAllIntegers) {
-  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   std::vector<Sample> rows = Rows(0, 2);
-  rows[0].value = ExactNumber::Unsigned(kMost - 1);
-  rows[1].value = ExactNumber::Unsigned(kMost);
+  rows[0].value = ExactNumber::Unsigned(kLargest - 1);
+  rows[1].value = ExactNumber::Unsigned(kLargest);
   SampleRing ring;
   ring.append(rows);
 
