@@ -3,6 +3,7 @@
 
 #include "conformance/contract.h"
 #include "conformance/oracle.h"
+#include "support/record.h"
 
 namespace tendon::conformance {
 namespace {
@@ -104,12 +105,10 @@ std::size_t CountOfCookie(const std::vector<Bytes>& frames, std::uint64_t cookie
 }
 
 TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
-  std::mutex mutex;
-  std::vector<Bytes> heard;
+  test::Record<Bytes> heard;
   Host impostor([&](const std::shared_ptr<Link>& link) {
     return std::make_shared<Recorder>([&, link](std::span<const std::byte> frame) {
-      const std::scoped_lock lock(mutex);
-      heard.emplace_back(frame.begin(), frame.end());
+      heard.Add({frame.begin(), frame.end()});
       message::Challenge challenge;
       challenge.greeting.name = "robot";
       challenge.proof.fill(7);
@@ -129,9 +128,8 @@ TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
   EXPECT_TRUE(impostor.guest().recorder->WaitForClosed());
-  const std::scoped_lock lock(mutex);
   EXPECT_EQ(heard.size(), 1U) << "a Hello and no proof";
-  EXPECT_EQ(CountOfCookie(heard, kCookie), 0U);
+  EXPECT_EQ(CountOfCookie(heard.values(), kCookie), 0U);
 }
 
 TEST_P(CookieContract, WhoPassesOnWhatOthersSayIsDenied) {

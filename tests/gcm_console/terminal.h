@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <regex>
 #include <string>
 
 #include "support/program.h"
@@ -57,6 +58,14 @@ class Terminal {
     return EventuallyTrue([&] {
       Read();
       return seen_.find(text) != std::string::npos;
+    });
+  }
+  /// The same for text that matches a regular expression.
+  bool ShowsMatch(const std::string& pattern) {
+    const std::regex expression(pattern);
+    return EventuallyTrue([&] {
+      Read();
+      return std::regex_search(seen_, expression);
     });
   }
   /// Since the last keys.

@@ -8,38 +8,17 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <thread>
 #include <utility>
-#include <vector>
+
+#include "support/record.h"
 
 /// Components in a chain: each leads the next one and stops it in its own Cleanup().
 namespace leading {
 
-/// The actions of the components, in order; outlives them.
-class Story {
- public:
-  void Add(const std::string& line) { Finish(Begin(), line); }
-  /// The place of a line that is known later, for Finish().
-  [[nodiscard]] std::size_t Begin() {
-    const std::scoped_lock lock(mutex_);
-    lines_.emplace_back();
-    return lines_.size() - 1;
-  }
-  void Finish(std::size_t place, const std::string& line) {
-    const std::scoped_lock lock(mutex_);
-    lines_[place] = line;
-  }
-  [[nodiscard]] std::vector<std::string> lines() const {
-    const std::scoped_lock lock(mutex_);
-    return lines_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<std::string> lines_;
-};
+/// The actions of the components; outlives them.
+using Story = tendon::test::Record<std::string>;
 
 /// Leads the next component, and may have a leader itself. Reports each stop that reaches it, and
 /// its Cleanup(), in which it sends a stop to the next one.
@@ -79,10 +58,10 @@ class Leading final : public Base {
   }
   void Cleanup() override {
     // The next one may be stopped before this one knows that it was told.
-    const std::size_t place = story_.Begin();
+    const std::size_t place = story_.Add("");
     const tendon::Status sent = stop_();
     const std::string outcome = sent ? "" : ", " + std::string(ToString(sent));
-    story_.Finish(place, this->name() + " ends" + outcome);
+    story_.Replace(place, this->name() + " ends" + outcome);
   }
   void Go() { ++gone; }
   void Stop() { story_.Add(this->name() + " is stopped"); }

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "support/record.h"
+
 /// Two components for tests of connections: a plant with every kind of command and event, and an
 /// operator that uses all of them.
 namespace plant {
@@ -53,27 +55,7 @@ inline constexpr auto tendon::kPayload<plant::OtherMove> =
 
 namespace plant {
 
-/// The actions in order; any thread.
-template <typename T>
-class Record {
- public:
-  void Add(const T& value) {
-    const std::scoped_lock lock(mutex_);
-    values_.push_back(value);
-  }
-  [[nodiscard]] std::vector<T> values() const {
-    const std::scoped_lock lock(mutex_);
-    return values_;
-  }
-  [[nodiscard]] std::size_t size() const {
-    const std::scoped_lock lock(mutex_);
-    return values_.size();
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<T> values_;
-};
+using tendon::test::Record;
 
 /// Executes commands at 1 kHz, raises an event for each, and records a row per cycle.
 class Plant final : public tendon::PeriodicTask {

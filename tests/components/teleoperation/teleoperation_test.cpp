@@ -21,6 +21,12 @@ using tendon_test::Stepped;
 
 constexpr int kArmCycles = 20;  // in one of the teleoperation
 
+double FastestOf(const JointVector& velocities) {
+  double fastest = 0.0;
+  for (const double velocity : velocities) fastest = std::max(fastest, std::abs(velocity));
+  return fastest;
+}
+
 /// Both components in the test's thread, time going on in both alike; not yet connected.
 class SteppedPair {
  public:
@@ -46,13 +52,7 @@ class SteppedPair {
   }
 
   JointVector position() { return arm.Read<JointState>("Joints").position; }
-  double speed() {
-    double fastest = 0.0;
-    for (const double velocity : arm.Read<JointState>("Joints").velocity) {
-      fastest = std::max(fastest, std::abs(velocity));
-    }
-    return fastest;
-  }
+  double speed() { return FastestOf(arm.Read<JointState>("Joints").velocity); }
   double worst() { return teleoperation.Read<Tracking>("Tracking").worst; }
   std::uint64_t limits() { return teleoperation.Read<std::uint64_t>("Limits"); }
 
@@ -95,7 +95,8 @@ class SteppedTrio : public SteppedPair {
     other.Cycle();
   }
 
-  /// The greatest speed, rad/s, and acceleration, rad/s^2, of a joint of either arm.
+  /// The greatest speed, rad/s, and acceleration, rad/s^2, of a joint of either arm. The led arm
+  /// moves at the end: the tour never rests.
   struct Peak {
     double speed = 0.0;
     double acceleration = 0.0;
@@ -111,11 +112,13 @@ class SteppedTrio : public SteppedPair {
       }
       teleoperation.Cycle();
     }
+    EXPECT_GT(FastestOf(led_->Read<JointState>("Joints").velocity), kMoving);
     return peak;
   }
   void Lead(const char* name) {
     (void)manager.Disconnect({"teleoperation", "Robot"});
     EXPECT_TRUE(manager.Connect({"teleoperation", "Robot"}, {name, "Control"}));
+    led_ = name == other.name() ? &other : &arm;
   }
 
   Stepped<SimulatedArm>& other;
@@ -138,6 +141,9 @@ class SteppedTrio : public SteppedPair {
   }
 
   static constexpr double kArmPeriod = 1e-3;  // s
+  static constexpr double kMoving = 0.05;     // rad/s
+
+  Stepped<SimulatedArm>* led_ = &arm;
 };
 
 /// No more than when it sets out from rest.

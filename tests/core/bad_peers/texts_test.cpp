@@ -1,5 +1,6 @@
 #include <tendon/base/printable.h>
 #include <tests/core/gcm/bench.h>
+#include <tests/support/record.h>
 
 #include <algorithm>
 #include <string>
@@ -52,17 +53,12 @@ void ExpectTame(const ComponentDescription& arm) {
 class LogListener final : public test::Recorder {
  public:
   void OnLog(const LogBatch& batch) override {
-    const std::scoped_lock lock(mutex_);
-    records_.insert(records_.end(), batch.records.begin(), batch.records.end());
+    for (const message::LogRecord& record : batch.records) records_.Add(record);
   }
-  [[nodiscard]] std::vector<message::LogRecord> records() const {
-    const std::scoped_lock lock(mutex_);
-    return records_;
-  }
+  [[nodiscard]] std::vector<message::LogRecord> records() const { return records_.values(); }
 
  private:
-  mutable std::mutex mutex_;
-  std::vector<message::LogRecord> records_;
+  test::Record<message::LogRecord> records_;
 };
 
 class BadInput61 : public test::Bench {};

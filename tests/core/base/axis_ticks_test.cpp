@@ -15,10 +15,7 @@
 namespace tendon {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
-using testing::Ge;
-using testing::Le;
 
 constexpr double kMost = std::numeric_limits<double>::max();
 

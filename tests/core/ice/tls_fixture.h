@@ -11,7 +11,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +18,7 @@
 #include "conformance/recorder.h"
 #include "core/security/authority.h"
 #include "support/log/log_record.h"
+#include "support/record.h"
 #include "support/wait.h"
 
 namespace tendon::ice {
@@ -31,17 +31,12 @@ inline constexpr auto kProcess = Holder::kProcess;
 class Guestbook final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& /*channel*/, const Hello& peer) override {
-    const std::scoped_lock lock(mutex_);
-    guests_.push_back(peer);
+    guests_.Add(peer);
   }
-  [[nodiscard]] std::vector<Hello> guests() const {
-    const std::scoped_lock lock(mutex_);
-    return guests_;
-  }
+  [[nodiscard]] std::vector<Hello> guests() const { return guests_.values(); }
 
  private:
-  mutable std::mutex mutex_;
-  std::vector<Hello> guests_;
+  test::Record<Hello> guests_;
 };
 
 struct Deaf final : LinkHandler {

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 #include <tendon/interface/status_messages.h>
 
-#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/interface/waiting_fixture.h"
 #include "support/allocation_guard.h"
+#include "support/record.h"
 
 namespace tendon_test {
 namespace {
@@ -208,11 +208,9 @@ struct Heard {
 };
 
 TEST(Messages, AreEventsAndLogRecords) {
-  static std::mutex mutex;
-  static std::vector<std::string> records;
+  static tendon::test::Record<std::string> records;
   tendon::AddLogSink([](tendon::LogLevel, std::string_view source, std::string_view text) {
-    const std::scoped_lock lock(mutex);
-    records.push_back(std::string(source) + ": " + std::string(text));
+    records.Add(std::string(source) + ": " + std::string(text));
   });
   tendon::ProvidedInterface control("Control", nullptr);
   tendon::Messages messages(control, "arm");
@@ -227,8 +225,7 @@ TEST(Messages, AreEventsAndLogRecords) {
 
   EXPECT_EQ(client.texts,
             (std::vector<std::string>{"status: homed", "warning: warm", "error: hot"}));
-  const std::scoped_lock lock(mutex);
-  EXPECT_EQ(records, (std::vector<std::string>{"arm: homed", "arm: warm", "arm: hot"}));
+  EXPECT_EQ(records.values(), (std::vector<std::string>{"arm: homed", "arm: warm", "arm: hot"}));
 }
 
 }  // namespace

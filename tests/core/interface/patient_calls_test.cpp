@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
+#include <tendon/base/clock.h>
+#include <tendon/interface/command.h>
 #include <tendon/interface/execution/block_when_full.h>
 #include <tendon/interface/inbox.h>
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <thread>
 
 namespace tendon {
@@ -14,9 +17,8 @@ class Nothing final : public Mailbox::Entry {
 };
 
 /// A mailbox with room for one, which is full.
-class FullMailbox : public testing::Test {
- protected:
-  FullMailbox() {
+struct FullBox {
+  FullBox() {
     inbox.SetAccepting(true);
     mailbox.Publish(mailbox.Claim(), nothing);
   }
@@ -25,6 +27,19 @@ class FullMailbox : public testing::Test {
   Inbox inbox;
   Mailbox& mailbox = inbox.Open(1, {}, CallerThreads::kOneThread);
 };
+
+class FullMailbox : public testing::Test, protected FullBox {};
+
+/// True if one of some calls ends before its deadline: a machine that stands still may miss the
+/// deadline of one call, but not of all of them.
+bool EndsBeforeItsDeadline(const std::function<void()>& call) {
+  for (int round = 0; round < 5; ++round) {
+    const BlockWhenFull patient;
+    call();
+    if (SteadyClock().Now() < BlockWhenFull::deadline()) return true;
+  }
+  return false;
+}
 
 TEST_F(FullMailbox, RefusesAtOnceAsEver) {
   EXPECT_EQ(mailbox.Claim(), nullptr);
@@ -51,22 +66,27 @@ TEST_F(FullMailbox, GivesAPatientCallTheRoomThatTheServerMakes) {
 }
 
 TEST_F(FullMailbox, LetsAPatientCallGoOnceItIsClosed) {
-  const BlockWhenFull patient;
-  std::thread manager([this] { mailbox.Close(); });
+  EXPECT_TRUE(EndsBeforeItsDeadline([] {
+    FullBox box;
+    std::atomic<bool> waits = false;
+    std::thread manager([&] {
+      while (!waits) std::this_thread::yield();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));  // most likely it waits by then
+      box.mailbox.Close();
+    });
 
-  EXPECT_EQ(mailbox.Claim(), nullptr);
+    waits = true;
+    EXPECT_EQ(box.mailbox.Claim(), nullptr);
 
-  manager.join();
-  EXPECT_EQ(mailbox.refusal(), Status(Status::kNotConnected));
+    manager.join();
+    EXPECT_EQ(box.mailbox.refusal(), Status(Status::kNotConnected));
+  }));
 }
 
 TEST_F(FullMailbox, DoesNotHoldUpTheThreadThatWouldMakeTheRoom) {
-  const BlockWhenFull patient;
   inbox.BindToThisThread();
 
-  EXPECT_EQ(mailbox.Claim(), nullptr);
-
-  EXPECT_LT(SteadyClock().Now(), BlockWhenFull::deadline()) << "it has waited";
+  EXPECT_TRUE(EndsBeforeItsDeadline([this] { EXPECT_EQ(mailbox.Claim(), nullptr); }));
 }
 
 TEST(BlockWhenFull, EndWithTheirScope) {

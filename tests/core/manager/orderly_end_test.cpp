@@ -57,7 +57,7 @@ TEST_F(OrderlyEndTest, OfAManagerExecutesWhatAClientSendsLast) {
 
   manager.reset();
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, IsThatOfTheConnectionsWhateverWasAddedFirst) {
@@ -68,8 +68,8 @@ TEST_F(OrderlyEndTest, IsThatOfTheConnectionsWhateverWasAddedFirst) {
 
   manager.reset();
 
-  EXPECT_THAT(story.lines(), ElementsAre("server ends", "first is stopped", "first ends",
-                                         "client is stopped", "client ends, not connected"));
+  EXPECT_THAT(story.values(), ElementsAre("server ends", "first is stopped", "first ends",
+                                          "client is stopped", "client ends, not connected"));
 }
 
 TEST_F(OrderlyEndTest, GetsTheLastCommandThroughAFullQueue) {
@@ -78,7 +78,7 @@ TEST_F(OrderlyEndTest, GetsTheLastCommandThroughAFullQueue) {
 
   manager.reset();
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, WaitsForABusyServer) {
@@ -87,7 +87,7 @@ TEST_F(OrderlyEndTest, WaitsForABusyServer) {
 
   manager.reset();
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, StopsAllInOrder) {
@@ -96,7 +96,7 @@ TEST_F(OrderlyEndTest, StopsAllInOrder) {
 
   EXPECT_TRUE(manager->StopAll());
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, OfOneLetsItsServerExecuteWhatItSendsLast) {
@@ -106,7 +106,7 @@ TEST_F(OrderlyEndTest, OfOneLetsItsServerExecuteWhatItSendsLast) {
   ASSERT_TRUE(manager->Stop("client"));
   ASSERT_TRUE(manager->Stop("server"));
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, ByARemovalStopsBeforeItDisconnects) {
@@ -115,7 +115,7 @@ TEST_F(OrderlyEndTest, ByARemovalStopsBeforeItDisconnects) {
 
   ASSERT_TRUE(manager->Remove("client"));
 
-  EXPECT_THAT(story.lines(), ElementsAre("client ends", "server is stopped"));
+  EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
 TEST_F(OrderlyEndTest, OfAServerThatIsRemovedLeavesItsClientRunning) {
@@ -126,7 +126,7 @@ TEST_F(OrderlyEndTest, OfAServerThatIsRemovedLeavesItsClientRunning) {
 
   EXPECT_EQ(client.state(), ComponentState::kActive);
   manager.reset();
-  EXPECT_THAT(story.lines(),
+  EXPECT_THAT(story.values(),
               ElementsAre("server ends, not connected", "client ends, not connected"));
 }
 
@@ -142,8 +142,8 @@ TEST_F(OrderlyEndTest, BreaksCirclesAtTheSamePlaceEachTime) {
       ASSERT_TRUE(circle.StartAll());
     }
 
-    EXPECT_THAT(told.lines(), ElementsAre("a ends", "b is stopped", "b ends", "c is stopped",
-                                          "c ends, not active"));
+    EXPECT_THAT(told.values(), ElementsAre("a ends", "b is stopped", "b ends", "c is stopped",
+                                           "c ends, not active"));
   }
 }
 
@@ -161,7 +161,7 @@ TEST_F(OrderlyEndTest, EndsFollowersBeforeTheirLeader) {
 
   ASSERT_TRUE(manager->Stop("server"));
 
-  EXPECT_EQ(story.lines(), in_order);
+  EXPECT_EQ(story.values(), in_order);
 }
 
 TEST_F(OrderlyEndTest, EndsOneWhoseLeaderBelongsToAnotherManager) {
@@ -185,7 +185,7 @@ TEST_F(OrderlyEndTest, EndsAClientThatLeadsItsServerAlsoInOneThread) {
 
   EXPECT_TRUE(manager->StopAll());
 
-  EXPECT_THAT(story.lines(), ElementsAre("server ends, not connected", "client ends, not active"));
+  EXPECT_THAT(story.values(), ElementsAre("server ends, not connected", "client ends, not active"));
 }
 
 TEST_F(OrderlyEndTest, WaitsForNoServerThatRests) {
@@ -195,7 +195,7 @@ TEST_F(OrderlyEndTest, WaitsForNoServerThatRests) {
 
   manager.reset();
 
-  EXPECT_THAT(story.lines(), ElementsAre("client ends, not active", "server ends, not connected"));
+  EXPECT_THAT(story.values(), ElementsAre("client ends, not active", "server ends, not connected"));
 }
 
 TEST_F(OrderlyEndTest, OfOneThatIsBusyDoesNotHoldUpThoseThatItDoesNotCall) {

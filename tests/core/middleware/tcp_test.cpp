@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "conformance/recorder.h"
+#include "support/record.h"
 
 namespace tendon {
 namespace {
@@ -20,17 +21,14 @@ using testing::HasSubstr;
 
 /// What TCP has warned of since this was first asked.
 std::vector<std::string> Warnings() {
-  static std::mutex mutex;
-  static std::vector<std::string> lines;
+  static test::Record<std::string> lines;
   static const bool listening = [] {
     AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
-      const std::scoped_lock lock(mutex);
-      if (source == "tcp" && level == LogLevel::kWarning) lines.emplace_back(text);
+      if (source == "tcp" && level == LogLevel::kWarning) lines.Add(std::string(text));
     });
     return true;
   }();
-  const std::scoped_lock lock(mutex);
-  return listening ? lines : std::vector<std::string>();
+  return listening ? lines.values() : std::vector<std::string>();
 }
 
 /// A listener with one plain socket connected to it.

@@ -2,9 +2,9 @@
 #include <tendon/base/log.h>
 #include <tendon/process/schema_exchange.h>
 
-#include <mutex>
 #include <string>
-#include <vector>
+
+#include "support/record.h"
 
 namespace {
 
@@ -20,30 +20,23 @@ Schema Type(const std::string& name) {
   return parsed ? *parsed : Schema();
 }
 
-struct Warnings {
-  std::mutex mutex;
-  std::vector<std::string> texts;
-};
-
 /// What is said of types from now on.
-Warnings& Listen() {
-  static Warnings warnings;
+tendon::test::Record<std::string>& Listen() {
+  static tendon::test::Record<std::string> warnings;
   static const bool is_added = [] {
     tendon::AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
       if (level != LogLevel::kWarning || source != "types") return;
-      const std::scoped_lock lock(warnings.mutex);
-      warnings.texts.emplace_back(text);
+      warnings.Add(std::string(text));
     });
     return true;
   }();
   EXPECT_TRUE(is_added);
-  const std::scoped_lock lock(warnings.mutex);
-  warnings.texts.clear();
+  (void)warnings.Take();
   return warnings;
 }
 
 TEST(SchemaCache, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
-  Warnings& warnings = Listen();
+  const auto& warnings = Listen();
   SchemaCache learned({.types = 2, .text = 10'000});
   EXPECT_TRUE(learned.Learn(Type("number.One")));
   EXPECT_TRUE(learned.Learn(Type("number.One")));
@@ -57,7 +50,7 @@ TEST(SchemaCache, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
   EXPECT_TRUE(FindSchema(Type("number.Two").fingerprint()));
   EXPECT_FALSE(FindSchema(Type("number.Three").fingerprint()));
   EXPECT_FALSE(FindSchema(Type("number.Four").fingerprint()));
-  EXPECT_THAT(warnings.texts, testing::ElementsAre(testing::HasSubstr("2, of ")));
+  EXPECT_THAT(warnings.values(), testing::ElementsAre(testing::HasSubstr("2, of ")));
 }
 
 TEST(SchemaCache, HaveNoLongerTextsThanAllowed) {

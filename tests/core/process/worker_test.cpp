@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/record.h>
 #include <support/wait.h>
 #include <tendon/base/log.h>
 #include <tendon/middleware/connect_cancellation.h>
@@ -8,10 +9,8 @@
 #include <future>
 #include <latch>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace tendon {
@@ -64,17 +63,14 @@ TEST(Worker, ATaskMayPostTheNext) {
 
 /// The errors of robot since this was last asked.
 std::vector<std::string> ErrorsOfRobot() {
-  static std::mutex mutex;
-  static std::vector<std::string> errors;
+  static test::Record<std::string> errors;
   static const bool listening = [] {
     AddLogSink([](LogLevel level, std::string_view source, std::string_view text) {
-      const std::scoped_lock lock(mutex);
-      if (level == LogLevel::kError && source == "robot") errors.emplace_back(text);
+      if (level == LogLevel::kError && source == "robot") errors.Add(std::string(text));
     });
     return true;
   }();
-  const std::scoped_lock lock(mutex);
-  return listening ? std::exchange(errors, {}) : std::vector<std::string>();
+  return listening ? errors.Take() : std::vector<std::string>();
 }
 
 TEST(Worker, ATaskThatThrowsIsLoggedByItsOwnersNameAndTheOthersRun) {

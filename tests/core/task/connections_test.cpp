@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <functional>
-#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -16,6 +15,7 @@
 
 #include "core/task/scripted.h"
 #include "support/allocation_guard.h"
+#include "support/record.h"
 #include "support/wait.h"
 
 // What a component hears of its peers and clients, and when.
@@ -39,10 +39,7 @@ class Server final : public PeriodicTask {
     number_ = number;
   }
 
-  std::vector<std::string> gone() const {
-    const std::scoped_lock lock(mutex_);
-    return gone_;
-  }
+  std::vector<std::string> gone() const { return gone_.values(); }
 
   VoidEvent rang;
   std::atomic<int> pokes = 0;
@@ -56,14 +53,12 @@ class Server final : public PeriodicTask {
   }
   void Poke() { ++pokes; }
   void OnClientGone(ProvidedInterface& interface, const std::string& client) override {
-    const std::scoped_lock lock(mutex_);
-    gone_.push_back(client + " of " + interface.name());
     pokes_when_gone = pokes.load();
+    gone_.Add(client + " of " + interface.name());
   }
 
   std::int32_t number_ = 0;
-  mutable std::mutex mutex_;
-  std::vector<std::string> gone_;
+  test::Record<std::string> gone_;
 };
 
 /// Writes down what happens to it in the order in which it does.
@@ -79,14 +74,8 @@ class Witness : public tendon_test::WithRun<Base> {
     server_.AddEventHandlerVoid(&Witness::OnRang, this, "Rang");
   }
 
-  std::vector<std::string> story() const {
-    const std::scoped_lock lock(mutex_);
-    return story_;
-  }
-  void Note(const std::string& what) {
-    const std::scoped_lock lock(mutex_);
-    story_.push_back(what);
-  }
+  std::vector<std::string> story() const { return story_.values(); }
+  void Note(const std::string& what) { story_.Add(what); }
   [[nodiscard]] RequiredInterface& server() { return server_; }
 
   ReadFunction<std::int32_t> get_number;
@@ -124,8 +113,7 @@ class Witness : public tendon_test::WithRun<Base> {
   void OnRang() { ++rangs; }
 
   RequiredInterface& server_;
-  mutable std::mutex mutex_;
-  std::vector<std::string> story_;
+  test::Record<std::string> story_;
 };
 
 using PeriodicWitness = Witness<PeriodicTask>;

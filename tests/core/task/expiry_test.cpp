@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tendon/base/clock.h>
 #include <tendon/base/error.h>
 #include <tendon/interface/function.h>
 #include <tendon/manager/local_manager.h>
@@ -34,6 +35,9 @@ class Motor final : public Base {
         .SetOverflow(Overflow::kLatestOnly)
         .ExpiresAfter(after, &Motor::Brake, this);
   }
+
+  using Base::EndExpired;
+  using Base::next_expiry;
 
   std::atomic<double> speed = 0.0;
   std::atomic<int> brakings = 0;
@@ -106,18 +110,23 @@ TEST_F(Expiring, ItEndsOnceAndNotInEachCycle) {
 TEST_F(Expiring, WhatIsRenewedGoesOn) {
   auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
+  const SteadyTime first = motor.next_expiry();
 
-  for (int i = 0; i < 20; ++i) motor.Cycle();
+  ASSERT_TRUE(hand.turn(2.0));
+  motor.Cycle();
 
+  motor.EndExpired(first);
   EXPECT_EQ(motor.speed, 2.0);
+  motor.EndExpired(motor.next_expiry());
+  EXPECT_EQ(motor.speed, 0.0);
 }
 
 TEST_F(Expiring, ARenewalThatWaitsCountsAlthoughTheTimeIsOver) {
-  auto& motor = AddMotor(10ms);
+  auto& motor = AddMotor(1s);  // longer than a cycle on a busy machine
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
-  const auto begin = std::chrono::steady_clock::now();
-  ASSERT_TRUE(EventuallyTrue([&] { return std::chrono::steady_clock::now() - begin > 20ms; }));
+  ASSERT_TRUE(EventuallyTrue([&] { return SteadyClock().Now() > motor.next_expiry(); }));
 
   ASSERT_TRUE(hand.turn(3.0));
   motor.Cycle();
@@ -127,13 +136,19 @@ TEST_F(Expiring, ARenewalThatWaitsCountsAlthoughTheTimeIsOver) {
 }
 
 TEST_F(Expiring, ACommandThatKeepsTheLatestOnlyIsRenewedToo) {
-  auto& motor = AddMotor(5ms);
-
+  auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn_latest(2.0));
   motor.Cycle();
-  EXPECT_EQ(motor.speed, 2.0);
+  const SteadyTime first = motor.next_expiry();
 
-  EXPECT_TRUE(EventuallyStops(motor));
+  ASSERT_TRUE(hand.turn_latest(3.0));
+  motor.Cycle();
+
+  motor.EndExpired(first);
+  EXPECT_EQ(motor.speed, 3.0);
+  motor.EndExpired(motor.next_expiry());
+  EXPECT_EQ(motor.speed, 0.0);
+  EXPECT_EQ(motor.brakings, 1);
 }
 
 TEST_F(Expiring, AClientThatIsGoneEndsWhatItHasSetGoingAtOnce) {

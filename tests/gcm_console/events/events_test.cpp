@@ -191,7 +191,7 @@ TEST_F(EventsTest, EndsWithASummaryWhenItIsInterrupted) {
 
 TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
   if (!ClosesSilentLinks()) GTEST_SKIP() << "this build is without Ice: a stop costs no link";
-  const Program events({Binary("gcm"), "--gcm", address, "--timeout", "1s", "events", "hall/**"});
+  Program events({Binary("gcm"), "--gcm", address, "--timeout", "1s", "events", "hall/**"});
   ASSERT_TRUE(EventuallyListens(events)) << events.err();
 
   events.Signal(SIGSTOP);
@@ -206,6 +206,8 @@ TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
     Call("Fall");
     return Says(events.out(), "Voice.Fell");
   })) << events.err();
+  events.Signal(SIGINT);
+  EXPECT_EQ(events.Wait(), program::kInterrupted);
 }
 
 TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
@@ -213,19 +215,21 @@ TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 
   gcm->Signal(SIGKILL);
-  gcm->Wait();
+  ASSERT_EQ(gcm->Wait(), 128 + SIGKILL);
   ASSERT_TRUE(EventuallyTrue([&] { return Says(events->err(), "gcm: no GCM at "); }));
   StartGcm();
 
   EXPECT_TRUE(EventuallyTrue([&] {
     return Says(events->err(), "gcm: the GCM at " + address + " is there again\n");
   })) << events->err();
+  events->Signal(SIGINT);
+  EXPECT_EQ(events->Wait(), program::kInterrupted);
 }
 
 TEST_F(EventsTest, ForEndsItToo) {
   const auto events = Listen({"hall/crier/Voice", "--for", "1ms"});
   EXPECT_EQ(events->Wait(), program::kOk) << events->err();
-  EXPECT_THAT(events->err(), HasSubstr(" events, 0 lost\n"));
+  EXPECT_THAT(events->err(), HasSubstr("gcm: 0 events, 0 lost\n"));
 }
 
 TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {

@@ -105,12 +105,13 @@ TEST(CurvePicture, StatesAreSteps) {
       if (cells[row][column] != 0) columns_between.insert(column);
     }
   }
-  EXPECT_LE(columns_between.size(), 2U) << "one for each change";
+  EXPECT_EQ(columns_between.size(), 2U) << "one for each change";
 }
 
 TEST(CurvePicture, FloatsAreLines) {
   const auto cells = CellsIn(PictureOf(CurveOf(kReal, std::vector{0.0, 1.0})));
 
+  ASSERT_EQ(cells.size(), 18U);
   for (const auto& row : cells) {
     EXPECT_TRUE(std::ranges::any_of(row, [](unsigned cell) { return cell != 0; }));
   }
@@ -135,12 +136,30 @@ TEST(CurvePicture, NoiseAtRestHasNoLabelsOfNoise) {
               ElementsAre("1.0", "0.5", "0.0", "-0.5", "-1.0"));
 }
 
+/// The letters before the dots, the same in each row.
+std::size_t MarginIn(const std::string& picture) {
+  std::istringstream lines(picture);
+  std::set<std::size_t> margins;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t margin = line.find('\xe2');
+    if (margin != line.npos) margins.insert(margin);
+  }
+  RC_ASSERT(margins.size() == 1U);
+  return *margins.begin();
+}
+
 /// What holds for every picture: it is as high and wide as it should be, and no label twice.
 void CheckPicture(const Curve& curve, int columns, int rows) {
+  constexpr std::size_t kFewestDots = 8;  // in a row, in letters
   const std::string picture = PictureOf(std::vector<Curve>{curve}, kShown, columns, rows);
   const auto cells = CellsIn(picture);
-  RC_ASSERT(cells.size() == static_cast<std::size_t>(std::max(rows - 2, kFewestCurveRows)));
-  for (const auto& row : cells) RC_ASSERT(row.size() == cells[0].size());
+  const auto curve_rows = static_cast<std::size_t>(std::max(rows - 2, kFewestCurveRows));
+  RC_ASSERT(cells.size() == curve_rows);
+  const auto lines = static_cast<std::size_t>(std::ranges::count(picture, '\n'));
+  RC_ASSERT(lines == curve_rows + 2);  // the title and the time
+  const std::size_t margin = MarginIn(picture);
+  const auto width = std::max(static_cast<std::size_t>(columns), margin + kFewestDots);
+  for (const auto& row : cells) RC_ASSERT(margin + row.size() == width);
   const auto labels = LabelsIn(picture);
   RC_ASSERT(std::set(labels.begin(), labels.end()).size() == labels.size());
 }

@@ -9,6 +9,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <functional>
+#include <stdexcept>
 
 #include "flow/flow_fixture.h"
 #include "support/pictures.h"
@@ -58,12 +60,19 @@ class EdgeNumbersFlow : public FlowFixture {
   }
   [[nodiscard]] PlotView& Plot(const QString& path) const {
     PlotPanel& panel = window_->plots();
-    int index = 0;
-    while (panel.plot(index).curve(path) == nullptr) ++index;
-    return panel.plot(index);
+    for (int index = 0; index < panel.plotCount(); ++index) {
+      if (panel.plot(index).curve(path) != nullptr) return panel.plot(index);
+    }
+    throw std::runtime_error("no plot shows " + path.toStdString());
   }
   [[nodiscard]] QString ValueOf(const QString& path) const {
-    return Plot(path).legendBox().rows().front()->entry().value;
+    const auto& rows = Plot(path).legendBox().rows();
+    return rows.empty() ? QString() : rows.front()->entry().value;
+  }
+  /// Waits until the legend shows such a value.
+  void ExpectValue(const QString& path, const std::function<bool(const QString&)>& is_right) {
+    EXPECT_TRUE(Eventually([&] { return is_right(ValueOf(path)); }))
+        << path.toStdString() << " is " << ValueOf(path).toStdString();
   }
 };
 
@@ -75,20 +84,33 @@ TEST_F(EdgeNumbersFlow, AWindowWithALayoutOfThemOpensAndTellsThemAsTheyAre) {
   ASSERT_TRUE(Eventually([this] { return window_->plots().plotCount() == 8; }));
 
   const auto have_come = [this] {
-    const Curve* slow = Plot(kStates + ".mode").curve(kStates + ".mode");
-    return slow->samples().endIndex() > 10;
+    const PlotPanel& panel = window_->plots();
+    for (int i = 0; i < panel.plotCount(); ++i) {
+      const auto& curves = panel.plot(i).curves().curves();
+      if (curves.empty() || curves.front()->samples().endIndex() <= 10) return false;
+    }
+    return true;
   };
   ASSERT_TRUE(Eventually(have_come)) << edges->err();
 
-  const PlotView& modes = Plot(kStates + ".mode");
-  EXPECT_EQ(modes.axisScaleDraw(QwtAxis::YLeft)->label(7).text(), "automatic");
-  EXPECT_TRUE((QStringList{"off", "manual", "automatic"}).contains(ValueOf(kStates + ".mode")));
-  EXPECT_TRUE((QStringList{"false", "true"}).contains(ValueOf(kStates + ".is_ready")));
-  EXPECT_EQ(ValueOf(kNumbers + ".stamp").size(), 19) << "with all its digits";
-  EXPECT_TRUE(ValueOf(kNumbers + ".counter").startsWith("90000"));
+  const auto label = [this] {
+    return Plot(kStates + ".mode").axisScaleDraw(QwtAxis::YLeft)->label(7).text();
+  };
+  EXPECT_TRUE(Eventually([&] { return label() == "automatic"; })) << label().toStdString();
+  ExpectValue(kStates + ".mode", [](const QString& value) {
+    return QStringList{"off", "manual", "automatic"}.contains(value);
+  });
+  ExpectValue(kStates + ".is_ready", [](const QString& value) {
+    return QStringList{"false", "true"}.contains(value);
+  });
+  // With all its digits.
+  ExpectValue(kNumbers + ".stamp", [](const QString& value) { return value.size() == 19; });
+  ExpectValue(kNumbers + ".counter",
+              [](const QString& value) { return value.startsWith("90000"); });
   for (int i = 0; i < window_->plots().plotCount(); ++i) {
-    const UnitAxis& axis = window_->plots().plot(i).curves().axes().front();
-    EXPECT_TRUE(IsShowable(axis.range)) << i;
+    const auto& axes = window_->plots().plot(i).curves().axes();
+    ASSERT_FALSE(axes.empty()) << i;
+    EXPECT_TRUE(IsShowable(axes.front().range)) << i;
   }
   KeepPictures(*window_, "flow-edge-numbers");
 }

@@ -2,6 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/theme.h>
 #include <gtest/gtest.h>
+#include <tests/support/locales.h>
 
 #include <QAbstractButton>
 #include <QLabel>
@@ -36,7 +37,11 @@ TEST_F(LanguageTest, IsThatOfTheDesktop) {
 }
 
 TEST_F(LanguageTest, NumbersAreTheSameInAll) {
+  test::Locales locales;
+  ASSERT_TRUE(locales.Use("de_DE")) << "localedef did not make de_DE";
+  ASSERT_STREQ(std::localeconv()->decimal_point, ",");
   QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
+  ASSERT_EQ(QLocale().toString(1234.5, 'f', 1), "1.234,5");
 
   SpeakAs(QLocale(QStringLiteral("de_DE")));
 

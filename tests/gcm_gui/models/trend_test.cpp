@@ -48,6 +48,7 @@ TEST(Trend, OfACounterBeyondDoublesGrowsWithEachRow) {
 TEST(Trend, OfNoiseAtRestIsFlat) {
   const Trend trend = TrendOf<double>(Schema::Kind::kFloat64, {5e-14, -5e-14, 3e-14});
 
+  EXPECT_EQ(trend.parts.size(), 3);
   for (const double part : trend.parts) EXPECT_NEAR(part, 0.5, 1e-9);
 }
 
@@ -57,6 +58,7 @@ TEST(Trend, WhatIsNoNumberOrNotThereIsAGap) {
       ChannelValue(1.0)};
   const Trend trend = gui::TrendOf(Schema(Schema::Kind::kFloat64), values);
 
+  ASSERT_EQ(trend.parts.size(), 4);
   EXPECT_EQ(trend.parts[0], 0);
   EXPECT_TRUE(std::isnan(trend.parts[1]));
   EXPECT_TRUE(std::isnan(trend.parts[2]));
@@ -100,6 +102,8 @@ TEST(ValueTextProperty, NeverSaysAnotherNumber) {
 }
 
 TEST(Trend, AndPlotsAndTheConsoleAgreeOnWhatIsAtRest) {
+  int resting = 0;
+  int moving = 0;
   for (const double size : {1e-13, 9e-13, 2e-12, 1.0, 1e9, 1e200}) {
     for (int step = 0; step < 40; ++step) {
       const double high = size * (1 + step * 1e-14);
@@ -107,8 +111,11 @@ TEST(Trend, AndPlotsAndTheConsoleAgreeOnWhatIsAtRest) {
       const bool is_at_rest = span.low != size || span.high != high;
       EXPECT_EQ(IsFlat({.low = size, .high = high}, 0, NumberKind::kReal), is_at_rest)
           << size << " " << step;
+      ++(is_at_rest ? resting : moving);
     }
   }
+  EXPECT_GT(resting, 0);
+  EXPECT_GT(moving, 0);
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "samples.h"
@@ -284,7 +285,9 @@ TEST(AnyNumber, IsReadBackFromCsvWhereItIsAReal) {
     const QByteArray cell = text.data().trimmed().split('\n')[1].split(',')[2];
 
     double read = 0;
-    std::from_chars(cell.data(), cell.data() + cell.size(), read);
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), read);
+    RC_ASSERT(error == std::errc());
+    RC_ASSERT(end == cell.data() + cell.size());
     RC_ASSERT(std::bit_cast<std::uint64_t>(read) == std::bit_cast<std::uint64_t>(value));
   });
 }

@@ -52,7 +52,7 @@ TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
     ASSERT_TRUE(EventuallyIs("robot", ProcessState::kLost));
     EXPECT_THAT(Gcm({"doctor"}).out, AllOf(HasSubstr("kill -CONT " + std::to_string(robot_->pid())),
                                            Not(HasSubstr("gcm forget"))));
-    EXPECT_THAT(Gcm({"status"}).out, Not(HasSubstr("gcm forget")));
+    EXPECT_THAT(Gcm({"status"}).err, AllOf(HasSubstr("gcm doctor"), Not(HasSubstr("gcm forget"))));
     EXPECT_TRUE(Eventually([&] { return !IsConnectionActive(); }))
         << "it cannot stand without its process";
     std::this_thread::sleep_for(std::chrono::seconds(Size(0, 60)));

@@ -5,12 +5,12 @@
 
 #include <atomic>
 #include <map>
-#include <mutex>
 #include <thread>
 #include <vector>
 
 #include "core/process/calls/cutting_middleware.h"
 #include "support/network_test.h"
+#include "support/record.h"
 
 namespace {
 
@@ -33,28 +33,18 @@ class Bank final : public tendon::PeriodicTask {
 
   void Run() override { ProcessQueuedCommands(); }
 
-  [[nodiscard]] std::vector<int> log() const {
-    const std::scoped_lock lock(mutex_);
-    return log_;
-  }
-  [[nodiscard]] std::size_t executed() const {
-    const std::scoped_lock lock(mutex_);
-    return log_.size();
-  }
+  [[nodiscard]] std::vector<int> log() const { return log_.values(); }
+  [[nodiscard]] std::size_t executed() const { return log_.size(); }
 
  private:
-  void Note(int number) {
-    const std::scoped_lock lock(mutex_);
-    log_.push_back(number);
-  }
+  void Note(int number) { log_.Add(number); }
   void Pay(int number) { Note(number); }
   void Double(const int& number, int& twice) {
     Note(number);
     twice = 2 * number;
   }
 
-  mutable std::mutex mutex_;
-  std::vector<int> log_;
+  tendon::test::Record<int> log_;
 };
 
 /// Has no thread: tests call its functions from any.

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
 #include "support/log/log_record.h"
 #include "support/network_test.h"
+#include "support/record.h"
 
 namespace {
 
@@ -48,10 +48,7 @@ class Arm final : public tendon::PeriodicTask {
 
   void Run() override { ProcessQueuedCommands(); }
 
-  [[nodiscard]] std::vector<std::string> log() const {
-    const std::scoped_lock lock(mutex_);
-    return log_;
-  }
+  [[nodiscard]] std::vector<std::string> log() const { return log_.values(); }
 
   tendon::WriteEvent<Cloud> stored;
 
@@ -66,13 +63,9 @@ class Arm final : public tendon::PeriodicTask {
     grown = cloud;
     grown.push_back(8);
   }
-  void Log(std::string line) {
-    const std::scoped_lock lock(mutex_);
-    log_.push_back(std::move(line));
-  }
+  void Log(std::string line) { log_.Add(std::move(line)); }
 
-  mutable std::mutex mutex_;
-  std::vector<std::string> log_;
+  tendon::test::Record<std::string> log_;
 };
 
 /// Has no thread: the test calls its functions, and executes the events that have arrived.

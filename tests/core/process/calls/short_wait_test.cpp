@@ -3,12 +3,12 @@
 
 #include <atomic>
 #include <future>
-#include <mutex>
 #include <numeric>
 #include <thread>
 #include <vector>
 
 #include "support/network_test.h"
+#include "support/record.h"
 
 namespace {
 
@@ -32,28 +32,21 @@ class Gong final : public tendon::SignalTask {
 
   void Run() override { ProcessQueuedCommands(); }
 
-  [[nodiscard]] std::vector<int> strikes() const {
-    const std::scoped_lock lock(mutex_);
-    return strikes_;
-  }
+  [[nodiscard]] std::vector<int> strikes() const { return strikes_.values(); }
 
   std::atomic<bool> stuck{false};
   std::atomic<int> sticks{0};
 
  private:
-  void Strike(int number) {
-    const std::scoped_lock lock(mutex_);
-    strikes_.push_back(number);
-  }
+  void Strike(int number) { strikes_.Add(number); }
   void Echo(const std::vector<double>& in, std::vector<double>& out) { out = in; }
   void Stick() {
     ++sticks;
     while (stuck) std::this_thread::yield();
   }
-  void Count(int& out) const { out = static_cast<int>(strikes().size()); }
+  void Count(int& out) const { out = static_cast<int>(strikes_.size()); }
 
-  mutable std::mutex mutex_;
-  std::vector<int> strikes_;
+  tendon::test::Record<int> strikes_;
 };
 
 /// Has no thread: tests call its functions from any.

@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(Over, ProcessEnd, testing::ValuesIn(NetworkKinds()), Na
 TEST_P(ProcessEnd, ExecutesAtTheServerWhatAClientSendsLast) {
   desk.reset();
 
-  EXPECT_THAT(story.lines(), ElementsAre("client ends", "server is stopped"));
+  EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
 TEST_P(ProcessEnd, ExecutesItBehindAFullQueueTimeAndAgain) {
@@ -77,7 +77,7 @@ TEST_P(ProcessEnd, ExecutesItBehindAFullQueueTimeAndAgain) {
   for (int round = 0; round < 5; ++round) {
     lines.insert(lines.end(), {"client ends", "server is stopped"});
   }
-  EXPECT_EQ(story.lines(), lines);
+  EXPECT_EQ(story.values(), lines);
 }
 
 TEST_P(ProcessEnd, WaitsForABusyServer) {
@@ -86,7 +86,7 @@ TEST_P(ProcessEnd, WaitsForABusyServer) {
 
   desk.reset();
 
-  EXPECT_THAT(story.lines(), ElementsAre("client ends", "server is stopped"));
+  EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
 TEST_P(ProcessEnd, OfOneComponentLetsItsServerExecuteWhatItSendsLast) {
@@ -96,7 +96,7 @@ TEST_P(ProcessEnd, OfOneComponentLetsItsServerExecuteWhatItSendsLast) {
   ASSERT_TRUE(desk->Stop("client"));
   ASSERT_TRUE(robot->Stop("server"));
 
-  EXPECT_THAT(story.lines(),
+  EXPECT_THAT(story.values(),
               ElementsAre("client ends", "server is stopped", "server ends, not connected"));
 }
 
@@ -106,7 +106,7 @@ TEST_P(ProcessEnd, ByARemovalStopsBeforeItDisconnects) {
 
   ASSERT_TRUE(desk->Remove("client"));
 
-  EXPECT_THAT(story.lines(), ElementsAre("client ends", "server is stopped"));
+  EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
 TEST_P(ProcessEnd, OfTheServersProcessLeavesTheClientRunning) {
@@ -115,7 +115,7 @@ TEST_P(ProcessEnd, OfTheServersProcessLeavesTheClientRunning) {
   EXPECT_EQ(client->state(), ComponentState::kActive);
   EXPECT_TRUE(EventuallyPending(*desk));
   desk.reset();
-  EXPECT_THAT(story.lines(),
+  EXPECT_THAT(story.values(),
               ElementsAre("server ends, not connected", "client ends, not connected"));
 }
 
@@ -135,7 +135,7 @@ TEST_P(ProcessEnd, SaysWhenTheLastCommandWasNotExecuted) {
   desk.reset();
 
   EXPECT_THAT(log.texts(), Contains(HasSubstr("not all that it has sent last was executed")));
-  EXPECT_THAT(story.lines(), Not(Contains("server is stopped")));
+  EXPECT_THAT(story.values(), Not(Contains("server is stopped")));
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <mutex>
 
 #include "core/process/life/life_fixture.h"
 #include "support/plant.h"
+#include "support/record.h"
 
 namespace {
 
@@ -213,22 +213,17 @@ class Departures final : public tendon::GcmListener {
  public:
   void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {}
   void OnChanges(const std::vector<tendon::CatalogueChange>& changes) override {
-    const std::scoped_lock lock(mutex_);
     for (const auto& change : changes) {
       if (change.kind == tendon::CatalogueChange::Kind::kComponentRemoved) {
-        gone_.push_back(change.component);
+        gone_.Add(change.component);
       }
     }
   }
   void OnGcmLost(const tendon::Error& /*reason*/) override {}
-  [[nodiscard]] std::vector<std::string> gone() const {
-    const std::scoped_lock lock(mutex_);
-    return gone_;
-  }
+  [[nodiscard]] std::vector<std::string> gone() const { return gone_.values(); }
 
  private:
-  mutable std::mutex mutex_;
-  std::vector<std::string> gone_;
+  tendon::test::Record<std::string> gone_;
 };
 
 TEST_P(Life, NobodyWhoWatchesMissesAComponentThatIsConfiguredAnew) {
