@@ -28,10 +28,12 @@ bool IsWritten(std::ostream& out) {
 int Finish(const tendon::Result<program::ExitCode>& result, const Streams& streams) {
   const bool is_written = IsWritten(streams.out);
   const bool is_left = errno == EPIPE;  // the reader closed the pipe, like `head` after ten lines
+  const bool is_interrupted = errno == EINTR;  // by a signal, while the reader was slow
   if (!result) {
     streams.err << "gcm: " << tendon::Printable(result.error().message) << '\n';
     return program::ExitCodeOf(result.error().code);
   }
+  if (!is_written && is_interrupted) return program::kInterrupted;
   if (!is_written && *result != program::kInterrupted) {
     if (!is_left)
       streams.err << "gcm: cannot write the output: the disk is full, or it is closed\n";

@@ -69,6 +69,10 @@ tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmLi
   return client_.get();
 }
 
+void Context::PrintGcmReturn() {
+  err() << "gcm: the GCM at " << Plain(settings_.gcm) << " is there again\n";
+}
+
 void Context::PrintJson(const nlohmann::ordered_json& content) const {
   nlohmann::ordered_json document = {{"schema", 1}};
   document.update(content);

@@ -68,6 +68,9 @@ class Context {
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);
 
+  /// Prints that the GCM was lost and is back.
+  void PrintGcmReturn();
+
   void Print(const Table& table) const { table.Print(out(), layout()); }
   /// Prints one JSON document, with "schema": 1 as its first key.
   void PrintJson(const nlohmann::ordered_json& content) const;

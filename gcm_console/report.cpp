@@ -124,4 +124,8 @@ std::string Coloured(const std::string& text, bool is_coloured) {
 
 std::string Plain(const std::string& text) { return tendon::Printable(text, std::string::npos); }
 
+void PrintSentences(const std::vector<std::string>& sentences, std::ostream& err) {
+  for (const std::string& sentence : sentences) err << "gcm: " << Plain(sentence) << '\n';
+}
+
 }  // namespace console

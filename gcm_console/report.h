@@ -37,4 +37,7 @@ std::string Coloured(const std::string& text, bool is_coloured);
 /// terminal.
 std::string Plain(const std::string& text);
 
+/// Prints each sentence in a line of its own, as a message of this program.
+void PrintSentences(const std::vector<std::string>& sentences, std::ostream& err);
+
 }  // namespace console

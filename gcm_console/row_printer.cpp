@@ -9,7 +9,7 @@ namespace console {
 namespace {
 
 tendon::QueueBound BoundFor(tendon::RowDelivery delivery) {
-  auto bound = RowPrinter::kMostWaiting;
+  auto bound = kMostWaiting;
   if (delivery == tendon::RowDelivery::kNewest) bound.elements = 1;
   return bound;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_console/inbox_queue.h>
 #include <tendon/base/dropping_queue.h>
 #include <tendon/base/path.h>
 #include <tendon/payload/plot_channel.h>
@@ -41,11 +42,6 @@ struct PrintedRow {
 /// dropped and counted as lost here.
 class RowPrinter final : public tendon::RowSink {
  public:
-  /// The limit for one Take(), which a single larger row may exceed.
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes
-  static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
-                                                      .bytes = std::size_t{32} << 20U};
-
   /// `column` is the index of the path's column in the subscription.
   struct Wanted {
     tendon::Path path;

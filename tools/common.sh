@@ -92,16 +92,21 @@ each_minute() {
   done
 }
 
+# locked PRESET COMMAND...: runs it while nobody else configures or builds the preset in this tree. Makes its folder.
+locked() {
+  mkdir -p "$TENDON_ROOT/build/$1"
+  {
+    flock --nonblock 9 || { say "Waiting for another build of $1." && flock 9; }
+    "${@:2}"  # sees no local variables of this function
+  } 9<"$TENDON_ROOT/build/$1"
+}
+
 # build_preset PRESET [TARGET...]: configures and builds it. Says no more than how far it is, unless something is wrong
 # or a person watches. One at a time in one tree.
 build_preset() {
   must_be_preset "$1"
   cd "$TENDON_ROOT" || return
-  mkdir -p "build/$1"
-  {
-    flock --nonblock 9 || { say "Waiting for another build of $1." && flock 9; }
-    configure_and_build "$@"
-  } 9<"build/$1"
+  locked "$1" configure_and_build "$@"
 }
 
 configure_and_build() {
@@ -136,9 +141,9 @@ configure() {
 changed_files() {
   # Git writes nothing, not even what it has found out about the files, for another git may run at the same time.
   local git=(env GIT_OPTIONAL_LOCKS=0 git -C "$TENDON_ROOT") base
-  base=$(branch_point)
-  "${git[@]}" diff -z --name-only --relative --diff-filter=d "$base" -- "$@"
-  "${git[@]}" ls-files -z --others --exclude-standard -- "$@"
+  base=$(branch_point) &&
+    "${git[@]}" diff -z --name-only --relative --diff-filter=d "$base" -- "$@" &&
+    "${git[@]}" ls-files -z --others --exclude-standard -- "$@"
 }
 
 # The commit at which this branch left main. On main, and where no main is known: the last commit that was pushed, or

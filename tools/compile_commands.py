@@ -2,7 +2,7 @@
 """compile_commands.py ROOT BUILD FOLDER FILE...: the commands that compile these files, each alone.
 
 FOLDER gets compile_commands.json, for clang-tidy; sources, which are to be read; and line_filter, which leaves out what
-is found in any other file. FILE is a path from ROOT. Exit code 1 where nothing in BUILD compiles one of them.
+is found in any other file. FILE is a path from ROOT. Exit code 3 where nothing in BUILD compiles one of them.
 """
 
 import json
@@ -11,13 +11,15 @@ import shlex
 import sys
 from pathlib import Path
 
+UNKNOWN = 3  # exit code
 JOINED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 
 
 def commands_of(build):
     """The command of each source, by its path; those that CMake joins have the command of all that are with them."""
     commands = {}
-    for command in json.loads((build / "compile_commands.json").read_text()):
+    database = build / "compile_commands.json"
+    for command in json.loads(database.read_text()) if database.exists() else []:
         file = command["file"]
         commands.setdefault(file, command)
         if "/Unity/" in file and Path(file).exists():
@@ -49,9 +51,12 @@ def main():
         sys.exit("Only .h and .cpp files are read by clang-tidy, not: " + ", ".join(other))
     commands = commands_of(Path(root, build))
     sources = {path: source_of(path, commands) for path in paths}
-    unknown = [name for name, path in zip(names, paths) if path.suffix == ".cpp" and sources[path] not in commands]
+    unknown = [name for name, path in zip(names, paths)
+               if not commands or (sources[path] not in commands and path.with_suffix(".cpp").exists())]
     if unknown:
-        sys.exit("Nothing in preset dev compiles these; add them to a CMakeLists.txt: " + ", ".join(unknown))
+        print("Nothing in preset dev compiles these; add them to a CMakeLists.txt: " + ", ".join(unknown),
+              file=sys.stderr)
+        sys.exit(UNKNOWN)
     if unread := [name for name, path in zip(names, paths) if not sources[path]]:
         print("Not read, for no source has their names: " + ", ".join(unread))
 

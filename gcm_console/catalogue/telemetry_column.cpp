@@ -131,7 +131,7 @@ class NewestRow final : public tendon::RowSink {
   std::size_t OnRows(const tendon::RowBatch& batch) override {
     if (batch.count == 0) return 0;
     const std::scoped_lock lock(mutex_);
-    written_ = batch.times[batch.count - 1] - batch.clock_offset.count();
+    written_ = NewestTimeOf(batch);
     came_.notify_all();
     return 0;
   }
@@ -140,17 +140,25 @@ class NewestRow final : public tendon::RowSink {
   std::optional<std::chrono::nanoseconds> WaitForAge(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
     if (!came_.wait_for(lock, patience, [this] { return written_.has_value(); })) return {};
-    const std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*written_));
+    return AgeOf(*written_);
   }
 
  private:
   std::mutex mutex_;
   std::condition_variable came_;
-  std::optional<std::int64_t> written_;
+  std::optional<std::chrono::nanoseconds> written_;
 };
 
 }  // namespace
+
+std::chrono::nanoseconds NewestTimeOf(const tendon::RowBatch& batch) {
+  return std::chrono::nanoseconds(batch.times[batch.count - 1]) - batch.clock_offset;
+}
+
+std::chrono::nanoseconds AgeOf(std::chrono::nanoseconds written) {
+  const std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::max(std::chrono::nanoseconds(0), now - written);
+}
 
 bool IsTable(const std::string& interface) {
   return interface == "state" || interface.starts_with("state-");

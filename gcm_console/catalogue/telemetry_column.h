@@ -38,6 +38,13 @@ tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
                                                      const std::string& path);
 
+/// The time on this machine's steady clock at which the newest row of the batch was written. The
+/// batch must have rows.
+[[nodiscard]] std::chrono::nanoseconds NewestTimeOf(const tendon::RowBatch& batch);
+
+/// The time since a row was written; never negative, though clock offsets are estimates.
+[[nodiscard]] std::chrono::nanoseconds AgeOf(std::chrono::nanoseconds written);
+
 /// Says that the values of a component are old, and how old if known.
 struct StaleValues {
   std::string component;  ///< "robot/arm"

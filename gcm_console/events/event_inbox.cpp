@@ -6,6 +6,11 @@
 
 namespace console {
 
+LostEvents& LostEvents::operator+=(const LostEvents& other) {
+  for (const auto& [path, lost] : other.by_path) by_path[path] += lost;
+  return *this;
+}
+
 class EventInbox::Sink final : public tendon::EventSink {
  public:
   Sink(std::shared_ptr<EventInbox> inbox, tendon::EventSubscription subscription)
@@ -29,13 +34,13 @@ class EventInbox::Sink final : public tendon::EventSink {
                           .path = PathOf(event),
                           .description = events_.at(event),
                           .value = {value.begin(), value.end()}},
-                         sizeof(ReceivedEvent) + value.size(), [&](const ReceivedEvent& oldest) {
-                           ++inbox_->content_.lost[oldest.path];
+                         sizeof(Events::Entry) + value.size(), [](const ReceivedEvent& oldest) {
+                           return LostEvents{{{oldest.path, 1}}};
                          });
   }
   void OnEventsLost(std::size_t event, std::uint64_t lost) override {
     const std::scoped_lock lock(inbox_->mutex_);
-    inbox_->content_.lost[PathOf(event)] += lost;
+    inbox_->events_.AddLost({{{PathOf(event), lost}}});
   }
   void OnStale(const tendon::Error& reason) override {
     const std::scoped_lock lock(inbox_->mutex_);
@@ -60,7 +65,8 @@ std::shared_ptr<tendon::EventSink> EventInbox::SinkOf(
 EventInbox::Content EventInbox::Take() {
   const std::scoped_lock lock(mutex_);
   Content content = std::exchange(content_, {});
-  content.events = events_.Take(kMostTaken);
+  content.events = events_.Take();
+  content.lost = events_.TakeLost();
   content.has_more = !events_.is_empty();
   return content;
 }

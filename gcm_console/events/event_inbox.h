@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/base/dropping_queue.h>
+#include <gcm_console/inbox_queue.h>
 #include <tendon/gcm/client.h>
 
 #include <cstddef>
@@ -24,25 +24,29 @@ struct ReceivedEvent {
   std::vector<std::byte> value;  ///< the CDR body of the event's type
 };
 
+/// The number of lost events by path.
+struct LostEvents {
+  std::map<std::string, std::uint64_t> by_path;
+
+  LostEvents& operator+=(const LostEvents& other);
+};
+
 /// Keeps the events of all interfaces until the printing thread takes them. The queue is bounded in
 /// events and bytes; when it is full, the oldest events are dropped and counted as lost here.
 class EventInbox final : public tendon::GcmListener,
                          public std::enable_shared_from_this<EventInbox> {
  public:
-  static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
-                                                      .bytes = std::size_t{32} << 20U};
-  /// The limit for one Take(), which a single larger event may exceed.
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes
+  using Events = InboxQueue<ReceivedEvent, LostEvents>;
 
   struct Content {
     bool is_catalog_new = false;
     std::vector<tendon::EventSubscription> begun;         ///< since the last Take()
     std::vector<tendon::MemberDescription> descriptions;  ///< the events of `begun`
-    std::deque<ReceivedEvent> events;
-    std::map<std::string, std::uint64_t> lost;  ///< since the last Take(), by path
-    std::vector<tendon::Error> complaints;      ///< kUnreachable: about the GCM; else a process
-    bool is_gcm_back = false;                   ///< after a complaint about it
-    bool has_more = false;                      ///< more events are waiting
+    std::deque<Events::Entry> events;
+    LostEvents lost;                        ///< after the last of `events`
+    std::vector<tendon::Error> complaints;  ///< kUnreachable: about the GCM; else a process
+    bool is_gcm_back = false;               ///< after a complaint about it
+    bool has_more = false;                  ///< more events are waiting
   };
 
   /// The sink that passes the events of one interface to this inbox.
@@ -61,8 +65,8 @@ class EventInbox final : public tendon::GcmListener,
   void Complain(const tendon::Error& complaint);
 
   std::mutex mutex_;
-  Content content_;  // without the events
-  tendon::DroppingQueue<ReceivedEvent> events_{kMostWaiting};
+  Content content_;  // without the events and what is lost
+  Events events_;
   bool is_gcm_lost_ = false;
 };
 

@@ -35,10 +35,11 @@ struct EventsOptions {
   bool ends_with_link = false;
 };
 
-/// Prints events as they come; on a terminal with titles.
+/// Prints events as they come, at most `count` if it is not 0; on a terminal with titles.
 class EventWriter {
  public:
-  EventWriter(Context& context, tendon::GcmClient& client) : context_(context), client_(client) {
+  EventWriter(Context& context, tendon::GcmClient& client, std::uint64_t count)
+      : context_(context), client_(client), count_(count) {
     const bool has_titles = context.columns() > 0 && context.settings().titles;
     if (!has_titles || context.settings().json) return;
     context.out() << "TIME                   \tEVENT\tVALUE\n";  // as wide as a time
@@ -65,6 +66,34 @@ class EventWriter {
     }
   }
 
+  /// Prints the events, and the losses between them, until enough are printed. Returns false at a
+  /// signal: the rest is not printed, and its losses are not counted.
+  bool Write(const EventInbox::Content& content) {
+    for (const auto& [event, lost_before] : content.events) {
+      if (is_full()) return true;
+      WriteLost(lost_before);
+      Write(event);
+      if (tendon::os::TerminationAsked(0ms)) return false;
+    }
+    if (!is_full()) WriteLost(content.lost);
+    return true;
+  }
+  /// True once the wanted number of events is printed.
+  [[nodiscard]] bool is_full() const { return count_ > 0 && printed_ >= count_; }
+  [[nodiscard]] std::uint64_t printed() const { return printed_; }
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+ private:
+  void WriteLost(const LostEvents& events) {
+    for (const auto& [path, lost] : events.by_path) {
+      context_.err() << "gcm: lost " << lost << " of " << Plain(path)
+                     << ": they came faster than they were read\n";
+      if (context_.settings().json) {
+        context_.PrintJsonLine({{"gap", {{"path", path}, {"lost", lost}}}});
+      }
+      lost_ += lost;
+    }
+  }
   void Write(const ReceivedEvent& event) {
     ++printed_;
     const std::string value = ValueOf(event);
@@ -77,9 +106,6 @@ class EventWriter {
     context_.out() << tendon::FineWallTimeText(event.time_ns) << '\t' << Plain(event.path) << '\t'
                    << (TakesArgument(event.description.signature) ? value : "-") << '\n';
   }
-  [[nodiscard]] std::uint64_t printed() const { return printed_; }
-
- private:
   static nlohmann::ordered_json UncertaintyOf(const ReceivedEvent& event) {
     if (event.uncertainty_ns < 0) return nullptr;
     return event.uncertainty_ns;
@@ -95,7 +121,9 @@ class EventWriter {
   Context& context_;
   tendon::GcmClient& client_;
   std::map<tendon::Fingerprint, tendon::Schema> schemas_;
+  const std::uint64_t count_;  // events, 0: no end
   std::uint64_t printed_ = 0;
+  std::uint64_t lost_ = 0;
 };
 
 /// Listens to all events that match, including later ones.
@@ -132,32 +160,19 @@ class Listeners {
   std::map<tendon::InterfaceName, Listener> listeners_;
 };
 
-/// Prints the remarks of `content`; returns the number of lost events.
-std::uint64_t Remark(const EventInbox::Content& content, Context& context) {
-  std::ostream& err = context.err();
+void ReportBegun(const EventInbox::Content& content, Context& context) {
   for (const tendon::EventSubscription& one : content.begun) {
-    err << "gcm: listening to " << tendon::Counted(one.events.size(), "event of ", "events of ")
-        << Plain(ToString(one.provided)) << '\n';
+    context.err() << "gcm: listening to "
+                  << tendon::Counted(one.events.size(), "event of ", "events of ")
+                  << Plain(ToString(one.provided)) << '\n';
   }
-  std::uint64_t all = 0;
-  for (const auto& [path, lost] : content.lost) {
-    err << "gcm: lost " << lost << " of " << Plain(path)
-        << ": they came faster than they were read\n";
-    if (context.settings().json) {
-      context.PrintJsonLine({{"gap", {{"path", path}, {"lost", lost}}}});
-    }
-    all += lost;
-  }
-  return all;
 }
 
 void Complain(const EventInbox::Content& content, Context& context) {
   for (const Error& complaint : content.complaints) {
     context.err() << "gcm: " << Plain(complaint.message) << '\n';
   }
-  if (content.is_gcm_back) {
-    context.err() << "gcm: the GCM at " << Plain(context.settings().gcm) << " is there again\n";
-  }
+  if (content.is_gcm_back) context.PrintGcmReturn();
 }
 
 Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
@@ -168,17 +183,15 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
   const auto good = CheckEventPatterns((*client)->catalogue(), options.patterns);
   if (!good) return good.error();
 
-  EventWriter writer(context, **client);
+  EventWriter writer(context, **client, options.count);
   Listeners listeners(**client, inbox);
   listeners.Follow(options.patterns);
   const auto begin = std::chrono::steady_clock::now();
-  std::uint64_t lost = 0;
   bool is_interrupted = false;
   std::optional<Error> broken;
   const auto wants_more = [&] {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
-    return !is_interrupted && !broken && context.out().good() &&
-           (options.count == 0 || writer.printed() < options.count) &&
+    return !is_interrupted && !broken && context.out().good() && !writer.is_full() &&
            (options.seconds == 0.0 || passed.count() < options.seconds);
   };
   bool has_more = false;
@@ -188,12 +201,8 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     has_more = content.has_more;
     if (content.is_catalog_new) listeners.Follow(options.patterns);
     writer.Learn(content);
-    for (const ReceivedEvent& event : content.events) {
-      if (is_interrupted || (options.count > 0 && writer.printed() == options.count)) break;
-      writer.Write(event);
-      is_interrupted = tendon::os::TerminationAsked(0ms);
-    }
-    lost += Remark(content, context);
+    ReportBegun(content, context);
+    is_interrupted = is_interrupted || !writer.Write(content);
     context.out().flush();
     if (options.ends_with_link && !content.complaints.empty()) {
       broken = content.complaints.front();  // reported at the end
@@ -201,8 +210,8 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
       Complain(content, context);
     }
   }
-  context.err() << "gcm: " << tendon::Counted(writer.printed(), "event", "events") << ", " << lost
-                << " lost\n";
+  context.err() << "gcm: " << tendon::Counted(writer.printed(), "event", "events") << ", "
+                << writer.lost() << " lost\n";
   if (broken) return *broken;
   return is_interrupted ? program::kInterrupted : program::kOk;
 }

@@ -1,6 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/graph/sheet.h>
 #include <gcm_console/graph/sheet_metrics.h>
+#include <tendon/base/counted.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>
@@ -38,16 +39,12 @@ Condition ConditionOf(tendon::ProcessState state) {
 
 std::string PathOf(const InterfaceName& name) { return name.process + "/" + name.component; }
 
-std::string Counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string TitleOf(const Catalogue& catalogue) {
   std::size_t components = 0;
   for (const auto& [name, entry] : catalogue.processes()) components += entry.components.size();
-  return Counted(catalogue.processes().size(), "process", "processes") + ", " +
-         Counted(components, "component", "components") + ", " +
-         Counted(catalogue.connections().size(), "connection", "connections");
+  return tendon::Counted(catalogue.processes().size(), "process", "processes") + ", " +
+         tendon::Counted(components, "component", "components") + ", " +
+         tendon::Counted(catalogue.connections().size(), "connection", "connections");
 }
 
 /// The edges between blocks, without duplicates and loops.

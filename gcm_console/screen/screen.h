@@ -51,7 +51,7 @@ inline std::string Fixed(double value, int digits) {
   return text;
 }
 
-/// With four significant digits, for a scale.
+/// With four significant digits.
 inline std::string Short(double value) {
   char text[64];
   std::snprintf(text, sizeof(text), "%.4g", value);

@@ -1,3 +1,4 @@
+#include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/screen/task_feed.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/standstill.h>
@@ -52,7 +53,7 @@ class TaskFeed::Listener final : public tendon::RowSink {
     const std::scoped_lock lock(mutex_);
     if (batch.count == 0) return 0;
     const std::size_t row = batch.count - 1;
-    written_ = batch.times[row] - batch.clock_offset.count();
+    written_ = NewestTimeOf(batch);
     const auto value = [&](const std::optional<tendon::PlotChannel>& channel, std::size_t column) {
       return channel ? ReadChannel(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
     };
@@ -79,15 +80,13 @@ class TaskFeed::Listener final : public tendon::RowSink {
   /// The time since its newest row was written.
   std::optional<std::chrono::nanoseconds> age() {
     const std::scoped_lock lock(mutex_);
-    if (!written_) return std::nullopt;
-    const std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch();
-    return std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*written_));
+    return written_ ? std::optional(AgeOf(*written_)) : std::nullopt;
   }
 
  private:
   std::mutex mutex_;
   TaskFigures figures_;
-  std::optional<std::int64_t> written_;
+  std::optional<std::chrono::nanoseconds> written_;
   std::optional<tendon::PlotChannel> cycles_;
   std::optional<tendon::PlotChannel> period_;
   std::optional<tendon::PlotChannel> late_;

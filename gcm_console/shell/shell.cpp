@@ -37,6 +37,13 @@ Page WithOwnWords(Page page) {
   return page;
 }
 
+/// After a signal has ended a command: the next one may run and print.
+void GoOn(const Streams& streams) {
+  tendon::os::HoldTerminationSignals();
+  streams.out.clear();
+  streams.err.clear();
+}
+
 }  // namespace
 
 Shell::Shell(Settings settings)
@@ -57,10 +64,11 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   for (const Command& command : *commands) {
     // Also a signal during a command that could not be interrupted.
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
-      tendon::os::HoldTerminationSignals();
+      GoOn(streams);
       return program::kInterrupted;
     }
     const int exit_code = RunCommand(command, streams);
+    GoOn(streams);  // a command ends the hold when it gets a signal
     const bool is_interrupted = exit_code == program::kInterrupted;
     if (failure == program::kOk || is_interrupted) failure = exit_code;
     if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;
@@ -79,7 +87,6 @@ int Shell::RunCommand(const Command& command, const Streams& streams) {
     return program::ExitCodeOf(own->error().code);
   }
   const int exit_code = RunCommandLine(words, streams, session_);
-  tendon::os::HoldTerminationSignals();  // a command ends the hold when it gets a signal
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
   if (is_help) {
     streams.out << "Here also: cd PATH, .., jobs, end and exit; help prompt tells of them.\n"

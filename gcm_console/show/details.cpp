@@ -1,5 +1,6 @@
 #include <gcm_console/catalogue/things.h>
 #include <gcm_console/catalogue_json.h>
+#include <gcm_console/screen/screen.h>
 #include <gcm_console/show/details.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
@@ -134,6 +135,11 @@ ordered_json JsonOf(Context& context, const Catalogue& catalogue, const Place& p
   for (const auto& [name, entry] : catalogue.processes())
     processes.push_back(JsonOf(entry, health));
   return {{"processes", std::move(processes)}};
+}
+
+std::string ExpiryText(double seconds) {
+  constexpr double kMilliseconds = 1e3;  // per second
+  return seconds < 1.0 ? Short(seconds * kMilliseconds) + " ms" : Short(seconds) + " s";
 }
 
 }  // namespace console

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 /// The content of a place, for `ls` and `show`.
 namespace console {
@@ -19,6 +20,9 @@ namespace console {
 /// Everything about the place, with details from its process or the GCM that the catalogue lacks.
 [[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalogue& catalogue,
                                             const Place& place);
+
+/// "62.5 ms", "2.5 s": milliseconds below one second, with four significant digits.
+[[nodiscard]] std::string ExpiryText(double seconds);
 
 // Each of these waits for an answer, at most --timeout.
 

@@ -20,7 +20,6 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -42,8 +41,6 @@ std::string ThreadText(const tendon::ComponentDescription& component) {
       component.thread.empty() || component.thread.front() == tendon::ThreadOptions();
   return is_usual ? "" : tendon::ToJson(component.thread.front());
 }
-
-constexpr double kMilliseconds = 1e3;  // per second
 
 /// Its file, and how that differs from the running code.
 void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
@@ -128,8 +125,7 @@ Table Facts(Context& context, const Catalogue& catalogue, const Place& place) {
     table.Add({"hazard", place.member->hazard});
   }
   if (place.member != nullptr && place.member->expires_after > 0.0) {
-    const auto time = std::llround(kMilliseconds * place.member->expires_after);
-    table.Add({"expires", "unless called again within " + std::to_string(time) + " ms"});
+    table.Add({"expires", "unless called again within " + ExpiryText(place.member->expires_after)});
   }
   return table;
 }

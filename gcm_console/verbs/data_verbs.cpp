@@ -256,11 +256,7 @@ class Watching {
     return std::nullopt;
   }
   void Complain(std::ostream& err) {
-    for (const Table& table : tables_) {
-      for (const std::string& complaint : table.printer->TakeComplaints()) {
-        err << "gcm: " << Plain(complaint) << '\n';
-      }
-    }
+    for (const Table& table : tables_) PrintSentences(table.printer->TakeComplaints(), err);
   }
 
  private:

@@ -102,7 +102,10 @@ class Doctor {
       health_ = *std::move(health);
     }
     for (const auto& [name, entry] : catalogue.processes()) {
-      ExamineProcess(**client, entry);
+      const bool answers = ExamineProcess(**client, entry);
+      if (IsPresent(entry.process)) {
+        ExaminePlugins(name, answers ? AskForPlugins(entry.process) : entry.process.plugins);
+      }
       ExamineComponents(entry);
     }
     ExamineConnections(catalogue);
@@ -174,14 +177,15 @@ class Doctor {
                    std::to_string(client.catalogue().revision()),
                "start it anew with this release of gcm serve; the system runs on meanwhile");
   }
-  void ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
+  /// Returns true if the process answers.
+  bool ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     const auto& process = entry.process;
     const std::string what = "process " + process.name;
     const std::string place = "on " + process.host + ", pid " + std::to_string(process.pid);
     if (process.state == tendon::ProcessState::kStarting) {
       Bad(what, place + ", is starting: it has not joined yet",
           "wait, or end it: gcm kill " + process.name);
-      return;
+      return false;
     }
     if (!IsPresent(process)) {
       const bool has_left = process.state == tendon::ProcessState::kLeft;
@@ -193,19 +197,19 @@ class Doctor {
                : "start it again by the command that it was started with, or take it off the list: "
                  "gcm forget " +
                      process.name});
-      return;
+      return false;
     }
     if (process.state == tendon::ProcessState::kAlive && !process.reason.empty()) {
-      const std::size_t fix = process.reason.find("; start it ");
+      const std::size_t fix = process.reason.rfind("; ");
       Bad(what, place + ", " + process.reason.substr(0, fix),
           fix == std::string::npos ? "gcm show " + process.name : process.reason.substr(fix + 2));
-      return;
+      return false;
     }
     const bool is_elsewhere = process.host != tendon::os::HostName();
     if (is_elsewhere && tendon::IsOfOneHost(process.address)) {
       Bad(what, place + ", says it is reached at " + process.address + ", which only that host can",
           "start it with --listen and --advertise and an address of " + process.host);
-      return;
+      return false;
     }
     const auto begin = std::chrono::steady_clock::now();
     const auto told = AskForVersion(process.name);
@@ -218,13 +222,13 @@ class Doctor {
               here + ")",
           is_silent ? "it may hang: gcm log --from " + process.name
                     : tendon::FixOfUnreached(process.name, here, told.error()));
-      return;
+      return false;
     }
-    ExaminePlugins(process);
     AddVersion(what, told,
                place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
                    UsageText(process) + ClockText(client, entry),
                "build it anew with this release, or use a gcm of its own");
+    return true;
   }
   /// The version of a process, or of the GCM if `process` is empty.
   Result<tendon::message::ProgramVersion> AskForVersion(const std::string& process) {
@@ -268,19 +272,23 @@ class Doctor {
     }
     return "";
   }
-  /// Checks that the process runs the code in its plug-ins' files.
-  void ExaminePlugins(const tendon::ProcessDescription& process) {
+  /// The plug-ins with the state of their files now; as in the catalogue if the process does not
+  /// tell.
+  std::vector<tendon::PluginDescription> AskForPlugins(const tendon::ProcessDescription& process) {
     const auto known = context_.Ask<tendon::message::Classes>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process.name, handler); });
-    for (const tendon::PluginDescription& plugin : known ? known->loaded : process.plugins) {
-      const std::string what = "plug-in " + process.name + " " + plugin.name;
-      const std::string old = OldPluginText(process.name, plugin);
-      if (old.empty()) {
+    return known ? known->loaded : process.plugins;
+  }
+  /// Checks that the process runs the code in its plug-ins' files.
+  void ExaminePlugins(const std::string& process,
+                      const std::vector<tendon::PluginDescription>& plugins) {
+    for (const tendon::PluginDescription& plugin : plugins) {
+      const std::string what = "plug-in " + process + " " + plugin.name;
+      if (const auto old = FindOldPlugin(process, plugin)) {
+        Bad(what, old->finding, old->remedy);
+      } else {
         Good(what, PluginText(plugin));
-        continue;
       }
-      const std::size_t end = old.rfind(": ");
-      Bad(what, old.substr(0, end), old.substr(end + 2));
     }
   }
   void ExamineComponents(const tendon::ProcessEntry& entry) {

@@ -5,6 +5,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/screen/asking_turns.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/counted.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/waiting.h>
@@ -174,15 +175,11 @@ std::string AllOf(const std::set<std::string>& verbs) {
   return all;
 }
 
-std::string Count(std::size_t count, const std::string& noun) {
-  const std::string end = noun.ends_with("s") ? "es" : "s";
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : end);
-}
-
 /// "all is well", or the problems.
 std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
-    return Count(health.wrong, "thing") + " not as it should be: see " + AllOf(health.verbs);
+    return tendon::Counted(health.wrong, "thing", "things") + " not as it should be: see " +
+           AllOf(health.verbs);
   }
   if (health.at_rest.empty()) return "all is well";
   return "nothing is wrong, but what has connections does not run: " + AllOf(health.at_rest);
@@ -208,8 +205,9 @@ Result<ExitCode> Status(Context& context) {
   for (const auto& [kind, name, state, detail] : rows) table.Add({kind, name, state, detail});
   context.Print(table);
   context.out().flush();
-  context.err() << "gcm: " << Count(health.processes, "process") << ", "
-                << Count(health.connections, "connection") << "; " << VerdictOn(health) << '\n';
+  context.err() << "gcm: " << tendon::Counted(health.processes, "process", "processes") << ", "
+                << tendon::Counted(health.connections, "connection", "connections") << "; "
+                << VerdictOn(health) << '\n';
   return program::kOk;
 }
 

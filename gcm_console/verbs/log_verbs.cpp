@@ -1,9 +1,9 @@
 #include <gcm_console/catalogue/glob.h>
+#include <gcm_console/inbox_queue.h>
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/counted.h>
-#include <tendon/base/dropping_queue.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
@@ -54,13 +54,11 @@ LogLevel LevelOf(const std::string& name) {
 /// full, the oldest are dropped and counted as lost.
 class LogInbox final : public tendon::GcmListener {
  public:
-  static constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
-                                                      .bytes = std::size_t{32} << 20U};
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 20U;  // bytes per call
+  using Records = InboxQueue<LogRecord, std::uint64_t>;
 
   struct Content {
-    std::deque<LogRecord> records;
-    std::uint64_t lost = 0;
+    std::deque<Records::Entry> records;
+    std::uint64_t lost = 0;  // after the last of `records`
     bool is_current = false;
     bool has_more = false;  // more records are waiting
     bool is_gcm_back = false;
@@ -80,11 +78,11 @@ class LogInbox final : public tendon::GcmListener {
   }
   void OnLog(const tendon::LogBatch& batch) override {
     const std::scoped_lock lock(mutex_);
-    content_.lost += batch.lost;
+    records_.AddLost(batch.lost);
     content_.is_current = batch.is_current;
     for (const LogRecord& record : batch.records) {
       const std::size_t size = sizeof record + record.text.size() + record.source.size();
-      records_.Push(record, size, [&](const LogRecord& /*oldest*/) { ++content_.lost; });
+      records_.Push(record, size, [](const LogRecord& /*oldest*/) { return std::uint64_t{1}; });
     }
   }
 
@@ -93,7 +91,8 @@ class LogInbox final : public tendon::GcmListener {
     const std::scoped_lock lock(mutex_);
     const bool is_current = content_.is_current;
     Content content = std::exchange(content_, {.is_current = is_current});
-    content.records = records_.Take(kMostTaken);
+    content.records = records_.Take();
+    content.lost = records_.TakeLost();
     content.has_more = !records_.is_empty();
     content.is_current = is_current && !content.has_more;
     return content;
@@ -101,8 +100,8 @@ class LogInbox final : public tendon::GcmListener {
 
  private:
   std::mutex mutex_;
-  Content content_;  // without the records
-  tendon::DroppingQueue<LogRecord> records_{kMostWaiting};
+  Content content_;  // without the records and what is lost
+  Records records_;
   bool is_gcm_lost_ = false;
 };
 
@@ -128,19 +127,16 @@ void Print(const LogRecord& record, const Context& context) {
                 << '\n';
 }
 
+void PrintLost(std::uint64_t lost, Context& context) {
+  if (lost == 0) return;
+  if (context.settings().json) context.PrintJsonLine({{"gap", {{"lost", lost}}}});
+  context.err() << "gcm: " << tendon::Counted(lost, "record is lost", "records are lost")
+                << ": more came than could be printed\n";
+}
+
 void Remark(const LogInbox::Content& content, Context& context) {
-  std::ostream& err = context.err();
-  if (content.lost > 0 && context.settings().json) {
-    context.PrintJsonLine({{"gap", {{"lost", content.lost}}}});
-  }
-  if (content.lost > 0) {
-    err << "gcm: " << tendon::Counted(content.lost, "record is lost", "records are lost")
-        << ": more came than could be printed\n";
-  }
-  if (!content.complaint.empty()) err << "gcm: " << Plain(content.complaint) << '\n';
-  if (content.is_gcm_back) {
-    err << "gcm: the GCM at " << Plain(context.settings().gcm) << " is there again\n";
-  }
+  if (!content.complaint.empty()) context.err() << "gcm: " << Plain(content.complaint) << '\n';
+  if (content.is_gcm_back) context.PrintGcmReturn();
 }
 
 /// Says that no kept record matches; kNotFound if there is no such process.
@@ -159,14 +155,36 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
   return {};
 }
 
-/// Sorts by time: records arrive in the order in which the GCM received them.
-Result<void> PrintKept(std::deque<LogRecord> kept, const LogOptions& options, Context& context) {
+/// The records that the GCM had when it was asked.
+struct Kept {
+  std::deque<LogRecord> records;
+  std::uint64_t lost = 0;  // between them
+};
+
+/// Sorts by time: records arrive in the order in which the GCM received them. Prints all losses
+/// first: sorted records have no place for them.
+Result<void> PrintKept(Kept kept, const LogOptions& options, Context& context) {
+  auto& records = kept.records;
   std::set<std::string> processes;
-  for (const LogRecord& record : kept) processes.insert(record.process);
-  std::erase_if(kept, [&](const LogRecord& record) { return !IsWanted(record, options); });
-  std::ranges::stable_sort(kept, {}, &LogRecord::time);
-  for (const LogRecord& record : kept) Print(record, context);
-  return kept.empty() && !options.follow ? CheckFrom(options, processes, context) : Result<void>();
+  for (const LogRecord& record : records) processes.insert(record.process);
+  std::erase_if(records, [&](const LogRecord& record) { return !IsWanted(record, options); });
+  std::ranges::stable_sort(records, {}, &LogRecord::time);
+  PrintLost(kept.lost, context);
+  for (const LogRecord& record : records) Print(record, context);
+  return records.empty() && !options.follow ? CheckFrom(options, processes, context)
+                                            : Result<void>();
+}
+
+/// Prints the records and the losses between them. Returns false at a signal: the rest is not
+/// printed, and its losses are not counted.
+bool PrintNew(const LogInbox::Content& content, const LogOptions& options, Context& context) {
+  for (const auto& [record, lost_before] : content.records) {
+    PrintLost(lost_before, context);
+    if (IsWanted(record, options)) Print(record, context);
+    if (tendon::os::TerminationAsked(0ms)) return false;
+  }
+  PrintLost(content.lost, context);
+  return true;
 }
 
 Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
@@ -176,7 +194,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   if (!client) return client.error();
   (*client)->WatchLog();
   const auto begin = std::chrono::steady_clock::now();
-  std::deque<LogRecord> kept;
+  Kept kept;
   bool is_current = false;
   bool has_more = false;
   while (true) {
@@ -184,17 +202,17 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     const LogInbox::Content content = inbox->Take();
     has_more = content.has_more;
     if (!is_current) {
-      kept.insert(kept.end(), content.records.begin(), content.records.end());
+      for (const auto& [record, lost_before] : content.records) {
+        kept.records.push_back(record);
+        kept.lost += lost_before;
+      }
+      kept.lost += content.lost;
       if (content.is_current || is_interrupted) {
         const auto printed = PrintKept(std::exchange(kept, {}), options, context);
         if (!printed) return printed.error();
       }
     } else {
-      for (const LogRecord& record : content.records) {
-        if (is_interrupted) break;
-        if (IsWanted(record, options)) Print(record, context);
-        is_interrupted = tendon::os::TerminationAsked(0ms);
-      }
+      is_interrupted = is_interrupted || !PrintNew(content, options, context);
     }
     is_current = is_current || content.is_current;
     Remark(content, context);
@@ -204,7 +222,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {
       continue;
     }
-    if (!kept.empty()) (void)PrintKept(std::move(kept), options, context);
+    if (!kept.records.empty()) (void)PrintKept(std::move(kept), options, context);
     return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
   }
 }

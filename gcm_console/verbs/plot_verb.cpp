@@ -134,7 +134,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   const Plotting plotting((*client)->telemetry(), choice->tables, options.window,
                           std::chrono::duration_cast<std::chrono::nanoseconds>(dot));
   const auto ended = Collect(context, plotting, options);
-  for (const std::string& note : plotting.notes()) context.err() << "gcm: " << Plain(note) << '\n';
+  PrintSentences(plotting.notes(), context.err());
   if (!ended) return ended;
   // The last picture remains when the screen is restored.
   context.out() << PictureOf(plotting.curves(), options.window, columns, kUsualRows);

@@ -1,6 +1,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <gcm_console/wire/disputed_types.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
@@ -37,12 +38,6 @@ using tendon::SystemComparison;
 using tendon::SystemDifference;
 using tendon::SystemFile;
 
-/// "1 step", "2 processes".
-std::string Counted(std::size_t count, const std::string& what) {
-  const std::string plural = what.ends_with('s') ? "es" : "s";
-  return std::to_string(count) + " " + what + (count == 1 ? "" : plural);
-}
-
 std::size_t ComponentsOf(const SystemFile& system) {
   std::size_t count = 0;
   for (const auto& process : system.processes) count += process.components.size();
@@ -78,13 +73,12 @@ Result<ExitCode> Write(Context& context, const SaveWords& words, const Saved& sa
                        {"dry_run", is_dry}});
     return program::kOk;
   }
-  context.out() << file << "  " << Counted(system.processes.size(), "process") << ", "
-                << Counted(ComponentsOf(system), "component") << ", "
-                << Counted(system.connections.size(), "connection")
+  context.out() << file << "  " << tendon::Counted(system.processes.size(), "process", "processes")
+                << ", " << tendon::Counted(ComponentsOf(system), "component", "components") << ", "
+                << tendon::Counted(system.connections.size(), "connection", "connections")
                 << (is_dry ? "; would be written" : "") << '\n';
-  for (const auto* sentences : {&saved.kept, &saved.left_out}) {
-    for (const std::string& one : *sentences) context.err() << "gcm: " << Plain(one) << '\n';
-  }
+  PrintSentences(saved.kept, context.err());
+  PrintSentences(saved.left_out, context.err());
   return program::kOk;
 }
 
@@ -217,13 +211,10 @@ void Print(const Plan& plan, Context& context) {
   for (const PlanStep& step : plan.steps) {
     context.out() << (step.takes_away ? "! " : "  ") << Plain(ToString(step)) << '\n';
   }
-  for (const auto* sentences : {&plan.obstacles, &plan.notes}) {
-    for (const std::string& one : *sentences) {
-      context.streams().err << "gcm: " << Plain(one) << '\n';
-    }
-  }
-  context.err() << "gcm: " << Counted(plan.steps.size(), "step") << ", "
-                << Counted(plan.untouched, "thing") << " untouched\n";
+  PrintSentences(plan.obstacles, context.streams().err);
+  PrintSentences(plan.notes, context.streams().err);
+  context.err() << "gcm: " << tendon::Counted(plan.steps.size(), "step", "steps") << ", "
+                << tendon::Counted(plan.untouched, "thing", "things") << " untouched\n";
 }
 
 Result<Plan> PlanOf(Context& context, const std::string& file) {
@@ -307,15 +298,13 @@ std::string WayBack(Context& context, std::uint64_t former) {
 
 void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
                std::uint64_t former) {
-  for (const auto* sentences : {&plan.obstacles, &plan.notes}) {
-    for (const std::string& one : *sentences) {
-      context.streams().err << "gcm: " << Plain(one) << '\n';
-    }
-  }
+  PrintSentences(plan.obstacles, context.streams().err);
+  PrintSentences(plan.notes, context.streams().err);
   const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been executed
-  context.err() << "gcm: " << Counted(outcome.done, "step") << " made, " << outcome.failed
-                << " failed, " << outcome.left << " left, " << Counted(plan.untouched, "thing")
-                << " untouched" << (is_changed ? WayBack(context, former) : "") << '\n';
+  context.err() << "gcm: " << tendon::Counted(outcome.done, "step", "steps") << " made, "
+                << outcome.failed << " failed, " << outcome.left << " left, "
+                << tendon::Counted(plan.untouched, "thing", "things") << " untouched"
+                << (is_changed ? WayBack(context, former) : "") << '\n';
 }
 
 /// The words in a table and in JSON.

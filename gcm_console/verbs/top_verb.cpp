@@ -5,6 +5,7 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
+#include <tendon/base/counted.h>
 #include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
@@ -264,7 +265,7 @@ std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
   std::ostringstream picture;
   processes.Print(picture, layout);
   picture << '\n'
-          << all.size() << ' ' << what << (all.size() == 1 ? "" : "s") << ", by "
+          << tendon::Counted(all.size(), what, what + "s") << ", by "
           << (options.shows_connections ? options.sort_connections : options.sort);
   if (keys.is_typing || !options.filter.empty()) picture << ", with '" << options.filter << "'";
   picture << (keys.is_typing ? "_  (Enter, Esc)" : "") << "\n\n";

@@ -361,9 +361,9 @@ TEST_F(ConsoleTest, ExplainGoesThroughSevenSteps) {
   EXPECT_EQ(bad.exit_code, program::kIncompatible) << bad.out;
   EXPECT_THAT(bad.out, HasSubstr("\n  4 BAD signatures match: "));
   EXPECT_THAT(bad.out, HasSubstr("\n  5 -   "));
-  EXPECT_THAT(bad.out, HasSubstr("\n  rolled back: nothing of it is left in desk\n"));
-  EXPECT_THAT(possible.out, HasSubstr("  rolled back: nothing of it is left in robot\n"));
-  EXPECT_THAT(good.out, testing::Not(HasSubstr("rolled back")));
+  EXPECT_THAT(bad.out, HasSubstr("\n  left over: nothing in desk\n"));
+  EXPECT_THAT(possible.out, HasSubstr("  left over: nothing in robot\n"));
+  EXPECT_THAT(good.out, testing::Not(HasSubstr("left over")));
 
   const json document = json::parse(Gcm({"explain", "desk/supervisor/Robot", "--json"}).out);
   EXPECT_EQ(document["steps"].size(), 7U);

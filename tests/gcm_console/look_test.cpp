@@ -1,4 +1,5 @@
 #include <gcm_console/screen/asking_turns.h>
+#include <gcm_console/show/details.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
@@ -15,6 +16,16 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 using testing::StartsWith;
+
+TEST(ExpiryText, HasFourDigitsInMillisecondsBelowASecond) {
+  EXPECT_EQ(console::ExpiryText(0.1), "100 ms");
+  EXPECT_EQ(console::ExpiryText(0.0004), "0.4 ms");
+  EXPECT_EQ(console::ExpiryText(0.0625), "62.5 ms");
+  EXPECT_EQ(console::ExpiryText(1.0), "1 s");
+  EXPECT_EQ(console::ExpiryText(2.5), "2.5 s");
+  EXPECT_EQ(console::ExpiryText(1.23456), "1.235 s");
+  EXPECT_EQ(console::ExpiryText(3600.0), "3600 s");
+}
 
 using LookTest = DemoFixture;
 

@@ -36,12 +36,12 @@ class PluginAgeTest : public SystemFixture {
     fs::copy_file(kBuilt / "1" / "ageing.so", file);
     StartGcm();
   }
-  void StartRobot(const std::map<std::string, std::string>& more = {}) {
-    auto environment = more;
-    environment["TENDON_COMPONENTS"] = folder.string();
+  void StartRobot(const Program::Words& more = {}) {
+    Program::Words words = {Binary("lcm"), "--name",    "robot",  "--gcm",
+                            address,       "--timeout", kPatience};
+    words.insert(words.end(), more.begin(), more.end());
     robot = std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience},
-        environment);
+        words, std::map<std::string, std::string>{{"TENDON_COMPONENTS", folder.string()}});
     ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << robot->err();
   }
   /// A component of the plug-in runs.
@@ -132,6 +132,20 @@ TEST_F(PluginAgeTest, EachVerbTellsThatTheFileWasWrittenAgain) {
   const Outcome status = Gcm({"status"});
   EXPECT_THAT(status.out, HasSubstr("plug-in\trobot ageing\tchanged\tprocess 'robot' runs " + of));
   EXPECT_THAT(status.err, HasSubstr("see gcm doctor"));
+}
+
+TEST_F(PluginAgeTest, DoctorTellsItAlsoOfAProcessThatItCannotReach) {
+  StartRobot({"--advertise", "127.0.0.1:9"});
+  ASSERT_EQ(Create("old").exit_code, program::kOk);
+  OverwriteInPlace();
+  ASSERT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
+
+  const Outcome doctor = Gcm({"doctor"});
+
+  EXPECT_EQ(doctor.exit_code, program::kRefused);
+  EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process robot .*does not answer at"));
+  EXPECT_THAT(doctor.out, AllOf(HasSubstr("BAD  plug-in robot ageing"),
+                                HasSubstr("fix: start the process anew to run that")));
 }
 
 TEST_F(PluginAgeTest, WhatAnOrderHasSeenFirstIsShownToo) {

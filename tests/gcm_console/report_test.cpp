@@ -65,5 +65,12 @@ TEST(Table, IsColouredInAPipeWhereThatIsWanted) {
 
 TEST(Table, IsPrintedOnTheNarrowestTerminal) { EXPECT_FALSE(Printed(1).empty()); }
 
+TEST(PrintSentences, PrintsEachInALineWithEscapedControlCharacters) {
+  std::ostringstream err;
+  PrintSentences({"one", "two\x1b[2J"}, err);
+  EXPECT_EQ(err.str(), "gcm: one\ngcm: " + Plain("two\x1b[2J") + "\n");
+  EXPECT_EQ(err.str().find('\x1b'), std::string::npos);
+}
+
 }  // namespace
 }  // namespace console

@@ -48,6 +48,53 @@ what_has_changed_is_formatted_and_nothing_else() {
   ! format --check --all || fail "tools/format --all passes what is not formatted"
 }
 
+a_git_that_fails_is_told() {
+  mkdir "$folder/programs"
+  cat >"$folder/programs/git" <<END
+#!/bin/sh
+case " \$* " in *" diff "*) echo "git is broken" >&2; exit 128 ;; esac
+exec "$(command -v git)" "\$@"
+END
+  chmod +x "$folder/programs/git"
+  local tool
+  for tool in "format --check" tidy; do
+    # shellcheck disable=SC2086  # words
+    ! PATH=$folder/programs:$PATH "$folder"/tools/$tool >"$folder/said" 2>&1 ||
+      fail "tools/$tool passes though git fails"
+    grep -qx "git is broken" "$folder/said" || fail "tools/$tool says:" "$(<"$folder/said")"
+  done
+  rm -r "$folder/programs"
+}
+
+other_files_are_refused_at_once() {
+  ! "$folder/tools/tidy" "$folder/core/one.cpp" "$folder/tools/tidy" >"$folder/said" 2>&1 ||
+    fail "tools/tidy reads itself"
+  [[ $(<"$folder/said") == "Only .h and .cpp files are read by clang-tidy, not: tools/tidy" ]] ||
+    fail "tools/tidy says:" "$(<"$folder/said")"
+}
+
+# In place of cmake there is a script that makes the commands, and looks whether another build would have to wait.
+dev_is_configured_where_it_does_not_know_a_file() {
+  printf 'int* added = nullptr;\n' >"$folder/core/added.cpp"
+  mkdir "$folder/programs"
+  cat >"$folder/programs/cmake" <<END
+#!/bin/sh
+flock --nonblock "$folder/build/dev" true || touch "$folder/was_locked"
+cat >"$folder/build/dev/compile_commands.json" <<COMMANDS
+[{"directory": "$folder/build/dev", "file": "$folder/core/added.cpp",
+  "command": "c++ -std=c++20 -o x.o -c $folder/core/added.cpp"}]
+COMMANDS
+END
+  chmod +x "$folder/programs/cmake"
+  PATH=$folder/programs:$PATH "$folder/tools/tidy" "$folder/core/added.cpp" >"$folder/said" 2>&1 ||
+    fail "tools/tidy does not configure what it needs:" "$(<"$folder/said")"
+  grep -qx "Configuring dev." "$folder/said" || fail "tools/tidy says:" "$(<"$folder/said")"
+  [[ -e $folder/was_locked ]] || fail "tools/tidy configures while others may build"
+  PATH=$folder/programs:$PATH "$folder/tools/tidy" "$folder/core/added.cpp" >"$folder/said" 2>&1
+  ! grep -q "Configuring" "$folder/said" || fail "tools/tidy configures again, though it knows the file"
+  rm -r "$folder/programs"
+}
+
 # Two sources are compiled together, by the command of a third one that includes them.
 joined_sources_are_read_alone() {
   local build=$folder/build/dev
@@ -71,4 +118,7 @@ END
 make_repository
 what_has_changed_is_formatted_and_nothing_else
 joined_sources_are_read_alone
+a_git_that_fails_is_told
+other_files_are_refused_at_once
+dev_is_configured_where_it_does_not_know_a_file
 say "What has changed is formatted and read."

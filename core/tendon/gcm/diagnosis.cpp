@@ -172,7 +172,7 @@ Remainder LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) 
     return {process, Kind::kUnknown, "not known, for process '" + process + "' is not there"};
   }
   const auto* other = catalogue.FindConnection(wire.required);
-  const std::string nothing = "nothing of it is left in " + process;
+  const std::string nothing = "nothing in " + process;
   if (other == nullptr) return {process, Kind::kNothing, nothing};
   return {process, Kind::kNothing,
           nothing + ", where " + wire.required.component + "/" + wire.required.interface +
@@ -190,7 +190,7 @@ Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
   const auto* other = catalogue.FindConnection(wire.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
   if (!served || serves_another) {
-    return {process, Kind::kNothing, "nothing of it is left in " + process};
+    return {process, Kind::kNothing, "nothing in " + process};
   }
   return {process, Kind::kSomething,
           process + " still serves " + ToString(wire.required) +

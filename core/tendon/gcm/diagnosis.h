@@ -25,13 +25,13 @@ struct DiagnosisStep {
   bool operator==(const DiagnosisStep&) const = default;
 };
 
-/// What one of the two processes still has of a connection that is not active.
+/// What one of the two processes still has of a connection that is not active, or never was.
 struct Remainder {
   enum class Verdict { kNothing, kSomething, kUnknown };
 
   std::string process;
   Verdict verdict = Verdict::kUnknown;
-  std::string text;  ///< "nothing of it is left in robot"
+  std::string text;  ///< "nothing in robot"
 
   bool operator==(const Remainder&) const = default;
 };

@@ -179,7 +179,9 @@ Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& 
   }
   const auto commands = CommandsOf(owner, path.interface);
   if (const auto* command = FindNamed(commands, path.member)) return *command;
-  return NotFound("command", ToString(path.interface_name()) + "." + path.member, path.member,
+  const bool is_table = FindNamed(owner.tables, path.interface) != nullptr;
+  return NotFound(is_table ? "column" : "command",
+                  ToString(path.interface_name()) + "." + path.member, path.member,
                   NamesIn(commands));
 }
 

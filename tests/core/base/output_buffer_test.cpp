@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <ostream>
 #include <stdexcept>
@@ -108,6 +109,30 @@ TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
   EXPECT_FALSE(out.good());
   tendon::os::HoldTerminationSignals();
   EXPECT_FALSE(tendon::os::WasTerminationAsked()) << "it goes on";
+}
+
+TEST_F(OutputBufferTest, WritesAgainOnceTheProgramGoesOn) {
+  tendon::os::HoldTerminationSignals();
+  OutputBuffer buffer(writer());
+  std::ostream out(&buffer);
+  pthread_kill(pthread_self(), SIGINT);
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+  ASSERT_FALSE(out.good());
+  out.clear();
+  out << "too early" << std::flush;
+  ASSERT_FALSE(out.good()) << "it is still asked to end";
+
+  ASSERT_TRUE(tendon::os::TerminationAsked(std::chrono::seconds(1)));
+  tendon::os::HoldTerminationSignals();
+  out.clear();
+  std::string seen;
+  std::thread reader([&] { seen = ReadAll(); });
+  out << "next" << std::flush;
+
+  EXPECT_TRUE(out.good());
+  CloseWriter();
+  reader.join();
+  EXPECT_THAT(seen, testing::EndsWith("xnext"));
 }
 
 }  // namespace

@@ -314,11 +314,10 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   AddRemainders(diagnosis, catalogue_, none);
 
   EXPECT_EQ(diagnosis.remainders,
-            (std::vector<Remainder>{{"desk", Left::kNothing, "nothing of it is left in desk"},
-                                    {"robot", Left::kNothing, "nothing of it is left in robot"}}));
-  EXPECT_EQ(LeftoverTexts(diagnosis),
-            (std::vector<std::string>{"rolled back: nothing of it is left in desk",
-                                      "rolled back: nothing of it is left in robot"}));
+            (std::vector<Remainder>{{"desk", Left::kNothing, "nothing in desk"},
+                                    {"robot", Left::kNothing, "nothing in robot"}}));
+  EXPECT_EQ(LeftoverTexts(diagnosis), (std::vector<std::string>{"left over: nothing in desk",
+                                                                "left over: nothing in robot"}));
 
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kSomething);
@@ -329,7 +328,7 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   Connect(ConnectionState::kActive);  // to another one there
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remainders[0].text,
-            "nothing of it is left in desk, where teleoperation/Robot is connected to "
+            "nothing in desk, where teleoperation/Robot is connected to "
             "robot/arm/Control");
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kNothing);
 }
@@ -364,8 +363,8 @@ TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
 
   EXPECT_FALSE(IsKept(diagnosis));
   EXPECT_EQ(LeftoverTexts(diagnosis),
-            (std::vector<std::string>{"rolled back: not known, for process 'desk' is not there",
-                                      "rolled back: nothing of it is left in robot"}));
+            (std::vector<std::string>{"left over: not known, for process 'desk' is not there",
+                                      "left over: nothing in robot"}));
   robot_.state = ProcessState::kLost;
   Enter(robot_);
   EXPECT_FALSE(IsKept(Examine()));

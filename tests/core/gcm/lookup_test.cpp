@@ -223,7 +223,7 @@ TEST_F(Lookup, FindsCommandsAndColumns) {
   EXPECT_EQ(CommandError("robot/arm/stat.Joints"),
             "no provided interface 'robot/arm/stat'; did you mean 'state'?");
   EXPECT_EQ(CommandError("robot/arm/state.Joint"),
-            "no command 'robot/arm/state.Joint'; did you mean 'Joints'?");
+            "no column 'robot/arm/state.Joint'; did you mean 'Joints'?");
 }
 
 TEST_F(Lookup, ACommandOfARequiredInterfaceIsSaidToBeOfTheWrongSide) {

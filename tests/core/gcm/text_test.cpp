@@ -1,9 +1,29 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/client/json_field.h>
+#include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/text/step_text.h>
 
 namespace tendon {
 namespace {
+
+TEST(OldPlugin, IsAFindingAndARemedy) {
+  PluginDescription plugin{.name = "arm", .file = "/opt/a: b.so", .written = 1};
+  EXPECT_FALSE(FindOldPlugin("robot", plugin));
+  EXPECT_EQ(OldPluginText("robot", plugin), "");
+
+  plugin.state = PluginState::kGone;
+  const auto gone = FindOldPlugin("robot", plugin);
+  ASSERT_TRUE(gone);
+  EXPECT_EQ(gone->finding, "process 'robot' runs " + PluginText(plugin) + "; the file is gone");
+  EXPECT_EQ(gone->remedy, "put it back before the process is started anew");
+
+  plugin.state = PluginState::kChanged;
+  const auto changed = FindOldPlugin("robot", plugin);
+  ASSERT_TRUE(changed);
+  EXPECT_EQ(changed->finding, "process 'robot' runs " + PluginText(plugin) + "; the file was " +
+                                  PluginChangeText(plugin));
+  EXPECT_EQ(OldPluginText("robot", plugin), changed->finding + ": " + changed->remedy);
+}
 
 TEST(JsonField, FollowsFieldsAndElements) {
   const std::string json = R"({"position":[1,2.5],"tool":{"name":"gripper"}})";

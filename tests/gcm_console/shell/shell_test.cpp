@@ -1,10 +1,21 @@
+#include <fcntl.h>
+#include <gcm_console/shell/shell.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <pthread.h>
+#include <sys/ioctl.h>
+#include <tendon/base/os/output_buffer.h>
+#include <tendon/base/os/termination.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <fstream>
+#include <future>
+#include <ostream>
 #include <sstream>
+#include <thread>
 
 #include "gcm_console/demo_fixture.h"
 #include "gcm_console/terminal.h"
@@ -175,6 +186,47 @@ TEST_F(ShellTest, AnInterruptEndsTheWatchAndNotTheShell) {
   }
   terminal.Type("version\r");
   EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
+}
+
+/// In its own thread, where the signals are held.
+TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
+  constexpr auto kGoOn = console::Shell::AfterFailure::kGoOn;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
+  const int room = fcntl(ends[1], F_SETPIPE_SZ, 1);
+  std::promise<int> interrupted;
+  int exit_code = -1;
+  std::size_t whole = 0;
+  std::ostringstream err;
+  std::thread typist([&] {
+    console::Shell shell({});
+    std::ostringstream help;
+    shell.Run("help", {help, err}, kGoOn);
+    whole = help.str().size();
+    tendon::os::OutputBuffer buffer(ends[1]);
+    std::ostream out(&buffer);
+    interrupted.set_value(shell.Run("help", {out, err}, kGoOn));
+    tendon::os::ForgetInterrupt();  // as the prompt does
+    exit_code = shell.Run("version", {out, err}, kGoOn);
+    close(ends[1]);
+  });
+
+  int waiting = 0;  // bytes that nobody reads
+  EXPECT_TRUE(EventuallyTrue([&] { return ioctl(ends[0], FIONREAD, &waiting) == 0 && waiting > 0; }));
+  pthread_kill(typist.native_handle(), SIGINT);
+  EXPECT_EQ(interrupted.get_future().get(), program::kInterrupted);
+  std::string seen;
+  std::array<char, 4096> some{};
+  for (ssize_t size = 1; size > 0;) {
+    size = read(ends[0], some.data(), some.size());
+    if (size > 0) seen.append(some.data(), static_cast<std::size_t>(size));
+  }
+  typist.join();
+  close(ends[0]);
+
+  ASSERT_GT(whole, static_cast<std::size_t>(room)) << "the first command has to wait";
+  EXPECT_EQ(exit_code, program::kOk) << err.str();
+  EXPECT_THAT(seen, HasSubstr("protocol"));
 }
 
 TEST_F(ShellTest, InAShellThereIsNoOther) {

@@ -69,6 +69,7 @@ TEST_F(WrongAddressTest, DoctorSaysThatItDoesNotAnswerThere) {
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process far .*process 'far' does not answer "
                                                  "at 127.0.0.1:9: .*\n.*fix: .*--advertise"));
   EXPECT_THAT(doctor.out, testing::ContainsRegex("ok   process robot .*, answers within "));
+  EXPECT_THAT(doctor.out, HasSubstr("ok   plug-in far simulated_arm "));
 }
 
 TEST_F(WrongAddressTest, ExplainSaysTheSameBeforeAndAfterItIsConnected) {

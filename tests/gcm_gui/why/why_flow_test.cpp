@@ -63,7 +63,7 @@ TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   EXPECT_TRUE(Text("why.history").startsWith("refused at ")) << Text("why.history").toStdString();
   EXPECT_TRUE(Text("why.fix").startsWith("fix: it may be stopped, hang, or be cut off"))
       << Text("why.fix").toStdString();
-  EXPECT_TRUE(Text("why.leftovers").startsWith("rolled back: "));
+  EXPECT_TRUE(Text("why.leftovers").startsWith("left over: "));
   KeepPictures(window(), "why-refused");
 
   lcm("desk").Signal(SIGCONT);

@@ -43,6 +43,7 @@ std::streamsize OutputBuffer::xsputn(const char* text, std::streamsize size) {
 int OutputBuffer::sync() { return WriteAll() ? 0 : -1; }
 
 bool OutputBuffer::Add(std::string_view text) {
+  if (failure_ == EINTR && !WasTerminationAsked()) failure_ = 0;
   errno = failure_;
   if (failure_ != 0) return false;
   waiting_ += text;

@@ -9,7 +9,8 @@ namespace tendon::os {
 
 /// Writes a stream to a descriptor whose reader may be slow, stopped or gone. If a write has to
 /// wait and the process is, or was, asked to end (WasTerminationAsked()), it stops waiting: the
-/// rest is not written, and the stream fails from then on.
+/// rest is not written, and the stream fails until the program goes on (HoldTerminationSignals()
+/// and clear() of the stream). After any other failure the stream fails for good.
 ///
 /// Writes to a terminal at once, elsewhere when it is flushed or has enough. Thread safety: one
 /// thread at a time.
@@ -25,7 +26,7 @@ class OutputBuffer final : public std::streambuf {
  protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// Fails with the errno of the first failed write.
+  /// Fails with the errno of the first failed write; EINTR if it was asked to end.
   int sync() override;
 
  private:

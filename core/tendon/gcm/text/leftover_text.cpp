@@ -14,7 +14,7 @@ std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
     return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
   }
   std::vector<std::string> texts;
-  for (const Remainder& one : diagnosis.remainders) texts.push_back("rolled back: " + one.text);
+  for (const Remainder& one : diagnosis.remainders) texts.push_back("left over: " + one.text);
   return texts;
 }
 

@@ -10,8 +10,9 @@ namespace tendon {
 /// Whether the required interface's process still tries to make the inactive connection.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
-/// What is left of an inactive connection, one line for each process that was asked: "rolled back:
-/// nothing of it is left in robot", "kept: desk makes it as soon as it can".
+/// What is left of an inactive connection, one line for each process that was asked: "left over:
+/// nothing in robot", "kept: desk makes it as soon as it can". Also true if nobody has tried to
+/// make the connection.
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 }  // namespace tendon

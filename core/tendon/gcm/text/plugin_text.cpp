@@ -13,12 +13,19 @@ std::string PluginChangeText(const PluginDescription& plugin) {
   return "written again at " + WallTimeText(plugin.written_now);
 }
 
-std::string OldPluginText(const std::string& process, const PluginDescription& plugin) {
-  if (plugin.state == PluginState::kCurrent) return "";
+std::optional<OldPlugin> FindOldPlugin(const std::string& process,
+                                       const PluginDescription& plugin) {
+  if (plugin.state == PluginState::kCurrent) return std::nullopt;
   const bool is_gone = plugin.state == PluginState::kGone;
-  return "process '" + process + "' runs " + PluginText(plugin) + "; the file " +
-         (is_gone ? "is gone: put it back before the process is started anew"
-                  : "was " + PluginChangeText(plugin) + ": start the process anew to run that");
+  return OldPlugin{.finding = "process '" + process + "' runs " + PluginText(plugin) +
+                              "; the file " + (is_gone ? "is " : "was ") + PluginChangeText(plugin),
+                   .remedy = is_gone ? "put it back before the process is started anew"
+                                     : "start the process anew to run that"};
+}
+
+std::string OldPluginText(const std::string& process, const PluginDescription& plugin) {
+  const auto old = FindOldPlugin(process, plugin);
+  return old ? old->finding + ": " + old->remedy : "";
 }
 
 }  // namespace tendon

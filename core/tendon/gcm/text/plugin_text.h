@@ -2,6 +2,7 @@
 
 #include <tendon/manager/component_description.h>
 
+#include <optional>
 #include <string>
 
 namespace tendon {
@@ -13,9 +14,19 @@ namespace tendon {
 /// is unchanged.
 [[nodiscard]] std::string PluginChangeText(const PluginDescription& plugin);
 
-/// A sentence about a plug-in whose file has changed, with the remedy: "process 'robot' runs
-/// /opt/robot/arm.so of 2025-11-21 15:40:03; the file was written again at 2025-11-21 15:50:10:
-/// start the process anew to run that". Empty if the file is unchanged.
+/// A plug-in whose file has changed.
+struct OldPlugin {
+  /// "process 'robot' runs /opt/robot/arm.so of 2025-11-21 15:40:03; the file was written again at
+  /// 2025-11-21 15:50:10"
+  std::string finding;
+  std::string remedy;  ///< "start the process anew to run that"
+};
+
+/// Nothing if the file is unchanged.
+[[nodiscard]] std::optional<OldPlugin> FindOldPlugin(const std::string& process,
+                                                     const PluginDescription& plugin);
+
+/// Finding and remedy in one sentence: "FINDING: REMEDY". Empty if the file is unchanged.
 [[nodiscard]] std::string OldPluginText(const std::string& process,
                                         const PluginDescription& plugin);
 
