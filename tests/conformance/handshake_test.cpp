@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <future>
+#include <utility>
 
 #include "conformance/contract.h"
 #include "conformance/oracle.h"
@@ -8,72 +9,70 @@
 namespace tendon::conformance {
 namespace {
 
-const std::string kOurs = (FrameHeader::kOldestVersion < FrameHeader::kProtocolVersion
-                               ? std::to_string(FrameHeader::kOldestVersion) + "-"
-                               : "") +
-                          std::to_string(FrameHeader::kProtocolVersion);
-constexpr std::uint16_t kNewer = FrameHeader::kProtocolVersion + 1;
-const std::string kNewerText = std::to_string(kNewer);
+constexpr std::uint16_t kOurs = FrameHeader::kProtocolVersion;
+constexpr std::uint16_t kOlder = kOurs - 1;
+constexpr std::uint16_t kNewer = kOurs + 1;
+const std::string kOursText = std::to_string(kOurs);
 
-/// The same of one that speaks this protocol version alone.
-Hello Speaking(Hello hello, std::uint16_t version) {
-  hello.protocol_version = hello.oldest_version = version;
-  return hello;
-}
-
-TEST_P(ChannelContract, TheNewestVersionThatBothSpeakIsSpoken) {
-  constexpr std::size_t kLarge = std::size_t{600} << 10U;
-  for (const std::uint16_t openers : {FrameHeader::kProtocolVersion, FrameHeader::kOldestVersion}) {
-    for (const std::uint16_t acceptors :
-         {FrameHeader::kProtocolVersion, FrameHeader::kOldestVersion}) {
-      Hello robot = HelloOf("robot");
-      robot.protocol_version = acceptors;
-      Hello desk = HelloOf("desk");
-      desk.protocol_version = openers;
-      Start(Channel::Acceptor(robot, [] { return std::make_shared<Oracle>(); }));
-      const auto channel = Channel::Open(*pair_.client, listener_->address(), desk,
-                                         std::make_shared<Oracle>(), kPatience);
-      ASSERT_TRUE(channel) << channel.error().message;
-
-      EXPECT_EQ((*channel)->protocol_version(), std::min(openers, acceptors));
-      for (const std::size_t size : {std::size_t{1}, kLarge}) {  // whole, and in parts
-        const auto reply = (*channel)->Call<Question>(
-            kAsk, 1, Question{.text = std::string(size, 'x')}, kPatience);
-        ASSERT_TRUE(reply) << reply.error().message;
-        EXPECT_EQ(reply->text.size(), 2 * size);
-      }
-      (*channel)->Close();
-      listener_.reset();
-    }
-  }
+/// The frame of a program with another protocol version. Its body cannot be decoded.
+Bytes FrameOfVersion(std::uint16_t version, MessageType type) {
+  constexpr std::uint32_t kSize = 5;
+  Bytes frame;
+  WriteFrame({.version = version, .type = type, .request = 1, .size = kSize}, Bytes(kSize), frame);
+  return frame;
 }
 
 TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
-  Start(Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Oracle>(); }));
-  const Hello newer = Speaking(HelloOf("desk"), kNewer);
-  const auto client = std::make_shared<Oracle>();
+  const auto server = std::make_shared<Oracle>();
+  Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
+  for (const auto& [version, outdated] :
+       {std::pair<std::uint16_t, std::string>{kOlder, "this program"}, {kNewer, "robot"}}) {
+    const auto answer = std::make_shared<Bytes>();
+    const auto recorder = std::make_shared<Recorder>(
+        [answer](std::span<const std::byte> frame) { answer->assign(frame.begin(), frame.end()); });
+    const auto link = Open(recorder);
+    ASSERT_TRUE(link) << link.error().message;
 
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), newer, client, kPatience);
+    ASSERT_EQ((*link)->Send(FrameOfVersion(version, MessageType::kHello)), Status::kQueued);
 
-  ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
-  EXPECT_EQ(channel.error().message,
-            "robot speaks protocol " + kOurs + ", this program " + kNewerText + ": update robot");
-  ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
-  EXPECT_EQ(client->closed_.size(), 1U);
-  EXPECT_EQ(client->peer_, "");
+    ASSERT_TRUE(recorder->WaitForFrames(1));
+    EXPECT_TRUE(recorder->WaitForClosed());
+    EXPECT_EQ(ReadWholeFrame(*answer)->type, MessageType::kRefusal);
+    EXPECT_EQ(
+        ReadRefusal(std::span(*answer).subspan(FrameHeader::kSize), "robot"),
+        (Error{ErrorCode::kIncompatible, "robot speaks protocol " + kOursText + ", this program " +
+                                             std::to_string(version) + ": update " + outdated}));
+  }
+  ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 2; }));
+  EXPECT_EQ(server->peer_, "");
 }
 
-TEST_P(ChannelContract, AnOlderProgramIsToldToUpdateItself) {
-  const Hello newer = Speaking(HelloOf("robot"), kNewer);
-  Start(Channel::Acceptor(newer, [] { return std::make_shared<Oracle>(); }));
+TEST_P(ChannelContract, AnAcceptorOfAnotherProtocolVersionIsRefusedWithWhomToUpdate) {
+  for (const std::uint16_t version : {kOlder, kNewer}) {
+    Host host([version](const std::shared_ptr<Link>& accepted) {
+      return std::make_shared<Recorder>(
+          [version, link = std::weak_ptr(accepted)](std::span<const std::byte> /*frame*/) {
+            const auto open = link.lock();
+            if (open) (void)open->Send(FrameOfVersion(version, MessageType::kChallenge));
+          });
+    });
+    Start(host.accept());
+    const auto client = std::make_shared<Oracle>();
 
-  const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
-                                     std::make_shared<Oracle>(), kPatience);
+    const auto channel =
+        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kPatience);
 
-  ASSERT_FALSE(channel);
-  EXPECT_EQ(channel.error().message, "robot speaks protocol " + kNewerText + ", this program " +
-                                         kOurs + ": update this program");
+    ASSERT_FALSE(channel);
+    EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
+    EXPECT_EQ(channel.error().message,
+              listener_->address() + " speaks protocol " + std::to_string(version) +
+                  ", this program " + kOursText + ": update " +
+                  (version == kNewer ? "this program" : listener_->address()));
+    ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
+    EXPECT_EQ(client->closed_.size(), 1U);
+    EXPECT_EQ(client->peer_, "");
+    listener_.reset();
+  }
 }
 
 TEST_P(CookieContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {

@@ -10,13 +10,12 @@ import unittest
 from tendon import Denied, Incompatible, Invalid, NotFound, Unreachable, messages
 from tendon.messages import MessageType
 from tendon.middleware.certificate import Shown
-from tendon.middleware.frame import OLDEST_VERSION, PROTOCOL_VERSION, Header
+from tendon.middleware.frame import PROTOCOL_VERSION, Header
 from tendon.middleware.handshake import Opener, loopback_cookie
 
 COOKIE = 0x0123456789ABCDEF
 ADDRESS = "127.0.0.1:10705"
-ACCEPTOR = {"protocol_version": PROTOCOL_VERSION, "instance": 42, "name": "gcm",
-            "nonce": bytes(range(16))}
+ACCEPTOR = {"instance": 42, "name": "gcm", "nonce": bytes(range(16))}
 
 
 def greeting_bytes(greeting, position):
@@ -26,8 +25,6 @@ def greeting_bytes(greeting, position):
         body += bytes(-(position + len(body)) % size)
 
     body = b""
-    pad(2)
-    body += struct.pack("<H", greeting["protocol_version"])
     pad(8)
     body += struct.pack("<Q", greeting["instance"])
     name = greeting["name"].encode() + b"\0"
@@ -107,26 +104,12 @@ class Handshake(unittest.TestCase):
             self.opener.take(Header(MessageType.REFUSAL, version=99), refusal)
 
     def test_another_version_says_who_must_be_updated(self):
-        newer, older = PROTOCOL_VERSION + 1, OLDEST_VERSION - 1
-        ours = f"this program {OLDEST_VERSION}-{PROTOCOL_VERSION}"
-        with self.assertRaisesRegex(Incompatible,
-                                    f"speaks protocol {newer}, {ours}: update this program$"):
-            self.opener.take(Header(MessageType.CHALLENGE, version=newer), b"")
-        challenge = challenge_of(COOKIE, self.hello, {**ACCEPTOR, "protocol_version": older})
-        with self.assertRaisesRegex(Incompatible,
-                                    f"speaks protocol {older - 1}-{older}, {ours}: update {ADDRESS}$"):
-            self.opener.take(Header(MessageType.CHALLENGE, version=older - 1), challenge)
-
-    def test_the_newest_is_spoken_that_both_speak(self):
-        for oldest, newest, agreed in [(OLDEST_VERSION, PROTOCOL_VERSION, PROTOCOL_VERSION),
-                                       (OLDEST_VERSION - 1, OLDEST_VERSION, OLDEST_VERSION),
-                                       (PROTOCOL_VERSION, PROTOCOL_VERSION + 1, PROTOCOL_VERSION)]:
-            opener = Opener("test", ADDRESS, COOKIE)
-            acceptor = {**ACCEPTOR, "protocol_version": newest}
-            challenge = challenge_of(COOKIE, opener.greet(), acceptor)
-            opener.take(Header(MessageType.CHALLENGE, version=oldest), challenge)
-            with self.subTest(newest=newest):
-                self.assertEqual(opener.version, agreed)
+        newer, older = PROTOCOL_VERSION + 1, PROTOCOL_VERSION - 1
+        for version, outdated in [(newer, "this program"), (older, ADDRESS)]:
+            words = (f"^{ADDRESS} speaks protocol {version}, this program {PROTOCOL_VERSION}: "
+                     f"update {outdated}$")
+            with self.subTest(version=version), self.assertRaisesRegex(Incompatible, words):
+                self.opener.take(Header(MessageType.CHALLENGE, version=version), b"")
 
     def test_anything_else_is_refused(self):
         for header, body in [(Header(MessageType.WELCOME), b"\0"),

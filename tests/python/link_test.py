@@ -10,11 +10,11 @@ import unittest
 
 import Ice
 
-from tendon import Denied, Failed, Invalid, TimedOut, Unreachable, messages
+from tendon import Denied, Failed, Incompatible, Invalid, TimedOut, Unreachable, messages
 from tendon.messages import MessageType
 from tendon.middleware.address import parse_address
-from tendon.middleware.frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, OLDEST_VERSION,
-                                     PROTOCOL_VERSION, Header, read_frame, write_frame)
+from tendon.middleware.frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION,
+                                     Header, read_frame, write_frame)
 from tendon.middleware.handshake import ACCEPTOR, Opener
 from tendon.middleware.ice import Network, only_parameter
 from tendon.middleware.link import Link
@@ -39,7 +39,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
         self.cookie = cookie
         self.is_mute = False
         self.is_impostor = False
-        self.version = PROTOCOL_VERSION  # the newest it speaks
+        self.version = PROTOCOL_VERSION
         self.versions = set()  # of what it hears
         self.heard = []
         self.is_greeted = threading.Event()
@@ -109,8 +109,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
             peer.frame(body)
 
     def challenge(self, opener):
-        greeting = {"protocol_version": self.version, "instance": 42, "name": "acceptor",
-                    "nonce": bytes(16)}
+        greeting = {"instance": 42, "name": "acceptor", "nonce": bytes(16)}
         prover = Opener("", self.address, self.cookie)
         prover._mine = opener  # pylint: disable=protected-access
         proof = prover._proof(ACCEPTOR, greeting)  # pylint: disable=protected-access
@@ -160,12 +159,17 @@ class OverIce(unittest.TestCase):
         self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
         self.assertTrue(link.is_open)
 
-    def test_an_older_peer_hears_nothing_in_a_newer_protocol(self):
-        self.acceptor.version = OLDEST_VERSION
+    def test_all_frames_have_the_protocol_version(self):
         link = self.link()
         for size in (5, 3 * MAX_PIECE_SIZE):  # whole, and in parts
             self.assertEqual(link.request(ECHO, bytes(size), PATIENCE), bytes(size))
-        self.assertEqual(self.acceptor.versions, {OLDEST_VERSION})
+        self.assertEqual(self.acceptor.versions, {PROTOCOL_VERSION})
+
+    def test_a_peer_of_another_protocol_is_refused_in_words(self):
+        self.acceptor.version = PROTOCOL_VERSION + 1
+        with self.assertRaisesRegex(Incompatible, "speaks protocol .*: update this program$"):
+            self.link()
+        self.assertNotIn(MessageType.PROOF, self.acceptor.heard)
 
     def test_a_refusal_is_raised_in_the_peers_words(self):
         with self.assertRaisesRegex(Failed, "^no$"):

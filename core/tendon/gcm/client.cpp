@@ -338,13 +338,13 @@ void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
 }
 
 void GcmClient::TakePlanTurn(DoneHandler handler) {
-  implementation_->link().Request<None>(message::kPlanTurn, message::PlanLock{.is_wanted = true},
+  implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = true},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
 void GcmClient::GivePlanTurnBack() {
-  implementation_->link().Request<None>(message::kPlanTurn, message::PlanLock{.is_wanted = false},
+  implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = false},
                                         [](const auto& /*answer*/) {});
 }
 

@@ -46,7 +46,7 @@ inline constexpr auto kForget = static_cast<MessageType>(0x315);    // Forget ->
 inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
 inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
 inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOrder -> None
-inline constexpr auto kPlanTurn = static_cast<MessageType>(0x31e);  // PlanLock -> None
+inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);  // PlanLock -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
 // From the GCM, besides process/log/messages.h.

@@ -40,7 +40,6 @@ Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std:
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
   FrameHeader header;
-  header.version = question.version;
   header.type = MessageType::kRefusal;
   header.request = question.request;
   header.size = static_cast<std::uint32_t>(body.size());

@@ -48,7 +48,6 @@ Result<Answer> CopyOf(std::span<const std::byte> answer) {
 Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
                  std::shared_ptr<Link> link, Strangers strangers)
     : mine_(std::move(mine)),
-      version_(mine_.oldest_version),
       is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
       assembly_([this](const FrameHeader& header) { return IsWanted(header); }),
@@ -178,7 +177,6 @@ void Channel::Opened(Hello peer) {
   {
     const std::scoped_lock lock(mutex_);
     peer_ = std::move(peer);
-    version_ = peer_.protocol_version;
     is_open_.Set(!reason_);
   }
   CallGuarded(peer_.name, [&] { handler_->OnOpen(shared_from_this(), peer_); });
@@ -199,15 +197,15 @@ void Channel::Fail(const Error& reason) {
   if (link) link->Close();
 }
 
-bool Channel::IsInAgreedVersion(const FrameHeader& header) {
-  if (header.version == version_) return true;
+bool Channel::HasOurVersion(const FrameHeader& header) {
+  if (header.version == FrameHeader::kProtocolVersion) return true;
   Fail({ErrorCode::kInvalid, peer_.name + " changed its protocol version"});
   return false;
 }
 
 void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> body,
                         std::shared_ptr<const void> owner) {
-  if (!IsInAgreedVersion(header)) return;
+  if (!HasOurVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
       if (owner) return requests_.OnAnswer(header.request, Answer(body, std::move(owner)));
@@ -264,12 +262,9 @@ void Channel::OnClosed(const Error& reason) {
 }
 
 FrameHeader Channel::HeaderOf(MessageType type, std::uint64_t request, std::uint32_t handle,
-                              std::size_t size) const {
-  return {.version = version_,
-          .type = type,
-          .request = request,
-          .size = static_cast<std::uint32_t>(size),
-          .handle = handle};
+                              std::size_t size) {
+  return {
+      .type = type, .request = request, .size = static_cast<std::uint32_t>(size), .handle = handle};
 }
 
 Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,

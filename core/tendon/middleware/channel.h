@@ -111,9 +111,6 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Wait-free.
   [[nodiscard]] bool is_open() const { return is_open_.Get(); }
-  /// The protocol version that both ends speak. Do not send messages that only newer versions have.
-  /// Constant once the channel is open.
-  [[nodiscard]] std::uint16_t protocol_version() const { return version_; }
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
@@ -143,7 +140,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
-  [[nodiscard]] bool IsInAgreedVersion(const FrameHeader& header);
+  [[nodiscard]] bool HasOurVersion(const FrameHeader& header);
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body,
                  std::shared_ptr<const void> owner = nullptr);
   void OnReplies(std::span<const std::byte> body);
@@ -158,8 +155,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void Opened(Hello peer);
   void Fail(const Error& reason);
 
-  [[nodiscard]] FrameHeader HeaderOf(MessageType type, std::uint64_t request, std::uint32_t handle,
-                                     std::size_t size) const;
+  [[nodiscard]] static FrameHeader HeaderOf(MessageType type, std::uint64_t request,
+                                            std::uint32_t handle, std::size_t size);
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
               std::span<const std::byte> body, Lane lane = kCommonLane, Way way = &Link::Send);
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
@@ -182,7 +179,6 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
   const Hello mine_;
-  std::uint16_t version_;  // of the frames we send: the oldest until the channel is open
   const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // only in the middleware's thread
   std::optional<Handshake> handshake_;       // likewise; set once there is a link

@@ -35,10 +35,9 @@ struct FrameHeader {
   std::uint32_t handle = 0;   ///< the destination: issued by the receiver, checked on arrival
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
-  /// Raise it when a message or its meaning changes: bodies do not name their fields.
-  static constexpr std::uint16_t kProtocolVersion = 9;
-  /// The oldest supported version. Newer messages are not sent to a peer that lacks them.
-  static constexpr std::uint16_t kOldestVersion = 9;
+  /// Raise it when a message or its meaning changes: bodies do not name their fields. Both ends of
+  /// a link must speak the same version.
+  static constexpr std::uint16_t kProtocolVersion = 10;
   static constexpr std::size_t kSize = 24;
 };
 

@@ -4,7 +4,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/handshake.h>
 
-#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -62,23 +61,11 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
   std::memcpy(nonce.data(), random.data(), sizeof random);
 }
 
-/// The range of protocol versions that an end speaks.
-struct Versions {
-  unsigned oldest = 0;
-  unsigned newest = 0;
-};
-
-std::string ToString(const Versions& versions) {
-  const std::string newest = std::to_string(versions.newest);
-  return versions.oldest < versions.newest ? std::to_string(versions.oldest) + "-" + newest
-                                           : newest;
-}
-
 /// Phrased for the opener of the link.
-Error VersionsDiffer(const std::string& acceptor, const Versions& its, const Versions& openers) {
-  return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + ToString(its) +
-                                        ", this program " + ToString(openers) + ": update " +
-                                        (its.newest > openers.newest ? "this program" : acceptor)};
+Error VersionsDiffer(const std::string& acceptor, unsigned its, unsigned openers) {
+  return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + std::to_string(its) +
+                                        ", this program " + std::to_string(openers) + ": update " +
+                                        (its > openers ? "this program" : acceptor)};
 }
 
 Handshake::Step StepWith(MessageType type, Bytes body) {
@@ -104,8 +91,10 @@ Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
                                         std::span<const std::byte> body) {
   const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
   if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
-  if (header.version > mine_.protocol_version) {  // its body is unknown here
-    return CheckVersions(header.version, header.version).error();
+  constexpr unsigned kOurs = FrameHeader::kProtocolVersion;
+  if (header.version != kOurs) {  // its body is unknown here
+    return is_opener ? VersionsDiffer(address_, header.version, kOurs)
+                     : VersionsDiffer(mine_.name, kOurs, header.version);
   }
   switch (stage_) {
     case Stage::kHello:
@@ -125,8 +114,6 @@ Result<Handshake::Step> Handshake::OnHello(const FrameHeader& header,
     return Error{ErrorCode::kInvalid, mine_.name + " expects a Hello first"};
   }
   auto greeting = DecodeBody<Greeting>(body);
-  const unsigned newest = greeting ? greeting->protocol_version : header.version;
-  if (const auto checked = CheckVersions(header.version, newest); !checked) return checked.error();
   if (!greeting) return greeting.error();
   opener_ = *std::move(greeting);
   acceptor_ = MyGreeting();
@@ -144,8 +131,6 @@ Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
   acceptor_ = std::move(challenge->greeting);
   const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
   if (mine_.cookie != 0 && !is_proved) return NotKnown();
-  const auto spoken = CheckVersions(header.version, acceptor_.protocol_version);
-  if (!spoken) return spoken.error();
   if (const auto checked = CheckAcceptor(); !checked) return checked.error();
   stage_ = Stage::kWelcome;
   const Proof proof{.proof = ProofOf(Role::kOpener, mine_.session), .session = mine_.session};
@@ -171,31 +156,15 @@ Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
   return Step{.peer = Peer(0)};
 }
 
-/// An error unless both ends have a version in common.
-Result<void> Handshake::CheckVersions(unsigned peers_oldest, unsigned peers_newest) const {
-  const Versions mine{.oldest = mine_.oldest_version, .newest = mine_.protocol_version};
-  const Versions peers{.oldest = peers_oldest, .newest = peers_newest};
-  if (peers.oldest <= mine.newest && mine.oldest <= peers.newest) return {};
-  const bool is_acceptor = stage_ == Stage::kHello || stage_ == Stage::kProof;
-  return is_acceptor ? VersionsDiffer(mine_.name, mine, peers)
-                     : VersionsDiffer(address_, peers, mine);
-}
-
 Greeting Handshake::MyGreeting() const {
-  Greeting greeting{.protocol_version = mine_.protocol_version,
-                    .instance = mine_.instance,
-                    .name = mine_.name,
-                    .nonce = {}};
+  Greeting greeting{.instance = mine_.instance, .name = mine_.name, .nonce = {}};
   FillWithRandom(greeting.nonce);
   return greeting;
 }
 
 Hello Handshake::Peer(std::uint64_t session) const {
   const Greeting& greeting = stage_ == Stage::kProof ? opener_ : acceptor_;
-  Hello peer{.protocol_version = std::min(mine_.protocol_version, greeting.protocol_version),
-             .instance = greeting.instance,
-             .name = greeting.name,
-             .session = session};
+  Hello peer{.instance = greeting.instance, .name = greeting.name, .session = session};
   if (certificate_ == nullptr) return peer;
   peer.role = certificate_->role;
   const bool is_process = certificate_->holder == Holder::kProcess;

@@ -15,7 +15,6 @@ namespace message {
 
 /// The first message of an end: its identity and a random number.
 struct Greeting {
-  std::uint16_t protocol_version = 0;  // the newest it speaks
   std::uint64_t instance = 0;
   std::string name;
   std::array<std::uint8_t, 16> nonce{};
@@ -46,8 +45,9 @@ struct Proof {
 ///     opener     kProof      Proof, and the session, which an impostor must not hear
 ///     acceptor   kWelcome    None
 ///
-/// These frames carry the oldest protocol version that their sender speaks, so that an older
-/// program reads them, and their bodies never change. Then both speak the newest common version.
+/// The header of each frame has the protocol version of its sender. An end refuses a frame of
+/// another version without reading its body, and says which program must be updated. A kRefusal is
+/// read in any version, so the body of an Error never changes.
 ///
 /// A proof covers both greetings, so it is valid on this link only. It also covers the acceptor's
 /// address as the opener knows it, so a process at another address cannot relay it. Under TLS both
@@ -84,7 +84,6 @@ class Handshake {
   Result<Step> OnProof(const FrameHeader& header, std::span<const std::byte> body);
   Result<Step> OnWelcome(const FrameHeader& header);
 
-  [[nodiscard]] Result<void> CheckVersions(unsigned peers_oldest, unsigned peers_newest) const;
   [[nodiscard]] message::Greeting MyGreeting() const;
   [[nodiscard]] Hello Peer(std::uint64_t session) const;
   [[nodiscard]] message::Digest ProofOf(Role role, std::uint64_t session) const;
@@ -105,9 +104,7 @@ class Handshake {
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Greeting> = tendon::Describe(
-    "tendon.Greeting",
-    tendon::Field{"protocol_version", &tendon::message::Greeting::protocol_version},
-    tendon::Field{"instance", &tendon::message::Greeting::instance},
+    "tendon.Greeting", tendon::Field{"instance", &tendon::message::Greeting::instance},
     tendon::Field{"name", &tendon::message::Greeting::name},
     tendon::Field{"nonce", &tendon::message::Greeting::nonce});
 

@@ -13,11 +13,8 @@ namespace tendon {
 /// The name of every GCM, also in its certificate.
 inline constexpr const char* kGcmName = "gcm";
 
-/// One end of a link: its identity and secrets. handshake/handshake.h describes the exchange.
+/// One end of a link: its identity and secrets. handshake.h describes the exchange.
 struct Hello {
-  /// The newest version that this end speaks; in a peer's Hello, the one that both speak.
-  std::uint16_t protocol_version = FrameHeader::kProtocolVersion;
-  std::uint16_t oldest_version = FrameHeader::kOldestVersion;  ///< that this end speaks
   std::uint64_t instance = 0;  ///< of the process; new at each start
   /// Of the process or program, for people: "robot", "gcm ls". A peer's name under TLS comes from
   /// its certificate: "robot" is surely that process; other programs are "anna (gcm ls)".

@@ -13,7 +13,7 @@
 namespace tendon::message {
 
 // From an LCM.
-inline constexpr auto kJoin = static_cast<MessageType>(0x300);        // request: Join -> Joined
+inline constexpr auto kJoin = static_cast<MessageType>(0x300);        // request: Join -> JoinReply
 inline constexpr auto kReport = static_cast<MessageType>(0x301);      // notice: Report
 inline constexpr auto kRenew = static_cast<MessageType>(0x302);       // request: None -> None
 inline constexpr auto kLeave = static_cast<MessageType>(0x303);       // request: None -> None
@@ -23,7 +23,7 @@ inline constexpr auto kTellHealth = static_cast<MessageType>(0x304);  // request
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
 // request: Wire -> None; the LCM reports that it is gone before it answers
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
-inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: Peers
+inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
 
 /// The description of a joining process. The GCM rebuilds its state from these. A process that
 /// joins again with the same instance, and the last session in its Hello, continues its membership,
@@ -36,7 +36,7 @@ struct Join {
 
 /// The GCM's answer. A membership lasts while its channel is open and kRenew comes every 250 ms. It
 /// has ended when a renewal is refused with kDenied; join again then.
-struct Joined {
+struct JoinReply {
   std::uint64_t gcm_instance = 0;
   std::uint64_t session = 0;                  ///< token of this membership
   std::vector<ProcessDescription> processes;  ///< all present processes, also this one
@@ -82,7 +82,7 @@ struct Wiring {
 
 /// All present processes and their addresses. Sent at each change, so that pending and broken
 /// connections are made again.
-struct Peers {
+struct PeerList {
   std::vector<ProcessDescription> processes;
 };
 
@@ -95,10 +95,10 @@ inline constexpr auto tendon::kPayload<tendon::message::Join> =
                      tendon::Field{"connections", &tendon::message::Join::connections});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Joined> = tendon::Describe(
-    "tendon.Joined", tendon::Field{"gcm_instance", &tendon::message::Joined::gcm_instance},
-    tendon::Field{"session", &tendon::message::Joined::session},
-    tendon::Field{"processes", &tendon::message::Joined::processes});
+inline constexpr auto tendon::kPayload<tendon::message::JoinReply> = tendon::Describe(
+    "tendon.JoinReply", tendon::Field{"gcm_instance", &tendon::message::JoinReply::gcm_instance},
+    tendon::Field{"session", &tendon::message::JoinReply::session},
+    tendon::Field{"processes", &tendon::message::JoinReply::processes});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Report> =
@@ -128,5 +128,5 @@ inline constexpr auto tendon::kPayload<tendon::message::Wiring> =
                      tendon::Field{"instance", &tendon::message::Wiring::instance});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Peers> = tendon::Describe(
-    "tendon.Peers", tendon::Field{"processes", &tendon::message::Peers::processes});
+inline constexpr auto tendon::kPayload<tendon::message::PeerList> = tendon::Describe(
+    "tendon.PeerList", tendon::Field{"processes", &tendon::message::PeerList::processes});

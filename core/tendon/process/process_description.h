@@ -81,7 +81,7 @@ inline constexpr auto tendon::kPayload<tendon::ProcessDescription> = tendon::Des
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::CatalogueChange::Kind> = tendon::DescribeEnum(
-    "tendon.CatalogChangeKind",
+    "tendon.CatalogueChangeKind",
     tendon::Enumerator{"process", tendon::CatalogueChange::Kind::kProcess},
     tendon::Enumerator{"process_removed", tendon::CatalogueChange::Kind::kProcessRemoved},
     tendon::Enumerator{"component", tendon::CatalogueChange::Kind::kComponent},

@@ -16,7 +16,7 @@ inline constexpr auto kGetProgram =
 /// The answer to kGetProgram.
 struct ProgramVersion {
   std::string release;         ///< of Tendon: "0.4.0"
-  std::uint16_t protocol = 0;  ///< the newest version that it speaks
+  std::uint16_t protocol = 0;  ///< the version that it speaks
 };
 
 }  // namespace tendon::message

@@ -19,9 +19,9 @@ namespace tendon::message {
 inline constexpr auto kGetSchemas =
     static_cast<MessageType>(0x200);  // request: GetSchemas -> Schemas
 inline constexpr auto kCallMember =
-    static_cast<MessageType>(0x201);  // request: CallMember -> Called
+    static_cast<MessageType>(0x201);  // request: CallMember -> CallMemberReply
 inline constexpr auto kSubscribe =
-    static_cast<MessageType>(0x202);  // request: Subscribe -> Subscribed
+    static_cast<MessageType>(0x202);  // request: Subscribe -> SubscribeReply
 inline constexpr auto kUnsubscribe =
     static_cast<MessageType>(0x203);  // notice: empty; frame's handle
 // From the process.
@@ -74,7 +74,7 @@ struct CallMember {
 };
 
 /// The outcome of a call.
-struct Called {
+struct CallMemberReply {
   std::uint8_t status = 0;        ///< Status::Code
   std::vector<std::byte> answer;  ///< the encoded result; empty if there is none
 };
@@ -89,7 +89,7 @@ struct Subscribe {
 };
 
 /// The answer to Subscribe.
-struct Subscribed {
+struct SubscribeReply {
   std::uint32_t handle = 0;  ///< of the frames of this subscription
   std::uint64_t epoch = 0;   ///< StateTable::epoch(): in another epoch ticks count anew
   /// The first row that will come or be reported as lost. With the newest row only, the first row
@@ -147,9 +147,9 @@ inline constexpr auto tendon::kPayload<tendon::message::CallMember> = tendon::De
     tendon::Field{"timeout", &tendon::message::CallMember::timeout});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Called> =
-    tendon::Describe("tendon.Called", tendon::Field{"status", &tendon::message::Called::status},
-                     tendon::Field{"answer", &tendon::message::Called::answer});
+inline constexpr auto tendon::kPayload<tendon::message::CallMemberReply> = tendon::Describe(
+    "tendon.CallMemberReply", tendon::Field{"status", &tendon::message::CallMemberReply::status},
+    tendon::Field{"answer", &tendon::message::CallMemberReply::answer});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Describe(
@@ -159,11 +159,11 @@ inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Des
     tendon::Field{"rows", &tendon::message::Subscribe::rows});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Subscribed> = tendon::Describe(
-    "tendon.Subscribed", tendon::Field{"handle", &tendon::message::Subscribed::handle},
-    tendon::Field{"epoch", &tendon::message::Subscribed::epoch},
-    tendon::Field{"first_tick", &tendon::message::Subscribed::first_tick},
-    tendon::Field{"schemas", &tendon::message::Subscribed::schemas});
+inline constexpr auto tendon::kPayload<tendon::message::SubscribeReply> = tendon::Describe(
+    "tendon.SubscribeReply", tendon::Field{"handle", &tendon::message::SubscribeReply::handle},
+    tendon::Field{"epoch", &tendon::message::SubscribeReply::epoch},
+    tendon::Field{"first_tick", &tendon::message::SubscribeReply::first_tick},
+    tendon::Field{"schemas", &tendon::message::SubscribeReply::schemas});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::RowsHeader> = tendon::Describe(

@@ -25,8 +25,6 @@ inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None
 // request to a function's handle: the argument, followed by u64, how many ns the caller waits -> as
 // kRead, after the call was executed or refused
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
-inline constexpr auto kOpenMarked =
-    static_cast<MessageType>(0x106);  // request: OpenMarked -> MarkedOpened
 // From the peer.
 // notice: calls of event handlers, as a CallBatch
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
@@ -51,6 +49,7 @@ struct OpenInterface {
   RequiredDescription description;  ///< the required interface: what it calls and handles
   std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
   std::uint32_t capacity = 0;       ///< calls, and events, that may wait at a time
+  std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
 };
 
 /// Confirms the connection.
@@ -59,18 +58,7 @@ struct OpenInterfaceReply {
   std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
   bool accepting = false;    ///< whether the component executes calls now
   ProvidedDescription description;
-};
-
-/// Asks for a connection. `latest_only` names the event handlers that keep the latest event only.
-struct OpenMarked {
-  OpenInterface open;
-  std::vector<std::string> latest_only;
-};
-
-/// Confirms the connection. `latest_only` names the commands that keep the latest call only.
-struct MarkedOpened {
-  OpenInterfaceReply opened;
-  std::vector<std::string> latest_only;
+  std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
 };
 
 /// The progress and state of the component; sent within 5 ms of each change.
@@ -105,7 +93,8 @@ inline constexpr auto tendon::kPayload<tendon::message::OpenInterface> = tendon:
     tendon::Field{"provided", &tendon::message::OpenInterface::provided},
     tendon::Field{"description", &tendon::message::OpenInterface::description},
     tendon::Field{"handle", &tendon::message::OpenInterface::handle},
-    tendon::Field{"capacity", &tendon::message::OpenInterface::capacity});
+    tendon::Field{"capacity", &tendon::message::OpenInterface::capacity},
+    tendon::Field{"latest_only", &tendon::message::OpenInterface::latest_only});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::OpenInterfaceReply> = tendon::Describe(
@@ -113,17 +102,8 @@ inline constexpr auto tendon::kPayload<tendon::message::OpenInterfaceReply> = te
     tendon::Field{"handle", &tendon::message::OpenInterfaceReply::handle},
     tendon::Field{"credit", &tendon::message::OpenInterfaceReply::credit},
     tendon::Field{"accepting", &tendon::message::OpenInterfaceReply::accepting},
-    tendon::Field{"description", &tendon::message::OpenInterfaceReply::description});
-
-template <>
-inline constexpr auto tendon::kPayload<tendon::message::OpenMarked> =
-    tendon::Describe("tendon.OpenMarked", tendon::Field{"open", &tendon::message::OpenMarked::open},
-                     tendon::Field{"latest_only", &tendon::message::OpenMarked::latest_only});
-
-template <>
-inline constexpr auto tendon::kPayload<tendon::message::MarkedOpened> = tendon::Describe(
-    "tendon.MarkedOpened", tendon::Field{"opened", &tendon::message::MarkedOpened::opened},
-    tendon::Field{"latest_only", &tendon::message::MarkedOpened::latest_only});
+    tendon::Field{"description", &tendon::message::OpenInterfaceReply::description},
+    tendon::Field{"latest_only", &tendon::message::OpenInterfaceReply::latest_only});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Credit> =

@@ -12,7 +12,7 @@ namespace tendon::message {
 
 // From the process of a required interface, before it opens the provided one. The copies arrive as
 // rows of one column, the newest only, as after kSubscribe.
-inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> Mirrored
+inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> MirrorReply
 
 // From the peer.
 // notice: bool, whether the read command is enabled; the handle is that of its copies
@@ -33,7 +33,7 @@ struct MirroredColumn {
 };
 
 /// The answer to kMirror, in the order asked for.
-struct Mirrored {
+struct MirrorReply {
   std::vector<MirroredColumn> columns;
 };
 
@@ -52,5 +52,5 @@ inline constexpr auto tendon::kPayload<tendon::message::MirroredColumn> = tendon
     tendon::Field{"value", &tendon::message::MirroredColumn::value});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Mirrored> = tendon::Describe(
-    "tendon.Mirrored", tendon::Field{"columns", &tendon::message::Mirrored::columns});
+inline constexpr auto tendon::kPayload<tendon::message::MirrorReply> = tendon::Describe(
+    "tendon.MirrorReply", tendon::Field{"columns", &tendon::message::MirrorReply::columns});

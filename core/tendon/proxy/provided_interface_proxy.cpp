@@ -49,7 +49,7 @@ void ProvidedInterfaceProxy::AddCommands(const Remote& remote, const RequiredDes
     const auto mirrored = mirrored_.find(function.name);
     if (CanBeAwaited(command->signature.kind)) {
       interface_.AddOffer(std::make_unique<QueuedOfferProxy>(*command, outbox_, handle))
-          .SetOverflow(OverflowOf(remote.latest_only, function.name));
+          .SetOverflow(OverflowOf(remote.opened.latest_only, function.name));
     } else if (mirrored != mirrored_.end()) {
       interface_.AddOffer(std::make_unique<MirroredReadProxy>(*command, mirrored->second));
     } else {

@@ -36,7 +36,6 @@ class ProvidedInterfaceProxy final : public NetworkJob,
     InterfaceName name{};  ///< for the log
     /// Values that are read from copies here, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
-    std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
     std::shared_ptr<SerialExecutor> line{};  ///< of its events; null unless one of their handlers
                                              ///< runs in the raising thread
   };

@@ -75,8 +75,7 @@ void ReplyWith(Status refusal, Responder& responder) {
 
 RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread,
                                                std::shared_ptr<Channel> channel,
-                                               const message::OpenInterface& open, Events events,
-                                               const std::vector<std::string>& latest_only)
+                                               const message::OpenInterface& open, Events events)
     : thread_(std::move(thread)),
       channel_(std::move(channel)),
       handle_(open.handle),
@@ -95,7 +94,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   std::uint32_t handle = handle_;
   for (const MemberDescription& handler : open.description.event_handlers) {
     auto offer = std::make_unique<QueuedOfferProxy>(handler, outbox_, ++handle);
-    offer->SetOverflow(OverflowOf(latest_only, handler.name));
+    offer->SetOverflow(OverflowOf(open.latest_only, handler.name));
     handlers_.push_back(offer.get());
     interface_.AddOffer(std::move(offer));
   }

@@ -31,11 +31,9 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// Whether events are sent as kEvents, or as kTimedEvents with the time when they were raised.
   enum class Events { kPlain, kTimed };
 
-  /// `latest_only` names handlers that keep the latest event only. Throws ConfigurationError if the
-  /// description is invalid.
+  /// Throws ConfigurationError if the description is invalid.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
-                         const message::OpenInterface& open, Events events = Events::kPlain,
-                         const std::vector<std::string>& latest_only = {});
+                         const message::OpenInterface& open, Events events = Events::kPlain);
 
   /// Call it before the proxy is connected to `server`. Makes lines for calls that run code of the
   /// component in their caller's thread. A queued command waits in a line only behind such a call,

@@ -31,7 +31,6 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x105, "execute a command and wait", Role::kOperator, Audit::kRefusals},
-    {0x106, "open an interface", Role::kOperator, Audit::kRefusals},
     {0x120, "report lost events", Role::kOperator, Audit::kRefusals},
     // process/messages.h
     {0x200, "read schemas", Role::kViewer, Audit::kRefusals},

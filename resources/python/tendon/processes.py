@@ -76,7 +76,7 @@ class Processes:
                 raise Invalid(f"{path.command}: {why}") from None
         called = self._ask(peer, MessageType.CALL_MEMBER, "CallMember", {
             "component": path.component, "interface": path.interface, "member": path.member,
-            "argument": body, "timeout": self._timeout * 3 / 4}, "Called")
+            "argument": body, "timeout": self._timeout * 3 / 4}, "CallMemberReply")
         if called["status"] >= _DONE:
             kind, words = _REFUSALS[min(called["status"], len(_REFUSALS) - 1)]
             raise kind(f"{path.command}: {words}")
@@ -90,7 +90,7 @@ class Processes:
         feed = Feed()
 
         def on_reply(body: bytes) -> Any:
-            answer = messages.decode("Subscribed", body)
+            answer = messages.decode("SubscribeReply", body)
             peer.feeds.add(answer["handle"], feed)
             return answer
 

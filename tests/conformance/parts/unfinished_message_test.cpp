@@ -17,7 +17,7 @@ namespace {
 using testing::IsEmpty;
 
 constexpr std::size_t kThreeMebibytes = std::size_t{3} << 20U;
-constexpr auto kForbidden = static_cast<MessageType>(0x106);
+constexpr auto kForbidden = static_cast<MessageType>(0x10f);
 
 /// Takes nothing large of one type, and says what of it has reached it whole.
 class Choosy final : public ChannelHandler {

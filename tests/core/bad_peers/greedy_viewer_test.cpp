@@ -148,16 +148,21 @@ class Viewer {
   Viewer& operator=(const Viewer&) = delete;
   ~Viewer() { channel_->Close(); }
 
-  Result<message::Subscribed> Subscribe(const message::Subscribe& wanted) {
-    return channel_->Call<message::Subscribed>(message::kSubscribe, 0, wanted, kLong);
+  Result<message::SubscribeReply> Subscribe(const message::Subscribe& wanted) {
+    return channel_->Call<message::SubscribeReply>(message::kSubscribe, 0, wanted, kLong);
   }
-  Result<message::Mirrored> Mirror(const message::Mirror& wanted) {
-    return channel_->Call<message::Mirrored>(message::kMirror, 0, wanted, kLong);
+  Result<message::MirrorReply> Mirror(const message::Mirror& wanted) {
+    return channel_->Call<message::MirrorReply>(message::kMirror, 0, wanted, kLong);
   }
   /// Does not wait for the answer.
   void Ask(const message::Subscribe& wanted,
-           const std::function<void(Result<message::Subscribed>)>& hear) {
-    channel_->Request<message::Subscribed>(message::kSubscribe, 0, wanted, kLong, hear);
+           const std::function<void(Result<message::SubscribeReply>)>& hear) {
+    channel_->Request<message::SubscribeReply>(message::kSubscribe, 0, wanted, kLong, hear);
+  }
+  /// Asks for an interface that does not exist. Does not wait for the answer.
+  void AskToOpen(const std::function<void(Result<message::OpenInterfaceReply>)>& hear) {
+    const message::OpenInterface open{.provided = {"robot", "meter", "None"}};
+    channel_->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, open, kLong, hear);
   }
   [[nodiscard]] bool is_open() const { return channel_->is_open(); }
   /// Whether it could be sent.
@@ -303,13 +308,29 @@ TEST_P(GreedyViewer, WhoseAnswerCannotBeSentHasNoSubscription) {
 TEST_P(GreedyViewer, ThatAsksFasterThanItIsServedIsRefused) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
-  const auto hear = [refused](const Result<message::Subscribed>& answer) {
+  const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
     constexpr std::string_view kWhy = "keeps at most 8192 requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
   auto held = HoldUp(*robot);
   for (int asked = 0; asked < kMany && *refused == 0; ++asked) greedy.Ask(WantingNewest(), hear);
+  EXPECT_TRUE(EventuallyTrue([&] { return *refused > 0; }));
+  held.unlock();
+
+  EXPECT_TRUE(modest.Subscribe(WantingNewest()).ok());
+}
+
+TEST_P(GreedyViewer, ThatOpensInterfacesFasterThanItIsServedIsRefused) {
+  constexpr int kMany = 100'000;
+  const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
+  const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
+    constexpr std::string_view kWhy = "keeps at most 8192 requests";
+    if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
+  };
+
+  auto held = HoldUp(*robot);
+  for (int asked = 0; asked < kMany && *refused == 0; ++asked) greedy.AskToOpen(hear);
   EXPECT_TRUE(EventuallyTrue([&] { return *refused > 0; }));
   held.unlock();
 
@@ -343,7 +364,7 @@ TEST_P(GreedyViewer, ThatEndsMoreSubscriptionsThanIsLookedAtIsNotCutOff) {
 TEST_P(GreedyViewer, ThatAsksInLongMessagesIsRefusedBeforeTheyAreMany) {
   const std::string name(std::size_t{900} << 10U, 'x');
   const auto refused = std::make_shared<std::atomic<int>>(0);
-  const auto hear = [refused](const Result<message::Subscribed>& answer) {
+  const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
     constexpr std::string_view kWhy = "of 8388608 bytes together";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };

@@ -48,7 +48,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                 std::span<const std::byte> body) override {
     const std::scoped_lock lock(mutex);
-    if (header.type == message::kPeers) peers = *DecodeBody<message::Peers>(body);
+    if (header.type == message::kPeers) peers = *DecodeBody<message::PeerList>(body);
   }
 
   void OnClosed(const std::shared_ptr<Channel>& closed, const Error& /*reason*/) override {
@@ -151,9 +151,9 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     return {.time = std::chrono::nanoseconds(now.time_since_epoch()).count()};
   }
 
-  message::Called Call(const message::CallMember& call) {
+  message::CallMemberReply Call(const message::CallMember& call) {
     const std::scoped_lock lock(mutex);
-    message::Called called;
+    message::CallMemberReply called;
     Joints joints{1, 2, 3, 4, 5, 6, 7};
     if (call.member == "Stop") return {.status = Status::kNotActive};
     if (call.member == "MoveTo") {
@@ -181,7 +181,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
                                               {FingerprintOf<double>(), SchemaOf<double>().Text()}};
   std::uint64_t last_id = 0;
   std::vector<message::Wiring> orders;
-  message::Peers peers;
+  message::PeerList peers;
   std::optional<Responder> kept;
   std::optional<Joints> goal;
   int schema_requests = 0;
@@ -235,7 +235,7 @@ void FakeProcess::Know(const Schema& schema) {
   state_->texts[schema.fingerprint()] = schema.Text();
 }
 
-Result<message::Joined> FakeProcess::Join(const std::string& gcm) {
+Result<message::JoinReply> FakeProcess::Join(const std::string& gcm) {
   message::Join join;
   std::uint64_t session = 0;
   {
@@ -252,7 +252,7 @@ Result<message::Joined> FakeProcess::Join(const std::string& gcm) {
     const std::scoped_lock lock(state_->mutex);
     state_->gcm = *channel;
   }
-  auto joined = (*channel)->Call<message::Joined>(message::kJoin, 0, join, kTimeout);
+  auto joined = (*channel)->Call<message::JoinReply>(message::kJoin, 0, join, kTimeout);
   const std::scoped_lock lock(state_->mutex);
   if (joined) state_->session = joined->session;
   return joined;
@@ -331,7 +331,7 @@ std::vector<message::Wiring> FakeProcess::orders() const {
   return state_->orders;
 }
 
-message::Peers FakeProcess::peers() const {
+message::PeerList FakeProcess::peers() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->peers;
 }

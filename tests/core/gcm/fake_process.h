@@ -49,7 +49,7 @@ class FakeProcess {
   /// A type of its own, which it tells to who asks.
   void Know(const Schema& schema);
 
-  Result<message::Joined> Join(const std::string& gcm);
+  Result<message::JoinReply> Join(const std::string& gcm);
   Result<None> Renew();
   Result<message::GcmClock> TellHealth(const message::Health& health);
   Result<None> Leave();
@@ -66,7 +66,7 @@ class FakeProcess {
   void set_manners(Manners manners);
   [[nodiscard]] const ProcessDescription& description() const;
   [[nodiscard]] std::vector<message::Wiring> orders() const;
-  [[nodiscard]] message::Peers peers() const;
+  [[nodiscard]] message::PeerList peers() const;
   [[nodiscard]] std::size_t connection_count() const;
   [[nodiscard]] bool is_linked() const;
   /// The last argument of MoveTo.

@@ -64,7 +64,7 @@ class CertifiedSystem : public AuthorityTest {
   /// Who has joined, or not, with nothing but a channel.
   struct Member {
     std::shared_ptr<Channel> channel;
-    Result<message::Joined> joined;
+    Result<message::JoinReply> joined;
   };
   /// As an instance that everybody may know, with the token of a membership, or 0.
   [[nodiscard]] Member JoinByHand(const std::shared_ptr<Middleware>& middleware,
@@ -75,7 +75,7 @@ class CertifiedSystem : public AuthorityTest {
                                        std::make_shared<ChannelHandler>(), kPatience);
     if (!channel) return {nullptr, channel.error()};
     const message::Join join{.process = {.name = name, .instance = kInstance}};
-    return {*channel, (*channel)->Call<message::Joined>(message::kJoin, 0, join, kPatience)};
+    return {*channel, (*channel)->Call<message::JoinReply>(message::kJoin, 0, join, kPatience)};
   }
   static Result<std::string> Stop(GcmClient& client) {
     return Wait<std::string>(2 * kPatience, [&](auto done) {

@@ -16,21 +16,14 @@ Hello HelloOf(const std::string& name, std::uint64_t cookie = kCookie) {
   return {.instance = 3, .name = name, .session = name == "desk" ? 99U : 0U, .cookie = cookie};
 }
 
-constexpr std::uint16_t kNewest = FrameHeader::kProtocolVersion;
-constexpr std::uint16_t kOldest = FrameHeader::kOldestVersion;
-constexpr std::uint16_t kNewer = kNewest + 1;
+constexpr std::uint16_t kOurs = FrameHeader::kProtocolVersion;
+constexpr std::uint16_t kOlder = kOurs - 1;
+constexpr std::uint16_t kNewer = kOurs + 1;
+const std::string kOursText = std::to_string(kOurs);
+const std::string kOlderText = std::to_string(kOlder);
 const std::string kNewerText = std::to_string(kNewer);
-const std::string kOurs =
-    (kOldest < kNewest ? std::to_string(kOldest) + "-" : "") + std::to_string(kNewest);
 
-/// One that speaks these protocol versions.
-Hello Speaking(Hello hello, int oldest, int newest) {
-  hello.oldest_version = static_cast<std::uint16_t>(oldest);
-  hello.protocol_version = static_cast<std::uint16_t>(newest);
-  return hello;
-}
-
-FrameHeader HeaderOf(MessageType type, std::uint16_t version = kOldest) {
+FrameHeader HeaderOf(MessageType type, std::uint16_t version = kOurs) {
   FrameHeader header;
   header.type = type;
   header.version = version;
@@ -43,16 +36,14 @@ struct Talk {
   explicit Talk(Hello one = HelloOf("desk"), Hello other = HelloOf("robot"),
                 Strangers strangers = Strangers::kRefused,
                 const std::string& seen = "127.0.0.1:10705")
-      : openers_oldest(one.oldest_version),
-        acceptors_oldest(other.oldest_version),
-        opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
+      : opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
         acceptor(Handshake::Role::kAcceptor, std::move(other), "127.0.0.1:10705", strangers) {}
 
   Result<Handshake::Step> Hear(MessageType type, const Bytes& body) {
-    return acceptor.Take(HeaderOf(type, openers_oldest), body);
+    return acceptor.Take(HeaderOf(type), body);
   }
   Result<Handshake::Step> Answer(const Handshake::Step& step) {
-    return opener.Take(HeaderOf(step.type, acceptors_oldest), step.body);
+    return opener.Take(HeaderOf(step.type), step.body);
   }
   /// Whom the acceptor lets in.
   Result<Hello> Run() {
@@ -68,8 +59,6 @@ struct Talk {
     return *welcome->peer;
   }
 
-  const std::uint16_t openers_oldest;
-  const std::uint16_t acceptors_oldest;
   Handshake opener;
   Handshake acceptor;
   Hello robot;  // as the opener knows it
@@ -171,71 +160,47 @@ TEST(Handshake, WhoFoundTheAcceptorElsewhereIsDenied) {
   EXPECT_EQ(talk.Run().error().code, ErrorCode::kDenied);
 }
 
-TEST(Handshake, BothSpeakTheNewestThatBothKnow) {
-  struct Case {
-    int oldest, newest, agreed;
+TEST(Handshake, AHelloInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
+  const auto refusal_of = [](std::uint16_t version) {
+    return Talk().acceptor.Take(HeaderOf(MessageType::kHello, version), Bytes(5)).error();
   };
-  for (const Case one : {Case{kOldest, kNewest, kNewest}, Case{kOldest, kOldest, kOldest},
-                         Case{kOldest - 1, kOldest, kOldest}, Case{kNewest, kNewest + 1, kNewest},
-                         Case{kOldest, kNewest + 5, kNewest}}) {
-    const Hello robot = Speaking(HelloOf("robot"), one.oldest, one.newest);
-    Talk to_it(HelloOf("desk"), robot);
-    Talk from_it(Speaking(HelloOf("desk"), one.oldest, one.newest));
+  const std::string begin = "robot speaks protocol " + kOursText + ", this program ";
 
-    const auto its_peer = to_it.Run();
-    const auto our_peer = from_it.Run();
-
-    ASSERT_TRUE(its_peer) << its_peer.error().message;
-    ASSERT_TRUE(our_peer) << our_peer.error().message;
-    for (const Hello& peer : {*its_peer, to_it.robot, *our_peer, from_it.robot}) {
-      EXPECT_EQ(peer.protocol_version, one.agreed) << one.oldest << "-" << one.newest;
-    }
-  }
+  EXPECT_EQ(refusal_of(kOlder),
+            (Error{ErrorCode::kIncompatible, begin + kOlderText + ": update this program"}));
+  EXPECT_EQ(refusal_of(kNewer),
+            (Error{ErrorCode::kIncompatible, begin + kNewerText + ": update robot"}));
 }
 
-TEST(Handshake, WhoSpeaksNoVersionOfOursIsToldWhomToUpdate) {
-  const auto refusal_of = [](int oldest, int newest) {
-    return Talk(Speaking(HelloOf("desk"), oldest, newest)).Run().error();
+TEST(Handshake, AChallengeInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
+  const auto refusal_of = [](std::uint16_t version) {
+    Talk talk;
+    (void)talk.opener.Greet();
+    return talk.opener.Take(HeaderOf(MessageType::kChallenge, version), Bytes(5)).error();
   };
-  const std::string begin = "robot speaks protocol " + kOurs + ", this program ";
-  const auto differs = [&](const std::string& end) {
-    return Error{ErrorCode::kIncompatible, begin + end};
-  };
+  const std::string begin = "127.0.0.1:10705 speaks protocol ";
+  const std::string ours = ", this program " + kOursText + ": update ";
 
-  EXPECT_EQ(refusal_of(kOldest - 2, kOldest - 1),
-            differs(std::to_string(kOldest - 2) + "-" + std::to_string(kOldest - 1) +
-                    ": update this program"));
-  EXPECT_EQ(refusal_of(kOldest - 1, kOldest - 1),
-            differs(std::to_string(kOldest - 1) + ": update this program"));
-  EXPECT_EQ(refusal_of(kNewest + 1, kNewest + 1),
-            differs(std::to_string(kNewest + 1) + ": update robot"));
+  EXPECT_EQ(refusal_of(kOlder),
+            (Error{ErrorCode::kIncompatible, begin + kOlderText + ours + "127.0.0.1:10705"}));
+  EXPECT_EQ(refusal_of(kNewer),
+            (Error{ErrorCode::kIncompatible, begin + kNewerText + ours + "this program"}));
 }
 
-TEST(Handshake, AChallengeInAnOlderVersionIsRefusedHere) {
-  Talk talk(HelloOf("desk"), Speaking(HelloOf("robot"), kOldest - 1, kNewest));
+TEST(Handshake, ALaterFrameInAnotherVersionIsRefused) {
+  Talk talk;
   const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
   ASSERT_TRUE(challenge);
-  Handshake newer(Handshake::Role::kOpener, Speaking(HelloOf("desk", 0), kNewest + 1, kNewest + 2),
-                  "127.0.0.1:10705", Strangers::kRefused);
-  (void)newer.Greet();
+  const auto proof = talk.Answer(*challenge);
+  ASSERT_TRUE(proof);
 
-  const auto judged = newer.Take(HeaderOf(MessageType::kChallenge, kOldest - 1), challenge->body);
+  const auto late_proof = talk.acceptor.Take(HeaderOf(proof->type, kNewer), proof->body);
+  const auto welcome = talk.Hear(proof->type, proof->body);
+  ASSERT_TRUE(welcome);
+  const auto late_welcome = talk.opener.Take(HeaderOf(welcome->type, kOlder), welcome->body);
 
-  ASSERT_FALSE(judged);
-  EXPECT_EQ(judged.error().message,
-            "127.0.0.1:10705 speaks protocol " + std::to_string(kOldest - 1) + "-" +
-                std::to_string(kNewest) + ", this program " + std::to_string(kNewest + 1) + "-" +
-                std::to_string(kNewest + 2) + ": update 127.0.0.1:10705");
-}
-
-TEST(Handshake, AnotherVersionIsRefusedBeforeItsBodyIsRead) {
-  Talk talk;
-
-  const auto judged = talk.acceptor.Take(HeaderOf(MessageType::kHello, kNewer), Bytes(5));
-
-  EXPECT_EQ(judged.error(),
-            (Error{ErrorCode::kIncompatible, "robot speaks protocol " + kOurs + ", this program " +
-                                                 kNewerText + ": update robot"}));
+  EXPECT_EQ(late_proof.error().code, ErrorCode::kIncompatible);
+  EXPECT_EQ(late_welcome.error().code, ErrorCode::kIncompatible);
 }
 
 TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
@@ -260,16 +225,6 @@ TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
       talk.opener.Take(HeaderOf(MessageType::kRefusal, kNewer), EncodeBody(refusal));
 
   EXPECT_EQ(judged.error(), refusal);
-}
-
-TEST(Handshake, AChallengeInAnotherVersionIsRefusedHere) {
-  Talk talk;
-  (void)talk.opener.Greet();
-
-  const auto judged = talk.opener.Take(HeaderOf(MessageType::kChallenge, kNewer), Bytes(5));
-
-  EXPECT_EQ(judged.error().message, "127.0.0.1:10705 speaks protocol " + kNewerText +
-                                        ", this program " + kOurs + ": update this program");
 }
 
 }  // namespace

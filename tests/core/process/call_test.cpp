@@ -16,8 +16,8 @@ using plant::Plant;
 using tendon::EncodeBody;
 using tendon::ErrorCode;
 using tendon::Status;
-using tendon::message::Called;
 using tendon::message::CallMember;
+using tendon::message::CallMemberReply;
 using tendon::message::GetSchemas;
 using tendon::message::Schemas;
 using testing::HasSubstr;
@@ -40,13 +40,13 @@ class MemberCall : public NetworkTest {
   }
   ~MemberCall() override { channel->Close(); }
 
-  tendon::Result<Called> Call(const std::string& interface, const std::string& member,
-                              tendon::Bytes argument = {}) {
-    return channel->Call<Called>(tendon::message::kCallMember, 0,
-                                 CallMember{"plant", interface, member, std::move(argument)},
-                                 std::chrono::seconds(20));
+  tendon::Result<CallMemberReply> Call(const std::string& interface, const std::string& member,
+                                       tendon::Bytes argument = {}) {
+    return channel->Call<CallMemberReply>(
+        tendon::message::kCallMember, 0,
+        CallMember{"plant", interface, member, std::move(argument)}, std::chrono::seconds(20));
   }
-  Status StatusOf(const tendon::Result<Called>& called) {
+  Status StatusOf(const tendon::Result<CallMemberReply>& called) {
     return static_cast<Status::Code>(called->status);
   }
 
@@ -94,10 +94,10 @@ TEST_P(MemberCall, OfAMethodThatHangsHoldsUpNoOther) {
   std::atomic<int> answered = 0;
   std::atomic<int> refused = 0;
   const auto ask = [&] {
-    channel->Request<Called>(
+    channel->Request<CallMemberReply>(
         tendon::message::kCallMember, 0, CallMember{"plant", "Control", "Ask", {}},
         std::chrono::seconds(60),
-        [&](const tendon::Result<Called>& called) { ++(called ? answered : refused); });
+        [&](const tendon::Result<CallMemberReply>& called) { ++(called ? answered : refused); });
   };
   ask();
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));

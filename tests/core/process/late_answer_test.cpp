@@ -13,8 +13,8 @@ namespace {
 
 using tendon::ConnectionState;
 using tendon::Status;
-using tendon::message::Called;
 using tendon::message::CallMember;
+using tendon::message::CallMemberReply;
 using testing::HasSubstr;
 
 /// Its end, which its manager's lock is held for, waits at a gate.
@@ -61,8 +61,9 @@ class LateAnswer : public RemoteConnection {
   /// The first call of a member goes through the worker, behind what waits there.
   bool Call(const std::string& member) const {
     return console
-        ->Call<Called>(tendon::message::kCallMember, 0, CallMember{"plant", "Control", member, {}},
-                       std::chrono::seconds(20))
+        ->Call<CallMemberReply>(tendon::message::kCallMember, 0,
+                                CallMember{"plant", "Control", member, {}},
+                                std::chrono::seconds(20))
         .ok();
   }
   void Release() {

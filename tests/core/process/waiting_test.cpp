@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using tendon::ComponentState;
 using tendon::LocalManager;
 using tendon::Status;
-using tendon::message::Called;
+using tendon::message::CallMemberReply;
 using testing::AnyOf;
 
 constexpr auto kLong = 20s;
@@ -275,14 +275,14 @@ class RemoteCallByName : public RemoteWait {
   }
   ~RemoteCallByName() override { channel->Close(); }
 
-  Called Call(const std::string& member, tendon::Bytes argument,
-              std::chrono::nanoseconds timeout = kLong) {
-    const auto called = channel->Call<Called>(
+  CallMemberReply Call(const std::string& member, tendon::Bytes argument,
+                       std::chrono::nanoseconds timeout = kLong) {
+    const auto called = channel->Call<CallMemberReply>(
         tendon::message::kCallMember, 0,
         tendon::message::CallMember{"press", "Control", member, std::move(argument), timeout},
         kLong);
     EXPECT_TRUE(called.ok()) << called.error().message;
-    return called ? *called : Called{};
+    return called ? *called : CallMemberReply{};
   }
 
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
@@ -294,8 +294,8 @@ INSTANTIATE_TEST_SUITE_P(Over, RemoteCallByName, testing::ValuesIn(NetworkKinds(
 TEST_P(RemoteCallByName, WaitsForWhatReturnsSomething) {
   ASSERT_EQ(panel->add.Wait(4, kLong), Status(Status::kDone));
 
-  const Called total = Call("Total", {});
-  const Called name = Call("Name", tendon::EncodeBody(9));
+  const CallMemberReply total = Call("Total", {});
+  const CallMemberReply name = Call("Name", tendon::EncodeBody(9));
 
   EXPECT_EQ(total.status, Status::kDone);
   EXPECT_EQ(total.answer, tendon::EncodeBody(4));
@@ -306,7 +306,7 @@ TEST_P(RemoteCallByName, WaitsForWhatReturnsSomething) {
 TEST_P(RemoteCallByName, EndsAtItsDeadline) {
   press->Hold();
 
-  const Called total = Call("Total", {}, 50ms);
+  const CallMemberReply total = Call("Total", {}, 50ms);
 
   EXPECT_EQ(total.status, Status::kTimeout);
   EXPECT_TRUE(total.answer.empty());

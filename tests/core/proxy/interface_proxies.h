@@ -164,9 +164,10 @@ class InterfaceProxies : public testing::Test {
   void MakeServer() {
     server_end->proxy = std::make_shared<RequiredInterfaceProxy>(
         thread, server_end->channel.get_future().get(),
-        message::OpenInterface{
-            .description = required.description(), .handle = kClientHandle, .capacity = 4},
-        RequiredInterfaceProxy::Events::kPlain, required.latest_only());
+        message::OpenInterface{.description = required.description(),
+                               .handle = kClientHandle,
+                               .capacity = 4,
+                               .latest_only = required.latest_only()});
     auto made = Connection::Make(server_end->proxy->interface(), provided, "client", "server");
     ASSERT_TRUE(made.ok()) << made.error().message;
     server_connection = *std::move(made);
@@ -188,8 +189,8 @@ class InterfaceProxies : public testing::Test {
             .opened = {.handle = kServerHandle,
                        .credit = server_end->proxy->capacity(),
                        .accepting = true,
-                       .description = provided.description()},
-            .latest_only = provided.latest_only()};
+                       .description = provided.description(),
+                       .latest_only = provided.latest_only()}};
   }
 
   void Push(int number) { numbers.push_back(number); }

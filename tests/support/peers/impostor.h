@@ -59,7 +59,6 @@ class Impostor {
       const auto link = link_.lock();
       if (header.type != MessageType::kHello || !link) return;
       message::Challenge challenge;
-      challenge.greeting.protocol_version = header.version;
       challenge.greeting.name = name_;
       challenge.proof.fill(1);
       const Bytes body = EncodeBody(challenge);

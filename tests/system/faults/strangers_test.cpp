@@ -2,9 +2,11 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/proxy/connection_messages.h>
 
 #include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -49,6 +51,27 @@ std::vector<Bytes> Messages() {
   return {std::move(frame), std::move(request)};
 }
 
+/// Keeps the refusal that it hears.
+class RefusalListener final : public tendon::LinkHandler {
+ public:
+  void OnFrame(std::span<const std::byte> frame) override {
+    const auto header = tendon::ReadWholeFrame(frame);
+    if (!header || header->type != tendon::MessageType::kRefusal) return;
+    const std::scoped_lock lock(mutex_);
+    refusal_ = tendon::ReadRefusal(frame.subspan(tendon::FrameHeader::kSize), "the peer");
+  }
+  void OnClosed(const tendon::Error& /*reason*/) override {}
+
+  [[nodiscard]] std::optional<tendon::Error> refusal() const {
+    const std::scoped_lock lock(mutex_);
+    return refusal_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::optional<tendon::Error> refusal_;
+};
+
 class Strangers : public FaultTest {
  protected:
   static os::Socket Knock(const std::string& address) {
@@ -57,13 +80,14 @@ class Strangers : public FaultTest {
     EXPECT_TRUE(socket) << socket.error().message;
     return socket ? *std::move(socket) : os::Socket();
   }
-  /// A client of this protocol version alone.
-  static tendon::Hello Speaking(unsigned version) {
-    return {.protocol_version = static_cast<std::uint16_t>(version),
-            .oldest_version = static_cast<std::uint16_t>(version),
-            .instance = 1,
-            .name = "odd",
-            .cookie = *tendon::LoopbackCookie()};
+  /// The frame with which a program of this protocol version begins.
+  static Bytes HelloOfVersion(std::uint16_t version) {
+    constexpr std::uint32_t kSize = 64;
+    Bytes frame;
+    tendon::WriteFrame(
+        {.version = version, .type = tendon::MessageType::kHello, .request = 1, .size = kSize},
+        Bytes(kSize, std::byte{3}), frame);
+    return frame;
   }
   static void Say(const std::string& address, const Bytes& bytes) {
     (void)os::SendSome(Knock(address), bytes);
@@ -157,43 +181,22 @@ TEST_P(Strangers, TheMessagesThatKillProgramsOfIceKillNoneOfOurs) {
 TEST_P(Strangers, AnotherProtocolVersionIsRefusedInWords) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const auto middleware = NewMiddleware();
-  constexpr unsigned kNewest = tendon::FrameHeader::kProtocolVersion;
-  constexpr unsigned kOldest = tendon::FrameHeader::kOldestVersion;
-  const std::string spoken = kOldest == kNewest
-                                 ? std::to_string(kNewest)
-                                 : std::to_string(kOldest) + "-" + std::to_string(kNewest);
+  constexpr int kOurs = tendon::FrameHeader::kProtocolVersion;
 
   for (const std::string& port : ports_) {
-    for (const unsigned version : {kNewest + 1, kOldest - 1}) {
-      const auto channel = Channel::Open(*middleware, port, Speaking(version),
-                                         std::make_shared<ChannelHandler>(), Patience());
-      ASSERT_FALSE(channel);
-      EXPECT_EQ(channel.error().code, tendon::ErrorCode::kIncompatible);
-      EXPECT_THAT(channel.error().message,
-                  HasSubstr("speaks protocol " + spoken + ", this program " +
+    for (const int version : {kOurs + 1, kOurs - 1}) {
+      const auto listener = std::make_shared<RefusalListener>();
+      const auto link = middleware->Open(port, listener, Patience());
+      ASSERT_TRUE(link) << link.error().message;
+      EXPECT_TRUE((*link)->Send(HelloOfVersion(static_cast<std::uint16_t>(version))));
+      EXPECT_TRUE(Eventually([&] { return listener->refusal().has_value(); }));
+      const tendon::Error refusal = listener->refusal().value_or(tendon::Error{});
+      EXPECT_EQ(refusal.code, tendon::ErrorCode::kIncompatible);
+      EXPECT_THAT(refusal.message,
+                  HasSubstr("speaks protocol " + std::to_string(kOurs) + ", this program " +
                             std::to_string(version) + ": update "));
+      (*link)->Close();
     }
-  }
-
-  ExpectNobodyDisturbed();
-}
-
-/// Row 15.
-TEST_P(Strangers, TheProtocolVersionBeforeIsSpoken) {
-  ASSERT_NO_FATAL_FAILURE(Begin());
-  const auto middleware = NewMiddleware();
-
-  for (const std::string& port : ports_) {
-    const auto channel =
-        Channel::Open(*middleware, port, Speaking(tendon::FrameHeader::kOldestVersion),
-                      std::make_shared<ChannelHandler>(), Patience());
-    ASSERT_TRUE(channel) << channel.error().message;
-    EXPECT_EQ((*channel)->protocol_version(), tendon::FrameHeader::kOldestVersion);
-    const auto question = port == gcm_address_ ? tendon::message::kHealth : tendon::message::kPing;
-    const auto answer =
-        (*channel)->Call(question, 0, tendon::EncodeBody(tendon::None{}), Patience());
-    EXPECT_TRUE(answer) << answer.error().message;
-    (*channel)->Close();
   }
 
   ExpectNobodyDisturbed();

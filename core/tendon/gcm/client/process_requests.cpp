@@ -197,15 +197,15 @@ void Caller::Send(const std::shared_ptr<const Order>& order) {
   links_->With(path.process,
                [self = shared_from_this(), order, call = std::move(call)](const auto& channel) {
                  if (!channel) return order->handler(channel.error());
-                 Ask<message::Called>(*self->timer_, *channel, message::kCallMember, call,
-                                      self->timeout_, [self, order](const auto& called) {
-                                        if (!called) return order->handler(called.error());
-                                        order->handler(self->Read(*order, *called));
-                                      });
+                 Ask<message::CallMemberReply>(*self->timer_, *channel, message::kCallMember, call,
+                                               self->timeout_, [self, order](const auto& called) {
+                                                 if (!called) return order->handler(called.error());
+                                                 order->handler(self->Read(*order, *called));
+                                               });
                });
 }
 
-Result<std::string> Caller::Read(const Order& order, const message::Called& called) const {
+Result<std::string> Caller::Read(const Order& order, const message::CallMemberReply& called) const {
   constexpr std::uint8_t kLast = Status::kFailed;
   const Status status(called.status <= kLast ? static_cast<Status::Code>(called.status)
                                              : Status::kFailed);

@@ -55,7 +55,8 @@ class Caller final : public std::enable_shared_from_this<Caller> {
                     const message::Schemas& schemas);
   [[nodiscard]] std::optional<Schema> Find(Fingerprint fingerprint) const;
   void Send(const std::shared_ptr<const Order>& order);
-  [[nodiscard]] Result<std::string> Read(const Order& order, const message::Called& called) const;
+  [[nodiscard]] Result<std::string> Read(const Order& order,
+                                         const message::CallMemberReply& called) const;
 
   const std::shared_ptr<ProcessLinks> links_;
   const std::shared_ptr<Worker> timer_;

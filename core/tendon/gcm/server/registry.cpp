@@ -315,8 +315,8 @@ std::vector<std::shared_ptr<Channel>> Registry::channels() const {
   return channels;
 }
 
-message::Peers Registry::peers() const {
-  message::Peers peers;
+message::PeerList Registry::peers() const {
+  message::PeerList peers;
   for (const auto& [name, entry] : catalogue_.processes()) {
     if (!IsPresent(entry.process)) continue;
     peers.processes.push_back(entry.process);

@@ -78,7 +78,7 @@ class Registry {
   /// The channel of a member, else null.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
-  [[nodiscard]] message::Peers peers() const;
+  [[nodiscard]] message::PeerList peers() const;
   [[nodiscard]] message::SystemHealth health() const;
 
   /// The changes since the last call.

@@ -183,7 +183,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kLife, &Server::Steer},
       {message::kGetClasses, &Server::ListClasses},
       {message::kPassOver, &Server::PassOver},
-      {message::kPlanTurn, &Server::TakePlanTurn},
+      {message::kPlanLock, &Server::TakePlanTurn},
       {message::kBeginOrder, &Server::BeginOrder},
       {message::kHealth, &Server::TellHealth},
       {message::kTellHealth, &Server::TakeHealth},
@@ -211,22 +211,22 @@ void Server::Join(const Request& request) {
   Locked([&] {
     Session& session = request.peer.session;
     if (session != 0) {
-      return Answer<message::Joined>(request,
-                                     Error{ErrorCode::kInvalid, "this channel has joined already"});
+      return Answer<message::JoinReply>(
+          request, Error{ErrorCode::kInvalid, "this channel has joined already"});
     }
     auto admission =
         registry_.Join(*std::move(join), request.channel->peer().session, request.channel);
     if (!admission) {
       audit_.Write(peer, LogLevel::kWarning,
                    who + ": join: refused: " + Printable(admission.error().message, 256));
-      return Answer<message::Joined>(request, admission.error());
+      return Answer<message::JoinReply>(request, admission.error());
     }
     audit_.Write(peer, LogLevel::kInfo, who + ": join: allowed");
     session = admission->session;
     if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
-    Answer(request, Result(message::Joined{.gcm_instance = options_.instance,
-                                           .session = session,
-                                           .processes = registry_.peers().processes}));
+    Answer(request, Result(message::JoinReply{.gcm_instance = options_.instance,
+                                              .session = session,
+                                              .processes = registry_.peers().processes}));
   });
 }
 

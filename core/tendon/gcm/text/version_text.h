@@ -7,12 +7,12 @@
 
 namespace tendon {
 
-/// "version 0.4.0, protocol 7".
+/// "version 0.4.0, protocol 10".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
 /// The version that a program reported, or that it reported none; and whether it is `own`.
 struct VersionReport {
-  std::string text;  ///< "version 0.3.0, protocol 6, which is not that of this program"
+  std::string text;  ///< "version 0.3.0, protocol 10, which is not that of this program"
   bool is_own = false;
 };
 [[nodiscard]] VersionReport JudgeVersion(const Result<message::ProgramVersion>& told,

@@ -67,7 +67,7 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
   }
   const FrameHeader& header = frame.header;
   if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (IsInAgreedVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
+  if (HasOurVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {

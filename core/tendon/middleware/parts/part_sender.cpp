@@ -5,7 +5,6 @@
 namespace tendon {
 
 void PartSender::Frame::Write(const FrameHeader& header, std::span<const std::byte> body) {
-  version = header.version;
   bytes.resize(2 * FrameHeader::kSize);
   WriteHeader(header, std::span(bytes).last<FrameHeader::kSize>());
   bytes.insert(bytes.end(), body.begin(), body.end());
@@ -117,7 +116,6 @@ Status PartSender::SendPart(Link& link, Frame& frame) {
   const std::size_t size = std::min(part_size(), frame.size() - frame.sent);
   FrameHeader header;
   header.type = MessageType::kPart;
-  header.version = frame.version;
   header.size = static_cast<std::uint32_t>(size);
   header.handle = frame.number;
   const auto part = std::span(frame.bytes).subspan(frame.sent, FrameHeader::kSize + size);

@@ -23,9 +23,8 @@ inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
 inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
 /// The largest reply that returns with its request. A reply larger than a part returns whole only
-/// if the peer speaks this version and the line is quick.
+/// if the line is quick.
 inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
-inline constexpr std::uint16_t kReturnsLargeAnswers = 8;
 
 /// Sends large frames in parts, one part of each lane in turn. Stays at most four parts ahead of
 /// the peer, which acknowledges them (kPartsTaken). So other messages wait behind at most four
@@ -72,7 +71,6 @@ class PartSender {
   /// header overwrites the end of the part before.
   struct Frame {
     std::uint32_t number = 0;
-    std::uint16_t version = 0;
     Bytes bytes;
     std::size_t sent = 0;
 

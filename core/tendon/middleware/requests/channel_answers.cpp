@@ -10,7 +10,7 @@ namespace tendon {
 /// A reply that returns with its request is not sent in parts: it must be small, or the line quick.
 bool Channel::MayReturn(std::size_t size) {
   if (!parts_.MustTake(kOwnLane, size)) return true;
-  return version_ >= kReturnsLargeAnswers && size <= kMaxReturned && parts_.is_quick();
+  return size <= kMaxReturned && parts_.is_quick();
 }
 
 /// Where a reply of `size` bytes can be written to return with its request: `later`, or the place

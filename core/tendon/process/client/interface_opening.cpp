@@ -11,22 +11,21 @@ constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
 using Done = std::function<void(const OpenedInterface&)>;
 
 OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
-                          const Result<message::MarkedOpened>& answer,
+                          const Result<message::OpenInterfaceReply>& answer,
                           const InterfaceRequest& wanted, const PeerLink::Mirrored& copies) {
   if (!answer) return answer.error();
   const std::shared_ptr<Channel>& channel = link.channel();
   ProvidedInterfaceProxy::Remote remote{.channel = channel,
-                                        .opened = answer->opened,
+                                        .opened = *answer,
                                         .name = wanted.open.provided,
                                         .mirrored = {},
-                                        .latest_only = answer->latest_only,
                                         .line = wanted.line};
   for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
   try {
     return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,
                                                     wanted.read_deadline);
   } catch (const ConfigurationError& error) {
-    (void)channel->Notify(message::kCloseInterface, answer->opened.handle, Bytes());
+    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
     return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
   }
 }
@@ -34,15 +33,14 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
 void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
           const InterfaceRequest& wanted, const PeerLink::Mirrored& copies, const Done& done) {
   const auto on_answer = [network, link, wanted, copies,
-                          done](const Result<message::MarkedOpened>& answer) {
+                          done](const Result<message::OpenInterfaceReply>& answer) {
     const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
     if (proxy) link->handles().Put(wanted.open.handle, *proxy);
     done(proxy);
   };
   const std::shared_ptr<Channel>& channel = link->channel();
-  channel->Request<message::MarkedOpened>(message::kOpenMarked, 0,
-                                          message::OpenMarked{wanted.open, wanted.latest_only},
-                                          kAsLongAsTheLink, on_answer);
+  channel->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, wanted.open,
+                                                kAsLongAsTheLink, on_answer);
 }
 
 }  // namespace
@@ -51,9 +49,9 @@ void OpenProvided(const std::shared_ptr<NetworkThread>& network,
                   const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
                   const Done& done) {
   if (wanted.mirrored.empty()) return Open(network, link, wanted, {}, done);
-  link->channel()->Request<message::Mirrored>(
+  link->channel()->Request<message::MirrorReply>(
       message::kMirror, 0, message::Mirror{wanted.open.provided, wanted.mirrored}, kAsLongAsTheLink,
-      [network, link, wanted, done](const Result<message::Mirrored>& answer) {
+      [network, link, wanted, done](const Result<message::MirrorReply>& answer) {
         if (!answer) return done(answer.error());
         if (answer->columns.size() != wanted.mirrored.size()) {
           return done(Error{ErrorCode::kInvalid, link->channel()->peer().name +

@@ -13,7 +13,6 @@ namespace tendon {
 /// The provided interface of another process, as a required interface here needs it.
 struct InterfaceRequest {
   message::OpenInterface open;
-  std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
   std::chrono::milliseconds read_deadline{0};
   std::vector<std::string> mirrored{};     ///< functions that read local copies
   std::shared_ptr<SerialExecutor> line{};  ///< for its events, if it needs one

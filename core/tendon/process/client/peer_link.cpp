@@ -84,7 +84,7 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHead
   }
 }
 
-Result<PeerLink::Mirrored> PeerLink::Receive(const message::Mirrored& mirrored) {
+Result<PeerLink::Mirrored> PeerLink::Receive(const message::MirrorReply& mirrored) {
   Mirrored values;
   const std::scoped_lock lock(mutex_);
   EndUnread();

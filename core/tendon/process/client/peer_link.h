@@ -58,7 +58,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   /// Makes copies of remote values, in the order of `mirrored`, and updates them while another
   /// object holds them. Call it in a thread of the middleware, before the first value arrives.
   using Mirrored = std::vector<std::shared_ptr<MirroredValue>>;
-  Result<Mirrored> Receive(const message::Mirrored& mirrored);
+  Result<Mirrored> Receive(const message::MirrorReply& mirrored);
   /// Our numbers for connections and event handlers.
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 

@@ -148,8 +148,8 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
                        .provided = entry.description.provided,
                        .description = (*required)->description(),
                        .handle = 0,
-                       .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity())},
-              .latest_only = (*required)->latest_only(),
+                       .capacity = static_cast<std::uint32_t>((*required)->mailbox_capacity()),
+                       .latest_only = (*required)->latest_only()},
               .read_deadline = (*required)->read_deadline(),
               .mirrored = (*required)->mirrored(),
               .line = (*required)->handles_in_raiser()

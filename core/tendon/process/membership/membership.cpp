@@ -95,7 +95,7 @@ class Membership::GcmHandler final : public ChannelHandler {
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                 std::span<const std::byte> body) override {
     if (header.type != message::kPeers) return;
-    const auto peers = DecodeBody<message::Peers>(body);
+    const auto peers = DecodeBody<message::PeerList>(body);
     if (!peers) return;
     worker_->Post([&membership = membership_, processes = peers->processes] {
       membership.delegate_.OnPeers(processes);
@@ -189,10 +189,10 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
   const message::Join join{.process = Myself(content, channel->peer_address()),
                            .components = content.components,
                            .connections = content.connections};
-  Ask<message::Joined>(
+  Ask<message::JoinReply>(
       *context_.worker, channel, message::kJoin, join, kJoinTimeout,
       [this, worker = context_.worker, channel,
-       content = std::move(content)](const Result<message::Joined>& joined) {
+       content = std::move(content)](const Result<message::JoinReply>& joined) {
         worker->Post([this, channel, content, joined] { Finish(channel, content, joined); });
       });
 }
@@ -217,7 +217,7 @@ ProcessDescription Membership::Description(const ProcessContent& content) const 
 }
 
 void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
-                        const Result<message::Joined>& joined) {
+                        const Result<message::JoinReply>& joined) {
   candidate_ = nullptr;
   if (!joined || !channel->is_open()) {
     channel->Close();

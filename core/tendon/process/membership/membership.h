@@ -81,7 +81,7 @@ class Membership final : private NetworkJob {
   [[nodiscard]] ProcessDescription Myself(const ProcessContent& content, const std::string& gcm);
   [[nodiscard]] ProcessDescription Description(const ProcessContent& content) const;
   void Finish(const std::shared_ptr<Channel>& channel, ProcessContent reported,
-              const Result<message::Joined>& joined);
+              const Result<message::JoinReply>& joined);
   void Fail(const Error& error);
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
   void TryLater();

@@ -99,7 +99,8 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
       return responder.Refuse(ExceedsMaxPayload(what, result.size(), interface_));
     }
     const bool answers = description_.signature.out != FingerprintOf<None>();
-    message::Called called{.status = static_cast<std::uint8_t>(status.code()), .answer = {}};
+    message::CallMemberReply called{.status = static_cast<std::uint8_t>(status.code()),
+                                    .answer = {}};
     if (status && answers) called.answer = result;
     responder.Reply(EncodeBody(called), kOwnLane);
   }

@@ -28,7 +28,6 @@ void PeerSession::OnAllowedRequest(const SharedChannel& channel, const FrameHead
     return responder.Reply(EncodeBody(PongOfNow()), kOwnLane);
   }
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
-  if (type == message::kOpenMarked) return OpenMarked(body, std::move(responder));
   if (type == message::kListen) return Listen(body, std::move(responder));
   if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
   if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
@@ -78,10 +77,6 @@ std::string PeerSession::ObjectOf(const FrameHeader& header, Body body) const {
     const auto open = DecodeBody<message::OpenInterface>(body);
     return open ? EndsOf(*open) : std::string();
   }
-  if (header.type == message::kOpenMarked) {
-    const auto wanted = DecodeBody<message::OpenMarked>(body);
-    return wanted ? EndsOf(wanted->open) : std::string();
-  }
   return {};
 }
 
@@ -104,18 +99,14 @@ void PeerSession::Call(const FrameHeader& header, Body body, Responder responder
 }
 
 void PeerSession::OpenInterface(Body body, Responder responder) {
-  const auto open = DecodeBody<message::OpenInterface>(body);
-  if (!open) return responder.Refuse(open.error());
-  Open({.open = *open, .latest_only = {}}, ServedConnections::Use::kAll, std::move(responder));
+  Post<message::OpenInterface>(
+      body, std::move(responder),
+      [&services = services_, client = client_](const auto& open, const auto& answer) {
+        services.connections.Open(client, open, ServedConnections::Use::kAll, answer);
+      });
 }
 
-void PeerSession::OpenMarked(Body body, Responder responder) {
-  const auto wanted = DecodeBody<message::OpenMarked>(body);
-  if (!wanted) return responder.Refuse(wanted.error());
-  Open(*wanted, ServedConnections::Use::kAllMarked, std::move(responder));
-}
-
-/// A listener may be a viewer, which must not call functions.
+/// A listener may be a viewer, which must not call functions. It gets all events, with their times.
 void PeerSession::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
@@ -125,17 +116,10 @@ void PeerSession::Listen(Body body, Responder responder) {
                                                           ToString(open.provided) +
                                                           " calls no functions of it"});
         }
-        services.connections.Open(client, {.open = open, .latest_only = {}},
-                                  ServedConnections::Use::kEventsOnly, answer);
+        message::OpenInterface all = open;
+        all.latest_only.clear();
+        services.connections.Open(client, all, ServedConnections::Use::kEventsOnly, answer);
       });
-}
-
-void PeerSession::Open(const message::OpenMarked& wanted, ServedConnections::Use use,
-                       Responder responder) {
-  services_.context.worker->Post([&services = services_, client = client_, wanted, use,
-                                  shared = std::make_shared<Responder>(std::move(responder))] {
-    services.connections.Open(client, wanted, use, shared);
-  });
 }
 
 /// Serves on the worker what may wait for the manager's lock. Reserves room in the backlog before

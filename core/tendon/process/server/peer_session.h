@@ -42,9 +42,7 @@ class PeerSession final : public GuardedHandler {
 
   void Call(const FrameHeader& header, Body body, Responder responder);
   void OpenInterface(Body body, Responder responder);
-  void OpenMarked(Body body, Responder responder);
   void Listen(Body body, Responder responder);
-  void Open(const message::OpenMarked& wanted, ServedConnections::Use use, Responder responder);
   template <typename Wanted>
   void Post(Body body, Responder responder,
             std::function<void(const Wanted&, const std::shared_ptr<Responder>&)> serve);

@@ -15,14 +15,13 @@ std::string EndsOf(const message::OpenInterface& open) {
 }
 
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
-                             const message::OpenMarked& wanted, Use use,
+                             const message::OpenInterface& open, Use use,
                              const std::shared_ptr<Responder>& responder) {
-  const message::OpenInterface& open = wanted.open;
   const auto lock = context_.host.LockStructure();
   if (const auto may = CheckListeners(*client, use); !may) return responder->Refuse(may.error());
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
-  auto made = Make(client, wanted, use, **server);
+  auto made = Make(client, open, use, **server);
   if (!made && made.error().code == ErrorCode::kIncompatible) {
     return RefuseMisfit(*context_.worker, client->channel, open, (*server)->description(),
                         made.error(), responder);
@@ -38,16 +37,13 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
           *entry.connection,
           {.interface = *server,
            .fault = [component] { return component != nullptr ? component->fault() : ""; }}),
-      .description = (*server)->description()};
+      .description = (*server)->description(),
+      .latest_only = (*server)->latest_only()};
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
   WriteDown(entry, "opened");
-  const Bytes answer = use == Use::kAllMarked
-                           ? EncodeBody(message::MarkedOpened{
-                                 .opened = opened, .latest_only = (*server)->latest_only()})
-                           : EncodeBody(opened);
-  responder->Reply(answer, entry.proxy->lane());      // events must not overtake it
-  context_.proxies.Add(entry.required, entry.proxy);  // starts to send
+  responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not overtake it
+  context_.proxies.Add(entry.required, entry.proxy);          // starts to send
 }
 
 Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {
@@ -78,14 +74,13 @@ Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provid
 }
 
 Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<Client>& client,
-                                                         const message::OpenMarked& wanted, Use use,
-                                                         ProvidedInterface& provided) {
-  const message::OpenInterface& open = wanted.open;
+                                                         const message::OpenInterface& open,
+                                                         Use use, ProvidedInterface& provided) {
   using Events = RequiredInterfaceProxy::Events;
   const Events events = use == Use::kEventsOnly ? Events::kTimed : Events::kPlain;
   try {
-    auto proxy = std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open,
-                                                          events, wanted.latest_only);
+    auto proxy =
+        std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open, events);
     proxy->MakeLines(provided, *context_.calls);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();

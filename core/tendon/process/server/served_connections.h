@@ -35,16 +35,15 @@ class ServedConnections {
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
   /// A listener for events only may be a viewer; their number is limited for each client and in
-  /// total, and closing one does not wait until it has received all. With kAllMarked the answer is
-  /// a MarkedOpened.
-  enum class Use { kAll, kAllMarked, kEventsOnly };
+  /// total, and closing one does not wait until it has received all.
+  enum class Use { kAll, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
   static constexpr std::ptrdiff_t kMostListeners = 256;
 
   /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
   /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
   /// large, kFailed for too many listeners.
-  void Open(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted, Use use,
+  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
             const std::shared_ptr<Responder>& responder);
   /// Executes what has arrived, then closes; `handle` is our number for the connection. If a call
   /// hangs in component code, the connection is freed when that returns, and no thread waits.
@@ -73,7 +72,7 @@ class ServedConnections {
   Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
   [[nodiscard]] Result<void> CheckListeners(const Client& client, Use use) const;
   static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
-  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenMarked& wanted,
+  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
                      Use use, ProvidedInterface& provided);
   static void TakeOff(Entry& entry);
   void TakeDown(Entry& entry, SteadyTime deadline);

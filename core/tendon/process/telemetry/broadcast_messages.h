@@ -19,7 +19,7 @@ inline constexpr auto kFanOut =
 
 /// The answer to kJoinTopic.
 struct JoinTopicReply {
-  Subscribed subscribed;  ///< `first_tick` has no meaning: the first arriving row sets it
+  SubscribeReply subscribed;  ///< `first_tick` has no meaning: the first arriving row sets it
   std::string topic;
 };
 

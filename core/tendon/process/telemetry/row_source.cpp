@@ -104,11 +104,11 @@ void RowSource::Ask(Item& item) {
 
 void RowSource::AskDirectly(Item& item) {
   item.stage = Stage::kAsked;
-  tendon::Ask<message::Subscribed>(
+  tendon::Ask<message::SubscribeReply>(
       *worker_, channel_, message::kSubscribe, RequestFor(item.subscription->wanted()),
       kSourceAnswerTimeout,
       [self = shared_from_this(), channel = channel_,
-       subscription = item.subscription](const Result<message::Subscribed>& answer) {
+       subscription = item.subscription](const Result<message::SubscribeReply>& answer) {
         auto outcome = answer;
         if (answer) {  // before the first rows arrive
           const auto begun = self->Begin(*channel, subscription, *answer);
@@ -228,7 +228,7 @@ void RowSource::FallBack(Item& item, const Error& reason) {
 
 Result<void> RowSource::Begin(Channel& channel,
                               const std::shared_ptr<RowSubscription>& subscription,
-                              const message::Subscribed& subscribed) {
+                              const message::SubscribeReply& subscribed) {
   const auto beginning = subscription->Begin(subscribed);
   if (!beginning) {
     EndThere(channel, subscribed.handle);
@@ -242,7 +242,7 @@ Result<void> RowSource::Begin(Channel& channel,
 
 void RowSource::OnAnswer(const std::shared_ptr<Channel>& channel,
                          const std::shared_ptr<RowSubscription>& subscription,
-                         const Result<message::Subscribed>& answer) {
+                         const Result<message::SubscribeReply>& answer) {
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {

@@ -92,11 +92,11 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void FallBack(Item& item, const Error& reason);
   /// In the middleware's thread.
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
-                     const message::Subscribed& subscribed);
+                     const message::SubscribeReply& subscribed);
   void OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body);
   void OnAnswer(const std::shared_ptr<Channel>& channel,
                 const std::shared_ptr<RowSubscription>& subscription,
-                const Result<message::Subscribed>& answer);
+                const Result<message::SubscribeReply>& answer);
   /// Any thread.
   void EndThere(Channel& channel, std::uint32_t handle);
   void RetryLater();

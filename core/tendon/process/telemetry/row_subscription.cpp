@@ -6,15 +6,15 @@
 
 namespace tendon {
 
-Result<std::uint64_t> RowSubscription::Begin(const message::Subscribed& subscribed) {
+Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed) {
   return Begin(subscribed, From::kFirstTick);
 }
 
-Result<std::uint64_t> RowSubscription::BeginTopic(const message::Subscribed& subscribed) {
+Result<std::uint64_t> RowSubscription::BeginTopic(const message::SubscribeReply& subscribed) {
   return Begin(subscribed, From::kFirstBatch);
 }
 
-Result<std::uint64_t> RowSubscription::Begin(const message::Subscribed& subscribed, From from) {
+Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed, From from) {
   if (subscribed.schemas.size() != wanted_.columns.size()) {
     return Error{ErrorCode::kInvalid, wanted_.process + " answered with another number of columns"};
   }

@@ -26,9 +26,9 @@ class RowSubscription {
 
   /// The subscription is active. Returns an error if the answer is invalid; otherwise the number of
   /// this activation, which its batches carry. Rows written while it was inactive count as lost.
-  Result<std::uint64_t> Begin(const message::Subscribed& subscribed);
+  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed);
   /// The same for rows through a topic: it starts with the first batch that arrives.
-  Result<std::uint64_t> BeginTopic(const message::Subscribed& subscribed);
+  Result<std::uint64_t> BeginTopic(const message::SubscribeReply& subscribed);
   /// Delivers a batch of activation `beginning`. Ignores batches that are malformed, out of order
   /// or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
@@ -40,7 +40,7 @@ class RowSubscription {
 
  private:
   enum class From { kFirstTick, kFirstBatch };
-  Result<std::uint64_t> Begin(const message::Subscribed& subscribed, From from);
+  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed, From from);
   /// Counts the rows since the last one as lost, and continues at `first_tick`.
   void GoOn(std::uint64_t first_tick);
   /// Returns false if the batch is older than the last row.

@@ -47,7 +47,7 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
     return responder.Refuse({ErrorCode::kInvalid, "the period of rows must not be below zero"});
   }
   if (!source) return responder.Refuse(source.error());
-  message::Subscribed subscribed = Describe(*source);
+  message::SubscribeReply subscribed = Describe(*source);
   const std::scoped_lock lock(mutex_);
   if (auto room = HasRoomFor(*source, wanted, *channel); !room) {
     return responder.Refuse(room.error());
@@ -61,8 +61,8 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   context_.network->Notify();
 }
 
-message::Subscribed TelemetryServer::Describe(const Source& source) {
-  message::Subscribed subscribed;
+message::SubscribeReply TelemetryServer::Describe(const Source& source) {
+  message::SubscribeReply subscribed;
   subscribed.epoch = source.table->epoch();
   for (const std::size_t column : source.columns) {
     subscribed.schemas.push_back(source.table->columns()[column]->schema().TextWithHelp());
@@ -186,7 +186,7 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
   const auto sources = LookUp(wanted);
   if (!sources) return responder.Refuse(sources.error());
   const std::scoped_lock lock(mutex_);
-  message::Mirrored mirrored;
+  message::MirrorReply mirrored;
   for (const Source& source : *sources) {
     if (source.table == nullptr) {
       mirrored.columns.emplace_back();

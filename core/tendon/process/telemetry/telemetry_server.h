@@ -73,7 +73,7 @@ class TelemetryServer final : public NetworkJob {
                                         const Channel& viewer) const;
   [[nodiscard]] Result<void> FitsTopic(const message::Subscribe& wanted,
                                        const Source& source) const;
-  [[nodiscard]] static message::Subscribed Describe(const Source& source);
+  [[nodiscard]] static message::SubscribeReply Describe(const Source& source);
   [[nodiscard]] Result<Source> LookUp(const message::Subscribe& wanted) const;
   [[nodiscard]] Result<std::vector<Source>> LookUp(const message::Mirror& wanted) const;
   TableFeed& FeedOf(const std::string& component, const StateTable& table);

@@ -8,9 +8,7 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 9
-OLDEST_VERSION = 9
-"""The oldest one that is spoken too."""
+PROTOCOL_VERSION = 10
 HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10
 """A frame may have at most this many bytes, header included; what is larger travels in parts."""

@@ -6,8 +6,7 @@ certificates prove who is there, and the proofs are zeroes:
     opener     PROOF      Proof
     acceptor   WELCOME
 
-These frames carry the oldest version that their sender speaks, the greetings the newest; both then
-speak the newest that both know.
+The header of each frame has the protocol version of its sender. Both must speak the same.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from ..errors import Denied, Error, Incompatible, Invalid, Unreachable
 from ..messages import MessageType
 from ..payload.schema import Field, Number, String, Structure
 from .certificate import Shown
-from .frame import OLDEST_VERSION, PROTOCOL_VERSION, Header
+from .frame import PROTOCOL_VERSION, Header
 
 OPENER, ACCEPTOR = 0, 1
 MAX_COOKIE = 256  # bytes of its file
@@ -77,19 +76,18 @@ class Answer(NamedTuple):
 
 class Opener:
     """The opener's half. `address` is where it finds the acceptor; `peer` is the acceptor's
-    greeting once that has proved itself, `version` what both speak. Under TLS, with whatever certificate the acceptor has
+    greeting once that has proved itself. Under TLS, with whatever certificate the acceptor has
     `shown`, the cookie is 0, and only the process `wanted` will do."""
 
     def __init__(self, name: str, address: str, cookie: int, shown: Shown | None = None,
                  wanted: str = "") -> None:
         self._shown = shown
         self._wanted = wanted
-        self._mine = {"protocol_version": PROTOCOL_VERSION, "instance": secrets.randbits(64),
-                      "name": name, "nonce": secrets.token_bytes(16)}
+        self._mine = {"instance": secrets.randbits(64), "name": name,
+                      "nonce": secrets.token_bytes(16)}
         self._address = address
         self._cookie = cookie
         self.peer: dict[str, Any] = {}
-        self.version = OLDEST_VERSION
         self.is_welcome = False
 
     def greet(self) -> Answer:
@@ -101,8 +99,8 @@ class Opener:
         reason when we are not."""
         if header.type == MessageType.REFUSAL:
             raise messages.read_refusal(body, self._address)
-        if header.version > PROTOCOL_VERSION:  # who knows what its body is
-            raise self._versions_differ(header.version, header.version)
+        if header.version != PROTOCOL_VERSION:  # its body is unknown here
+            raise self._versions_differ(header.version)
         if self.peer:
             if header.type != MessageType.WELCOME:
                 raise Invalid(f"{self._address} answered the proof with something else")
@@ -110,9 +108,9 @@ class Opener:
             return None
         if header.type != MessageType.CHALLENGE:
             raise Invalid(f"{self._address} answered the Hello with something else")
-        return self._on_challenge(header.version, messages.decode("Challenge", body))
+        return self._on_challenge(messages.decode("Challenge", body))
 
-    def _on_challenge(self, oldest: int, challenge: dict[str, Any]) -> Answer:
+    def _on_challenge(self, challenge: dict[str, Any]) -> Answer:
         greeting = challenge["greeting"]
         its_proof = self._proof(ACCEPTOR, greeting)
         if self._shown is not None:
@@ -120,10 +118,7 @@ class Opener:
         elif not hmac.compare_digest(challenge["proof"], its_proof):
             raise Denied(f"{greeting['name']} does not know '{self._mine['name']}': both must run "
                          "as the same user of this machine")
-        if greeting["protocol_version"] < OLDEST_VERSION:
-            raise self._versions_differ(oldest, greeting["protocol_version"])
         self.peer = greeting
-        self.version = min(PROTOCOL_VERSION, greeting["protocol_version"])
         proof = {"proof": self._proof(OPENER, greeting), "session": 0}
         return Answer(MessageType.PROOF, messages.encode("Proof", proof))
 
@@ -146,11 +141,10 @@ class Opener:
                                    "address": self._address, "session": 0})
         return hmac.new(struct.pack("<Q", self._cookie), covered, hashlib.sha256).digest()
 
-    def _versions_differ(self, oldest: int, newest: int) -> Error:
-        behind = "this program" if newest > PROTOCOL_VERSION else self._address
-        its = f"{oldest}-{newest}" if oldest < newest else newest
+    def _versions_differ(self, its: int) -> Error:
+        behind = "this program" if its > PROTOCOL_VERSION else self._address
         return Incompatible(f"{self._address} speaks protocol {its}, this program "
-                            f"{OLDEST_VERSION}-{PROTOCOL_VERSION}: update {behind}")
+                            f"{PROTOCOL_VERSION}: update {behind}")
 
 
 # What a proof covers: each part is preceded by its size, so that none runs into the next.

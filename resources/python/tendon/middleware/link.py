@@ -14,7 +14,7 @@ from .. import messages
 from ..errors import Error, Invalid, TimedOut, Unreachable
 from ..messages import MessageType
 from .address import Address
-from .frame import (MAX_BODY_SIZE, MAX_PIECE_SIZE, OLDEST_VERSION, Header, read_replies,
+from .frame import (MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION, Header, read_replies,
                     write_frame)
 from .handshake import Opener, loopback_cookie
 from .ice import Network
@@ -55,7 +55,6 @@ class Link:
         self._greeting: queue.Queue[tuple[Header, bytes] | None] | None
         self._greeting = queue.Queue(_STEPS)
         self._is_known = False  # the peer has proved who it is
-        self._version = OLDEST_VERSION  # that both speak, once it is known
         self._reason: Error | None = None  # why it is closed
         self._assembly = PartAssembly()  # of the thread of Ice
         self._parts = PartSender(self._send_piece)
@@ -83,7 +82,7 @@ class Link:
 
     def notify(self, message_type: MessageType, handle: int) -> None:
         """Sends a notice without a body."""
-        self._send(Header(message_type, 0, handle, self._version), b"")
+        self._send(Header(message_type, 0, handle), b"")
 
     def start(self, message_type: MessageType, body: bytes, on_reply: OnReply | None) -> Asked:
         """Sends a request; its answer comes as what `on_reply` makes of it, in a thread of Ice and
@@ -95,7 +94,7 @@ class Link:
             asked = Asked(self._last_request, Future(), on_reply)
             self._pending[asked.request] = asked
         try:
-            self._send(Header(message_type, asked.request, 0, self._version), body)
+            self._send(Header(message_type, asked.request), body)
         except Error:
             self._give_up(asked)
             raise
@@ -121,7 +120,7 @@ class Link:
                 if answer.type == MessageType.PROOF:
                     self._link.admit()
                     self._is_known = True
-                self._send(Header(answer.type, 1, version=OLDEST_VERSION), answer.body)
+                self._send(Header(answer.type, 1), answer.body)
             if opener.is_welcome:
                 return
             try:
@@ -132,7 +131,6 @@ class Link:
             if frame is None:
                 raise self._reason or Unreachable(f"{self._link.peer_address} is not connected")
             answer = opener.take(*frame)
-            self._version = self._parts.version = opener.version
 
     def _send(self, header: Header, body: bytes) -> None:
         if len(body) > MAX_BODY_SIZE:
@@ -173,7 +171,7 @@ class Link:
 
     def _on_message(self, header: Header, body: bytes) -> None:
         """Raises Invalid where the peer sends nonsense."""
-        if header.version != self._version or header.type in _OF_HANDSHAKES:
+        if header.version != PROTOCOL_VERSION or header.type in _OF_HANDSHAKES:
             raise Invalid(f"{self.peer_name} said Hello twice, or speaks another protocol")
         if header.type == MessageType.PART:
             self._on_part(header, body)
@@ -192,7 +190,7 @@ class Link:
     def _on_part(self, header: Header, body: bytes) -> None:
         whole = self._assembly.add(header.handle, body)
         taken = messages.encode("PartsTaken", self._assembly.taken)
-        self._link.post(write_frame(Header(MessageType.PARTS_TAKEN, 0, 0, self._version), taken))
+        self._link.post(write_frame(Header(MessageType.PARTS_TAKEN), taken))
         if whole is None:
             return
         if whole[0].type in (MessageType.PART, MessageType.PARTS_TAKEN):

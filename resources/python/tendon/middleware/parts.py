@@ -11,8 +11,8 @@ from typing import Callable
 from .. import messages
 from ..errors import Error, Invalid, TimedOut
 from ..messages import MessageType
-from .frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, PROTOCOL_VERSION, Header, claimed_size,
-                    read_frame, write_frame)
+from .frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, Header, claimed_size, read_frame,
+                    write_frame)
 
 MAX_PART_SIZE = MAX_PIECE_SIZE - HEADER_SIZE
 LEAST_PART_SIZE = (16 << 10) - HEADER_SIZE
@@ -59,8 +59,6 @@ class PartSender:
     """Sends large frames in parts, one frame after the other. Thread-safe."""
 
     def __init__(self, send: Callable[[bytes], None]) -> None:
-        self.version = PROTOCOL_VERSION
-        """Of the parts: the one that both ends speak."""
         self._send = send
         self._turn = threading.Lock()
         self._changed = threading.Condition()
@@ -80,7 +78,7 @@ class PartSender:
                 part = frame[start:start + PART_SIZE]
                 with self._changed:
                     self._sent += len(part)  # before the peer can have taken it
-                header = Header(MessageType.PART, 0, self._last_number, self.version)
+                header = Header(MessageType.PART, 0, self._last_number)
                 self._send(write_frame(header, part))
 
     def on_taken(self, body: bytes) -> None:

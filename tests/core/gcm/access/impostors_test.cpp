@@ -33,9 +33,9 @@ class Impostors : public test::Bench {
     EXPECT_TRUE(channel) << channel.error().message;
     return channel ? *channel : nullptr;
   }
-  static Result<message::Joined> JoinAsRobot(Channel& channel, std::uint64_t instance = 7) {
+  static Result<message::JoinReply> JoinAsRobot(Channel& channel, std::uint64_t instance = 7) {
     const message::Join join{.process = {.name = "robot", .instance = instance}};
-    return channel.Call<message::Joined>(message::kJoin, 0, join, kLong);
+    return channel.Call<message::JoinReply>(message::kJoin, 0, join, kLong);
   }
   static Result<None> Ask(Channel& channel, MessageType type) {
     return channel.Call<None>(type, 0, None{}, kLong);

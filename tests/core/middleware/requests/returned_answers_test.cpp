@@ -25,7 +25,7 @@ class Filler final : public ChannelHandler {
   }
 };
 
-/// Answers that go back with their questions, from a server to a client of some version.
+/// Answers that go back with their questions, from a server to a client.
 class ReturnedAnswers : public testing::Test {
  protected:
   ReturnedAnswers() {
@@ -41,11 +41,8 @@ class ReturnedAnswers : public testing::Test {
     listener_ = *std::move(listener);
   }
 
-  std::shared_ptr<Channel> Open(std::uint16_t version = FrameHeader::kProtocolVersion) {
-    Hello client = hello_;
-    client.protocol_version = version;
-    client.oldest_version = std::min(version, client.oldest_version);
-    return *Channel::Open(client_, listener_->address(), client, std::make_shared<ChannelHandler>(),
+  std::shared_ptr<Channel> Open() {
+    return *Channel::Open(client_, listener_->address(), hello_, std::make_shared<ChannelHandler>(),
                           kVeryLong);
   }
   /// As what the answer has come.
@@ -73,9 +70,7 @@ class ReturnedAnswers : public testing::Test {
 
   std::mutex mutex_;
   Ways large_;
-  /// One that still speaks with those that know no large answers.
-  const Hello hello_{
-      .oldest_version = kReturnsLargeAnswers - 1, .instance = 1, .name = "robot", .cookie = 7};
+  const Hello hello_{.instance = 1, .name = "robot", .cookie = 7};
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   LoopbackMiddleware server_{network_};
   LoopbackMiddleware client_{network_};
@@ -93,12 +88,6 @@ TEST_F(ReturnedAnswers, ComeInPartsWhereTheyAreTooLarge) {
   const auto channel = Open();
 
   EXPECT_FALSE(IsOnceReturned(*channel, kLargest + 1));
-}
-
-TEST_F(ReturnedAnswers, ComeInPartsWhereThePeerKnowsNoLargeOnes) {
-  const auto channel = Open(kReturnsLargeAnswers - 1);
-
-  EXPECT_FALSE(IsOnceReturned(*channel, kLargest));
 }
 
 }  // namespace

@@ -22,8 +22,8 @@ using tendon::GcmClient;
 using tendon::MessageType;
 using tendon::Result;
 using tendon::Role;
-using tendon::message::Called;
 using tendon::message::CallMember;
+using tendon::message::CallMemberReply;
 using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
@@ -86,9 +86,9 @@ class GuardedTest : public NetworkTest {
     }
     return *channel;
   }
-  static Result<Called> Stop(Channel& channel) {
-    return channel.Call<Called>(tendon::message::kCallMember, 0,
-                                CallMember{"plant", "Control", "Stop", {}}, kPatience);
+  static Result<CallMemberReply> Stop(Channel& channel) {
+    return channel.Call<CallMemberReply>(tendon::message::kCallMember, 0,
+                                         CallMember{"plant", "Control", "Stop", {}}, kPatience);
   }
 
   template <typename T, typename Start>
@@ -304,9 +304,9 @@ TEST_P(GuardedTest, OneWhoAsksInVainAThousandTimesIsCountedNotRepeated) {
 TEST_P(GuardedTest, TheAuditLogIsOneLineAnEntryWhateverItIsAbout) {
   const auto channel = Lowered({});
 
-  (void)channel->Call<Called>(tendon::message::kCallMember, 0,
-                              CallMember{"plant\nrobot: allowed", "C\x1b[2J", "Stop", {}},
-                              kPatience);
+  (void)channel->Call<CallMemberReply>(tendon::message::kCallMember, 0,
+                                       CallMember{"plant\nrobot: allowed", "C\x1b[2J", "Stop", {}},
+                                       kPatience);
   channel->Close();
 
   EXPECT_THAT(audit.lines(), Contains(HasSubstr("plant\\x0arobot: allowed/C\\x1b[2J.Stop")));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/gcm_messages.h>
+#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/process/access/guarded_handler.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
@@ -32,7 +33,7 @@ const Types kActs = {
     message::kLeave,         message::kConnect,    message::kDisconnect, message::kUndo,
     message::kForget,        message::kReplace,    message::kLogRecords, message::kSetLogLevel,
     message::kLife,          message::kPassOver,   message::kBeginOrder, message::kTellHealth,
-    message::kProcess,       message::kMirror,     message::kOpenMarked, message::kPlanTurn};
+    message::kProcess,       message::kMirror,     message::kPlanLock};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {

@@ -73,7 +73,7 @@ class HungPeers : public RemoteConnection {
     const auto fill = channel_->Call<tendon::MailboxFill>(
         tendon::message::kGetFill, 0, tendon::message::GetFill{"operator"}, kLongEnoughToAnswer);
     EXPECT_TRUE(fill.ok()) << fill.error().message;
-    const auto rows = channel_->Call<tendon::message::Subscribed>(
+    const auto rows = channel_->Call<tendon::message::SubscribeReply>(
         tendon::message::kSubscribe, 0,
         tendon::message::Subscribe{.component = "plant", .table = "state", .columns = {}},
         kLongEnoughToAnswer);

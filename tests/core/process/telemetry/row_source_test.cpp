@@ -20,7 +20,7 @@ class Confused final : public Listening {
     if (header.type != message::kSubscribe) {
       return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
     }
-    responder.Reply(EncodeBody(message::Subscribed{.handle = kHandle, .epoch = 1}));
+    responder.Reply(EncodeBody(message::SubscribeReply{.handle = kHandle, .epoch = 1}));
   }
 };
 

@@ -57,7 +57,7 @@ TEST_P(SilentViewer, ThatHasSubscribedIsGivenUpByTheProcess) {
   const message::Subscribe wanted{
       .component = "plant", .table = "state", .columns = {"Move"}, .rows = {}};
   const auto subscribed =
-      (*channel)->Call<message::Subscribed>(message::kSubscribe, 0, wanted, kLong);
+      (*channel)->Call<message::SubscribeReply>(message::kSubscribe, 0, wanted, kLong);
 
   ASSERT_TRUE(subscribed.ok()) << subscribed.error().message;
   EXPECT_TRUE(EventuallyTrue([&] { return !(*channel)->is_open(); }));
