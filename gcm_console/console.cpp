@@ -13,7 +13,7 @@
 namespace console {
 namespace {
 
-/// True if everything was written; else errno keeps the cause, even from an earlier write.
+/// True if everything was written; otherwise errno has the cause, even that of an earlier write.
 bool IsWritten(std::ostream& out) {
   if (!out.good()) {
     out.clear();
@@ -42,7 +42,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   return *result;
 }
 
-/// For users at a prompt: abbreviated paths are completed and shown. Scripts use full paths.
+/// Completes and shows abbreviated paths for users at a prompt. Scripts must use full paths.
 CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;

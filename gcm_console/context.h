@@ -21,14 +21,14 @@ struct Streams {
   std::ostream& out;
   std::ostream& err;
   int columns = 0;                            ///< the width of the terminal behind `out`, 0 if none
-  MakeLineReader make_line_reader = nullptr;  ///< set if a person sits at a terminal
+  MakeLineReader make_line_reader = nullptr;  ///< set if the input is a terminal
   bool has_input = true;                      ///< false in a window: nothing can be piped in
 };
 
 /// True if the terminal cannot move the cursor and can only append lines.
 [[nodiscard]] bool IsDumbTerminal();
 
-/// The error for a verb that reads its input and is used in a window.
+/// The error for a verb that reads its input, if it is used in a window.
 [[nodiscard]] tendon::Error NoInput(const std::string& verb);
 
 /// The environment of a running verb: its output, and its client of the GCM.
@@ -45,7 +45,7 @@ class Context {
   /// The width of the terminal behind out(), 0 if it is not a terminal.
   [[nodiscard]] int columns() const { return streams_.columns; }
   [[nodiscard]] const Streams& streams() const { return streams_; }
-  /// True if a person sits at a terminal that can redraw a picture.
+  /// True if the output is a terminal that can redraw a picture.
   [[nodiscard]] bool has_screen() const;
   /// Null outside a session.
   [[nodiscard]] Session* session() const { return session_; }
@@ -53,8 +53,8 @@ class Context {
   [[nodiscard]] Layout layout() const;
 
   /// Sends a request through the client and waits for the answer, 500 ms longer than the client
-  /// does: the client's own time-out error gives the best reason. `start(client, handler)` calls
-  /// one of the client's functions, which may take the time-out `times` times.
+  /// does, because the client's own time-out error gives the best reason. `start(client, handler)`
+  /// calls one of the client's functions, which may take `times` times the time-out.
   template <typename T, typename Start>
   tendon::Result<T> Ask(Start start, int times = 1) {
     constexpr std::chrono::milliseconds kLonger(500);
@@ -64,7 +64,7 @@ class Context {
                            [&](auto handler) { start(**client, std::move(handler)); });
   }
 
-  /// A client that has received the catalogue; the first call creates it, with its listener.
+  /// Returns a client that has received the catalogue; the first call creates it, with `listener`.
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);
 

@@ -19,18 +19,18 @@ struct Outcome {
 struct VerbForms {
   std::string_view verb;        ///< "stop"
   std::string_view participle;  ///< "stopped"
-  bool is_dry = false;          ///< a dry run: nothing is really done
+  bool is_dry = false;          ///< a dry run: nothing is changed
 };
 
-/// Prints one line per thing, and failures to the messages; as JSON one document.
+/// Prints one line per thing to the output, and failures to the messages; with JSON, one document.
 void PrintOutcomes(const Context& context, const VerbForms& doing,
                    const std::vector<Outcome>& outcomes);
 
 /// The exit code of the first failure; kPartial if some things succeeded.
 [[nodiscard]] program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes);
 
-/// Checks that a dry run would also be allowed as a real run: kDenied with --read-only, like the
-/// GCM.
+/// Checks that the real run would be allowed too: kDenied with --read-only, as the GCM would
+/// answer.
 [[nodiscard]] tendon::Result<void> CheckRole(const Context& context);
 
 /// Asks "QUESTION? [y/N]" at a terminal. True without a terminal; false in a window.

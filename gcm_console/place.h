@@ -7,19 +7,19 @@
 
 namespace console {
 
-/// The things that a path names in a catalogue, down to the depth of the path; the rest is null.
-/// Invalid once the catalogue changes.
+/// The things that a path names in a catalogue, down to the depth of the path; deeper ones are
+/// null. The pointers are valid until the catalogue changes.
 struct Place {
   const tendon::ProcessEntry* process = nullptr;
   const tendon::ComponentDescription* component = nullptr;
   const tendon::ProvidedDescription* provided = nullptr;
   const tendon::RequiredDescription* required = nullptr;
   const tendon::MemberDescription* member = nullptr;  ///< a command, event, function or handler
-  std::string noun;                                   ///< which of these four it is
+  std::string noun;                                   ///< the kind of the member, one of these four
 };
 
 /// Finds "process/component/interface.member" or the beginning of such a path. kNotFound suggests
-/// similar names; kInvalid if the path goes on into a value.
+/// similar names; kInvalid if the path continues into a value.
 tendon::Result<Place> FindPlace(const tendon::Catalogue& catalogue, const std::string& path);
 
 /// "arm.LinkId -> geometry_msgs.Pose", "double[7]"; empty without argument and result.

@@ -29,7 +29,7 @@ constexpr const char* kGreen = "\x1b[32m";
 constexpr const char* kBold = "\x1b[1m";
 constexpr const char* kUsual = "\x1b[0m";
 
-/// The colours of the state words.
+/// The colours of words for states.
 const std::map<std::string_view, const char*> kColours = {
     {"alive", kGreen},    {"active", kGreen},   {"ok", kGreen}, {"suspect", kYellow},
     {"pending", kYellow}, {"warning", kYellow}, {"lost", kRed}, {"faulted", kRed},

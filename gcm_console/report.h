@@ -10,7 +10,7 @@ namespace console {
 struct Layout {
   int columns = 0;  ///< the terminal's width, 0 if there is none
   bool is_coloured = false;
-  bool has_titles = true;  ///< on a terminal; elsewhere there are never titles
+  bool has_titles = true;  ///< titles on a terminal; there are none elsewhere
 };
 
 /// Rows with a title per column. On a terminal, aligns the cells under their titles and wraps long
@@ -33,8 +33,7 @@ class Table {
 /// "lost".
 std::string Coloured(const std::string& text, bool is_coloured);
 
-/// The text with escaped control characters, so that a name from outside cannot control the
-/// terminal.
+/// The text with escaped control characters, so that an untrusted name cannot control the terminal.
 std::string Plain(const std::string& text);
 
 /// Prints each sentence in a line of its own, as a message of this program.

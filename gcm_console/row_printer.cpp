@@ -82,7 +82,7 @@ void RowPrinter::OnStale(const tendon::Error& reason) {
 std::deque<PrintedRow> RowPrinter::Take() {
   std::unique_lock lock(mutex_);
   const std::deque<KeptRow> taken = rows_.Take(kMostTaken);
-  lock.unlock();  // so that more rows can arrive meanwhile
+  lock.unlock();  // so that new rows can be added meanwhile
   std::deque<PrintedRow> printed;
   for (const KeptRow& row : taken) {
     gap_ += row.lost_before;
@@ -162,7 +162,7 @@ std::optional<tendon::Error> RowPrinter::interruption() const {
   return interruption_;
 }
 
-/// The value at the path as JSON, usually a number; "null" if this row lacks it.
+/// The value at the path as JSON, usually a number; "null" if this row does not have it.
 tendon::Result<std::string> RowPrinter::Value(std::size_t index, const KeptRow& row) const {
   const auto& [path, column, is_found] = wanted_[index];
   const auto& cell = row.cells.at(column);

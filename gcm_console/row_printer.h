@@ -18,7 +18,7 @@
 
 namespace console {
 
-/// Lost rows by place of loss, as in RowCounts.
+/// Numbers of lost rows, by the place of the loss, as in RowCounts.
 struct LostRows {
   std::uint64_t table = 0;
   std::uint64_t network = 0;
@@ -46,7 +46,7 @@ class RowPrinter final : public tendon::RowSink {
   struct Wanted {
     tendon::Path path;
     std::size_t column = 0;
-    bool is_found = false;  ///< by a glob: left out if the part does not exist
+    bool is_found = false;  ///< found by a glob; left out if the part does not exist
   };
   /// RowDelivery::kNewest keeps only the newest row; replaced rows do not count as lost.
   explicit RowPrinter(std::vector<Wanted> wanted,
@@ -65,13 +65,14 @@ class RowPrinter final : public tendon::RowSink {
   /// Drops the waiting rows. Returns the number of rows lost after the last taken row, including
   /// those dropped. Call it in the printing thread only.
   LostRows Rest();
-  /// Set if a path that was not found by a glob names nothing in its column; then no rows come.
+  /// Set if a path that was not found by a glob does not exist in its column; then there are no
+  /// rows.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// True if every wanted path is left out; then no rows come.
+  /// True if every path is left out; then there are no rows.
   [[nodiscard]] bool is_empty() const;
-  /// New messages about paths left out and interrupted rows; each change is reported once.
+  /// New messages about omitted paths and interrupted rows; each change is reported once.
   std::vector<std::string> TakeComplaints();
-  /// The reason of the last interruption, even if rows come again.
+  /// The reason of the last interruption, even if rows arrive again.
   [[nodiscard]] std::optional<tendon::Error> interruption() const;
 
  private:
@@ -81,7 +82,7 @@ class RowPrinter final : public tendon::RowSink {
     std::vector<std::optional<tendon::PlotChannel>> numbers;  // set for numbers, the usual case
     std::vector<bool> is_left_out;                            // by path; guarded by mutex_
   };
-  /// A row as received.
+  /// A received row.
   struct KeptRow {
     std::int64_t time_ns = 0;
     std::int64_t clock_offset_ns = 0;

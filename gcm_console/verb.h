@@ -13,7 +13,7 @@ class App;
 
 namespace console {
 
-// Every verb uses these.
+// Names that every verb uses.
 using program::ExitCode;
 using tendon::Error;
 using tendon::ErrorCode;

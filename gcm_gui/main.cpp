@@ -108,7 +108,7 @@ QString DemoFile() {
   return QString::fromStdString((prefix / "share/tendon/systems/demo.json").string());
 }
 
-/// Starts the tour for a first-time user, only once.
+/// Starts the tour for a new user, only once.
 void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kept) {
   const auto seen = QStringLiteral("shownAround");
   if (!kept.value(seen).isEmpty()) return;
@@ -169,7 +169,7 @@ int Run(const Options& options) {
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   const int code = tendon::gui::FencedApplication::exec();
-  end.emplace();  // a hung process must not keep a closed window alive
+  end.emplace();  // a hanging process must not delay the end of the program
   return code;
 }
 
@@ -197,7 +197,7 @@ int main(int argc, char** argv) {
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   try {
     return Run(options);
-  } catch (const std::exception& error) {  // there is no window yet to show it
+  } catch (const std::exception& error) {  // there is no window yet that could show the error
     return Fail({tendon::ErrorCode::kFailed, error.what()});
   }
 }

@@ -35,7 +35,7 @@ using namespace std::chrono_literals;
 /// The part of a system file about one process.
 struct Share {
   std::vector<tendon::SystemFile::Component> components;
-  std::vector<tendon::SystemFile::Connection> connections;  ///< those it owns
+  std::vector<tendon::SystemFile::Connection> connections;  ///< that it owns
   bool is_strict = false;
 };
 
@@ -144,7 +144,7 @@ Result<void> AddComponents(const Share& share, std::vector<Made> made, tendon::P
 
 enum class Told { kGoOn, kEnd };
 
-/// Waits until the process has joined, cannot join, or is told to end.
+/// Waits until the process has joined, cannot join, or is asked to terminate.
 Result<Told> Join(const tendon::Process& process, const Options& options) {
   constexpr auto kLook = 10ms;
   const auto deadline = std::chrono::steady_clock::now() + options.timeout;
@@ -161,7 +161,7 @@ Result<Told> Join(const tendon::Process& process, const Options& options) {
   return Told::kEnd;
 }
 
-/// The present peer of the required interface, if any.
+/// The provided interface to which the required one is connected now, if any.
 std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
                                         const InterfaceName& required) {
   for (const auto& connection : process.connections()) {
@@ -170,8 +170,9 @@ std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
   return std::nullopt;
 }
 
-/// Continues after a failed connection, because its peer may still come. Reports one that can never
-/// be made, and goes on with the others. Keeps a connection that the GCM has handed back meanwhile.
+/// Continues after a failed connection, because its peer may appear later. Reports a connection
+/// that can never be made, and continues with the others. Keeps a connection that the GCM has
+/// restored meanwhile.
 void MakeConnections(const Share& share, tendon::Process& process) {
   for (const auto& one : share.connections) {
     const auto made = process.Connect(one.required, one.provided);
@@ -186,14 +187,15 @@ void MakeConnections(const Share& share, tendon::Process& process) {
   }
 }
 
-/// True if another component runs after it: none starts while its leader is suspended.
+/// True if another component runs after it. Such followers cannot start while their leader is
+/// suspended.
 bool Leads(const Share& share, const tendon::SystemFile::Component& component) {
   return std::ranges::any_of(share.components,
                              [&](const auto& one) { return one.runs_after == component.name; });
 }
 
-/// Waits until the needs of a component in a strict file are met, at most as long as `options`
-/// allow for finding the GCM. Fails if a need has no connection.
+/// Waits until the needed interfaces of a component in a strict file are connected, at most for the
+/// time limit in `options`. Fails if there is no connection for a needed interface.
 Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& component,
                         const Options& options) {
   constexpr auto kLook = 10ms;
@@ -225,7 +227,7 @@ Result<Told> BringToState(const Share& share, tendon::Process& process,
   return begun ? Result<Told>(Told::kGoOn) : begun.error();
 }
 
-/// Errors of one component do not end the others.
+/// An error of one component does not stop the others.
 Told Start(const Share& share, tendon::Process& process, const Options& options) {
   MakeConnections(share, process);
   std::vector<std::string> resting;
@@ -261,7 +263,7 @@ Result<void> Serve(const Options& options) {
   auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
   const auto loader = std::make_shared<tendon::ComponentLoader>();
-  auto components = MakeComponents(*share, *loader);  // before anybody knows this process
+  auto components = MakeComponents(*share, *loader);  // before others can see this process
   if (!components) return components.error();
   tendon::SetLogLevel(tendon::LogLevel::kWarning);  // the final error says why it has not joined
   auto process = MakeProcess(options, *middleware, loader);

@@ -18,13 +18,13 @@ struct Options {
   std::string system;  ///< a system file, or empty to start without components
   std::string listen = "127.0.0.1:0";
   std::string advertise;
-  std::chrono::milliseconds timeout{3000};  ///< for finding the GCM and joining it
+  std::chrono::milliseconds timeout{3000};  ///< time limit for finding and joining the GCM
   program::NetworkOptions network;
 };
 
-/// Runs a process until it is told to stop: loads its plug-ins from the system file, creates its
-/// components, joins the GCM, makes its connections and starts everything. Returns the exit code.
-/// An error is one sentence on stderr, and nothing is left half done.
+/// Runs a process until it is asked to terminate: loads its plug-ins from the system file, creates
+/// its components, joins the GCM, makes its connections and starts everything. Returns the exit
+/// code. An error is reported as one sentence on stderr, and no partial state remains.
 program::ExitCode Run(const Options& options);
 
 }  // namespace lcm

@@ -18,7 +18,7 @@ namespace {
 using Kind = tendon::Schema::Kind;
 using Flaw = tendon::NumberFlaw;
 
-/// Of the program and of the given verbs.
+/// The option names of the program and of the given verbs.
 std::vector<std::string> OptionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -41,7 +41,7 @@ std::string Unexpected(const std::string& word, const CLI::App& app) {
   return "no option '" + name + "'" + tendon::DidYouMean(name, known);
 }
 
-/// CLI11's message, without its repetition.
+/// CLI11's message, without the part that repeats the word.
 std::string Words(const CLI::ParseError& mistake) {
   std::string words = mistake.what();
   if (words == "A subcommand is required") return "a verb is missing";

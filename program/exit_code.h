@@ -14,7 +14,7 @@ enum ExitCode : int {
   kIncompatible = 5,
   kTimeout = 6,
   kDenied = 7,
-  kPartial = 8,  ///< only some of several things were done
+  kPartial = 8,  ///< only some of several actions succeeded
   kInterrupted = 130,
 };
 

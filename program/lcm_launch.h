@@ -5,9 +5,9 @@
 
 namespace program {
 
-/// Makes a GCM in this program start processes with the `lcm` in the same folder and the same
-/// network options. Under TLS a process uses the certificate of its name, PROCESS.crt, from the
-/// folder of the program's own.
+/// Options for a GCM in this program, so that it starts processes with the `lcm` in the same folder
+/// and the same network options. Under TLS, a process uses the certificate PROCESS.crt in the
+/// folder of the program's own certificate.
 tendon::Launch LcmLaunch(const NetworkOptions& options);
 
 }  // namespace program

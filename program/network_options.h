@@ -31,7 +31,7 @@ struct NetworkOptions {
   bool operator==(const NetworkOptions&) const = default;
 };
 
-/// The folder of the CA that decides whom to trust.
+/// The folder of the CA that checks peers.
 std::filesystem::path AuthorityOf(const NetworkOptions& options);
 
 /// Adds --middleware, --certificate, --ca and --insecure. Values already in `options` take
@@ -45,16 +45,16 @@ CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& mo
 /// kInvalid lists the known middlewares. For a certificate, the errors of CheckCertificate().
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
 
-/// The address of the GCM: `option` unless empty, else $TENDON_GCM, else this machine. A host
-/// without a port gets the GCM's usual port.
+/// The address of the GCM: `option` if it is not empty, otherwise $TENDON_GCM, otherwise this
+/// machine. A host without a port gets the GCM's usual port.
 std::string GcmAddress(const std::string& option);
 
-/// kInvalid if the address is a single word and the options allow only this machine: the user most
-/// likely meant something else.
+/// kInvalid if the address is a single word and the options allow only this machine: it is probably
+/// a mistake.
 tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
 
 /// kInvalid if the address given by `option` is the GCM's own address: "--listen and --gcm are both
-/// 127.0.0.1:10705, ...". Does not check for invalid addresses.
+/// 127.0.0.1:10705, ...". Ignores invalid addresses.
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
                                   const std::string& gcm);
 

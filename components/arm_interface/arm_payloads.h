@@ -38,7 +38,7 @@ struct LimitFault {
   double position = 0.0;   ///< rad
 };
 
-/// The frame of a link: kLink1 turns with joint 0, and so on; kFlange is where a tool is mounted.
+/// The frame of a link: kLink1 turns with joint 0, and so on; kFlange carries the tool.
 enum class LinkId : std::int32_t {
   kBase,
   kLink1,

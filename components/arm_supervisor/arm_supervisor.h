@@ -18,7 +18,7 @@ class ArmSupervisor : public tendon::PeriodicTask {
  private:
   void Startup() override { events_ = {}; }
   void Run() override;
-  /// The peer may be another arm, so the last flange pose no longer applies.
+  /// The peer may be another arm, so the last flange pose is outdated.
   void OnConnected(tendon::RequiredInterface& /*robot*/) override { flange_ = {}; }
 
   void OnGoalReached() { ++events_.goals; }

@@ -14,7 +14,7 @@ namespace host {
 /// The thermometers of a machine. Found once, then read again and again.
 class Thermometers {
  public:
-  /// Looks below `root`/sys: thermal zones first, then monitoring chips.
+  /// Searches below `root`/sys: thermal zones first, then monitoring chips.
   explicit Thermometers(const std::filesystem::path& root);
 
   [[nodiscard]] bool empty() const { return files_.empty(); }

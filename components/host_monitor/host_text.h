@@ -49,7 +49,7 @@ struct NetworkCounters {
 /// within the machine and interfaces made of others, so nothing counts twice.
 [[nodiscard]] NetworkCounters ParseNetwork(std::string_view text);
 
-/// A file temp or temp*_input of /sys, in thousandths of °C. Nothing if the text is not a number or
+/// A file temp or temp*_input of /sys, in thousandths of °C. Empty if the text is not a number or
 /// not a plausible temperature.
 [[nodiscard]] std::optional<double> ParseTemperature(std::string_view text);
 

@@ -17,7 +17,7 @@ inline constexpr JointVector kReadyPosture{0.0,
                                            std::numbers::pi / 4};  // rad
 
 inline constexpr double kLargestAngle = 1e3;     // rad: a larger one is a mistake
-inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: a joint that moves at all
+inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: the least for a joint that moves
 inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
 inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
 inline constexpr double kMostBandwidth = 500.0;  // rad/s: stiffer joints need a step below 1 ms

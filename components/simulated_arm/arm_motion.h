@@ -13,7 +13,7 @@ namespace arm {
 /// goal at the same time. Nothing here allocates, waits or throws.
 class ArmMotion {
  public:
-  /// The events of one step.
+  /// The events in one step.
   struct Happenings {
     bool goal_reached = false;
     std::array<bool, kJoints> limit_entered{};
@@ -24,7 +24,7 @@ class ArmMotion {
 
   /// Moves to rest at the goal, in its duration or longer if the limits require it. If the goal is
   /// beyond the limits, the joint stops at the end of its range. Returns false, and changes
-  /// nothing, if a number in the goal is not finite or absurd.
+  /// nothing, if a number in the goal is not finite or absurdly large.
   bool MoveTo(const JointGoal& goal);
   /// Moves at these velocities, in rad/s, until the next command; a joint stops at the end of its
   /// range. Abandons the goal. Returns false, and changes nothing, if a number is not finite.

@@ -16,7 +16,7 @@ double Braking(const JointPoint& start, const JointLimits& limits) {
   return std::max(kShortDecay, 2.0 * std::abs(start.velocity) / limits.acceleration);
 }
 
-/// The decay time in s of the motion at the start, within a total of `duration` s.
+/// The time in s in which the motion at the start decays, within a total of `duration` s.
 double Decay(const JointPoint& start, double duration, const JointLimits& limits) {
   return std::min(duration, std::max(kLongDecay, Braking(start, limits)));
 }

@@ -66,7 +66,7 @@ void SimulatedArm::MoveTo(const JointGoal& goal) {
 void SimulatedArm::MoveAt(const JointVelocity& velocity) {
   if (motion_.MoveAt(velocity.velocity)) return;
   ++refused_;
-  EndMoveAt();  // the refused call has renewed the one before
+  EndMoveAt();  // the refused call has renewed the time limit of the last one
 }
 
 void SimulatedArm::EndMoveAt() {

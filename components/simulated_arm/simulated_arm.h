@@ -27,7 +27,7 @@ class SimulatedArm : public tendon::PeriodicTask {
  private:
   void Startup() override;
   void Run() override;
-  /// Holds its position: earlier commands were meant for an earlier situation.
+  /// Holds its position, because earlier commands are outdated.
   void OnResume() override;
 
   void MoveTo(const JointGoal& goal);

@@ -12,15 +12,15 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
 
-// Ten goals are sent per second; each replaces the one before. An arm with repeated minimum-jerk
-// motions follows with a lag of 0.6 durations, so the goal is that far ahead.
+// Ten goals are sent per second; each replaces the last one. An arm with repeated minimum-jerk
+// motions follows with a lag of 0.6 durations, so the goal is ahead by this time.
 constexpr int kCyclesPerGoal = 5;
 constexpr double kDuration = 0.4;                                          // s, of a goal
 constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s
 constexpr double kNear = 0.3;       // rad; the tour waits for an arm with a larger error
 constexpr double kApproach = 2.5;   // s until the arm has joined the tour
 constexpr double kSpeedUp = 1.0;    // s until the tour has its full speed
-constexpr double kTurnAgain = 0.5;  // s during which further limits cause no new turn
+constexpr double kTurnAgain = 0.5;  // s in which further limits do not reverse the tour again
 
 Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
   const auto& [period, amplitude] = configuration;
@@ -101,8 +101,8 @@ void Teleoperation::GoOn(const JointState& joints) {
 void Teleoperation::SendGoal() {
   const tendon::Status status = move_to_({.position = PostureAt(kAhead), .duration = kDuration});
   cycles_to_goal_ = kCyclesPerGoal;
-  // A suspended arm is led anew when it resumes. Any other refused goal is harmless: the next one
-  // follows soon.
+  // When a suspended arm resumes, start again from its posture. Any other refused goal is harmless,
+  // because the next one follows soon.
   if (status == tendon::Status::kNotActive) is_leading_ = false;
 }
 

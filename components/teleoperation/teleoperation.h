@@ -25,7 +25,7 @@ class Teleoperation : public tendon::PeriodicTask {
   void Startup() override { is_leading_ = false; }
   void Run() override;
   void Cleanup() override;
-  // The arm may have moved meanwhile, or be another one: start again from its present posture.
+  // The arm may have moved, or be a different one: start again from its present posture.
   void OnConnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnDisconnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnResume() override { is_leading_ = false; }

@@ -1,7 +1,8 @@
 #pragma once
 
-/// All that the author of a component includes: tasks, functions and events, state tables,
-/// payloads, and the manager that connects components of one process. Nothing of the network.
+/// Includes everything that the author of a component needs: tasks, functions and events, state
+/// tables, payloads, and the manager that connects components of one process. Nothing of the
+/// network.
 
 #include <tendon/base/log.h>
 #include <tendon/interface/event.h>

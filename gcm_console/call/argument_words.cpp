@@ -45,7 +45,7 @@ std::optional<std::string> NameIn(const std::string& word) {
   return word.substr(0, end);
 }
 
-/// Assigns words to the fields of a structure, one after the other.
+/// Assigns words to the fields of a structure, one by one.
 class FieldsByWords {
  public:
   explicit FieldsByWords(const Schema& schema) : schema_(schema) {}

@@ -11,7 +11,7 @@ using tendon::ErrorCode;
 
 re2::StringPiece PieceOf(std::string_view text) { return {text.data(), text.size()}; }
 
-/// RE2 appends the wrong part after a colon.
+/// The wrong part of an expression, which RE2 appends to its message after a colon.
 std::string MistakeIn(const re2::RE2& expression) {
   const std::string& part = expression.error_arg();
   std::string mistake = expression.error();

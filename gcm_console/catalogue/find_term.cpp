@@ -76,7 +76,8 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
 
 bool FindTerm::Fits(const Thing& thing) const { return Holds(thing) != is_negated_; }
 
-/// Treats a word with a star as a pattern, any other as a part; ignores case.
+/// A word with a star is a pattern for the whole text; any other word must be a part of the text.
+/// Ignores case.
 bool FindTerm::IsIn(const std::string& text) const {
   if (expression_) return expression_->IsIn(text);
   if (text_.find('*') != std::string::npos) return tendon::MatchesGlob(text_, text);

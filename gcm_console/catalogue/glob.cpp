@@ -11,7 +11,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// True if `path` is one of `paths` or lies below one.
+/// True if `path` is one of `paths` or is below one of them.
 bool IsIn(const std::set<std::string>& paths, std::string path) {
   while (!paths.contains(path)) {
     const std::size_t end = path.find_last_of("/.");

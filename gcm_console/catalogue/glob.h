@@ -19,7 +19,7 @@ tendon::Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalogue& catalo
 tendon::Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& catalogue,
                                                             const std::string& glob);
 
-/// The error for a verb that takes one path and got a glob: says how to list the matches.
+/// The error for a verb that takes one path and got a glob: its text says how to list the matches.
 [[nodiscard]] tendon::Error TakesOneName(const std::string& command, const std::string& glob);
 
 }  // namespace console

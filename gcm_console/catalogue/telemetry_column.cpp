@@ -16,7 +16,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// The columns of an existing table, or the reason why the path names none.
+/// The columns of an existing table, or the error if the path names no table.
 Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
                                            const tendon::Path& path) {
   const std::string text = ToString(path);
@@ -103,7 +103,7 @@ tendon::InterfaceName TableOf(const TableChoice& choice) {
   return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
 }
 
-/// Adds the path to its table once. A path named without a glob stays wanted in any case.
+/// Adds the path to its table once. A path that was also given without a glob is never left out.
 void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   auto& tables = choice.tables;
   const tendon::InterfaceName name = path.interface_name();

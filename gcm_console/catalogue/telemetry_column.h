@@ -29,8 +29,9 @@ struct ColumnChoice {
   std::vector<TableChoice> tables;
 };
 
-/// The columns that `patterns` name, in that order. A pattern may contain `*` and `**` and may go
-/// on into a part of a column. Errors name what is missing and, for a table, the columns it has.
+/// The columns that `patterns` name, in that order. A pattern may contain `*` and `**`, and may
+/// continue into a part of a column. Errors say what is missing and, for a table, which columns it
+/// has.
 tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
                                             const std::vector<std::string>& patterns);
 
@@ -52,9 +53,9 @@ struct StaleValues {
   std::optional<std::chrono::nanoseconds> age;
 };
 
-/// The age of the values of the component that `path` belongs to; nothing while it runs. Measures
-/// the newest row of the table, or of the component's first table if the path names none. Waits for
-/// that row up to half a second, unless the component was not started.
+/// The age of the values of the component that `path` belongs to; empty while the component runs.
+/// Measures the newest row of the table, or of the component's first table if the path names none.
+/// Waits for that row up to half a second, unless the component was not started.
 [[nodiscard]] std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client,
                                                      const tendon::Path& path);
 

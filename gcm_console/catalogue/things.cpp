@@ -23,7 +23,7 @@ std::string TextOf(const std::vector<InterfaceName>& users) {
   return "<- " + ToString(users[0]) + (more == 0 ? "" : " and " + std::to_string(more) + " more");
 }
 
-/// What is wrong with a component, or keeps it from its work.
+/// The problem of a component, or the reason why it cannot work.
 std::string DetailOf(const tendon::ProcessEntry& entry,
                      const tendon::ComponentDescription& component) {
   if (!component.fault.empty()) return component.fault;

@@ -15,7 +15,7 @@ struct Thing {
   std::string_view noun;  ///< one of kNouns
   std::string type;       ///< class of a component, types of a member
   std::string state;      ///< of a process or component; "connected" of an interface
-  std::string detail;     ///< its connections, or what is wrong with it
+  std::string detail;     ///< its connections, or its problem
   std::string host;       ///< the host of its process
 
   bool operator==(const Thing&) const = default;

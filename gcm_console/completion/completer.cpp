@@ -19,7 +19,7 @@ const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::str
   return nullptr;
 }
 
-/// The meaning of the words before the last one.
+/// The state of a command line after the words before the last one.
 struct Standing {
   const Page* page = nullptr;               // the verb, or `gcm` before the verb
   const Page::Option* option = nullptr;     // the option that expects a value next
@@ -75,7 +75,8 @@ class Collector {
   Completion Take() { return std::move(found_); }
 
  private:
-  /// Completes structures one level at a time, like paths, and a field's name before its value.
+  /// Adds words from the live system. Completes structures one level at a time, like paths, and a
+  /// field's name before its value.
   void OfferLive(WordKind kind, std::vector<std::string> before) {
     if (!system_.words) return;
     if (!before.empty()) before[0] = ResolvedPath(at_, before[0]);
@@ -88,7 +89,7 @@ class Collector {
     }
     for (const std::string& step : steps) found_.candidates.push_back({step, ""});
   }
-  /// Keeps the typed part and appends to its end.
+  /// Adds paths: keeps the typed part and appends to its end.
   void OfferPaths(WordKind kind) {
     const bool goes_deeper = word_.empty() || word_.ends_with('/');
     std::string prefix = ResolvedPath(at_, word_);

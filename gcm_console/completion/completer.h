@@ -19,10 +19,10 @@ struct Completion {
     bool operator==(const Candidate&) const = default;
   };
   std::vector<Candidate> candidates;
-  bool is_file = false;  ///< a file is wanted; the caller completes file names better
+  bool is_file = false;  ///< the word is a file name, which the caller completes
 };
 
-/// The sources of words from the live system. Each is called only if needed.
+/// The sources of words from the live system. Each function is called only if needed.
 struct SystemQueries {
   std::function<tendon::Catalogue()> catalogue;
   /// The words of a kind that is not a path. `before` holds the verb's earlier arguments, with

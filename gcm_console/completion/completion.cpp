@@ -9,7 +9,7 @@
 namespace console {
 namespace {
 
-/// Users do not wait longer after a key press.
+/// The longest wait after a key press.
 constexpr std::chrono::milliseconds kPatience(300);
 
 constexpr const char* kBash = R"(# bash completion of gcm

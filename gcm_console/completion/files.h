@@ -7,7 +7,7 @@
 
 namespace console {
 
-/// If a file is wanted: adds the names in its folder that begin with `word`. Reads the disk.
+/// If the completion needs a file, adds the files that begin with `word`. Reads the disk.
 void AddFiles(Completion& completion, const std::string& word);
 
 /// The common prefix of all candidates; there must be at least one.

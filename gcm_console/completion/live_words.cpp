@@ -20,8 +20,8 @@ using Clock = std::chrono::steady_clock;
 /// Older answers are requested again.
 constexpr std::chrono::seconds kFresh(2);
 
-/// Returns what is known by `deadline`; returns at once if there is an earlier answer. `start` gets
-/// a handler for the answer.
+/// Returns the answer that has arrived by `deadline`; returns at once if there is an earlier one.
+/// `start` sends the request, with a handler for the answer.
 template <typename T, typename Start>
 const T* Ask(Asked<T>& asked, std::uint64_t instance, Clock::time_point deadline, Start start) {
   const auto now = Clock::now();
@@ -48,7 +48,7 @@ const ClassDescription* FindClass(const Classes& all, const tendon::ComponentDes
   return found == all.classes.end() ? nullptr : &*found;
 }
 
-/// The type of "gain.x", a field of a configuration; nothing if it does not exist.
+/// The type of "gain.x", a field of a configuration; empty if it does not exist.
 std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& parameter) {
   const auto whole = Schema::Parse(of.configuration);
   if (!whole) return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& para
   return part;
 }
 
-/// All named values, or else the present value.
+/// All named values; otherwise the present value.
 std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string& told,
                                    const std::string& parameter) {
   const auto type = TypeOf(of, parameter);

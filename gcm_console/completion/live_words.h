@@ -23,8 +23,8 @@ struct Asked {
 };
 
 /// Words that only the processes know: parameters and their values, arguments of commands, classes,
-/// plug-ins. Returns cached words at once and refreshes them in the background; a reply that comes
-/// too late for one call is there for the next. For one thread.
+/// plug-ins. Returns cached words at once and refreshes them in the background; a reply that is too
+/// late for one call is used in the next. For one thread.
 class LiveWords {
  public:
   /// `patience` is the total time that one call may wait.

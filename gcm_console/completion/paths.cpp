@@ -17,7 +17,7 @@ class Steps {
     const auto end = path.find_first_of("/.", prefix_.size());
     steps_.insert(end == std::string::npos ? path : path.substr(0, end + 1));
   }
-  /// True if a path with this beginning may match.
+  /// True if a path that begins with `way` may match.
   [[nodiscard]] bool Leads(const std::string& way) const {
     return way.starts_with(prefix_) || prefix_.starts_with(way);
   }

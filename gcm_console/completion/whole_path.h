@@ -11,10 +11,10 @@ namespace console {
 /// Returns the path unchanged if a name matches no thing or several.
 std::string WholePath(const tendon::Catalogue& catalogue, WordKind kind, const std::string& path);
 
-/// The absolute path of `typed` for a user whose relative paths begin `at` another: usually below
-/// it. A path of several names, or one name with a trailing /, is absolute if nothing below `at`
-/// matches its first name and a process does. One name alone is never absolute: a verb would
-/// otherwise act on a whole process instead of a component that is gone.
+/// The absolute path for `typed`. Usually `typed` is relative to `at`. A path of several names, or
+/// one name with a trailing /, is absolute if nothing below `at` matches its first name, but a
+/// process does. A single name is never absolute; otherwise a verb would act on a whole process
+/// instead of a component that is gone.
 std::string PathFrom(const tendon::Catalogue& catalogue, const std::string& at,
                      const std::string& typed);
 

@@ -14,8 +14,8 @@ namespace console {
 std::vector<tendon::EventSubscription> EventsThatFit(const tendon::Catalogue& catalogue,
                                                      const std::vector<std::string>& patterns);
 
-/// Fails if a pattern matches no event: kNotFound suggests similar names; kInvalid says what the
-/// pattern names instead.
+/// Fails if a pattern matches no event: kNotFound suggests similar names; kInvalid if the pattern
+/// matches something else, which the error names.
 tendon::Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
                                         const std::vector<std::string>& patterns);
 

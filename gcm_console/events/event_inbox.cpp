@@ -71,7 +71,8 @@ EventInbox::Content EventInbox::Take() {
   return content;
 }
 
-/// Call it with the lock held. Keeps a limited number for a caller that never takes them.
+/// Called with the lock held. Keeps a limited number of errors, in case the caller never takes
+/// them.
 void EventInbox::Complain(const tendon::Error& complaint) {
   constexpr std::size_t kMost = 100;
   if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);

@@ -52,7 +52,7 @@ class EventInbox final : public tendon::GcmListener,
   /// The sink that passes the events of one interface to this inbox.
   std::shared_ptr<tendon::EventSink> SinkOf(const tendon::EventSubscription& subscription);
 
-  /// Everything since the last call; the oldest events first.
+  /// Takes everything since the last call; the oldest events first.
   Content Take();
 
   void OnSnapshot(const tendon::Catalogue& catalogue) override;

@@ -19,7 +19,7 @@ std::string NodeOf(const tendon::InterfaceName& end) {
   return Quoted(end.process + "/" + end.component);
 }
 
-/// Converts places for Graphviz: to points, upwards from the bottom.
+/// Converts positions for Graphviz: to points, with y upwards from the bottom.
 class Arrangement {
  public:
   Arrangement() = default;

@@ -82,7 +82,7 @@ double TitleWidth(const SheetProcess& process) {
          TextWidth(process.detail, sheet::kSmallText);
 }
 
-/// How far existing places must be stretched for things that need more room than there.
+/// The factor by which existing positions must be stretched if things need more room.
 struct Stretch {
   double x = 1;
   double y = 1;
@@ -200,7 +200,7 @@ class Placement {
 
   Size PlaceAs(const Places& shown) {
     Stretch stretch;
-    Stretch insets;  // `shown` may have almost no insets
+    Stretch insets;  // because `shown` may have almost no insets
     Rect first{.x = HUGE_VAL, .y = HUGE_VAL};
     for (const SheetProcess& process : sheet_.processes) {
       const Rect& box = shown.at(process.name);

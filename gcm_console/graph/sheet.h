@@ -9,7 +9,7 @@
 
 namespace console {
 
-/// The state of a thing, which a picture shows as a colour.
+/// The condition of a thing, which a picture shows as a colour.
 enum class Condition { kGood, kResting, kWarning, kBad };
 
 /// An interface in the picture, on the border of its component.
@@ -25,7 +25,7 @@ struct SheetNode {
   std::string path;
   std::string name;
   std::string detail;  ///< "active · SimulatedArm"
-  std::string remark;  ///< what is wrong with it
+  std::string remark;  ///< its problem
   Condition condition = Condition::kGood;
   tendon::graph::Rect rect;
   std::vector<SheetPort> ports;
@@ -70,7 +70,8 @@ using Places = std::map<std::string, tendon::graph::Rect>;
 /// layout is that of SheetOf(catalogue).
 [[nodiscard]] Sheet SheetOf(const tendon::Catalogue& catalogue, const Places& shown);
 
-/// The width of a text of this size in a common font, approximate and rather too small.
+/// The width of a text of this size in a common font, an approximation, too small rather than too
+/// large.
 [[nodiscard]] double TextWidth(const std::string& text, double size);
 
 }  // namespace console

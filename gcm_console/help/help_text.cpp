@@ -19,7 +19,7 @@ std::size_t WidthOf(int columns) {
   return std::clamp(static_cast<std::size_t>(columns), kNarrowest, kWidest);
 }
 
-/// Wraps words to lines of at most `width`; indents all lines but the first by `indent`.
+/// Wraps words to lines of at most `width`; indents all lines except the first by `indent`.
 std::string Wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::istringstream words(text);
   std::string lines;

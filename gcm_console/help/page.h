@@ -19,7 +19,7 @@ struct Page {
     std::string name;
     std::string help;
     WordKind kind = WordKind::kText;
-    std::vector<std::string> choices;  ///< the only allowed values; empty if any value is allowed
+    std::vector<std::string> choices;  ///< the allowed values; empty if any value is allowed
     bool is_required = false;
     bool is_many = false;
   };

@@ -32,7 +32,7 @@ std::vector<std::string> VerbsOf(const CLI::App& app) {
   return names;
 }
 
-/// The option that a word like "--gcm" names, in a part or in its parents; null if there is none.
+/// The option named by a word like "--gcm", in a part or in its parents; null if there is none.
 const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
   for (; part != nullptr; part = part->get_parent()) {
     if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
@@ -49,9 +49,9 @@ bool IsNegativeName(const std::string& word) {
   return name == "-inf" || name == "-infinity" || name == "-nan";
 }
 
-/// CLI11 would split a word in brackets where several words are allowed, and would read "-inf" as
-/// options of one letter. A blank after the first and before the second character prevents that;
-/// AsTyped() removes it.
+/// Protects a word from CLI11, which would split a word in brackets if several words are allowed,
+/// and would read "-inf" as options of one letter. A blank between the first and second character
+/// prevents this; AsTyped() removes it.
 std::string KeptWhole(const std::string& word) {
   const bool is_in_brackets = word.starts_with('[') && word.ends_with(']');
   if (is_in_brackets || word.ends_with(' ')) return word + ' ';
@@ -78,8 +78,8 @@ void TakeAsTyped(CLI::App& app) {
   }
 }
 
-/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them": about the first word that is
-/// not an option or an option's value. Empty if it is a verb, or if an unknown option precedes it.
+/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word that is
+/// not an option or the value of one. Empty if that word is a verb, or follows an unknown option.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();
@@ -104,12 +104,12 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
   return "";
 }
 
-/// "--gcm needs a value": for the first option that ends with '=', as with an unset variable; CLI11
-/// would take the next word as its value. Empty if there is none.
+/// "--gcm needs a value", for the first option that ends with '=', for example because of an unset
+/// variable; CLI11 would take the next word as the value. Empty if there is no such option.
 std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   for (const std::string& word : words) {
-    if (word == "--") break;  // no options after it
+    if (word == "--") break;  // no options follow
     if (word.starts_with("--") && word.ends_with('=')) {
       const std::string name = word.substr(0, word.size() - 1);
       const CLI::Option* option = OptionOf(part, name);
@@ -136,8 +136,8 @@ std::string RepeatedFlag(const CLI::App& app) {
   return "";
 }
 
-/// Refuses a glob for a verb that takes one name. The usual check would only say that '*' is not
-/// allowed in a name.
+/// Refuses a glob for a verb that takes one name, with a better text than the usual check, which
+/// only says that '*' is not allowed in a name.
 Result<void> CheckGlobs(const CLI::App& app) {
   static const std::set<std::string> kTakeOne = {"call",    "candidates", "classes", "create",
                                                  "explain", "hz",         "load"};
@@ -273,7 +273,7 @@ std::string ResolvedPath(const std::string& at, const std::string& typed) {
       }
     }
   }
-  constexpr std::size_t kInterface = 3;  // a dot precedes its members
+  constexpr std::size_t kInterface = 3;  // after it, a dot separates the member
   std::string path;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     path += (i == 0 ? "" : i == kInterface ? "." : "/") + parts[i];

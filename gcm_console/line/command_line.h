@@ -12,16 +12,16 @@
 
 namespace console {
 
-/// The command line of `gcm`, built from the table of verbs. After Parse() it holds the meaning of
-/// a line.
+/// The command line of `gcm`, built from the table of verbs. After Parse(), it holds the parsed
+/// line.
 class CommandLine {
  public:
   /// Turns a typed path into an absolute one. The user may abbreviate names and give a relative
   /// path; see PathFrom() and WholePath().
   using Complement = std::function<std::string(WordKind kind, const std::string& typed)>;
 
-  /// `usual` holds the defaults for a line. `complement` completes paths on lines that a person
-  /// types in a session.
+  /// `usual` holds the default settings of a line. `complement` completes paths on lines that a
+  /// person types in a session.
   explicit CommandLine(Settings usual, Complement complement = nullptr);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

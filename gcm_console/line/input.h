@@ -8,8 +8,8 @@
 
 namespace console {
 
-/// Reads the lines of a stream, at most 1 MiB each. After the last line `error()` tells the end of
-/// the stream from a read error.
+/// Reads the lines of a stream, at most 1 MiB each. After the last line, error() distinguishes the
+/// end of the stream from a read error.
 class InputLines {
  public:
   explicit InputLines(std::istream& in) : in_(in) {}

@@ -17,7 +17,7 @@ class Session {
 
   /// The default settings of the next line.
   [[nodiscard]] const Settings& settings() const { return settings_; }
-  /// Sets where relative paths begin from now on.
+  /// Sets the path at which relative paths begin from now on.
   void GoTo(const std::string& path) { settings_.at = path; }
 
   /// The link, opened by the first call. Does not wait for the GCM.

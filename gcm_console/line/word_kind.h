@@ -8,28 +8,29 @@ class Option;
 
 namespace console {
 
-/// What a word of a command line names: used by help, completion and relative paths.
+/// The kind of thing that a word of a command line names. Used by help, completion and relative
+/// paths.
 enum class WordKind {
   kText,
   kFile,
   kVerb,
-  kParameter,  ///< of the component that precedes it
-  kSetting,    ///< of the parameter that precedes it
-  kArgument,   ///< of the command that precedes it, or one of its fields
+  kParameter,  ///< of the component in the word before
+  kSetting,    ///< of the parameter in the word before
+  kArgument,   ///< of the command in the word before, or one of its fields
   kClass,
   kPlugIn,
-  kProcess,    ///< from here on: paths of a system
-  kComponent,  ///< also processes on the way to one
+  kProcess,    ///< this and all later kinds are paths of a system
+  kComponent,  ///< completion also offers processes
   kPath,       ///< of anything
   kRequired,   ///< a required interface
   kProvided,
   kCommand,
   kReadable,  ///< a read command or a column
   kColumn,    ///< of a state table
-  kEvent,     ///< also provided interfaces with events
+  kEvent,     ///< or a provided interface with events
 };
 
-/// Declares what the words of an option or argument name.
+/// Declares the kind of the words of an option or argument.
 CLI::Option* Names(CLI::Option* option, WordKind kind);
 
 /// The declared kind; kText if there is none.

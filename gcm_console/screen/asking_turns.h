@@ -20,11 +20,11 @@ class QueryThrottle {
   static constexpr std::size_t kMostAtOnce = 64;
   static constexpr std::size_t kMostOfOne = 8;
 
-  /// Returns the connections of `there` that are due, the longest waiting first. Call End() for
+  /// Returns the connections in `there` that are due, the longest waiting first. Call End() for
   /// each of them.
   [[nodiscard]] std::vector<tendon::InterfaceName> Begin(
       const std::vector<tendon::InterfaceName>& there, tendon::SteadyTime now);
-  /// Call it when the answer has arrived or will not arrive.
+  /// Ends a request. Call it when the answer has arrived, or cannot arrive any more.
   void End(const tendon::InterfaceName& required);
 
  private:

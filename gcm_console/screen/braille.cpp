@@ -12,7 +12,8 @@ BrailleCanvas::BrailleCanvas(int columns, int rows)
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0U) {}
 
 void BrailleCanvas::Set(int x, int y) {
-  // Unicode numbers the dots down the left side, down the right side, then the lowest two.
+  // The order of the dots in Unicode: left side from the top, right side from the top, then the
+  // lowest two.
   constexpr std::array<unsigned, 8> kBits = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
   if (x < 0 || y < 0 || x >= width() || y >= height()) return;
   const auto cell = static_cast<std::size_t>(y / 4 * columns_ + x / 2);

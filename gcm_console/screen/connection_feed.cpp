@@ -14,7 +14,7 @@ using tendon::ConnectionDescription;
 using tendon::ConnectionState;
 using tendon::SteadyClock;
 
-/// True if its process can be expected to answer.
+/// True if the process of the connection can answer.
 bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& connection) {
   const auto* owner = catalogue.FindProcess(connection.required.process);
   return connection.state == ConnectionState::kActive && owner != nullptr &&
@@ -27,7 +27,7 @@ struct ConnectionFeed::Heard {
   std::uint64_t id = 0;  // of the connection
   bool can_be_told = false;
 
-  std::mutex mutex;  // guards the following
+  std::mutex mutex;  // guards the members below
   std::optional<ConnectionCounts> counts;
   double rate = -1.0;
 
@@ -46,7 +46,7 @@ struct ConnectionFeed::Heard {
     figures.capacity = counts->capacity;
   }
 
-  /// Computes the rate with the clock of the process that counts.
+  /// Stores an answer. Computes the rate with the clock of the process that counts.
   void Hear(const tendon::Result<ConnectionCounts>& answer) {
     const std::scoped_lock lock(mutex);
     if (!answer) {
@@ -93,7 +93,7 @@ void ConnectionFeed::AskSome() const {
     if (heard->can_be_told) there.push_back(required);
   }
   for (const auto& required : turns_->Begin(there, SteadyClock().Now())) {
-    // Ends with the last copy of the handler, even if no answer arrives.
+    // Calls End() when the last copy of the handler is destroyed, even if no answer arrives.
     const std::shared_ptr<void> turn(
         nullptr, [turns = turns_, required](void* /*nothing*/) { turns->End(required); });
     client_.GetCounts(

@@ -16,17 +16,17 @@ struct ConnectionFigures {
   std::string required;
   std::string provided;
   std::string state;
-  double rate = 0.0;          ///< calls and events per second, since the previous request
+  double rate = 0.0;          ///< calls and events per second, averaged since the previous request
   double round_trip = -1.0;   ///< s; below 0 within one process, or if unknown
   std::uint64_t lost = 0;     ///< calls refused or replaced, and events lost
   std::uint64_t waiting = 0;  ///< calls waiting at the server
   std::uint64_t capacity = 0;
   bool is_known = false;    ///< true once there are two replies
-  bool is_awaited = false;  ///< true if it may become known soon
+  bool is_awaited = false;  ///< true if replies may still arrive soon
 };
 
-/// Polls the processes for the health of their connections while somebody looks, within the limits
-/// of QueryThrottle. A process that does not answer does not delay the others.
+/// Polls the processes for the health of their connections while Look() is called, within the
+/// limits of QueryThrottle. A process that does not answer does not delay the others.
 class ConnectionFeed {
  public:
   explicit ConnectionFeed(tendon::GcmClient& client) : client_(client) {}

@@ -8,7 +8,7 @@ namespace {
 using tendon::PlotChannel;
 using tendon::Result;
 
-/// True if `path` equals `whole` or lies below it.
+/// True if `path` is equal to `whole` or below it.
 bool IsWithin(const std::string& path, const std::string& whole) {
   return path.starts_with(whole) &&
          (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
@@ -63,7 +63,7 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
     const double time = static_cast<double>(batch.times[row]) * kNanosecond;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       auto& samples = curves_[i].samples;
-      // A clock that went back means that the source was restarted.
+      // If the clock went back, the source was restarted.
       if (!samples.empty() && time < samples.back().time) samples.clear();
       samples.push_back(
           {time, ReadExactly(sources_[i].channel, batch.cell(row, sources_[i].column))});

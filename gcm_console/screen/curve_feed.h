@@ -24,8 +24,8 @@ struct Curve {
   std::deque<Sample> samples;  ///< in the order of time
 };
 
-/// The wanted numbers of one table. A path that names several numbers, such as a vector, gives one
-/// curve each. Thread-safe.
+/// Receives the chosen numbers of one table. A path that names several numbers, such as a vector,
+/// gives several curves. Thread-safe.
 class CurveFeed final : public tendon::RowSink {
  public:
   /// Further curves are dropped.
@@ -42,11 +42,11 @@ class CurveFeed final : public tendon::RowSink {
   void OnStale(const tendon::Error& reason) override;
 
   [[nodiscard]] std::vector<Curve> curves() const;
-  /// Set if a path that was not found by a glob names no number.
+  /// Set if a path that was not found by a glob is not a number.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// True if every wanted path is left out.
+  /// True if every path is left out.
   [[nodiscard]] bool is_empty() const;
-  /// The paths left out with the reasons, then the reason of a present interruption.
+  /// The omitted paths with the reasons, then the reason of a present interruption.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
@@ -61,7 +61,7 @@ class CurveFeed final : public tendon::RowSink {
   mutable std::mutex mutex_;
   bool is_subscribed_ = false;
   std::vector<Source> sources_;
-  std::vector<Curve> curves_;  // of each source
+  std::vector<Curve> curves_;  // curves of each source
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;

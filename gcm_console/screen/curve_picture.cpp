@@ -46,7 +46,7 @@ std::size_t MarginOf(const std::vector<Drawing>& drawings) {
   return widest;
 }
 
-/// The label beside each row; if labels meet, the outer ones remain.
+/// The label beside each row; if labels overlap, the outer ones remain.
 std::vector<std::string> TextsOf(const tendon::ChannelAxis& axis, int height) {
   std::vector<std::string> texts(static_cast<std::size_t>(height) / 4);
   const auto& labels = axis.labels();

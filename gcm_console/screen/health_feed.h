@@ -7,7 +7,7 @@
 
 namespace console {
 
-/// Polls the GCM every second for the health of its processes while somebody looks.
+/// Polls the GCM every second for the health of its processes while Look() is called.
 class HealthFeed {
  public:
   explicit HealthFeed(tendon::GcmClient& client);

@@ -37,7 +37,7 @@ class Screen {
   }
 
  private:
-  /// Also turns line wrapping off.
+  /// Takes the screen, and also turns line wrapping off.
   void Take() { out_ << "\x1b[?1049h\x1b[?25l\x1b[?7l" << std::flush; }
   void GiveBack() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
 

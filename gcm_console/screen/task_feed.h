@@ -23,14 +23,14 @@ struct TaskFigures {
   double late = 0.0;                            ///< s; the median lateness
   double latest = 0.0;                          ///< s; the maximum lateness
   double compute = 0.0;                         ///< s, mean
-  double load = 0.0;                            ///< the fraction of the time that it computes
+  double load = 0.0;                            ///< the fraction of the time in which it computes
   std::uint64_t skipped = 0;                    ///< cycles since its start
   std::optional<std::chrono::nanoseconds> age;  ///< since the last cycle of a stopped task
-  bool is_known = false;    ///< true while the task runs, once a whole second has been received
-  bool is_awaited = false;  ///< true if a second may be received soon
+  bool is_known = false;    ///< true if the task runs and a whole second was received
+  bool is_awaited = false;  ///< true if a whole second may be received soon
 };
 
-/// Listens to the tasks of a system as they come and go.
+/// Receives the statistics of all tasks of a system, including tasks that are added later.
 class TaskFeed {
  public:
   /// All tasks, or only the component at the path `only`.

@@ -8,15 +8,15 @@
 
 namespace console {
 
-/// Collects the lines of several threads until they are printed. Counts the lines that find no
-/// room. Thread-safe.
+/// Collects the lines of several threads until they are printed. Counts the lines that do not fit.
+/// Thread-safe.
 class JobLines {
  public:
   static constexpr std::size_t kMost = 1000;
 
   /// `line` has no line end.
   void Add(std::string line);
-  /// All lines since the last call, each with its line end.
+  /// Takes all lines since the last call, each with its line end.
   std::string Take();
 
  private:
@@ -25,7 +25,7 @@ class JobLines {
   std::size_t left_out_ = 0;
 };
 
-/// Turns the output of one thread into lines.
+/// Splits the output of one thread into lines.
 class JobStream final : public std::streambuf {
  public:
   explicit JobStream(JobLines& lines) : lines_(lines) {}

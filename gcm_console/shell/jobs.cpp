@@ -18,7 +18,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Verbs that run until they are ended.
+/// Verbs that run until the user ends them.
 constexpr std::array<std::string_view, 4> kLasting = {"watch", "events", "hz", "log"};
 
 std::string TextOf(const Words& words) {

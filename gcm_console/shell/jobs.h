@@ -32,8 +32,8 @@ class Jobs {
   /// Prints the number and the words of each running job.
   void Print(std::ostream& out);
 
-  /// The whole lines that the jobs have written since the last call. Nothing if no job runs and
-  /// everything was taken.
+  /// Takes the complete lines that the jobs have written since the last call. Empty if no job runs
+  /// and all lines were taken.
   std::optional<std::string> TakeLines();
 
  private:

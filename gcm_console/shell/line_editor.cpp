@@ -26,7 +26,7 @@ constexpr int kRemembered = 1000;
 /// The first line of a history in the format of libedit.
 constexpr const char* kHistoryMark = "_HiStOrY_V2_\n";
 
-/// A line of it, encoded like strvis(): \ooo stands for any byte.
+/// Encodes a line of the history like strvis(): \ooo stands for any byte.
 std::string HistoryLine(const std::string& typed) {
   constexpr std::string_view kPlain = "/.,:;_-+=()[]{}<>\"'*?!#$%&@^|~";
   std::string line;
@@ -96,7 +96,7 @@ class LineEditor final : public LineReader {
   std::optional<std::string> Read(const std::string& prompt) override {
     prompt_ = prompt;
     el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: from here on Ctrl-C is a key
-    tendon::os::ForgetInterrupt();           // it was meant for the previous command
+    tendon::os::ForgetInterrupt();           // an earlier Ctrl-C was for the previous command
     const tendon::os::TerminationUnblockScope while_typing;
     int count = 0;
     const char* typed = el_gets(editor_.get(), &count);
@@ -134,7 +134,7 @@ class LineEditor final : public LineReader {
     el_set(editor_.get(), EL_GETCFN, &OnLetter);
     return count;
   }
-  /// Returns false if there will be no more lines.
+  /// Prints the lines of background jobs; returns false if there will be no more.
   bool ShowLines() {
     const auto lines = lines_();
     if (lines && !lines->empty()) {

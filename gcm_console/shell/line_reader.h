@@ -14,8 +14,8 @@ namespace console {
 /// Returns the completions of an unfinished line.
 using AskCompletion = std::function<Completion(const Unfinished&)>;
 
-/// Returns the whole lines to print above the prompt since the last call; nothing if there will be
-/// no more.
+/// Returns the complete lines since the last call, to print above the prompt; empty if there will
+/// be no more.
 using AskLines = std::function<std::optional<std::string>()>;
 
 /// The source of the lines that a person types.
@@ -26,11 +26,11 @@ class LineReader {
   LineReader& operator=(const LineReader&) = delete;
   virtual ~LineReader() = default;
 
-  /// The next line; nothing at the end of the input.
+  /// Reads the next line; empty at the end of the input.
   virtual std::optional<std::string> Read(const std::string& prompt) = 0;
 };
 
-/// Creates a reader that keeps its history in a file and prints `lines` as they come.
+/// Creates a reader that keeps its history in a file and prints lines from `lines` as they arrive.
 using MakeLineReader = std::unique_ptr<LineReader> (*)(const std::filesystem::path& history,
                                                        AskCompletion completion, AskLines lines);
 

@@ -13,10 +13,10 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Users do not wait longer after a key press.
+/// The longest wait after a key press.
 constexpr std::chrono::milliseconds kLongestPause(100);
 
-/// Adds the commands that only make sense between two lines to the verbs of `gcm`.
+/// Adds the shell's own commands, such as `cd`, to the verbs of `gcm`.
 Page WithOwnWords(Page page) {
   using Arguments = std::vector<Page::Argument>;
   const auto add = [&](const std::string& name, const std::string& summary,
@@ -62,7 +62,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   }
   int failure = program::kOk;
   for (const Command& command : *commands) {
-    // Also a signal during a command that could not be interrupted.
+    // Also true for a signal during a command that could not be interrupted.
     if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
       GoOn(streams);
       return program::kInterrupted;

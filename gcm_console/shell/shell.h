@@ -14,7 +14,7 @@
 namespace console {
 
 /// Runs lines of text as commands of `gcm`, for `gcm shell`, `gcm run` and the window's console.
-/// Lines omit the word `gcm`; relative paths begin where the last `cd` went. For one thread.
+/// Lines omit the word `gcm`; relative paths begin at the path of the last `cd`. For one thread.
 class Shell {
  public:
   explicit Shell(Settings settings);
@@ -29,17 +29,16 @@ class Shell {
 
   /// "robot/arm> ", with the start of relative paths.
   [[nodiscard]] std::string prompt() const;
-  /// The completions of a line, from the catalogue as known now. Waits only for words that a
-  /// process alone knows, such as names of parameters: at most 100 ms, and only until the first
-  /// reply.
+  /// The completions of a line, from the catalogue as known now. Waits only for words that only a
+  /// process knows, such as names of parameters: at most 100 ms, and only until the first reply.
   [[nodiscard]] Completion Complete(const Unfinished& line);
-  /// The whole lines that background jobs have written since the last call; nothing if there are no
-  /// jobs.
+  /// Takes the complete lines that background jobs have written since the last call; empty if there
+  /// are no jobs.
   std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
 
  private:
   int RunCommand(const Command& command, const Streams& streams);
-  /// Runs a command that only makes sense between two lines; nothing if it is not one.
+  /// Runs one of the shell's own commands; empty if `words` is not one.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginBehind(const Words& words, const Streams& streams);
   std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);

@@ -12,7 +12,7 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// Skips the program's name before a verb, as in a line copied from a terminal.
+/// Removes the program's name before a verb, as in a line copied from a terminal.
 void PassOverName(Words& words) {
   while (words.size() > 1 && words.front() == "gcm") words.erase(words.begin());
 }
@@ -46,7 +46,7 @@ class Reader {
   [[nodiscard]] Words& words() { return words_; }
   /// The start of the last word; the line's end if there is none.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
-  /// The part of an unfinished word so far.
+  /// The unfinished word so far.
   [[nodiscard]] const std::string& rest() const { return word_; }
 
  private:

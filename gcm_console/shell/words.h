@@ -29,7 +29,7 @@ tendon::Result<std::vector<Command>> CommandsOf(std::string_view line);
 [[nodiscard]] std::string Quoted(std::string_view word);
 
 /// The words of the last command of an unfinished line. The last word is empty after a blank;
-/// `typed` is its text as it stands in the line.
+/// `typed` is its original text in the line.
 struct Unfinished {
   Words words;
   std::string typed;

@@ -17,7 +17,8 @@ namespace console {
 /// One line for each thing inside the place.
 [[nodiscard]] Table ListingOf(const tendon::Catalogue& catalogue, const Place& place);
 
-/// Everything about the place, with details from its process or the GCM that the catalogue lacks.
+/// Everything about the place, with details from its process or the GCM that are not in the
+/// catalogue.
 [[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalogue& catalogue,
                                             const Place& place);
 
@@ -26,15 +27,15 @@ namespace console {
 
 // Each of these waits for an answer, at most --timeout.
 
-/// The health of all processes; empty if the GCM does not provide it: it is only an extra.
+/// The health of all processes; empty if the GCM does not provide it, which is not an error.
 [[nodiscard]] tendon::message::SystemHealth AskHealth(Context& context);
 
-/// The counters of the place's required interface, from its process. Nothing if it is not connected
+/// The counters of the place's required interface, from its process. Empty if it is not connected
 /// or the process does not answer.
 [[nodiscard]] std::optional<tendon::ConnectionCounts> AskCounts(Context& context,
                                                                 const Place& place);
 
-/// The mailbox level of the component; nothing without a mailbox or an answer of its process.
+/// The mailbox level of the component; empty without a mailbox or an answer of its process.
 [[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place);
 
 }  // namespace console

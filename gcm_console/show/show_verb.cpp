@@ -130,7 +130,7 @@ Table Facts(Context& context, const Catalogue& catalogue, const Place& place) {
   return table;
 }
 
-/// The timing of a running task in the last second, which its table provides at once.
+/// Adds the timing of a running task in the last second, which its table provides at once.
 void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
   using namespace std::chrono_literals;
   constexpr double kMicro = 1e6;
@@ -157,7 +157,7 @@ std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
   return std::to_string(waiting) + " of " + std::to_string(capacity) + " wait";
 }
 
-/// The health of a working connection.
+/// Adds the health of a working connection.
 void AddCounts(Context& context, const Place& place, Table& table) {
   const auto counts = AskCounts(context, place);
   if (!counts) return;
@@ -181,7 +181,7 @@ void AddCounts(Context& context, const Place& place, Table& table) {
   table.Add({"lost events", std::to_string(counts->lost_events)});
 }
 
-/// The fields of a member's argument or result. Best effort: the process may be gone.
+/// Prints the fields of a member's argument or result, if the process still answers.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
                   const tendon::Fingerprint& fingerprint) {
   const auto schema = context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {
@@ -203,8 +203,8 @@ Result<tendon::Schema> SchemaOf(Context& context, const Place& place,
   });
 }
 
-/// The read commands that return what the command sets, as lines to copy. Does not call them:
-/// `show` only looks.
+/// Prints the read commands that return the value that a command sets, as lines to copy. Does not
+/// call them, because `show` only displays.
 void PrintReads(Context& context, const Place& place, const std::string& path,
                 const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);
@@ -223,7 +223,7 @@ void PrintReads(Context& context, const Place& place, const std::string& path,
   }
 }
 
-/// The line that calls the command, to copy.
+/// Prints the line that calls the command, to copy.
 void PrintCall(Context& context, const Place& place, const std::string& path) {
   const auto& member = *place.member;
   if (!TakesArgument(member.signature)) {
@@ -264,7 +264,7 @@ void PrintPlace(Context& context, const Catalogue& catalogue, const Place& place
   if (place.member != nullptr) PrintPayloads(context, place, path);
 }
 
-/// Shows each one below its path.
+/// Shows each thing below its path.
 Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();

@@ -42,7 +42,7 @@ struct ClassArguments {
   bool dry_run = false;
 };
 
-/// The named process; else the only one that is present.
+/// The named process; otherwise the only present one.
 Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& named) {
   if (!named.empty()) return named;
   std::vector<std::string> present;
@@ -60,7 +60,7 @@ Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& nam
   return Error{ErrorCode::kInvalid, "there are several processes: name one of " + list};
 }
 
-/// From the command line or a file; empty if neither is given.
+/// The configuration from the command line or a file; empty if neither is given.
 Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   if (arguments.file.empty()) return arguments.json;
   auto text = tendon::ReadSystemText(arguments.file);
@@ -80,8 +80,8 @@ Result<Classes> AskForClasses(Context& context, const std::string& process) {
   });
 }
 
-/// The file from which the process has loaded the library; nothing if the process does not say. An
-/// empty library means the one with the class.
+/// The file from which the process has loaded the library; empty if the process does not report it.
+/// An empty library name means the library with the class.
 std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const LifeOrder& order) {
   const auto known = AskForClasses(context, order.process);
   if (!known) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const Li
   return loaded == nullptr ? std::nullopt : std::optional(*loaded);
 }
 
-/// Also printed with --quiet: the file differs from the running code.
+/// Warns that the file differs from the running code. Also printed with --quiet.
 void WarnOfOld(const Context& context, const std::string& process,
                const tendon::PluginDescription& plugin) {
   const std::string old = tendon::OldPluginText(process, plugin);
@@ -119,7 +119,7 @@ Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder&
                                        : tendon::CheckCreation(*known, order);
 }
 
-/// Executes the order, or says what it would do; `object` and `done` are for the user.
+/// Executes the order, or prints what it would do; `object` and `done` are words for the user.
 Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::string& object,
                        const std::string& done, bool is_dry) {
   const auto client = context.Client();
@@ -220,7 +220,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
   using Json = nlohmann::ordered_json;
   auto classes = Json::array();
   for (const ClassDescription& one : all.classes) {
-    const Json defaults = tendon::JsonOrText(one.defaults);  // not an object if it has none
+    const Json defaults = tendon::JsonOrText(one.defaults);  // may not be an object
     classes.push_back({{"class", one.name},
                        {"library", one.library},
                        {"configuration", one.configuration},
@@ -236,7 +236,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
 
 void Print(const Context& context, const ClassDescription& one) {
   context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
-  std::string line;  // a schema text has several lines, each from outside
+  std::string line;  // a schema text has several lines, which are untrusted
   for (const char letter : one.configuration + "\n") {
     if (letter != '\n') {
       line += letter;

@@ -37,13 +37,14 @@ ordered_json JsonOf(const StaleValues& old) {
   return json;
 }
 
-/// Remarks once on each component that stands still.
+/// Prints one message for each component that does not run.
 class StaleComponents {
  public:
   explicit StaleComponents(Context& context, tendon::GcmClient& client)
       : context_(context), client_(client) {}
 
-  /// Whether the values of the path's component are old; prints a remark the first time.
+  /// Returns the age of the values if the component of the path does not run; prints a message the
+  /// first time.
   const std::optional<StaleValues>& Of(const std::string& text) {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
@@ -61,7 +62,7 @@ class StaleComponents {
   std::map<std::string, std::optional<StaleValues>> known_;
 };
 
-/// Prints one value and nothing else; its age is a remark.
+/// Prints one value and nothing else to the output; its age goes to the messages.
 Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
@@ -112,7 +113,7 @@ Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalogue& catalo
                "nothing that '" + glob + "' names can be read; gcm find '" + glob + "' lists it"};
 }
 
-/// One line per value. Reports what cannot be read, and reads the others.
+/// Prints one line per value. Reports values that cannot be read, and reads the others.
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -144,7 +145,7 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
 struct WatchOptions {
   std::vector<std::string> paths;
   double rate = 0.0;        // rows per second, 0: all
-  bool is_latest = false;   // skip rows that wait
+  bool is_latest = false;   // skip waiting rows
   std::uint64_t count = 0;  // rows, 0: no end
   double seconds = 0.0;     // 0: no end
   bool ends_with_link = false;
@@ -212,7 +213,8 @@ class Watching {
     const std::string* table = nullptr;
     PrintedRow content;
   };
-  /// The next rows of each table: in order within a table, and as they arrive between tables.
+  /// Takes the next rows of all tables: in order within a table, in the order of arrival between
+  /// tables.
   std::vector<Row> Take() {
     std::vector<Row> all;
     for (const Table& table : tables_) {
@@ -248,7 +250,7 @@ class Watching {
     if (is_any_left) return std::nullopt;
     return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
   }
-  /// The reason of the first table whose rows were interrupted.
+  /// The reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
     for (const Table& table : tables_) {
       if (auto reason = table.printer->interruption()) return reason;
@@ -289,7 +291,8 @@ class RowWriter {
     context.out() << '\n';
   }
 
-  /// Returns false once the wanted number of rows is printed, or the output is closed.
+  /// Prints a row. Returns false if the requested number of rows is printed, or the output is
+  /// closed.
   bool Write(const std::string& table, const PrintedRow& row) {
     Miss(table, row.lost_before);
     ++printed_;
@@ -301,9 +304,9 @@ class RowWriter {
     if (rows.all() > 0) TellOfGap(table, rows);
     lost_ += rows;
   }
-  /// True once the wanted number of rows is printed.
+  /// True if the requested number of rows is printed.
   [[nodiscard]] bool is_full() const { return options_.count > 0 && printed_ >= options_.count; }
-  /// True if only the newest row is wanted.
+  /// True if only the newest row is requested.
   [[nodiscard]] bool is_latest() const { return options_.is_latest; }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
   [[nodiscard]] const LostRows& lost() const { return lost_; }
@@ -328,7 +331,7 @@ class RowWriter {
     }
   }
 
-  /// The values are already JSON, perhaps many megabytes: write them unchanged.
+  /// Writes the values unchanged: they are already JSON, perhaps many megabytes.
   void PrintAsJson(const PrintedRow& row) {
     std::ostream& out = context_.out();
     out << R"({"schema":1,"time_ns":)" << row.time_ns << R"(,"clock_offset_ns":)"
@@ -356,13 +359,13 @@ class RowWriter {
   const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
   LostRows lost_;
-  std::map<std::string, LostRows> untold_;  // not reported yet, by table
+  std::map<std::string, LostRows> untold_;  // lost rows that were not reported yet, by table
   std::chrono::steady_clock::time_point last_told_;
 };
 
-/// Reports once when a watched component stands still, and once when it runs again. Stops after a
-/// component whose age it must wait for, and goes on with the next one in the next Look(), so that
-/// signals are noticed in time.
+/// Reports once when a watched component stops running, and once when it runs again. If it had to
+/// wait for the age of a component's values, continues with the next component in the next Look(),
+/// so that signals are noticed in time.
 class StandstillNotices {
  public:
   StandstillNotices(Context& context, tendon::GcmClient& client,
@@ -398,10 +401,10 @@ class StandstillNotices {
     Standstill told = Standstill::kNone;
   };
 
-  /// Returns true if it may have waited.
+  /// Checks one component. Returns true if it may have waited.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
     const Standstill why = StandstillOf(catalogue, watched.path.process, watched.path.component);
-    // A lost process is reported as the end of its rows.
+    // For a lost process, the end of its rows is reported instead.
     if (why == watched.told || why == Standstill::kLost) return false;
     if (why == Standstill::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
@@ -430,7 +433,7 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
   err << '\n';
 }
 
-/// Returns false once no more rows are wanted. After a signal, a write that would block fails, and
+/// Returns false if no more rows are requested. After a signal, a write that would block fails, and
 /// the rows after it are lost.
 bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
   std::map<std::string, LostRows> missed;
@@ -444,12 +447,12 @@ bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
     missed[*table].viewer += writer.is_latest() ? 0 : 1;
   }
   const bool is_left = !wants_more && !tendon::os::WasTerminationAsked();
-  if (writer.is_full() || is_left) return wants_more;  // a reader that has left loses nothing
+  if (writer.is_full() || is_left) return wants_more;  // closed by the reader: no loss
   for (const auto& [table, lost] : missed) writer.Miss(table, lost);
   return wants_more;
 }
 
-/// Prints the rows since the last turn if they are few; otherwise counts them as lost.
+/// Prints the remaining rows if they are few; otherwise counts them as lost.
 void WriteRest(Watching& watching, RowWriter& writer, Context& context) {
   constexpr std::size_t kFew = std::size_t{64} << 10U;  // bytes
   if (writer.is_full()) return;
@@ -491,7 +494,7 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  // The reader has closed the output, or is stuck and the user interrupted.
+  // Otherwise the reader has closed the output, or is blocked and the user has interrupted.
   if (context.out().good() || interrupted) {
     WriteRest(watching, writer, context);
     Summarize(writer, context.err());

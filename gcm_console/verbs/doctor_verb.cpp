@@ -32,7 +32,7 @@ using tendon::ErrorCode;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// The subject of a check, and its result.
+/// A check: its subject and its result.
 struct Finding {
   enum class Verdict { kGood, kBad, kUnknown };
 
@@ -235,8 +235,8 @@ class Doctor {
     return context_.Ask<tendon::message::ProgramVersion>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
   }
-  /// Reports the version of a program. Two compatible releases are fine, but the limits of the
-  /// older one may be the problem.
+  /// Reports the version of a program. Two compatible releases work together, but the limits of the
+  /// older one may explain a problem.
   void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
                   const std::string& text, const std::string& fix) {
     const auto [version, is_own] = tendon::JudgeVersion(told, own_);
@@ -252,7 +252,7 @@ class Doctor {
     if (health == nullptr) return "";
     return ", cpu " + tendon::CpuText(health) + ", memory " + tendon::MemoryText(health);
   }
-  /// ", clock 0.0 ms off (+-0.1 ms)"; empty if no table tells.
+  /// ", clock 0.0 ms off (+-0.1 ms)"; empty if no table shows it.
   static std::string ClockText(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     for (const auto& [name, component] : entry.components) {
       if (component.tables.empty() || component.tables[0].columns.empty()) continue;

@@ -27,7 +27,7 @@ using tendon::ErrorCode;
 using tendon::InterfaceName;
 using tendon::Result;
 
-/// "7 of 9".
+/// For example "7 of 9".
 std::string Share(const Candidate& candidate) {
   return std::to_string(candidate.compatibility.matched) + " of " +
          std::to_string(candidate.compatibility.needed);
@@ -67,7 +67,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   return program::kOk;
 }
 
-/// The provided interface to explain if the user names none: the connected one, else the best
+/// The provided interface to explain if the user names none: the connected one, otherwise the best
 /// candidate.
 Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const InterfaceName& required) {
   if (const auto* connection = catalogue.FindConnection(required)) return connection->provided;
@@ -78,7 +78,7 @@ Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Interface
                ToString(required) + " is not connected, and nothing that is there fits it"};
 }
 
-/// Sends the process a request that does not involve a component's thread.
+/// Measures a request to the process that does not involve a component's thread.
 Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
   const auto answer = context.Ask<tendon::message::ProgramVersion>(
@@ -89,7 +89,7 @@ Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string&
                                                                begin);
 }
 
-/// The flaws of a working connection, as its process counts them in two requests.
+/// The flaws of a working connection, from the counts of its process in two requests.
 std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const InterfaceName& required) {
   constexpr std::chrono::milliseconds kBetween(500);
   const auto counts = [&] {
@@ -153,7 +153,7 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remainders)}};
 }
 
-/// A lost process must not exit like a missing GCM, which scripts know as kUnreachable.
+/// The exit code of a lost process must differ from that of a missing GCM, kUnreachable.
 ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;

@@ -36,7 +36,7 @@ struct Health {
   std::size_t connections = 0;
   std::size_t wrong = 0;
   std::set<std::string> at_rest{};  ///< components with connections that do not run
-  std::set<std::string> verbs{};    ///< verbs that tell more, or help
+  std::set<std::string> verbs{};    ///< verbs that show more, or help
 };
 
 /// "3 active, 1 faulted".
@@ -52,10 +52,11 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
   return text.empty() ? "no components" : "components: " + text;
 }
 
-/// Why connections do not work, and for how long, in the words of their processes.
+/// The reason why each connection does not work, and for how long, as its process reports it.
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
-/// The reasons that processes give soon. Asks at most the number that may be asked at once.
+/// Asks processes for the reasons, up to the number of requests allowed at once, and waits only
+/// briefly.
 Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   constexpr std::chrono::milliseconds kSoon(500);
   struct Answers {
@@ -95,7 +96,7 @@ struct StatusRow {
   std::string detail;
 };
 
-/// Plug-ins whose files differ from the running code.
+/// Adds plug-ins whose files differ from the running code.
 void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow>& rows,
                 Health& health) {
   for (const tendon::PluginDescription& plugin : process.plugins) {
@@ -107,7 +108,7 @@ void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow
   }
 }
 
-/// Components that are faulted, late or waiting. A failed connection counts on its own.
+/// Adds a component that is faulted, late or waiting. Failed connections have their own rows.
 void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDescription& component,
                   std::vector<StatusRow>& rows, Health& health) {
   const auto add = [&](const std::string& what) {
@@ -125,7 +126,7 @@ void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDesc
   add(WaitingReasons(waits));
   if (std::ranges::all_of(waits, &tendon::UnsatisfiedInterface::has_connection)) return;
   ++health.wrong;
-  health.verbs.insert("gcm doctor");  // which names the interface
+  health.verbs.insert("gcm doctor");  // it names the interface
 }
 
 std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits, Health& health) {
@@ -234,7 +235,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   return program::kOk;
 }
 
-/// Each component with its connections, and the unconnected interfaces.
+/// Prints each component with its connections, and the unconnected interfaces.
 void PrintText(const Catalogue& catalogue, std::ostream& out) {
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {

@@ -73,8 +73,8 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
       tendon::GcmClient::kOrdersOfAnUndo);
 }
 
-/// Undoes one step; if it cannot be undone, may skip it. Returns the undo's error if skipping does
-/// not help.
+/// Undoes one step; if that is not possible, may skip it. Returns the error of the undo if it
+/// cannot be skipped either.
 Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& undone) {
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
@@ -110,7 +110,7 @@ void Print(Context& context, const Undone& undone, bool is_dry) {
   }
 }
 
-/// True if the process may return with its state, so that the step waits and is not skipped.
+/// True if the process may return with its state, so that the step must not be skipped.
 bool MayComeBack(const tendon::Catalogue& catalogue, const HistoryEntry& step) {
   const auto* owner = catalogue.FindProcess(tendon::ProcessOf(step));
   return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&

@@ -45,8 +45,8 @@ struct Wording {
   std::string_view done;
 };
 
-/// The selected components or processes, and the number of glob matches that the verb does not
-/// apply to.
+/// The selected components or processes, and the number of glob matches to which the verb does not
+/// apply.
 struct Targets {
   std::vector<Path> paths;
   std::size_t left_out = 0;
@@ -63,7 +63,7 @@ struct Targets {
   }
 };
 
-/// Sorts as in `order`; the others come last.
+/// Sorts as in `order`; elements that are not in it come last.
 template <typename Name, typename NameOf>
 void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path>& paths) {
   std::map<Name, std::size_t> places;
@@ -74,7 +74,7 @@ void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path
   });
 }
 
-/// Clients before their servers, so that the servers still execute the clients' last commands.
+/// Sorts clients before their servers, so that servers still execute the clients' last commands.
 void PutClientsFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
       tendon::EndOrder(tendon::SystemOf(catalogue, "").file),
@@ -180,7 +180,8 @@ struct ProcessWording {
   std::string_view infinitive;
   std::string_view done;
   bool needs_ours;
-  /// Checks if it is possible; `ours` are the processes started by the GCM, if it tells them.
+  /// Checks if the action is possible; `ours` are the processes started by the GCM, if the GCM
+  /// reports them.
   Result<void> (*check)(const Catalogue& catalogue, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
@@ -190,7 +191,7 @@ Result<void> CheckKill(const Catalogue& catalogue, const Ours& ours, const std::
   if (!entry) return entry.error();
   const bool is_ours =
       ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
-  // In any state: it may hang, or wait for a restart.
+  // Possible in any state: the process may hang, or wait for a restart.
   if (is_ours) return {};
   if (auto present = RequirePresent((*entry)->process); !present || !ours) return present;
   return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
@@ -221,7 +222,8 @@ Result<void> Forget(Context& context, const std::string& process) {
       [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
 }
 
-/// Leaves unknown names to the GCM, and processes that it has not started.
+/// Keeps unknown names, and processes that the GCM has not started; the GCM refuses them with a
+/// reason.
 Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
                               const ProcessWording& wording, const LifeArguments& arguments) {
   Targets targets;
@@ -235,7 +237,8 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
     for (const auto& [name, entry] : catalogue.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
-      // Keeps a present process that this GCM has not started: the GCM says where to end it.
+      // Keeps a present process that this GCM has not started, because the GCM's error says where
+      // to end it.
       const bool is_of_use =
           wording.check(catalogue, ours, name).ok() || wording.check(catalogue, {}, name).ok();
       targets.Add({.process = name}, true, is_of_use);
@@ -248,7 +251,7 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
   return targets;
 }
 
-/// Nothing if the GCM is too old to tell.
+/// The processes started by the GCM; empty if the GCM is too old to report them.
 Result<Ours> AskForOurs(Context& context) {
   auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });

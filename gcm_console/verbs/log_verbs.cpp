@@ -32,8 +32,8 @@ using namespace std::chrono_literals;
 
 struct LogOptions {
   bool follow = false;
-  std::string level = "debug";  // and above
-  std::string from{};           // empty: from all
+  std::string level = "debug";  // this level and above
+  std::string from{};           // empty: all sources
 };
 
 std::vector<std::string> LevelNames() {
@@ -42,7 +42,7 @@ std::vector<std::string> LevelNames() {
   return names;
 }
 
-/// The level with one of these names.
+/// The level with this name.
 LogLevel LevelOf(const std::string& name) {
   for (const auto& one : tendon::kPayload<LogLevel>.enumerators) {
     if (one.name == name) return one.value;
@@ -50,8 +50,8 @@ LogLevel LevelOf(const std::string& name) {
   return LogLevel::kDebug;
 }
 
-/// Keeps records until the printing thread takes them. Bounded in records and bytes: when it is
-/// full, the oldest are dropped and counted as lost.
+/// Keeps records until the printing thread takes them. Limited in records and bytes: when it is
+/// full, the oldest records are dropped and counted as lost.
 class LogInbox final : public tendon::GcmListener {
  public:
   using Records = InboxQueue<LogRecord, std::uint64_t>;
@@ -86,7 +86,7 @@ class LogInbox final : public tendon::GcmListener {
     }
   }
 
-  /// Everything since the last call; the oldest records first.
+  /// Takes everything since the last call; the oldest records first.
   Content Take() {
     const std::scoped_lock lock(mutex_);
     const bool is_current = content_.is_current;
@@ -139,7 +139,7 @@ void Remark(const LogInbox::Content& content, Context& context) {
   if (content.is_gcm_back) context.PrintGcmReturn();
 }
 
-/// Says that no kept record matches; kNotFound if there is no such process.
+/// Prints that no kept record matches; kNotFound if there is no such process.
 Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
                        Context& context) {
   const std::string name = options.from.substr(0, options.from.find('/'));

@@ -27,10 +27,10 @@ struct ListOptions {
   std::string path;
   bool is_recursive = false;
   bool is_long = false;
-  std::vector<std::string> types;  ///< codes of nouns
+  std::vector<std::string> types;  ///< codes of kNouns
 };
 
-/// Adds the processor and memory use of processes without another detail.
+/// Adds processor and memory use to processes that have no other detail.
 void AddHealth(Context& context, const Catalogue& catalogue, std::vector<Thing>& things) {
   const auto lacks_detail = [&](const Thing& thing) {
     return thing.noun == "process" && thing.detail.empty();
@@ -45,7 +45,8 @@ void AddHealth(Context& context, const Catalogue& catalogue, std::vector<Thing>&
   }
 }
 
-/// Everything below a path, or only directly in it; for a glob its matches, or all in them, too.
+/// Everything below a path, or only its direct content. For a glob, the matches, or also everything
+/// in them.
 Result<std::vector<Thing>> ThingsOf(const Catalogue& catalogue, const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
   if (IsGlob(options.path)) {
@@ -58,7 +59,7 @@ Result<std::vector<Thing>> ThingsOf(const Catalogue& catalogue, const ListOption
   return things;
 }
 
-/// Lists things by path and not by name, perhaps only of some kinds.
+/// Lists things by their full path, perhaps only of some kinds.
 Result<ExitCode> ListThings(Context& context, const Catalogue& catalogue,
                             const ListOptions& options) {
   auto found = ThingsOf(catalogue, options);

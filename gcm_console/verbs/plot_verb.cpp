@@ -27,10 +27,10 @@ using namespace std::chrono_literals;
 struct PlotOptions {
   std::vector<std::string> paths;
   double window = 10.0;  // visible seconds
-  double seconds = 0.0;  // 0: no end on a terminal, else the window
+  double seconds = 0.0;  // 0: no end on a terminal, otherwise the window
 };
 
-/// The plotted numbers; those of each table arrive on their own.
+/// The plotted numbers; those of different tables arrive independently.
 class Plotting {
  public:
   Plotting(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
@@ -78,7 +78,7 @@ class Plotting {
   std::vector<Table> tables_;
 };
 
-/// Shows as many curves as fit on the screen; a line below mentions the others.
+/// Shows as many curves as fit on the screen; a line below names the others.
 void Show(const Plotting& plotting, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
@@ -94,7 +94,7 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
   screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
 }
 
-/// Collects until the time is over or the user interrupts.
+/// Collects until the time has passed or the user interrupts.
 Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotOptions& options) {
   const bool has_screen = context.has_screen();
   const double seconds = options.seconds > 0.0 || has_screen ? options.seconds : options.window;
@@ -136,7 +136,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   const auto ended = Collect(context, plotting, options);
   PrintSentences(plotting.notes(), context.err());
   if (!ended) return ended;
-  // The last picture remains when the screen is restored.
+  // Prints the last picture again after the screen is restored.
   context.out() << PictureOf(plotting.curves(), options.window, columns, kUsualRows);
   return ended;
 }

@@ -44,7 +44,7 @@ struct Rate {
   }
 };
 
-/// Measures with the source's clock, so that the network has no influence.
+/// Measures the rate with the source's clock, so that the network has no influence.
 class RateMeter final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
@@ -68,7 +68,7 @@ class RateMeter final : public tendon::RowSink {
     complaint_ = reason.message;
   }
 
-  /// The figures since the last call.
+  /// Takes the figures since the last call.
   Rate Take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(rate_, {});
@@ -95,7 +95,7 @@ class RateMeter final : public tendon::RowSink {
   std::string complaint_;
 };
 
-/// Prints the lines of a growing table, so its column widths are fixed at the start.
+/// Prints a table line by line, so its column widths are fixed at the start.
 class RateReport {
  public:
   explicit RateReport(Context& context) : context_(context) {}
@@ -173,7 +173,7 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
     report.Print(meter->Take());
     context.out().flush();
   }
-  if (reports == 0) report.Print(meter->Take());  // ended within the first second
+  if (reports == 0) report.Print(meter->Take());  // interrupted within the first second
   (*client)->telemetry().Unsubscribe(id);
   return is_interrupted ? program::kInterrupted : program::kOk;
 }

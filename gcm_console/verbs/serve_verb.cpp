@@ -67,11 +67,11 @@ Verb::Run PrepareServe(CLI::App& app) {
   return [fan_out](Context& context) { return Serve(context, *fan_out); };
 }
 
-/// Memory limit of the broker. Ice believes a message that claims 2^31 facets, and allocates 64
-/// GiB; with a limit the allocation fails, and Ice refuses the message and goes on.
+/// Memory limit of the broker. For a message that claims 2^31 facets, Ice allocates 64 GiB; with a
+/// limit, the allocation fails, and Ice refuses the message and continues.
 constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
 
-/// A private file, because the names of the broker's objects are secret.
+/// Writes a private file, because the names of the broker's objects are secret.
 tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
                                                     const std::string& settings) {
   std::string name = "fan-out-" + address + ".conf";

@@ -89,7 +89,7 @@ struct ImportWords {
   bool dry_run = false;
 };
 
-/// Never overwrites a file: nothing of it would be left.
+/// Never overwrites a file, because its content would be lost.
 Result<ExitCode> Import(Context& context, const ImportWords& words) {
   const auto text = tendon::ReadSystemText(words.from);
   if (!text) return text.error();
@@ -228,7 +228,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {
     const auto classes = context.Ask<tendon::message::Classes>(
         [&process](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process, handler); });
-    if (classes) known[process] = *classes;  // else the process refuses what it cannot create
+    if (classes) known[process] = *classes;  // otherwise the process itself refuses
   }
   return MakeCheckedPlan(catalogue, *wanted, known);
 }
@@ -277,14 +277,13 @@ std::vector<tendon::message::HistoryEntry> Steps(Context& context) {
   return history ? std::move(history->entries) : std::vector<tendon::message::HistoryEntry>();
 }
 
-/// The id of the newest step of the history; 0 without any.
+/// The id of the newest step of the history; 0 if there is none.
 std::uint64_t NewestStep(Context& context) {
   const auto steps = Steps(context);
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// "; take it back with: gcm undo 8", if there are steps after `former`, and all by the same
-/// author.
+/// "; take it back with: gcm undo 8", if there are steps after `former`, all by the same program.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
@@ -307,7 +306,7 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
                 << (is_changed ? WayBack(context, former) : "") << '\n';
 }
 
-/// The words in a table and in JSON.
+/// The words for an outcome in a table and in JSON.
 Marks MarksOf(StepOutcome::Fate fate) {
   switch (fate) {
     case StepOutcome::Fate::kDone:
@@ -357,7 +356,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
 
 Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
   if (words.dry_run) return PrintPlan(context, words.file);
-  tendon::os::HoldTerminationSignals();  // never leaves a step half done
+  tendon::os::HoldTerminationSignals();  // a signal must not interrupt a step
   const auto plan = PlanOf(context, words.file);
   if (!plan) return plan.error();
   if (const auto allowed = CheckApply(*plan, words); !allowed) {

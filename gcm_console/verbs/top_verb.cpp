@@ -37,7 +37,7 @@ struct TopOptions {
   bool shows_connections = false;
 };
 
-/// A key that sorts, and its name for the option.
+/// A sort key, and its name for the option.
 template <typename Figures>
 struct Order {
   char key;
@@ -194,7 +194,7 @@ std::vector<ConnectionFigures> LookAt(ConnectionFeed& feed, const TopOptions& op
   return feed.Look(options.filter);
 }
 
-/// Prints once all figures are known, or have had enough time.
+/// Prints once, when all figures are known or the time limit has passed.
 template <typename Feed>
 Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options,
                            const char* what) {
@@ -218,7 +218,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   return program::kOk;
 }
 
-/// The state that keys change; `is_typing` is about the filter.
+/// The state that keys change; `is_typing`: the user types the filter.
 struct TopKeys {
   bool is_typing = false;
   bool wants_end = false;
@@ -273,7 +273,7 @@ std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
   return picture.str();
 }
 
-// A narrow terminal only shows the beginning.
+// A narrow terminal shows only the beginning of this line.
 constexpr const char* kKeyLine =
     "q end; sort: n name, r rate, t latest, l load, s skipped; / filter, c connections";
 constexpr const char* kConnectionKeyLine =

@@ -4,8 +4,9 @@
 
 namespace console {
 
-/// Asks the processes for types that differ under the same name, so that the catalogue can name the
-/// difference between two ends. Best effort: waits for each reply as long as for any answer.
+/// Asks the processes for types that differ under the same name, so that errors can name the
+/// difference between two ends. Waits for each reply up to the usual time-out, and ignores
+/// failures.
 void LearnDisputedTypes(Context& context);
 
 }  // namespace console

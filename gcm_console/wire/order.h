@@ -7,8 +7,8 @@
 
 namespace console {
 
-/// Refuses swapped ends (provided first, required second) and says how to call `verb`. A swapped
-/// order has no other meaning.
+/// Refuses swapped ends (provided first, required second) and says how to call `verb`. Swapped ends
+/// can have no other meaning.
 tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue& catalogue,
                                 const tendon::InterfaceName& required,
                                 const tendon::InterfaceName& provided);

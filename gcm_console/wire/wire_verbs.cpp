@@ -36,7 +36,7 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
   return ToString(required) + " -> " + ToString(provided);
 }
 
-/// Warns that the connection waits for an unknown process, whose name may be misspelt.
+/// Warns that the connection waits for an unknown process, whose name may be wrong.
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
   const bool asks = unknown.message.ends_with("?");
   context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
@@ -96,7 +96,7 @@ std::string PathOf(const Match& match) {
                         : ToString(match.required);
 }
 
-/// The question before several are connected at once; empty for fewer.
+/// The question before several interfaces are connected at once; empty for one.
 std::string QuestionOf(const std::vector<Match>& matches) {
   std::string question;
   std::size_t count = 0;

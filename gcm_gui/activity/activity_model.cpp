@@ -42,7 +42,7 @@ bool IsStep(const Action& action) {
   const bool wiring = action.verb == Action::Verb::kConnect ||
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
-  // Only the GCM knows if a restart was a step: for a running component it is none.
+  // Only the GCM knows if a restart was a step; for a running component it is not.
   const bool steering = action.verb == Action::Verb::kSteer && action.life != LifeVerb::kRestart;
   return (wiring || steering) && action.outcome == Action::Outcome::kDone && !action.undone;
 }
@@ -220,7 +220,7 @@ void ActivityModel::finish(Id id, double seconds, const QString& refusal) {
 }
 
 void ActivityModel::changedUndo() {
-  // The newest step that stands, and the one that was the newest before.
+  // The newest step that is not undone, and the one that was the newest before.
   int steps = 0;
   for (int row = 0; row < rowCount() && steps < 2; ++row) {
     if (!IsStep(action(row))) continue;

@@ -28,14 +28,14 @@ struct Action {
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
-  InterfaceName required;  ///< of connect, disconnect, replace; of undo once known
+  InterfaceName required;  ///< for connect, disconnect, replace; for undo when known
   InterfaceName provided;
-  std::string process;               ///< of forget and of a log level
-  LifeVerb life = LifeVerb::kStart;  ///< of steer
-  std::string component;             ///< of steer: its path; of undo once known
-  QString command;                   ///< of call: its path
-  QString argument;  ///< of call: JSON; of a log level: its name; of apply: the system it leads to
-  QString file;      ///< of apply: the system file; empty if it was never saved
+  std::string process;               ///< for forget and a log level
+  LifeVerb life = LifeVerb::kStart;  ///< for steer
+  std::string component;             ///< for steer: its path; for undo when known
+  QString command;                   ///< for call: its path
+  QString argument;  ///< for call: JSON; for a log level: its name; for apply: the target system
+  QString file;      ///< for apply: the system file; empty if not saved
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< the reason of a refusal
@@ -62,19 +62,20 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] const Action& action(int row) const;
   /// The shell command that does the same, or empty.
   [[nodiscard]] QString command(int row) const;
-  /// True for the action that Undo takes back: the newest not undone, with no plan after it.
+  /// True for the action that Undo undoes: the newest one that is not undone, with no plan after
+  /// it.
   [[nodiscard]] bool canUndo(int row) const;
 
   /// A repeated call updates the count of its row instead of adding a row.
   Id begin(Action action);
-  /// An undo also learns here which interfaces it changed.
+  /// Finishes an action. For an undo, also fills in the changed interfaces.
   void finish(Id id, double seconds, const QString& refusal);
   /// Marks the newest action that matches `step` and is not undone yet.
   void markUndone(Id undo, const Action& step);
 
  Q_SIGNALS:
   void finished(const tendon::gui::Action& action);
-  /// An action was taken back.
+  /// An action was undone.
   void undone(const tendon::gui::Action& action);
 
  private:

@@ -32,7 +32,7 @@ class ActivityStrip : public TabPanel {
   void showConsole();
 
  Q_SIGNALS:
-  /// The user wants to see `path` in the other views.
+  /// The user wants to show `path` in the other views.
   void jumpRequested(const QString& path);
   /// The user clicked a problem or pressed Enter on it; `path` names the thing with the problem.
   void problemChosen(const QString& path);

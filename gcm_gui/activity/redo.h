@@ -17,7 +17,7 @@ class Redo : public QObject {
  public:
   Redo(ActivityModel& activity, SystemActions& actions, QObject* parent = nullptr);
 
-  /// Redoes the last undone action, or emits a notice() with the reason why not.
+  /// Redoes the last undone action, or emits a notice() with the reason why this is impossible.
   void again();
 
  Q_SIGNALS:
@@ -28,8 +28,8 @@ class Redo : public QObject {
   void hearDone(const Action& action);
 
   SystemActions& actions_;
-  std::vector<Action> undone_;  // the last at the back
-  bool is_under_way_ = false;   // the next finished action was requested here
+  std::vector<Action> undone_;  // the last one at the back
+  bool is_under_way_ = false;   // the next finished action is a redo of this object
 };
 
 }  // namespace tendon::gui

@@ -42,7 +42,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
-constexpr std::size_t kMostRead = 65536;  // more would freeze the window too long
+constexpr std::size_t kMostRead = 65536;  // larger values would block the window too long
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
@@ -57,7 +57,7 @@ QString ValueText(const Json& value) {
 
 QString Rest() { return Words::tr("…\nThe whole answer: Copy as command"); }
 
-/// One field per line for people. A very long answer is cut off; a terminal shows all.
+/// One field per line for people. A very long answer is cut off; in a terminal it is complete.
 QString Readable(const std::string& json) {
   if (json.size() > kMostRead) {
     return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
@@ -290,7 +290,7 @@ void CallPanel::showForm(const Schema& schema) {
   });
 }
 
-/// The height changes with the remarks on the fields.
+/// Adapts the height, which changes with the remarks on the fields.
 void CallPanel::fitForm() {
   const int width = form_area_->viewport()->width();
   const int height =
@@ -323,7 +323,7 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   });
 }
 
-/// Without fields, takes the whole value.
+/// Puts a read value into the form. Without `fields`, uses the whole value.
 void CallPanel::hearValue(const std::string& read, const std::vector<std::string>& fields,
                           const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
@@ -379,7 +379,7 @@ void CallPanel::check() {
   if (!under_way_ && !repeat_->repeater().isRunning()) tell(problem, QStringLiteral("warning"));
 }
 
-/// Only names wrong fields: each field shows its own error.
+/// Only names the wrong fields, because each field shows its own error.
 QString CallPanel::problemOf(const Error& error) const {
   const QStringList wrong = as_json_->isChecked() ? QStringList() : form_->wrongFields();
   if (wrong.isEmpty()) return ToQString(error.message);

@@ -44,9 +44,9 @@ class CallPanel : public QWidget {
   void showNothing();
   /// Sets the focus to the first field, or to the call button if there is none.
   void focusFirst();
-  /// The reason why the command cannot be called now; empty if it can.
+  /// Sets the reason why the command cannot be called now; empty if it can.
   void setUnavailable(const QString& reason);
-  /// For a call that can start a motion: the button must be held, or the key pressed twice.
+  /// Set for a command that can start a motion: the button must be held, or the key pressed twice.
   void setCareful(bool careful);
 
  Q_SIGNALS:
@@ -67,18 +67,19 @@ class CallPanel : public QWidget {
   void hearSchema(const Result<Schema>& schema);
   void hearAnswer(const Result<std::string>& answer, double seconds);
   void showForm(const Schema& schema);
-  // Tries the read commands from `read` on: first asks for their fields, then for the values.
+  // Tries the read commands from index `read` on: first requests their types, then their values.
   void askForOffer(std::size_t read);
   void hearOffer(std::size_t read, const Result<Schema>& offered);
   void askForValue(const std::string& read, const std::vector<std::string>& fields);
   void hearValue(const std::string& read, const std::vector<std::string>& fields,
                  const Result<std::string>& value);
   void fitForm();
-  /// Does nothing if the present text is not valid JSON of the type, so that no input is lost.
+  /// Switches between form and JSON. Does nothing if the present text is not valid JSON of the
+  /// type, so that no input is lost.
   void showAsJson(bool as_json);
   /// The present argument; empty for a command without one.
   [[nodiscard]] std::string argument() const;
-  /// Shows what is wrong with the argument, and then disables the call.
+  /// Checks the argument; if it is invalid, shows the mistake and disables the call.
   void check();
   [[nodiscard]] QString problemOf(const Error& error) const;
   void tell(const QString& text, const QString& role);
@@ -91,7 +92,7 @@ class CallPanel : public QWidget {
   bool is_touched_ = false;       // a person has edited the form
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;
-  /// Counts up with each shown command; replies to an older one are ignored.
+  /// Incremented with each shown command; replies for an older one are ignored.
   std::uint64_t shown_ = 0;
   bool under_way_ = false;
   QTimer second_key_;
@@ -111,7 +112,7 @@ class CallPanel : public QWidget {
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
   QLabel* answer_ = nullptr;
-  PictureView* picture_ = nullptr;  // of an answer that is a picture
+  PictureView* picture_ = nullptr;  // shows an answer that is a picture
 };
 
 }  // namespace tendon::gui

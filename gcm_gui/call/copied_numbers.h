@@ -7,14 +7,14 @@ namespace tendon::gui {
 
 /// The numbers in a text from the clipboard, for number fields.
 struct CopiedNumbers {
-  bool is_list = false;  ///< more than one field holds; else `words` is the text
+  bool is_list = false;  ///< more numbers than one field holds; otherwise `words` is the text
   QStringList words;     ///< as written, valid or not
   QString refusal;       ///< why a list cannot be split: a sentence for the user
 };
 
-/// Splits a list only if it has a single meaning: at line ends, tabs, semicolons and blanks, at
-/// commas followed by a blank, and at the commas of a JSON list without blanks. Refuses a list with
-/// an empty place: all later numbers would move to other fields.
+/// Splits a list only if it can be split in only one way: at line ends, tabs, semicolons and
+/// blanks, at commas followed by a blank, and at the commas of a JSON list without blanks. Refuses
+/// a list with an empty element, because all later numbers would move to other fields.
 [[nodiscard]] CopiedNumbers NumbersIn(const QString& text);
 
 }  // namespace tendon::gui

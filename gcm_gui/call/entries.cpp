@@ -48,7 +48,7 @@ class NumberEntry final : public Entry {
  public:
   explicit NumberEntry(NumberField& field) : field_(field) {}
 
-  /// Keeps an invalid number as text.
+  /// An invalid number is returned as text.
   [[nodiscard]] Json value() const override {
     const NumberWord word = field_.word();
     if (word.flaw != NumberFlaw::kNone) return field_.text().toStdString();
@@ -75,7 +75,7 @@ class JsonEntry final : public Entry {
   JsonEntry(const Schema& schema, const QString& name, QLineEdit& line)
       : schema_(schema), name_(name.toStdString()), line_(line) {}
 
-  /// Keeps invalid JSON as text.
+  /// Invalid JSON is returned as text.
   [[nodiscard]] Json value() const override {
     const auto value = typed();
     return value ? *value : Json(line_.text().toStdString());
@@ -165,7 +165,8 @@ class ListEntry final : public Entry {
   std::vector<std::unique_ptr<Entry>> elements_;
 };
 
-/// The allowed number closest to 0, with all digits: a rounded one might not be allowed.
+/// The allowed number closest to 0, with all digits, because a rounded number might be out of
+/// range.
 QString FirstNumber(const Schema::Field& field) {
   if (!field.range) return QStringLiteral("0");
   double number = std::clamp(0.0, field.range->lowest, field.range->highest);

@@ -13,7 +13,7 @@ class QWidget;
 namespace tendon::gui {
 
 /// The editor of one value of a type. Every input has a JSON value, valid or not. FromJson()
-/// decides, and rejects everything that refusals() reports.
+/// decides whether it is valid, and rejects everything that refusals() reports.
 class Entry {
  public:
   Entry() = default;
@@ -22,11 +22,11 @@ class Entry {
   virtual ~Entry() = default;
 
   [[nodiscard]] virtual nlohmann::ordered_json value() const = 0;
-  /// Shows a value of another kind unchanged if the widget has room for it.
+  /// Shows a value. One of another kind is shown unchanged if the widget can display it.
   virtual void setValue(const nlohmann::ordered_json& value) = 0;
-  /// What is wrong with the input, and what to write instead: one sentence for the user each.
+  /// The mistakes in the input, each with what to write instead: one sentence for the user each.
   [[nodiscard]] virtual QStringList refusals() const { return {}; }
-  /// Input that was not accepted, so the value itself is still valid.
+  /// Messages about input that was not accepted, so that the value is still valid.
   [[nodiscard]] virtual QStringList notices() const { return {}; }
 };
 

@@ -23,7 +23,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr qsizetype kSurelySeen = 6;  // characters
+constexpr qsizetype kSurelySeen = 6;  // characters that are always visible
 constexpr int kMostDigits = 15;       // digits that every double keeps
 constexpr int kInnerMargin = 2;       // QLineEdit's own margin beside its text
 const QString kRole = QStringLiteral("mono number");
@@ -75,7 +75,7 @@ QString NumberField::refusal() const {
   if (!range_) return {};
   const std::optional<double> number = DoubleOf(found.json);
   const bool is_inside = number && *number >= range_->lowest && *number <= range_->highest;
-  // Infinity may be a limit; NaN is in no range.
+  // Infinity is allowed if it is a limit of the range; NaN is never in a range.
   const bool is_infinite = !number && ((found.json == "\"inf\"" && std::isinf(range_->highest)) ||
                                        (found.json == "\"-inf\"" && std::isinf(range_->lowest)));
   if (is_inside || is_infinite) return {};
@@ -151,8 +151,8 @@ void NumberField::dropEvent(QDropEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
-  // A key that moves the focus here selects all. Put the cursor at the front, so that the front is
-  // visible.
+  // If a key moves the focus here, all is selected. The cursor is put at the front, so that the
+  // front is visible.
   if (hasSelectedText() && selectedText() == text()) {
     setSelection(static_cast<int>(text().size()), -static_cast<int>(text().size()));
   }

@@ -11,11 +11,11 @@
 
 namespace tendon::gui {
 
-/// The editor of one number. It keeps any text as typed; refusal() says what is wrong with it.
-/// Without the focus it shows the beginning of a long number, with an ellipsis, or rounds a number
-/// with an exponent; the tool tip has the whole number.
+/// The editor of one number. It keeps any text as typed; refusal() reports a mistake in it. Without
+/// the focus it shows the beginning of a long number, with an ellipsis, or rounds a number with an
+/// exponent; the tool tip has the whole number.
 ///
-/// A pasted or dropped list fills this field and the following ones, or nothing at all.
+/// A pasted or dropped list fills this field and the following ones completely, or no field.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
@@ -29,15 +29,15 @@ class NumberField : public QLineEdit {
 
   [[nodiscard]] NumberWord word() const;
   [[nodiscard]] bool isDuration() const { return schema_.kind() == Schema::Kind::kDuration; }
-  /// Why the text is not a number of the type, and what to write; empty if it is one.
+  /// The reason why the text is not a number of the type, and what to write; empty if it is valid.
   [[nodiscard]] QString refusal() const;
-  /// Why nothing was pasted; empty after any input.
+  /// The reason why nothing was pasted; empty after any input.
   [[nodiscard]] const QString& pasteRefusal() const { return paste_refusal_; }
   /// The text shown without the focus.
   [[nodiscard]] QString shownText() const;
 
  public Q_SLOTS:
-  /// The context menu calls this, too.
+  /// Pastes the clipboard; the context menu calls it too.
   void paste();
 
  Q_SIGNALS:

@@ -68,7 +68,7 @@ std::string ValueForm::json() const { return entry_->value().dump(); }
 void ValueForm::setJson(const std::string& json) {
   const auto value = ParseOrderedJson(WithExactDurations(schema_, json));
   if (!value) return;
-  // All fields at once: each of them reports its change.
+  // Suppresses the change that each field reports; reports one change for all.
   is_filling_ = true;
   entry_->setValue(*value);
   is_filling_ = false;

@@ -16,7 +16,7 @@ class QLabel;
 namespace tendon::gui {
 
 /// A form for a value of a type, made from its schema: numbers with units, switches, choices, grids
-/// for vectors; nested fields are below their name. Below an invalid field it says what is wrong
+/// for vectors; nested fields are below their name. Below an invalid field, it shows the mistake
 /// and what to write instead. GUI thread.
 class ValueForm : public QWidget {
   Q_OBJECT
@@ -27,7 +27,7 @@ class ValueForm : public QWidget {
 
   /// The present input, valid or not; FromJson() checks it.
   [[nodiscard]] std::string json() const;
-  /// Shows the parts of a value that have fields here.
+  /// Shows those parts of a value that have fields in this form.
   void setJson(const std::string& json);
   /// The names of the fields with invalid input: "position", "frame.parent".
   [[nodiscard]] QStringList wrongFields() const;
@@ -54,8 +54,8 @@ class ValueForm : public QWidget {
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
   std::vector<Place> places_;  // of all fields without subfields
-  bool is_filling_ = false;    // by setJson()
-  bool has_changed_ = false;   // while it did
+  bool is_filling_ = false;    // setJson() is filling the fields
+  bool has_changed_ = false;   // a field changed during setJson()
 };
 
 }  // namespace tendon::gui

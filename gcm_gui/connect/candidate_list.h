@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// The list of candidates; wraps reasons so that they can be read in full.
+/// The list of candidates; wraps reasons, so that they are fully visible.
 class CandidateList : public RowView {
   Q_OBJECT
 

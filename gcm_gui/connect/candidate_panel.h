@@ -15,7 +15,7 @@ class CandidateList;
 class HeadRow;
 
 /// The right column while the user makes a connection: the candidates, best first, and a filter.
-/// Enter, a click or a digit picks a candidate; Escape leaves.
+/// Enter, a click or a digit picks a candidate; Escape ends the connect mode.
 class CandidatePanel : public QWidget {
   Q_OBJECT
 
@@ -27,13 +27,13 @@ class CandidatePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
-  /// Shows below the candidates why a candidate under the pointer in another view does not fit. An
-  /// empty title hides it.
+  /// Shows, below the candidates, the reasons why a port under the pointer in another view does not
+  /// fit. An empty title hides them.
   void showRefusal(const QString& title, const QStringList& reasons);
 
  Q_SIGNALS:
-  /// The current candidate of the list, or the one under the pointer; nothing if it does not fit,
-  /// because the list already gives the reasons.
+  /// The current candidate of the list, or the one under the pointer; empty if it does not fit,
+  /// because the list already shows the reasons.
   void pointed(const std::optional<tendon::gui::PortName>& port);
 
  protected:

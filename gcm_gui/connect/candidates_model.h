@@ -19,12 +19,12 @@ class CandidatesModel : public QAbstractItemModel {
  public:
   explicit CandidatesModel(const ConnectMode& mode, QObject* parent = nullptr);
 
-  /// Candidates beyond this are only counted until a filter narrows them.
+  /// Further candidates are only counted, until a filter reduces their number.
   static constexpr std::size_t kMostShown = 100;
 
   /// Shows only candidates whose paths contain all these words, and then also lists the others.
   void setFilter(const QString& words);
-  /// The candidate of a row or of its reasons; nothing for the row of the others.
+  /// The candidate of a row or of its reasons; empty for the row of the others.
   [[nodiscard]] std::optional<PortName> portOf(const QModelIndex& index) const;
   [[nodiscard]] bool fits(const QModelIndex& index) const;
 

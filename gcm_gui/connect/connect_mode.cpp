@@ -15,7 +15,7 @@ constexpr int kDigits = 9;
 
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
-/// In order of importance: fits, is alive, is free, fills more members, is near.
+/// Compares, in order of importance: fits, is alive, is free, fills more members, is near.
 bool IsBetter(const Candidate& a, const Candidate& b, const std::string& process) {
   const auto key = [&](const Candidate& c) {
     return std::tuple(!c.fits(), c.gone, c.former.has_value(), -c.compatibility.matched,

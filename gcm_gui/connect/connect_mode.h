@@ -21,21 +21,21 @@ struct Candidate {
   PortName port;
   Compatibility compatibility;
   int number = 0;        ///< the digit that picks it, 1 to 9; 0 for none
-  bool gone = false;     ///< its process is lost; a connection waits for its return
+  bool gone = false;     ///< its process is lost; a connection will be pending
   bool present = false;  ///< the present peer of the chosen port
-  /// The present peer of a required interface, from which it would be taken.
+  /// The present peer of the required interface, which it would lose.
   std::optional<InterfaceName> former;
 
   [[nodiscard]] bool fits() const { return compatibility.fits() && !present; }
-  /// True if the likeness is no accident: some members match, or seem meant to match.
+  /// True if some members match, or have the same names, so that the user may mean this candidate.
   [[nodiscard]] bool looksAlike() const;
-  /// Why it cannot be picked, one clause per line.
+  /// The reasons why it cannot be picked, one clause per line.
   [[nodiscard]] QStringList reasons() const;
 };
 
-/// The state between choosing the first and the second end of a connection. Knows which ports fit
-/// and why the others do not; requests the connection when one is picked. A connected port can be
-/// connected to another peer.
+/// The state between choosing the first and the second end of a connection. Has the ports that fit
+/// and the reasons why the others do not; requests the connection when a port is picked. A
+/// connected port can be connected to another peer.
 class ConnectMode : public QObject {
   Q_OBJECT
 
@@ -48,7 +48,7 @@ class ConnectMode : public QObject {
   void forbid(const QString& reason) { forbidden_ = reason; }
   [[nodiscard]] bool active() const { return chosen_.has_value(); }
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
-  /// The present peer of the chosen port, if that is a required interface.
+  /// The present peer of the chosen port, if the port is a required interface.
   [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
   /// Best first; those that do not fit come last.
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
@@ -71,7 +71,8 @@ class ConnectMode : public QObject {
  Q_SIGNALS:
   void changed();
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
-  /// The user picked a similar port that does not fit. No request was sent; `reason` says why.
+  /// The user picked a similar port that does not fit. No request was sent; `reason` says why the
+  /// port does not fit.
   void misfitPicked(const tendon::message::Wire& wire, const QString& reason);
   /// One sentence for the user.
   void notice(const QString& text);

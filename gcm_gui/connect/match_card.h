@@ -13,9 +13,9 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// Several required interfaces, each with the provided one that matches by name and type. Connects
-/// all checked rows at once. If several matches are equally good, the row is not checked and shows
-/// the first.
+/// A card with several required interfaces, each with the provided interface that matches by name
+/// and type. Connects all checked rows at once. If several matches are equally good, the row is not
+/// checked and shows the first.
 class MatchCard : public OverlayCard {
   Q_OBJECT
 
@@ -44,7 +44,7 @@ class MatchCard : public OverlayCard {
   QWidget* table_ = nullptr;
   QGridLayout* grid_ = nullptr;
   QPushButton* connect_;
-  std::vector<Row> rows_;  // those with something to connect to
+  std::vector<Row> rows_;  // interfaces with at least one match
 };
 
 }  // namespace tendon::gui

@@ -46,7 +46,7 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
   return -1;
 }
 
-/// A failed save must not disturb the user, nor be reported for every line.
+/// Saves the lines. A failure must not disturb the user, so it is reported only once.
 void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
   const auto told = [this](const QString& refusal) {

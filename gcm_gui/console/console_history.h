@@ -6,15 +6,15 @@
 
 namespace tendon::gui {
 
-/// The typed lines and a position among them, initially after the newest. Kept in a file, if there
-/// is one. GUI thread; the FileWriter writes the file.
+/// The typed lines and a position among them, initially after the newest. Saved in a file, if one
+/// is given. GUI thread; the FileWriter writes the file.
 class ConsoleHistory : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kKept = 1000;
 
-  /// With an empty file name nothing is kept.
+  /// With an empty file name, nothing is saved.
   explicit ConsoleHistory(const QString& file = {});
 
   /// Ignores empty lines and a repetition of the newest line.
@@ -38,7 +38,7 @@ class ConsoleHistory : public QObject {
   QStringList lines_;
   qsizetype place_ = 0;
   QString typed_;
-  bool is_refusal_told_ = false;  // until a write succeeds again
+  bool is_refusal_told_ = false;  // the failure was reported; false again after a successful write
 };
 
 }  // namespace tendon::gui

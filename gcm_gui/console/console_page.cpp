@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kFewestColumns = 40;
 
-/// Completes the last word of the line as far as it is unique; nothing if it cannot.
+/// Completes the last word of the line as far as it is unique; empty if nothing can be added.
 std::optional<QString> Completed(const QString& line, const console::Completion& completion) {
   const auto unfinished = console::UnfinishedOf(line.toStdString());
   const std::string& word = unfinished.words.back();
@@ -191,7 +191,7 @@ bool ConsolePage::pressKey(const QKeyEvent& event) {
       line_->setText(history_.newer());
       return true;
     case Qt::Key_Tab:
-      if (line_->text().isEmpty()) return false;  // move the focus on
+      if (line_->text().isEmpty()) return false;  // the key moves the focus
       complete();
       return true;
     case Qt::Key_PageUp:
@@ -244,7 +244,7 @@ bool ConsolePage::pressInSearch(const QKeyEvent& event) {
   const bool is_modifier = event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control ||
                            event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
   if (is_modifier) return false;
-  leaveSearch();  // the found line stays, and the key edits it
+  leaveSearch();  // keep the found line; the key edits it
   return pressKey(event);
 }
 
@@ -299,7 +299,7 @@ void ConsolePage::complete() {
 }
 
 void ConsolePage::showCompletion(const QString& line, const console::Completion& completion) {
-  if (line != line_->text()) return;  // the user has typed more meanwhile
+  if (line != line_->text()) return;  // the user has changed the line meanwhile
   if (completion.candidates.empty()) return QApplication::beep();
   if (const auto completed = Completed(line, completion)) return line_->setText(*completed);
   if (!text().isEmpty() && !text().endsWith('\n')) write(QStringLiteral("\n"), false);

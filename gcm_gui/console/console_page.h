@@ -40,7 +40,7 @@ class ConsolePage : public QWidget {
  private:
   struct Search {
     QString part;
-    QString typed;  // before the search began
+    QString typed;  // line before the search
     qsizetype place = -1;
   };
 

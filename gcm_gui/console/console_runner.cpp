@@ -39,7 +39,7 @@ struct ConsoleRunner::Desk {
   bool is_done = false;  // the thread has ended
 };
 
-/// Reports the end of a line in every case: also if the thread throws, or the line never begins.
+/// Reports the end of a line in every case, even if the thread throws or the line never begins.
 class ConsoleRunner::End {
  public:
   End(ConsoleRunner& runner, std::shared_ptr<Courier> courier)
@@ -107,7 +107,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
     if (desk->is_ending) break;
     Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
-    if (desk->is_interrupted) interruption.Ask();  // it may have come before there was a receiver
+    if (desk->is_interrupted) interruption.Ask();  // it may be older than this object
     lock.unlock();
     Fence::run(kThread, [&] {
       if (!shell || shell->has_ended()) shell.emplace(desk->settings);
@@ -118,7 +118,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
   }
   desk->interruption = nullptr;
   lock.unlock();
-  shell.reset();  // closing its link takes a moment
+  shell.reset();  // closing its link takes some time
   lock.lock();
   desk->is_done = true;
   desk->change.notify_all();
@@ -126,7 +126,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
 
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
-  // Must not hold the desk: the desk holds the job.
+  // Must not own the desk, because the desk owns the job.
   auto end = std::make_shared<End>(*this, courier_);
   post([end = std::move(end), &pipe = desk_->pipe, line = line.toStdString(),
         columns](console::Shell& shell) {

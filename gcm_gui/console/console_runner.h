@@ -26,12 +26,13 @@ class ConsoleRunner : public QObject {
   /// Interrupts the running line and waits for it, for a limited time.
   ~ConsoleRunner() override;
 
-  /// Output arrives by output(), the end by finished(). A line has `columns` characters.
+  /// Runs a line. output() delivers its output, finished() reports the end. `columns` is the width
+  /// of a line in characters.
   void run(const QString& line, int columns);
   [[nodiscard]] bool isRunning() const { return is_running_; }
   /// Like Ctrl-C at a terminal; does nothing if nothing runs.
   void interrupt();
-  /// Requests the completions of a line; completed() follows once nothing runs.
+  /// Requests the completions of a line; completed() follows when no line is running.
   void complete(const QString& line);
 
  Q_SIGNALS:
@@ -48,7 +49,7 @@ class ConsoleRunner : public QObject {
   class End;
 
   void post(Job job);
-  /// Outlives the runner if a request does not end.
+  /// The function of the thread, which may outlive the runner if a request does not end.
   static void work(const std::shared_ptr<Desk>& desk);
   void deliver();
   void finish(int exit_code, const QString& prompt);

@@ -12,8 +12,8 @@
 
 namespace tendon::gui {
 
-/// Passes the output of one thread to another. A writer that is too far ahead waits, so nothing is
-/// lost and memory is bounded.
+/// Passes the output of one thread to another. A writer that is too far ahead waits, so that no
+/// output is lost and memory is limited.
 class OutputPipe {
  public:
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes
@@ -25,14 +25,15 @@ class OutputPipe {
     std::string text;
   };
 
-  /// The writer calls `wake` when there is something to take again.
+  /// The writer calls `wake` when take() has output again.
   explicit OutputPipe(std::function<void()> wake) : wake_(std::move(wake)) {}
 
   /// Returns false once the pipe is closed.
   bool write(Kind kind, std::string_view text);
-  /// At most kMostTaken bytes, which may end within a character; wakes again if more wait.
+  /// Returns at most kMostTaken bytes, which may end within a character; calls `wake` again if
+  /// there are more.
   [[nodiscard]] std::deque<Piece> take();
-  /// Discards what waits, and releases waiting writers.
+  /// Discards waiting output, and releases waiting writers.
   void close();
   [[nodiscard]] bool isEmpty();
 

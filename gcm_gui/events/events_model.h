@@ -11,8 +11,8 @@
 
 namespace tendon::gui {
 
-/// The newest events of a part of the system, newest first. While paused, the rows stay; new events
-/// are counted and kept for later.
+/// The latest events of a part of the system, newest first. While paused, the rows do not change;
+/// new events are counted and shown later.
 class EventsModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,10 +26,11 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] const ReceivedEvent& heard(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
-  /// Shows only events below this path, "robot/arm", and forgets the others; an empty path means
+  /// Shows only events below this path, "robot/arm", and discards the others; an empty path means
   /// all.
   void setPart(const QString& path);
-  /// Shows only events with all these words in path or value, and none of the words with `-`.
+  /// Shows only events that contain all these words in path or value, and none of the words after
+  /// `-`.
   void setWords(const QStringList& words);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return is_paused_; }

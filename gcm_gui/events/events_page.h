@@ -29,7 +29,7 @@ class EventsPage : public QWidget {
   [[nodiscard]] const EventsModel& events() const { return events_; }
 
  Q_SIGNALS:
-  /// The origin of an event.
+  /// The user clicked the origin of an event.
   void pathChosen(const QString& path);
 
  protected:

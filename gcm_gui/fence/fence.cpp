@@ -142,7 +142,7 @@ void Fence::note(const QString& name, QWidget* view, const QString& what, std::u
   fault.is_covered = view != nullptr && covers_.contains(view);
   entry->view = view;
   has_news_ = true;
-  // Not now: a receiver may be the view that has just thrown.
+  // Not immediately, because a receiver may be the view that has just thrown.
   if (!pause_.isActive()) pause_.start(0);
 }
 
@@ -150,7 +150,7 @@ void Fence::cover(QWidget& view) {
   if (covers_.contains(&view)) return;
   covers_.insert(&view, nullptr);
   connect(&view, &QObject::destroyed, this, [this](const QObject* gone) { covers_.remove(gone); });
-  // Not now: the view's painter is still open.
+  // Not immediately, because the view's painter is still active.
   QMetaObject::invokeMethod(
       &view,
       [this, &view] {
@@ -159,7 +159,7 @@ void Fence::cover(QWidget& view) {
         try {
           built = new ViewCover(view);
         } catch (...) {
-          covers_.remove(&view);  // it is drawn again, and may find memory then
+          covers_.remove(&view);  // the view is drawn again later, perhaps with enough memory
           count();
           return;
         }
@@ -193,7 +193,7 @@ QList<ViewFault> Fence::faults() const {
   const std::int64_t oldest = Now() - std::chrono::nanoseconds(kKept).count();
   for (const Entry& entry : entries_) {
     ViewFault fault = entry.fault;
-    if (entry.view == nullptr) fault.is_covered = false;  // a dialog that is closed
+    if (entry.view == nullptr) fault.is_covered = false;  // the dialog was closed
     if (fault.is_covered || fault.latest > oldest) all.append(fault);
   }
   return all;

@@ -15,13 +15,13 @@ namespace tendon::gui {
 
 class ViewCover;
 
-/// What a view was doing when it threw.
+/// The activity of a view when it threw.
 enum class ViewWork {
   kDrawing,   ///< a cover replaces the view until the user retries
-  kHandling,  ///< an event, a timer, or news of the system: the view stays as it is
+  kHandling,  ///< an event, a timer, or a change of the system: the view stays visible
 };
 
-/// An exception that left a view, and its count.
+/// An exception that a view has thrown, and its count.
 struct ViewFault {
   QString view;
   QString what;  ///< the message of the exception
@@ -33,16 +33,16 @@ struct ViewFault {
   bool operator==(const ViewFault&) const = default;
 };
 
-/// Keeps exceptions inside the view that threw them, so that none ends the window.
+/// Catches the exceptions of views, so that none of them ends the program.
 ///
-/// FencedApplication catches exceptions from event handlers. Three kinds of code need run() as a
-/// fence of their own: slots that share a signal of the system with others, so that all of them are
-/// called; drawing inside a painter that Qt owns, because Qt leaves the painter open when an
-/// exception passes; and threads. Faults are counted by view and message; changed() follows at once
-/// for a new one and at most once a second for repeated ones.
+/// FencedApplication catches exceptions from event handlers. Three kinds of code must be called
+/// through run(): slots that share a signal of the system with others, so that all of them are
+/// called; drawing with a painter that Qt owns, because Qt does not end the painter after an
+/// exception; and threads. Faults are counted by view and message; changed() is emitted at once for
+/// a new fault, and at most once a second for repeated faults.
 ///
-/// GUI thread, except hear() and run(), which any thread may call after the first instance(): run()
-/// must not create the Fence, perhaps without memory.
+/// GUI thread, except hear() and run(), which any thread may call after the first call of
+/// instance(); run() itself must not have to create the Fence, perhaps without memory.
 class Fence : public QObject {
   Q_OBJECT
 
@@ -65,7 +65,7 @@ class Fence : public QObject {
       return false;
     }
   }
-  /// The same for a thread, which has no view.
+  /// The same for code in a thread, without a view.
   template <typename Part>
   static bool run(const char* thread_name, Part&& part) noexcept {
     try {
@@ -77,7 +77,7 @@ class Fence : public QObject {
     }
   }
 
-  /// Records the exception being handled. Never throws: without memory it only counts.
+  /// Records the exception being handled. Never throws; without memory, only counts it.
   void hear(QObject* where, ViewWork work) noexcept;
   void hearThread(const char* thread_name) noexcept;
 
@@ -85,8 +85,8 @@ class Fence : public QObject {
   [[nodiscard]] bool isCovered(const QObject* widget) const;
   /// Removes the cover and redraws the view.
   void showAgain(QWidget& view);
-  /// Reports the faults that were only counted for lack of memory. The window's regular tick calls
-  /// it, because starting a timer would have needed memory, too.
+  /// Reports the faults that were only counted because of missing memory. The window's regular
+  /// timer calls it, because starting a timer would also need memory.
   void noteUnnoted();
   /// The faults of covered views, and others for ten minutes after their last occurrence.
   [[nodiscard]] QList<ViewFault> faults() const;
@@ -113,13 +113,13 @@ class Fence : public QObject {
 
   QList<Entry> entries_;
   QHash<const QObject*, QPointer<ViewCover>> covers_;  // by view; null until it is built
-  QTimer pause_;                                       // between two announcements
+  QTimer pause_;                                       // pause between two changed() signals
   bool has_news_ = false;
   std::mutex mutex_;
   std::uint64_t unnoted_ = 0;  // faults not noted for lack of memory; guarded by mutex_
 };
 
-/// A slot with a fence: if it throws, the other receivers of the signal are still called.
+/// Wraps a slot: if it throws, the other receivers of the signal are still called.
 template <typename Receiver, typename... Args>
 [[nodiscard]] auto Fenced(Receiver* receiver, void (Receiver::*slot)(Args...)) {
   return [receiver, slot](Args... args) {

@@ -10,8 +10,8 @@
 namespace tendon::gui {
 namespace {
 
-/// Qt's widgets are compiled without exceptions: when one passes a Qt frame, its painter is never
-/// ended, and the window could not draw any more. This ends it.
+/// Qt's widgets are compiled without exceptions: if an exception passes a Qt function, its painter
+/// is never ended, and the window cannot draw any more. This function ends it.
 void CloseLeftPainter(const QWidget& widget) {
   QBackingStore* store = widget.backingStore();
   QPaintDevice* device = store == nullptr ? nullptr : store->paintDevice();

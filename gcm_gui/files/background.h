@@ -10,7 +10,8 @@
 namespace tendon::gui {
 
 /// Runs tasks one after another in its own thread; the Fence reports a task that throws. A task
-/// must not use its requester: at the end, a task that takes too long is abandoned and runs on.
+/// must not use its requester: the destructor abandons a task that takes too long, which then
+/// continues.
 class Background {
  public:
   using Task = std::function<void()>;
@@ -20,7 +21,7 @@ class Background {
   explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
-  /// Waits for all tasks at most `patience`; then reports on stderr what is left.
+  /// Waits for all tasks at most `patience`; then reports unfinished tasks on stderr.
   ~Background();
 
   void start(Task task);

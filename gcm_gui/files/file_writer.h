@@ -21,7 +21,7 @@ class FileWriter : public QObject {
  public:
   /// Writes the content, in the writer's thread; returns false on failure.
   using Fill = std::function<bool(QIODevice& file)>;
-  /// Receives an empty text on success, else the reason, to be appended to the file's name.
+  /// Receives an empty text on success; otherwise the reason, to be appended to the file's name.
   using Done = std::function<void(const QString& refusal)>;
   /// Who may read the file.
   enum class Readers { kAll, kOwner };
@@ -40,8 +40,8 @@ class FileWriter : public QObject {
   /// not written, and the failures whose handlers could not be called any more.
   ~FileWriter() override;
 
-  /// A second request for a file that is not begun replaces the first. `done` is not called after
-  /// `context` is destroyed; nobody hears of a failure if either is null.
+  /// A second request for a file replaces the first one if that has not begun. `done` is not called
+  /// after `context` is destroyed. If either is null, a failure is not reported.
   void write(const QString& file, Fill fill, const QObject* context, Done done,
              Readers readers = Readers::kAll);
   void write(const QString& file, const QByteArray& content, const QObject* context, Done done,
@@ -57,7 +57,7 @@ class FileWriter : public QObject {
 
   /// Runs until the queue is closed and empty. Outlives the writer if a disk does not answer.
   static void work(const std::shared_ptr<Queue>& queue);
-  /// Passes the oldest answer to its handler.
+  /// Calls the handler of the oldest answer.
   void tell();
 
   const std::chrono::milliseconds patience_;

@@ -6,9 +6,9 @@
 
 namespace tendon::gui {
 
-/// Values that a program keeps from one run to the next, by name. The file is read once, at the
-/// start. The FileWriter saves the values set since and keeps the other values as another program
-/// has written them meanwhile; a failure is reported on stderr. GUI thread.
+/// Values that a program saves from one run to the next, by name. The file is read once, at the
+/// start. The FileWriter saves the values that were set since then, and keeps changes by other
+/// programs to the other values; a failure is reported on stderr. GUI thread.
 class SavedSettings {
  public:
   /// If the file cannot be read, no earlier value is known.

@@ -10,13 +10,13 @@ namespace tendon::gui {
 /// Finds the place for a card beside a port where it hides least.
 class CardPlace {
  public:
-  /// The farthest that a card of this width or less can reach from its port, at any place.
+  /// The area within which a card of at most this width can be, for a port at this point.
   static QRectF Reach(const QPointF& port, double widest);
 
   /// `visible` is the visible part of the scene; empty for all of it.
   CardPlace(const QPointF& port, const QRectF& visible) : port_(port), visible_(visible) {}
 
-  /// Marks an area that should stay visible; `weight` is per unit of its area.
+  /// Marks an area that should stay visible; `weight` is the cost per hidden unit of area.
   void Avoid(const QRectF& rect, double weight);
 
   struct Found {

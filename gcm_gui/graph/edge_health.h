@@ -14,14 +14,14 @@
 
 namespace tendon::gui {
 
-/// The flaws of a working connection, in words; empty if there are none. `before` holds the counts
-/// of the previous look.
+/// The flaws of a working connection, in words; empty if there are none. `before` has the counts of
+/// the previous check.
 [[nodiscard]] QString HealthWarning(const ConnectionCounts& now,
                                     const std::optional<ConnectionCounts>& before);
 
-/// Polls the health of the visible connections while somebody looks. It polls about kMostAtOnce
-/// connections per second, in turn, and never has more requests without an answer. The connection
-/// under the pointer is polled first, every second.
+/// Polls the health of the visible connections while the graph is visible. It polls about
+/// kMostAtOnce connections per second, in turn, and never has more than that many unanswered
+/// requests. The connection under the pointer is polled first, every second.
 class EdgeHealth : public QObject {
   Q_OBJECT
 
@@ -33,18 +33,18 @@ class EdgeHealth : public QObject {
   EdgeHealth(SystemReports& reports, Seen seen, QObject* parent = nullptr);
 
  public Q_SLOTS:
-  /// Nothing is polled while nobody looks.
+  /// Starts or stops the polling.
   void setLooking(bool looking);
   /// Polls the next connections.
   void look();
-  /// Polls this connection now and at each look; empty: no particular one. Emits the known counts
+  /// Polls this connection now and in each look(); empty: no particular one. Emits the known counts
   /// at once.
   void point(const QString& required);
 
  Q_SIGNALS:
-  /// An empty warning means that nothing is wrong.
+  /// The result of a check; an empty warning means no problem.
   void found(const tendon::InterfaceName& required, const QString& warning);
-  /// The counters of the connection under the pointer, or why they are unknown.
+  /// The counters of the connection under the pointer, or the reason why they are unknown.
   void counted(const tendon::InterfaceName& required, const QStringList& lines);
 
  private:
@@ -55,7 +55,7 @@ class EdgeHealth : public QObject {
   Seen seen_;
   QTimer second_;
   InterfaceName last_;             // the last one polled in turn
-  std::set<InterfaceName> asked_;  // those without an answer yet
+  std::set<InterfaceName> asked_;  // connections without an answer yet
   std::optional<InterfaceName> pointed_;
   std::map<InterfaceName, ConnectionCounts> known_;
 };

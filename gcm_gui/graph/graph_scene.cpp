@@ -27,7 +27,7 @@ namespace {
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr std::size_t kMostGliding = 60;  // components
 constexpr qsizetype kReasonsAsked = 2;
-constexpr qsizetype kReasonsUnasked = 1;  // a card that the user did not request stays small
+constexpr qsizetype kReasonsUnasked = 1;  // lines of a card that the user did not request
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -116,11 +116,11 @@ bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
 void GraphScene::showCatalogue(const Catalogue& catalogue, const Touched& touched) {
   layout_->arrange(updater_.update(catalogue, touched), placesByHand());
-  if (layout_->isAtWork()) showItems(false);  // items that already have a place
+  if (layout_->isAtWork()) showItems(false);  // only items that already have a place
 }
 
-/// During a drag, items follow the hand at once. A large system moves in one step, because drawing
-/// the animation would take longer than the animation.
+/// During a drag, items follow the pointer at once. A large system moves in one step, because
+/// drawing an animation would take too long.
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
@@ -232,7 +232,7 @@ void GraphScene::showEdges() {
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
   for (const auto& [required, refused] : refused_) {
-    if (requested_.contains(required)) continue;  // tried again
+    if (requested_.contains(required)) continue;  // requested again
     show(required, refused.provided, EdgeItem::Look::kFailed, refused.reason, kRefusedKey);
   }
   ForgetBut(edges_, kept);
@@ -381,7 +381,7 @@ void GraphScene::point(const std::optional<PortName>& port) {
 }
 
 void GraphScene::helpEvent(QGraphicsSceneHelpEvent* event) {
-  // A tool tip would cover the cards, which say more.
+  // A tool tip would cover the cards, which have more information.
   if (!mode_.active() && hover_->card() == nullptr) QGraphicsScene::helpEvent(event);
 }
 

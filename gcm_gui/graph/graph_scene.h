@@ -29,8 +29,8 @@ class LayoutWorker;
 class PortItem;
 class ProcessItem;
 
-/// Shows the system as boxes, nodes and edges, with the selection and the connect mode. Takes no
-/// decisions. GUI thread.
+/// Shows the system as boxes, nodes and edges, with the selection and the connect mode. Has no
+/// logic of its own. GUI thread.
 class GraphScene : public QGraphicsScene {
   Q_OBJECT
 
@@ -57,11 +57,11 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] GraphHover& hover() const { return *hover_; }
   /// The places that the user has chosen for components.
   [[nodiscard]] GraphPlaces& places() const { return *places_; }
-  /// Finds the place for a card about this point.
+  /// Makes a finder of the place for a card at this point.
   [[nodiscard]] CardPlace placeBeside(const QPointF& point) const;
 
  public Q_SLOTS:
-  /// Shows a dashed edge while a request is under way, until forgetRequested().
+  /// Shows a dashed edge for a pending request, until forgetRequested().
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
   /// Shows a warning on the edge of a working connection.
@@ -70,12 +70,13 @@ class GraphScene : public QGraphicsScene {
   void carry(const std::map<QString, QPointF>& places);
   /// Shows refused connections as failed edges until the list no longer contains them.
   void showRefused(const tendon::gui::Refusals::ByRequired& refused);
-  /// The pointer is on this port. If it does not fit, a card or refusalPointed() says why.
+  /// Called when the pointer is on this port. If the port does not fit, a card or refusalPointed()
+  /// shows the reasons.
   void point(const std::optional<tendon::gui::PortName>& port);
-  /// The part of the scene where cards are visible.
+  /// Sets the visible part of the scene, where cards are placed.
   void setVisible(const QRectF& visible) { visible_ = visible; }
   void setNow(qint64 now);
-  /// The link is lost: shows everything grey in its last known state.
+  /// While the link is lost: shows everything grey in its last known state.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:

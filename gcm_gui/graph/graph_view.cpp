@@ -62,7 +62,7 @@ QRectF GraphView::seen() const { return mapToScene(viewport()->rect()).boundingR
 
 void GraphView::follow() {
   const QRectF contents = scene_.contents();
-  // Leaves room around, so that every part can be centred.
+  // Leaves a margin, so that every part can be centred.
   setSceneRect(contents.adjusted(
       -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
@@ -237,7 +237,7 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   dragging_ = false;
   if (clicked) click(event->pos());
   if (!connected) return;
-  // A drop beside all ports leaves the mode open for a click.
+  // After a drop beside all ports, the mode stays active for a click.
   if (const auto port = portAt(event->pos()); port && port != mode_.chosen()) mode_.pick(*port);
 }
 
@@ -314,7 +314,7 @@ void GraphView::hideEvent(QHideEvent* event) {
 
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
-  if (HasKeyboardFocus(*this)) viewport()->update();  // else the focus frame would scroll, too
+  if (HasKeyboardFocus(*this)) viewport()->update();  // otherwise the focus frame would scroll too
 }
 
 }  // namespace tendon::gui

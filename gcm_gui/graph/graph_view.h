@@ -14,12 +14,12 @@
 
 namespace tendon::gui {
 
-/// The graph on the screen. The wheel zooms. Dragging moves a component, a process by its head, or
-/// else the view. A click on a port begins or completes a connection, as does dragging from port to
-/// port; a click on anything else selects it.
+/// The graph on the screen. The wheel zooms. Dragging moves a component, a process (by its head),
+/// or otherwise the view. A click on a port begins or completes a connection, as does dragging from
+/// port to port; a click on anything else selects it.
 ///
 /// Fits the whole graph until the user zooms or moves the view, and again after fit(). Does not
-/// refit under the user's hand, which is a pointer that has just moved.
+/// refit while the user moves the pointer.
 class GraphView : public QGraphicsView {
   Q_OBJECT
 
@@ -27,9 +27,9 @@ class GraphView : public QGraphicsView {
   GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent = nullptr);
 
   [[nodiscard]] GraphScene& graph() const { return scene_; }
-  /// The centre of a port's disc in viewport coordinates; nothing if there is no such port.
+  /// The centre of a port's disc in viewport coordinates; empty if there is no such port.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
-  /// How long after its last move the pointer counts as the user's hand; 3 s by default.
+  /// Sets how long after its last move the pointer still counts as moving; 3 s by default.
   void setHandRests(std::chrono::milliseconds rests) { hand_rests_ = rests; }
   /// The visible part, in scene coordinates.
   [[nodiscard]] QRectF seen() const;
@@ -54,7 +54,7 @@ class GraphView : public QGraphicsView {
  Q_SIGNALS:
   /// The user clicked an edge of a connection that does not work.
   void whyRequested(const QString& required);
-  /// The graph has become visible or hidden.
+  /// Emitted when the graph becomes visible or hidden.
   void seenChanged(bool seen);
   /// The visible part or the scale has changed.
   void moved();
@@ -90,7 +90,7 @@ class GraphView : public QGraphicsView {
   void beginDrag();
   void selectNext(int key);
   [[nodiscard]] std::optional<PortName> portAt(const QPoint& position) const;
-  /// The component, or process by its head, at this position: the item that a drag moves.
+  /// The item that a drag at this position moves: a component, or a process if it is its head.
   [[nodiscard]] QString nodeAt(const QPoint& position) const;
 
   GraphScene& scene_;
@@ -99,7 +99,7 @@ class GraphView : public QGraphicsView {
   bool following_ = true;
   std::optional<QPoint> pressed_;
   std::optional<PortName> pressed_port_;
-  QString pressed_node_;  // dragged once the pointer moves
+  QString pressed_node_;  // dragged when the pointer moves
   std::optional<NodeDrag> node_drag_;
   bool dragging_ = false;
   std::optional<QPoint> pointer_;

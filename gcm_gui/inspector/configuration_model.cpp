@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostRows = 500;
 
-/// A list of values stays in one row; an object gets one row per member.
+/// Adds one row for a list of values, and one row per member for an object.
 void AddRows(const QString& name, const Json& value, std::vector<ConfigurationRow>& rows) {
   const bool is_list_of_objects = value.is_array() && !value.empty() && value.front().is_object();
   if (rows.size() == kMostRows) return;

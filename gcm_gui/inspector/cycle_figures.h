@@ -15,7 +15,7 @@ class CycleFigures : public QObject {
   Q_OBJECT
 
  public:
-  /// All in s. A whole second, because a late cycle makes the next period short.
+  /// All in s. Over a whole second, because the period after a late cycle is short.
   struct LastSecond {
     double period = 0;   ///< mean
     double late = 0;     ///< the median lateness
@@ -31,10 +31,10 @@ class CycleFigures : public QObject {
   /// `component` is a path; empty, or a component without these columns, shows nothing.
   void show(const QString& component);
 
-  /// Nothing until a whole second has been received.
+  /// Empty until a whole second was received.
   [[nodiscard]] const std::optional<LastSecond>& lastSecond() const { return last_second_; }
-  /// Cycles skipped since the start because an earlier one took too long; nothing until a row has
-  /// been received.
+  /// Cycles skipped since the start because an earlier one took too long; empty until a row was
+  /// received.
   [[nodiscard]] std::optional<std::uint64_t> skipped() const { return skipped_; }
 
  private:

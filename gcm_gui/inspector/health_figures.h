@@ -21,7 +21,7 @@ struct InterfaceHealth {
 };
 
 /// The health of a process and of the connections of one of its components, polled every second
-/// while shown. The figures disappear when the answer does not come.
+/// while shown. The figures disappear if there is no answer.
 class HealthFigures : public QObject {
   Q_OBJECT
 
@@ -50,7 +50,7 @@ class HealthFigures : public QObject {
   QTimer timer_;
   std::string process_;
   std::string component_;
-  std::uint64_t shown_ = 0;  // answers for an earlier component are ignored
+  std::uint64_t shown_ = 0;  // counts components; answers for earlier ones are ignored
   message::SystemHealth health_;
   QHash<QString, InterfaceHealth> interfaces_;
 };

@@ -43,7 +43,7 @@ namespace {
 constexpr std::chrono::milliseconds kFiguresPeriod{250};
 enum Page { kNothingPage, kProcessPage, kComponentPage };
 
-/// The file of the running plug-in, and how it differs now.
+/// The file of the running plug-in, and its difference from the running code.
 QList<Fact> PluginFacts(const ProcessDescription& process, const std::string& library) {
   const auto* plugin = FindNamed(process.plugins, library);
   if (plugin == nullptr) return {};
@@ -258,7 +258,7 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
     cell.layout()->addWidget(button);
     return button;
   };
-  if (peer.path != required) {  // seen from the side that can choose
+  if (peer.path != required) {  // shown from the side that can choose
     connect(add(Words::tr("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
             [this, required] { Q_EMIT connectRequested(required); });
   }
@@ -271,9 +271,9 @@ void Inspector::showSelected() {
   showTabOfSelected();
 }
 
-/// Shows the tab that has the selection: interfaces for a command with its form, values for a
-/// number. Keeps the present tab if it also shows the selection: that of events for an event, both
-/// others for a column.
+/// Shows the tab that contains the selection: "interfaces" for a command, "values" for a number.
+/// Stays at the present tab if it also contains the selection: "events" for an event, both others
+/// for a column.
 void Inspector::showTabOfSelected() {
   if (pages_->currentIndex() != kComponentPage) return;
   const auto path = ParsePath(selection_.current().toStdString());

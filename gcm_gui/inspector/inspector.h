@@ -28,8 +28,8 @@ class SteerRow;
 class TabPanel;
 class ValuesPage;
 
-/// The right column: all about the component that is selected or contains the selection, or about a
-/// process. Follows the selection and the catalogue.
+/// The right column: everything about the component that is selected or contains the selection, or
+/// about a process. Follows the selection and the catalogue.
 class Inspector : public QWidget {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class Inspector : public QWidget {
   bool focusCall();
 
  public Q_SLOTS:
-  /// The link is lost: states and connections are unknown; values go on.
+  /// While the link is lost: states and connections are unknown; values continue.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:
@@ -106,7 +106,7 @@ class Inspector : public QWidget {
   int values_page_ = 0;
   int events_page_ = 0;
   QString shown_component_;
-  double wanted_period_ = 0;  // s
+  double wanted_period_ = 0;  // s; the configured period
 };
 
 }  // namespace tendon::gui

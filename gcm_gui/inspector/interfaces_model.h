@@ -19,15 +19,15 @@ struct InterfaceRow {
   QString name;
   QString types;
   QString value;
-  StateMark mark = StateMark::kNotConnected;  ///< of interfaces and peers
-  InterfaceName required;                     ///< of a peer: the required end of the connection
-  QString expiry = {};                        ///< of a command that expires: its time
+  StateMark mark = StateMark::kNotConnected;  ///< for interfaces and peers
+  InterfaceName required;                     ///< for a peer: the required end of the connection
+  QString expiry = {};                        ///< of a command: its time limit
 
   bool operator==(const InterfaceRow&) const = default;
 };
 
-/// The interfaces of one component, below each other: each with its peers, then its commands with
-/// their types, and its events.
+/// The interfaces of one component: each with its peers, then its commands with their types, then
+/// its events.
 class InterfacesModel : public RowListModel<InterfaceRow> {
   Q_OBJECT
 

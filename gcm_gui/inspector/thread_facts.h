@@ -8,10 +8,10 @@
 
 namespace tendon::gui {
 
-/// A few lines about how well a task keeps its period, in s.
+/// A few facts that show how well a task keeps its period.
 [[nodiscard]] QList<Fact> TimingFacts(double period, const CycleFigures& figures);
 
-/// All about the thread that runs a component, and its cycles in the last second.
+/// The facts about the thread that runs a component, and about its cycles in the last second.
 [[nodiscard]] QList<Fact> ThreadFacts(const ComponentDescription& component,
                                       const CycleFigures& figures);
 

@@ -88,7 +88,7 @@ QString ValuesModel::silenceOf(const Block& block) const {
       .arg(kPatience.count());
 }
 
-/// Includes the rate or the age.
+/// The text for screen readers, including the rate or the age.
 QString ValuesModel::spokenOf(const Place& place, const QString& field) const {
   const QString detail = detailOf(*place.block, place.channel);
   const QString value =
@@ -214,7 +214,7 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     endResetModel();
   } else if (why != why_) {
     why_ = why;
-    for (Block& block : blocks_) {  // the waiting time starts again
+    for (Block& block : blocks_) {  // the wait for answers starts again
       if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
       block.refusal.clear();
     }
@@ -228,7 +228,7 @@ QSet<QString> ValuesModel::columns() const {
   return columns;
 }
 
-/// Values that arrive for the first time do not count as changed.
+/// Records which values have changed. Values that arrive for the first time do not count.
 void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
   const auto& before = block.values.values;
   block.changed.resize(values.values.size());

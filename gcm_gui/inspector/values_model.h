@@ -17,19 +17,19 @@
 namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, unit and recent trend.
-/// The first row of a column also has the rate of its rows, or why and how long they are old. A
-/// column without an answer says so in its own row.
+/// The first row of a column also shows the rate of its rows, or why and since when they are old.
+/// For a column without an answer, its own row says so.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kName, kValue, kColumnCount };
 
-  /// The number of values in a trend; 10 arrive per second.
+  /// The number of values in a trend, of which 10 arrive per second.
   static constexpr qsizetype kTrend = 100;
   /// How long a value counts as just changed.
   static constexpr std::chrono::milliseconds kFresh{500};
-  /// After this time without an answer the row says so.
+  /// After this time, the row shows that there is no answer.
   static constexpr std::chrono::seconds kPatience{1};
 
   explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = SteadyClock())
@@ -39,8 +39,8 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  /// `path` names the component; a null `component` shows nothing. Values arrive by showValues();
-  /// they are old if the component stands still.
+  /// `path` names the component; a null `component` shows nothing. showValues() delivers the
+  /// values; they are old if the component does not run.
   void show(const QString& path, const ComponentDescription* component, Standstill why);
   /// The paths of the columns to watch.
   [[nodiscard]] QSet<QString> columns() const;
@@ -50,11 +50,12 @@ class ValuesModel : public QAbstractTableModel {
   /// True if the row has a number that can be plotted.
   [[nodiscard]] bool isNumber(int row) const;
 
-  /// Starts to wait for the answers that are missing.
+  /// Starts to wait for the missing answers.
   void await();
   /// Stops waiting for answers until the next await().
   void awaitNothing();
-  /// If the row's column has not answered in time: restarts its wait and returns it. Else empty.
+  /// If the row's column has not answered in time, restarts the wait and returns the path of the
+  /// column; otherwise returns an empty text.
   [[nodiscard]] QString askAgain(int row);
   /// Updates rows that have become old since the last call; call it a few times per second.
   void tick();
@@ -70,11 +71,11 @@ class ValuesModel : public QAbstractTableModel {
     ColumnValues values = {};
     std::vector<QList<std::optional<ChannelValue>>> trends = {};  // by channel
     std::vector<SteadyTime> changed = {};                         // by channel
-    SteadyTime awaited = SteadyTime::max();                       // since when an answer is missing
+    SteadyTime awaited = SteadyTime::max();                       // start of the wait for an answer
     QString refusal = {};                                         // why no answer came, if known
-    SteadyTime arrived = {};                                      // when its newest row arrived
+    SteadyTime arrived = {};                                      // arrival time of its newest row
     RowRate rate = {};
-    bool is_out = false;  // while its rows are replaced
+    bool is_out = false;  // set while its rows are replaced
     [[nodiscard]] bool isKnown() const { return values.channels != nullptr; }
     [[nodiscard]] int rows() const;
     bool operator==(const Block& other) const { return column == other.column; }
@@ -95,7 +96,7 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] QString silenceOf(const Block& block) const;
   [[nodiscard]] QString spokenOf(const Place& place, const QString& field) const;
   [[nodiscard]] QVariant valueOf(const Place& place, int role) const;
-  /// All digits of a value that is shown rounded, else empty.
+  /// All digits of a value that is shown rounded; otherwise empty.
   [[nodiscard]] static QString wholeOf(const Place& place);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 

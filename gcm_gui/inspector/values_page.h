@@ -14,7 +14,7 @@ namespace tendon::gui {
 class PictureShelf;
 class RowView;
 
-/// The live values of one component while wanted, and its pictures below.
+/// The live values of one component, and below them its pictures.
 class ValuesPage : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ValuesPage : public QWidget {
 
   /// `path` names the component; `why` says why its values are old.
   void showComponent(const QString& path, const ComponentDescription& component, Standstill why);
-  /// True while the page is visible.
+  /// Starts or stops the live values; true while the page is visible.
   void setWanted(bool wanted);
 
  Q_SIGNALS:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto kFolder = ":/tendon/language";
 
-/// Installs the first available language of the user; none if English comes earlier in the list of
+/// Installs the first available language of the user; none if English is earlier in the list of
 /// preferences.
 void Install(const QLocale& locale, const QString& name, const QString& folder) {
   for (const QString& language : locale.uiLanguages()) {

@@ -42,7 +42,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
       return MarkOf(record.level);
     case kGlyphRole:
       return QStringLiteral(" ");
-    case kStaleRole:  // only of interest when looking for a mistake
+    case kStaleRole:  // dimmed: only of interest when debugging
       return record.level == LogLevel::kDebug;
     case kTrailRole:
     case kPathRole:

@@ -26,7 +26,7 @@ class LogModel : public QAbstractListModel {
   [[nodiscard]] const message::LogRecord& record(int row) const {
     return records_.at(static_cast<std::size_t>(row));
   }
-  /// The number of records that were dropped before anybody read them.
+  /// The number of records that were lost before they arrived here.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  public Q_SLOTS:

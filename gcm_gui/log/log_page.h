@@ -30,7 +30,7 @@ class LogPage : public QWidget {
   void focusFilter();
 
  Q_SIGNALS:
-  /// The origin of a record.
+  /// The user clicked the origin of a record.
   void pathChosen(const QString& path);
 
  protected:

@@ -50,13 +50,13 @@ void AddColumns(CatalogueItem& interface, const TableDescription& table) {
   }
 }
 
-/// "arm", or with its process "robot/arm" if that differs.
+/// "arm", or "robot/arm" if its process is not `process`.
 QString ComponentSeenFrom(const std::string& process, const InterfaceName& other) {
   const QString name = ToQString(other.component);
   return other.process == process ? name : ToQString(other.process) + '/' + name;
 }
 
-/// "arm/Drives", likewise with the process if that differs.
+/// "arm/Drives", likewise with the process if it is not `process`.
 QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
   return ComponentSeenFrom(process, other) + '/' + ToQString(other.interface);
 }
@@ -152,7 +152,7 @@ CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   return parent.Add(std::move(item));
 }
 
-/// A group shows the unit if all its numbers have the same one, so that they need not.
+/// If all numbers of a group have the same unit, shows it at the group instead of at each number.
 void LiftUnits(CatalogueItem& item) {
   for (const auto& child : item.children) LiftUnits(*child);
   if (item.children.empty()) return;

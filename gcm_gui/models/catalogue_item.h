@@ -45,7 +45,7 @@ struct CatalogueItem {
   bool gone = false;                     ///< its process is lost or has left
   Standstill still = Standstill::kNone;  ///< of a component: why its values are old
   QString host;                          ///< of a process, in lower case
-  std::int64_t since = 0;                ///< of a process: the start of its state, ns since 1970
+  std::int64_t since = 0;                ///< of a process: when it entered its state, ns since 1970
   Fingerprint type;                      ///< of a column
   int channel = -1;                      ///< of a number: the channel index in its column
 
@@ -62,8 +62,8 @@ struct CatalogueItem {
 /// The word for `type:` in filters and for screen readers: "process", "command", "column".
 [[nodiscard]] QString KindWord(ItemKind kind);
 
-/// The rows of one process. Columns have no children yet: the structure of a value is known once a
-/// value has arrived.
+/// The rows of one process. Columns have no children yet, because the structure of a value is known
+/// only when a value has arrived.
 [[nodiscard]] std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
                                                           const ProcessEntry& entry);
 [[nodiscard]] std::unique_ptr<CatalogueItem> BuildComponent(const ConnectionIndex& connections,

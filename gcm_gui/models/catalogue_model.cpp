@@ -143,7 +143,7 @@ const CatalogueItem& CatalogueModel::itemFor(const QModelIndex& index) const {
 void CatalogueModel::update(const Catalogue& catalogue, const Touched& touched) {
   const ConnectionIndex connections(catalogue);
   const std::string* whole = nullptr;
-  for (const TouchedPart& part : touched) {  // a process precedes its components
+  for (const TouchedPart& part : touched) {  // processes come before their components
     if (whole != nullptr && part.process == *whole) continue;
     if (part.component.empty()) {
       updateProcess(catalogue, connections, part.process);
@@ -227,7 +227,7 @@ void CatalogueModel::mergeChildren(CatalogueItem& parent,
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     const auto& children = parent.children;
     const CatalogueItem* known = by_path_.value(fresh[row]->path);
-    // Removes a row that has moved; it is inserted again at its new place.
+    // Removes a row that has moved; it is inserted again at its new position.
     while (known != nullptr && known->parent == &parent && children[row].get() != known) {
       removeChild(parent, static_cast<int>(row));
     }
@@ -306,7 +306,7 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
-/// Marks only rows that arrive some time after the first ones: a GCM that returns sends everything
+/// Marks a new row, but not soon after the first rows, because a returning GCM sends everything
 /// again.
 void CatalogueModel::markFresh(const CatalogueItem& item) {
   if (begun_ == 0) begun_ = now_;
@@ -339,7 +339,7 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
   if (!outdated) begun_ = now_;
-  // Any range redraws all visible rows.
+  // Qt redraws all visible rows for any range.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }

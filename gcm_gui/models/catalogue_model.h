@@ -53,7 +53,7 @@ class CatalogueModel : public QAbstractItemModel {
 
   /// The numbers at and below a path, in order; empty while they are unknown.
   [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
-  /// Why the values at and below this path (of a component or a signal) are old.
+  /// The reason why the values at and below this path (of a component or a signal) are old.
   [[nodiscard]] Standstill standstill(const QString& path) const;
   /// The column that contains a row, or empty.
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
@@ -61,11 +61,11 @@ class CatalogueModel : public QAbstractItemModel {
  public Q_SLOTS:
   void update(const tendon::Catalogue& catalogue, const tendon::gui::Touched& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
-  /// Names the columns with a subscription; silence means something only for those.
+  /// Sets the columns with a subscription; only their silence counts as an interruption.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
   /// The present time, ns since 1970, for "lost 12 s".
   void setNow(qint64 now);
-  /// The link is lost: shows everything except values in its last known state.
+  /// While the link is lost: shows everything except values in its last known state.
   void setOutdated(bool outdated);
 
  private:
@@ -88,10 +88,10 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
   [[nodiscard]] const CatalogueItem* columnFor(const CatalogueItem& item) const;
   [[nodiscard]] QString valueText(const CatalogueItem& item) const;
-  /// The present value of a column or number; nothing until a row has arrived.
+  /// The present value of a column or number; empty until a row has arrived.
   [[nodiscard]] std::optional<Quantity> quantityOf(const CatalogueItem& item) const;
   [[nodiscard]] QString unitText(const CatalogueItem& item) const;
-  /// The full value if the shown one is rounded or may be too long; else empty.
+  /// The full value if the shown one is rounded or may be too long; otherwise empty.
   [[nodiscard]] QString wholeText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
@@ -101,11 +101,11 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QString spokenText(const CatalogueItem& item, int column) const;
   [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
   [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
-  /// Why the values of the item's component are old.
+  /// The reason why the values of the item's component are old.
   [[nodiscard]] static Standstill standstillOf(const CatalogueItem& item);
   /// The time since the row of a value was written.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> rowAgeOf(const CatalogueItem& item) const;
-  /// "suspended · 12 s old" for an old value, else empty.
+  /// "suspended · 12 s old" for an old value; otherwise empty.
   [[nodiscard]] QString oldTextOf(const CatalogueItem& item) const;
 
   std::unique_ptr<CatalogueItem> root_;
@@ -113,9 +113,9 @@ class CatalogueModel : public QAbstractItemModel {
   QHash<QString, ColumnValues> values_;  // by column path
   const Clock& clock_;
   ColumnArrivals arrivals_;
-  QHash<QString, std::int64_t> fresh_;  // new rows by path: until when they are marked
+  QHash<QString, std::int64_t> fresh_;  // new rows by path, with the end time of their mark
   std::int64_t now_ = 0;
-  std::int64_t begun_ = 0;  // when the first rows arrived
+  std::int64_t begun_ = 0;  // arrival time of the first rows
   bool outdated_ = false;
 };
 

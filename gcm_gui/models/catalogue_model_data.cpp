@@ -262,7 +262,7 @@ QString CatalogueModel::oldTextOf(const CatalogueItem& item) const {
   const CatalogueItem& column = *columnFor(item);
   if (!values_.contains(column.path)) return {};
   const Standstill why = standstillOf(item);
-  // Nothing is known about a running component without a subscription.
+  // Without a subscription, the age of a running component's values is unknown.
   const auto age =
       why == Standstill::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
   return IsOld(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();

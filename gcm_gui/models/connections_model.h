@@ -24,11 +24,11 @@ class ConnectionsModel : public QAbstractTableModel {
                                     int role) const override;
 
   [[nodiscard]] const ConnectionDescription& connection(int row) const;
-  /// -1 if there is none.
+  /// The row of this required interface; -1 if there is none.
   [[nodiscard]] int rowOf(const QString& required) const;
 
  public Q_SLOTS:
-  /// The link is lost: shows everything in its last known state.
+  /// While the link is lost: shows everything in its last known state.
   void setOutdated(bool outdated);
   void update(const tendon::Catalogue& catalogue);
 

@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A flat list that is always replaced as a whole. Views keep the rows above the first one that
-/// differs.
+/// A flat list that is always replaced as a whole. Views keep the rows above the first one that is
+/// different.
 template <typename Row>
 class RowListModel : public QAbstractListModel {
  public:

@@ -4,7 +4,7 @@
 
 namespace tendon::gui {
 
-/// The font of a row's first text.
+/// The font of a row's name.
 enum class Face { kPlain, kStrong, kMono };
 
 /// The roles that a row's delegate reads from every model of the window, besides Qt's own. All are
@@ -23,7 +23,7 @@ enum RowRole : int {
   kStruckRole,                   ///< bool: struck through
   kAccentRole,                   ///< bool: highlighted, to be clicked
   kTrailRole,                    ///< QString: dim words at the right edge of a list of one column
-  kObjectRole,                   ///< QString: the path that the name is about, after it
+  kObjectRole,                   ///< QString: a path after the name, the object of an action
   kQuietRole,                    ///< bool: a value in dim text
   kProseRole,                    ///< bool: a value in words, not a number
   kTrendRole,                    ///< Trend: the recent course of a value

@@ -26,7 +26,7 @@ class Selection : public QObject {
 
  Q_SIGNALS:
   void changed(const QStringList& paths);
-  /// The user wants to see `path` in the other views (F4).
+  /// The user wants to show `path` in the other views (F4).
   void revealRequested(const QString& path);
 
  private:

@@ -25,7 +25,8 @@ class ConnectionIndex;
 [[nodiscard]] QString WordOf(Standstill why);
 /// "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age);
-/// The unmet needs of a component, by core's rules; `connections` is of the same catalogue.
+/// The missing connections of a component, by core's rules; `connections` must be of the same
+/// catalogue.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
                                                         const ProcessEntry& process,
                                                         const ComponentDescription& component);

@@ -7,7 +7,7 @@
 namespace tendon::gui {
 
 /// The columns of a state table: first the component's own, then the cycle statistics that every
-/// task records. The pointers point into `table`.
+/// task records. The pointers refer to `table`.
 [[nodiscard]] std::vector<const ColumnDescription*> ColumnsOf(const TableDescription& table);
 
 }  // namespace tendon::gui

@@ -30,7 +30,7 @@ Quantity DurationOf(double seconds) {
   return {QString::number(seconds, 'f', 2), QStringLiteral("s")};
 }
 
-/// True unless it is a state or a count, of which every digit matters.
+/// False for states and counts, which are shown with all digits.
 bool IsRounded(const ChannelValue& value) {
   return value.is_real() || value.kind() == ChannelValue::Kind::kDuration;
 }

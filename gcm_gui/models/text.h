@@ -28,7 +28,7 @@ struct Quantity {
 [[nodiscard]] Quantity QuantityOf(const PlotChannel& channel,
                                   const std::optional<ChannelValue>& value);
 
-/// All digits with the unit, if QuantityOf() rounds: "0.20134000000000002 rad"; else empty.
+/// All digits with the unit, if QuantityOf() rounds: "0.20134000000000002 rad"; otherwise empty.
 [[nodiscard]] QString WholeText(const PlotChannel& channel,
                                 const std::optional<ChannelValue>& value);
 
@@ -52,7 +52,7 @@ struct Quantity {
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 
-/// "Ends unless called again within 100 ms"; empty for a command that does not expire.
+/// "Ends unless called again within 100 ms"; empty for a command whose effect does not expire.
 [[nodiscard]] QString ExpiryText(const MemberDescription& member);
 
 /// Quotes a word for a shell: 'it'\''s' for "it's".

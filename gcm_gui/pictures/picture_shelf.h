@@ -19,7 +19,7 @@ class PictureShelf : public QWidget {
  public:
   explicit PictureShelf(QWidget* parent = nullptr);
 
-  /// Shows only these columns from now on.
+  /// From now on, shows only these columns.
   void setColumns(const QSet<QString>& columns);
   /// The reason why the pictures are old, shown below each.
   void setStandstill(Standstill why);

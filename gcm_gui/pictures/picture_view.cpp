@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMostHeight = 240;
 constexpr double kOldOpacity = 0.45;
-constexpr int kMostKept = 1920;  // of a side; a larger picture is reduced once
+constexpr int kMostKept = 1920;  // pixels of a side; a larger picture is scaled down once
 
 QString Caption(const QString& name, const RawPicture& picture) {
   const QString size =
@@ -114,7 +114,7 @@ void PictureView::showWords() {
   setAccessibleName(image_.isNull() ? words_->text() : Words::tr("Picture, ") + words_->text());
 }
 
-/// Fills the width, but is never enlarged.
+/// The picture fills the width, but is never enlarged.
 QSize PictureView::drawnSize() const {
   if (image_.isNull()) return {};
   const QSize room(std::max(1, width() - 2 * kInset), kMostHeight);

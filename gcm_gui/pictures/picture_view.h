@@ -26,7 +26,7 @@ class PictureView : public QWidget {
   ~PictureView() override;
 
   void show(RawPicture picture);
-  /// Shows the result of `source`, called in another thread; hidden if it returns nothing.
+  /// Shows the result of `source`, called in another thread; hidden if it returns no picture.
   void showFrom(Source source);
   void clear();
   /// Draws the picture faint, with `words` below it; empty for a live picture.
@@ -36,7 +36,7 @@ class PictureView : public QWidget {
   [[nodiscard]] QString words() const;
 
  Q_SIGNALS:
-  /// The last picture is now shown, or is known not to exist.
+  /// The last requested picture is shown now, or does not exist.
   void shown();
 
  protected:

@@ -31,16 +31,17 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
 
 /// True if values of this type are pictures.
 [[nodiscard]] bool DescribesPicture(const Schema& schema);
-/// The picture in a value of such a type; nothing if the bytes are not such a value.
+/// The picture in a value of such a type; empty if the bytes are not such a value.
 [[nodiscard]] std::optional<RawPicture> PictureOf(const Schema& schema,
                                                   std::span<const std::byte> body);
 
-/// True if an answer begins like a picture. Constant time.
+/// True if the start of an answer looks like a picture. Constant time.
 [[nodiscard]] bool LooksLikePicture(const std::string& json);
-/// Nothing if it is not a picture. Takes a second for about ten million pixels.
+/// Empty if it is not a picture. Takes a second for about ten million pixels.
 [[nodiscard]] std::optional<RawPicture> PictureOf(const std::string& json);
 
-/// Converts to an image; kInvalid says which sizes do not match or what is unknown. Any thread.
+/// Converts to an image; The error, kInvalid, says which sizes do not match, or which value is
+/// unknown. Any thread.
 [[nodiscard]] Result<QImage> Draw(const RawPicture& picture);
 
 }  // namespace tendon::gui

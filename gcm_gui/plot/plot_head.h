@@ -45,7 +45,7 @@ class PlotHead : public HeadRow {
   void csvRequested();
 
  protected:
-  /// A narrow head hides the buttons whose functions keys and menu have, too.
+  /// A narrow head hides those buttons whose functions are also on keys and in the menu.
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kNotch = 120;        // of a wheel, in eighths of a degree
 constexpr double kNotchFactor = 0.8;  // factor of the window per notch
-constexpr double kKeyPan = 0.1;       // fraction of the canvas
+constexpr double kKeyPan = 0.1;       // fraction of the canvas per key press
 constexpr int kSmallestBand = 5;      // pixels; a smaller band is a click
 constexpr int kPanThreshold = 12;     // pixels up or down before values move, too
 

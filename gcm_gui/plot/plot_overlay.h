@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// A layer above the curves that changes independently: the rectangle being dragged, the line at
+/// A layer above the curves that is redrawn independently: the rectangle being dragged, the line at
 /// the mouse with its time, a hint while the plot is empty, and a note about the view. Mouse events
 /// pass through it.
 class PlotOverlay : public QWidget {

@@ -127,7 +127,7 @@ void PlotPanel::removeSignal(const QString& path) {
 
 void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (view.curve(given) == nullptr) return;
-  const QString path = given;  // may refer to the curve's own path
+  const QString path = given;  // a copy, because it may refer to the curve's own path
   view.removeCurve(path);
   shareMemory();
   nameTab(view);
@@ -135,7 +135,7 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
-// If another plot already shows the signal: names are only announced once.
+// Finds the names in another plot of the same signal, because names are only announced once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   for (const PlotView* view : plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();
@@ -320,7 +320,7 @@ void PlotPanel::askForRemap(const QString& path) {
 }
 
 void PlotPanel::remap(const QString& given, const CurveKey& to) {
-  const QString from = given;  // may refer to a curve's own path
+  const QString from = given;  // a copy, because it may refer to a curve's own path
   if (from == to.path || to.path.isEmpty()) return;
   for (PlotView* view : plots()) {
     if (view->curve(from) == nullptr) continue;

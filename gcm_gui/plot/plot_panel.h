@@ -29,7 +29,7 @@ class PlotView;
 /// time. Plot indices start at the top of the first page.
 ///
 /// The owner subscribes on subscriptionWanted(), unsubscribes on subscriptionReleased(), and passes
-/// samples to append(). A path in several plots is wanted only once. GUI thread.
+/// samples to append(). A path in several plots is subscribed only once. GUI thread.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -46,10 +46,10 @@ class PlotPanel : public QWidget {
   void append(const QString& path, std::span<const Sample> samples);
   /// Sets the names of a signal's values in all present and future plots; null for numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// The source was restarted: its ticks start again.
+  /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
-  /// No samples come until the next append(). An empty `reason` means waiting for rows, and names
-  /// their source.
+  /// No samples will come until the next append(). With an empty `reason`, the text says for which
+  /// source's rows the curve waits.
   void setStale(const QString& path, const QString& reason = {});
   [[nodiscard]] QStringList paths() const;
   /// Adds a mark to all plots.
@@ -64,8 +64,8 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isPaused() const { return paused_; }
   /// Sets the time span of the current plot.
   void setWindow(std::chrono::nanoseconds length);
-  /// Asks for a file name and saves the samples that the current plot shows at that moment: every
-  /// visible sample. The file is written in the background.
+  /// Asks for a file name and saves every sample that is visible in the current plot at that
+  /// moment. The file is written in the background.
   void askForCsv();
   /// The same for a picture, PNG or SVG.
   void askForPicture();
@@ -78,12 +78,12 @@ class PlotPanel : public QWidget {
   void saveLayout(const QString& file);
   /// Shows `to` in place of `from` everywhere.
   void remap(const QString& from, const CurveKey& to);
-  /// Sets the function that suggests replacements for a signal, the likeliest first.
+  /// Sets the function that suggests replacements for a signal, the most likely first.
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
   /// Sets the function that says where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
-  /// Returns why and how long a signal is old; empty if it is not. `newest_ns` is the time of its
-  /// newest sample. See Curve::setStandstill(); called a few times per second.
+  /// Returns the reason why a signal is old, and since when; empty if it is not old. `newest_ns` is
+  /// the time of its newest sample. See Curve::setStandstill(); called a few times per second.
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);
@@ -96,7 +96,7 @@ class PlotPanel : public QWidget {
   PlotView& addPlot();
   /// Adds an empty plot below the current one, with the same time.
   PlotView& splitPlot();
-  /// The last plot is only emptied.
+  /// Closes a plot; the last one is only emptied.
   void closePlot(int index);
   void closePlot(PlotView& view);
   [[nodiscard]] PlotView& currentPlot() const;

@@ -106,7 +106,8 @@ void PlotPanel::setName(PlotView& view, const QString& name) {
 
 QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
 
-// Its given name, else the column of its first curve, or a number while it is empty.
+// Sets the title of a tab: the given name, otherwise the column of the first curve, or a number
+// while the page is empty.
 void PlotPanel::nameTab(PlotView& view) {
   const PlotPage& page = pageOf(view);
   const int index = pages_->indexOf(&page);

@@ -163,7 +163,7 @@ void PlotView::setFit(Fit fit) {
 
 void PlotView::setScale(ValueScale scale) {
   curves_.setScale(scale);
-  link_->leave(curves_);  // remembered ranges belong to the other scale
+  link_->leave(curves_);  // ranges in the history belong to the other scale
   link_->join(curves_);
   changed();
   updateLegend();
@@ -224,7 +224,7 @@ QString PlotView::marksAt(double x) const {
   return flags_->textAt(x, map, canvas()->contentsRect());
 }
 
-// A text for users who cannot point at the flags.
+// A text for screen readers.
 void PlotView::describeMarks() {
   const bool are_told = flags_ != nullptr && flags_->isVisible() && canvas()->hasFocus();
   const QString text =
@@ -254,7 +254,7 @@ void PlotView::changed() {
   noticeChange();
 }
 
-// A change of this plot, or of another with the same time.
+// Called after a change of this plot, or of another plot with the same time.
 void PlotView::noticeChange() {
   if (link_->revision() == seen_revision_) return;
   seen_revision_ = link_->revision();
@@ -263,9 +263,9 @@ void PlotView::noticeChange() {
 }
 
 void PlotView::updateLive() {
-  // The time is shared, the value axes are the plot's own.
+  // The time is shared with other plots, the value axes are not.
   live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
-  // Live already, but the value axes are not fitted.
+  // "Fit" if the time is live, but value axes are not fitted.
   live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
   live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
   live_pill_->setAccessibleName(isLive() ? Words::tr("Fit the values again")
@@ -311,7 +311,7 @@ std::vector<SeenSlices> PlotView::seenSlices() const {
   return seen;
 }
 
-/// If the computation throws, drawing would fail, too: the plot rests below its cover.
+/// If the computation throws, drawing would fail too, so the plot is covered.
 void PlotView::refreshFenced() {
   if (!Fence::instance().isCovered(this)) {
     Fence::run(this, ViewWork::kDrawing, [this] { refresh(); });

@@ -64,11 +64,11 @@ class PlotView : public QwtPlot {
   [[nodiscard]] const TimeWindow& window() const { return window_; }
   /// How a live plot moves.
   void setMotion(TimeWindow::Motion motion);
-  /// True holds the view at the present moment; false makes the time live.
+  /// True stops the view at the present moment; false makes the time live.
   void setPaused(bool paused);
   /// Makes the time live, and lets all axes follow the data.
   void goLive();
-  /// The same, and also for the axes of all plots that share the time.
+  /// The same, for all plots that share the time.
   void goLiveTogether();
   [[nodiscard]] bool isLive() const;
   /// The sources' present time in ns of their steady clock: see LiveClock.
@@ -99,9 +99,10 @@ class PlotView : public QwtPlot {
   /// The room that the labels need, and the minimum room to keep; the same for all plots of a page.
   /// See PlotAxes.
   [[nodiscard]] SideRoom sideRoom() const { return axes_.wantedRoom(); }
-  /// Plots of the same time. If one of them shows curves, its button makes all plots live.
+  /// Sets the plots above this one on the page. If one of them shows curves, its button makes all
+  /// plots live.
   void setPlotsAbove(const std::vector<PlotView*>& plots);
-  /// A line at the left edge marks the current one of several plots.
+  /// Marks the current one of several plots with a line at the left edge.
   void setMarkedCurrent(bool marked);
   void setSideRoom(const SideRoom& least) { axes_.setRoom(least); }
 
@@ -114,8 +115,8 @@ class PlotView : public QwtPlot {
 
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return curves_.fit(); }
-  /// Sets the scale of all value axes; see CurveSet::setScale(). Values without a place on a
-  /// logarithmic axis are drawn at its foot, and a note says so.
+  /// Sets the scale of all value axes; see CurveSet::setScale(). Values of 0 or less on a
+  /// logarithmic axis are drawn at its bottom, and a note says so.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return curves_.scale(); }
   /// Changes the look of an existing curve and refits its axis.
@@ -128,12 +129,12 @@ class PlotView : public QwtPlot {
   void setStatistics(bool shown);
   [[nodiscard]] bool hasStatistics() const { return statistics_; }
 
-  /// The legend shows the values at canvas column `x` in place of the present ones.
+  /// Makes the legend show the values at canvas column `x` instead of the present ones.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
   [[nodiscard]] Legend& legendBox();
   [[nodiscard]] PlotOverlay& overlay() { return *overlay_; }
-  /// Paints the background: QwtPlot would use the palette, which the style sheet changes.
+  /// Paints the background, because QwtPlot would use the palette, which the style sheet changes.
   void drawCanvas(QPainter* painter) override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }
   [[nodiscard]] QSize sizeHint() const override { return {640, 280}; }

@@ -67,8 +67,8 @@ void PlotView::zoomTime(double factor, double x) {
   changed();
 }
 
-// Does not change a range to one that cannot be shown, nor to one between two whole numbers, where
-// the axis would have no labels.
+// Sets the range of an axis. Refuses a range that cannot be shown, and a range between two whole
+// numbers, where the axis would have no labels.
 void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
   constexpr double kNarrower = 1 - 1e-9;  // rounding changes a moved range by less
   const bool has_whole =

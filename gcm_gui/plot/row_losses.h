@@ -7,7 +7,7 @@ namespace tendon::gui {
 
 /// The losses of rows of one source since its subscription, by place.
 struct RowLosses {
-  std::uint64_t table = 0;    ///< in its process: overwritten before they were collected
+  std::uint64_t table = 0;    ///< in its process: overwritten before they could be read
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
   std::uint64_t viewer = 0;   ///< in this window
 

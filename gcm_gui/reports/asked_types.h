@@ -19,7 +19,7 @@ class TypeRequests {
   static constexpr std::chrono::seconds kFirstPause{1};
   static constexpr std::chrono::seconds kLongestPause{30};
 
-  /// Adds a wanted type. `process` has it; a later call may name another process.
+  /// Adds a type to request from `process`; a later call may name another process.
   void want(Fingerprint type, const std::string& process);
   /// The types to request now, each with its process. Call hear() for each of them.
   [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);

@@ -70,7 +70,7 @@ void NetworkReports::follow() {
   }
   for (auto it = listeners_.begin(); it != listeners_.end();) {
     const auto wanted = fit.find(it->first);
-    // An interface that is absent may return: the client then resumes by itself.
+    // An interface that is absent may return; then the client resumes by itself.
     const bool is_gone =
         wanted == fit.end() && store_.catalogue().FindProvided(it->first) == nullptr;
     if ((is_gone && !patterns.empty()) ||

@@ -15,13 +15,13 @@
 
 namespace tendon::gui {
 
-/// The system's reports, received through the session's client. Passes on events 10 times a second,
-/// and at most as many as the window can show without a pause.
+/// The system's reports, received through the session's client. Delivers events 10 times a second,
+/// and at most as many as the window can show without delay.
 class NetworkReports final : public SystemReports {
   Q_OBJECT
 
  public:
-  /// The number of events passed on at once; more are counted as lost.
+  /// The number of events delivered at once; further ones are counted as lost.
   static constexpr std::size_t kMostAtOnce = 1000;
 
   /// `client` and `store` must outlive it; `courier` delivers to the GUI thread.
@@ -38,9 +38,9 @@ class NetworkReports final : public SystemReports {
   void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
-  /// Subscribes to exactly the wanted events that exist; a timer calls it.
+  /// Updates the subscriptions to the requested events that exist; called by a timer.
   void follow();
-  /// Passes on the events that have arrived; a timer calls it.
+  /// Delivers the events that have arrived; called by a timer.
   void drain();
 
  private:
@@ -50,7 +50,7 @@ class NetworkReports final : public SystemReports {
   };
 
   void learn(const console::EventInbox::Content& content);
-  /// The event's value as text; nothing while its type is being requested.
+  /// The event's value as text; empty while its type is being requested.
   [[nodiscard]] std::optional<QString> valueOf(const console::ReceivedEvent& event) const;
 
   GcmClient& client_;

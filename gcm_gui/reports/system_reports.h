@@ -22,8 +22,8 @@ struct ReceivedEvent {
   bool operator==(const ReceivedEvent&) const = default;
 };
 
-/// The system's reports beside its catalogue: log, events, and the health of processes and
-/// connections. GUI thread; nothing here waits, and handlers are called in the GUI thread.
+/// The system's reports in addition to its catalogue: log, events, and the health of processes and
+/// connections. GUI thread; no function waits, and handlers are called in the GUI thread.
 class SystemReports : public QObject {
   Q_OBJECT
 
@@ -37,25 +37,26 @@ class SystemReports : public QObject {
   virtual void watchLog() = 0;
 
   /// Sets the events that `owner` wants by patterns, "robot/arm/*" or "**"; replaces earlier ones.
-  /// Ends when `owner` is destroyed. Every receiver gets the events that anyone wants.
+  /// Ends when `owner` is destroyed. Every receiver gets the events of all owners.
   virtual void listen(const QObject* owner, const QStringList& patterns) = 0;
 
   virtual void askHealth(Handler<message::SystemHealth> handler) = 0;
-  /// The counters of a connection, from its process: errors of GcmClient::GetCounts().
+  /// Requests the counters of a connection from its process. Errors are those of
+  /// GcmClient::GetCounts().
   virtual void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) = 0;
-  /// The levels of a component's mailboxes.
+  /// Requests the fill levels of a component's mailboxes.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
-  /// The processes started by the GCM: errors of GcmClient::GetChildren().
+  /// Requests the processes started by the GCM. Errors are those of GcmClient::GetChildren().
   virtual void askChildren(Handler<message::Children> handler) = 0;
-  /// The classes of the components that a process can create.
+  /// Requests the classes from which a process can create components.
   virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
   /// In order of arrival, except that events of a new type wait until the type is known.
   void eventsArrived(const std::vector<tendon::gui::ReceivedEvent>& events);
-  /// `count` more events were lost, for lack of room or time.
+  /// `count` further events were lost, because there was not enough room or time.
   void eventsLost(const QString& path, std::uint64_t count);
 };
 

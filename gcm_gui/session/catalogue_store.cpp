@@ -12,7 +12,7 @@ void Touch(Touched& touched, const ConnectionDescription& connection) {
   touched.insert({connection.provided.process, connection.provided.component});
 }
 
-/// Marks both ends of a process's connections, because their rows show them.
+/// Adds both ends of a process's connections, because the rows of both show the connection.
 void TouchConnections(Touched& touched, const ProcessEntry& entry) {
   for (const auto& [id, connection] : entry.connections) Touch(touched, connection);
 }
@@ -108,7 +108,7 @@ void CatalogueStore::replace(Catalogue catalogue) {
   });
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [unused, component] : entry.components) {
-      noteState(name, component, std::nullopt);  // changed while nobody watched
+      noteState(name, component, std::nullopt);  // changed at an unknown time
     }
   }
   TouchAll(untold_, catalogue_);

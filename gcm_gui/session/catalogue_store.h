@@ -14,8 +14,8 @@
 
 namespace tendon::gui {
 
-/// A component that has changed, or one of its interfaces' connections has. An empty component
-/// means the whole process.
+/// A component that has changed itself, or in a connection of one of its interfaces. An empty
+/// component means the whole process.
 struct TouchedPart {
   std::string process;
   std::string component;
@@ -29,23 +29,24 @@ class CatalogueStore : public QObject {
   Q_OBJECT
 
  public:
-  /// More changed components than this (plus the rest of a process) are announced in several steps.
+  /// The number of changed components (plus the rest of a process) that are announced in one step;
+  /// more need several steps.
   static constexpr std::size_t kMostAtOnce = 100;
 
   explicit CatalogueStore(QObject* parent = nullptr);
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
 
-  /// The time, ns since 1970, at which a component entered its state; nothing if that was before
-  /// this window watched.
+  /// The time, ns since 1970, at which a component entered its state; empty if that was before this
+  /// window was connected.
   [[nodiscard]] std::optional<std::int64_t> stateSince(const std::string& process,
                                                        const std::string& component) const;
 
-  /// Takes a snapshot; everything old and new counts as touched.
+  /// Takes a snapshot; all old and new parts count as touched.
   void replace(Catalogue catalogue);
   /// Takes the next changes. Ignores changes after a missing one: a snapshot will follow.
   void apply(const std::vector<CatalogueChange>& changes);
-  /// True while the views do not know all changes yet.
+  /// True if not all changes were announced to the views yet.
   [[nodiscard]] bool isTelling() const { return !untold_.empty(); }
 
  Q_SIGNALS:

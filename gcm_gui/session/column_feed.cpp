@@ -48,7 +48,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 ExactNumber NumberOf(const PlotChannel& channel, std::span<const std::byte> body) {
   const auto value = ReadExactly(channel, body);
   if (!value) return kNone;
-  // States are signed, like the numbers in ValueNames.
+  // States are stored as signed integers, like the numbers in ValueNames.
   const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
   if (value->kind() == ChannelValue::Kind::kSigned || is_state) {
     return ExactNumber::Signed(value->integer());

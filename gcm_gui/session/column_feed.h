@@ -32,7 +32,7 @@ class ColumnFeed final : public RowSink {
   };
   struct Taken {
     std::vector<Run> runs;
-    std::optional<QString> stale;  ///< no samples since then, and why
+    std::optional<QString> stale;  ///< set while there are no samples: the reason
     /// The names of the number's values, once known; null for plain numbers.
     std::optional<ValueNamesPointer> names;
   };
@@ -40,13 +40,13 @@ class ColumnFeed final : public RowSink {
   void OnSubscribed(const std::vector<Schema>& columns) override;
   std::size_t OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
-  /// Takes the row that existed before the subscription, because the source may write no more.
-  /// Ignored if rows have already arrived.
+  /// Takes the row that existed before the subscription, because the source may write no further
+  /// row. Ignored if rows have already arrived.
   void takeStanding(const RowBatch& batch);
   /// These also return false while a batch is being read.
   [[nodiscard]] bool hasRow();
   [[nodiscard]] bool lacksRow();
-  /// Returns true if the subscription was renewed since the last call. Then also forgets the newest
+  /// Returns true if the subscription was renewed since the last call. Then also drops the newest
   /// row, which may be very old.
   [[nodiscard]] bool takeHealed();
 
@@ -57,9 +57,9 @@ class ColumnFeed final : public RowSink {
   [[nodiscard]] Taken take(const std::string& field);
   /// The newest row, if one has arrived or the column has become known since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
-  /// Why no rows come, if known; empty also while a batch is being read.
+  /// The reason why there are no rows, if known; also empty while a batch is being read.
   [[nodiscard]] QString refusal();
-  /// Since the beginning; the previous figures while a batch is being read.
+  /// The losses since the beginning; the previous result while a batch is being read.
   [[nodiscard]] RowLosses losses();
 
  private:
@@ -89,7 +89,7 @@ class ColumnFeed final : public RowSink {
   std::mutex mutex_;
   std::optional<Schema> schema_;
   bool is_picture_ = false;
-  bool varies_ = false;  // the schema has sequences, so the channels may differ from row to row
+  bool varies_ = false;  // the schema has sequences: channels may differ from row to row
   std::uint64_t epoch_ = 0;
   std::map<std::string, Tap> taps_;
   std::optional<QString> stale_;

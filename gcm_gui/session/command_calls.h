@@ -22,13 +22,14 @@ class CommandCalls {
   CommandCalls& operator=(const CommandCalls&) = delete;
   virtual ~CommandCalls() = default;
 
-  /// The schema of a type, from `process`.
+  /// Requests the schema of a type from `process`.
   virtual void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) = 0;
   /// Calls "robot/arm/Control.MoveTo"; `argument` is JSON, or empty for none. The call appears in
   /// the activity list.
   virtual void callCommand(const std::string& path, const std::string& argument,
                            AnswerHandler handler) = 0;
-  /// Reads a value as JSON by a read command. No list shows it: the user did not request it.
+  /// Reads a value as JSON by a read command. It is not in the activity list, because the user did
+  /// not request it.
   using ValueHandler = std::function<void(const Result<std::string>&)>;
   virtual void readValue(const std::string& path, ValueHandler handler) = 0;
 };

@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// Checks an existing or wanted connection. Each function returns at once; a handler is called in
-/// the GUI thread, at most once, and not after the end of the session.
+/// Checks an existing or requested connection. Each function returns at once; a handler is called
+/// in the GUI thread, at most once, and not after the end of the session.
 class ConnectionChecks {
  public:
   using DiagnosisHandler = std::function<void(const Result<Diagnosis>&)>;
@@ -17,8 +17,8 @@ class ConnectionChecks {
   ConnectionChecks& operator=(const ConnectionChecks&) = delete;
   virtual ~ConnectionChecks() = default;
 
-  /// Runs all seven steps of `gcm explain`; skips the rest after a failure. Asks the provider's
-  /// process, which may take as long as any request. Errors of Diagnose().
+  /// Makes the seven checks of `gcm explain`, up to the first failure. Asks the provider's process,
+  /// which may take as long as any request. Errors of Diagnose().
   virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
 };
 

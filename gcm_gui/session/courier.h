@@ -23,7 +23,8 @@ class Courier {
     }
   }
 
-  /// Posts nothing more once it has returned. The receiver must call it before it is destroyed.
+  /// After the return, nothing is posted any more. The receiver must call it before it is
+  /// destroyed.
   void detach() {
     const std::lock_guard lock(mutex_);
     receiver_ = nullptr;

@@ -30,7 +30,7 @@ class LinkState : public QObject {
 
   void setAddress(const QString& address, bool hosted);
   void setConnected();
-  /// Sets kLost, or kSearching if there never was a link.
+  /// Sets the state kLost, or kSearching if there never was a link.
   void setUnreachable(const QString& reason);
   /// Requests the whole state of the system again.
   void askAnew() { Q_EMIT wantedAnew(); }

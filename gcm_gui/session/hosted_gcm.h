@@ -25,7 +25,7 @@ class HostedGcm {
   HostedGcm& operator=(const HostedGcm&) = delete;
   ~HostedGcm();
 
-  /// The address for others.
+  /// The announced address.
   [[nodiscard]] std::string address() const;
 
  private:

@@ -19,7 +19,8 @@ std::string FieldOf(const QString& column, const QString& signal) {
   return signal.mid(column.size()).toStdString();
 }
 
-/// A subscription to every row only gets new rows. This one gets the row written before.
+/// Receives the row that was written before the subscription, because a subscription to every row
+/// gets only new rows.
 class InitialRowSink final : public RowSink {
  public:
   explicit InitialRowSink(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
@@ -111,7 +112,7 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
 }
 
 void LiveSignals::seekStandingRow(Column& column) {
-  if (column.feed->takeHealed()) endStanding(column);  // its row may have been forgotten
+  if (column.feed->takeHealed()) endStanding(column);  // its row may have been dropped
   if (column.standing && column.feed->hasRow()) endStanding(column);
   if (column.standing || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
   TableSubscription wanted = column.table;

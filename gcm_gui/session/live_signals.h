@@ -19,8 +19,8 @@ namespace tendon::gui {
 class ColumnFeed;
 
 /// Live data over the network. One subscription per column, shared by all users, plus a second one
-/// until the row that existed before has arrived; both last a little longer than their users.
-/// Passes on rows 30 times a second, newest values 10 times.
+/// until the row that existed before has arrived; both end some time after their last user.
+/// Delivers rows 30 times a second, newest values 10 times.
 class LiveSignals : public SignalSource {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class LiveSignals : public SignalSource {
   /// The number of subscribed columns.
   [[nodiscard]] std::size_t columnCount() const { return columns_.size(); }
 
-  /// Passes on new data; the timers call it.
+  /// Delivers new data; called by the timers.
   void drain();
   void drainValues();
   /// Ends subscriptions that have been unused for a while.
@@ -49,7 +49,7 @@ class LiveSignals : public SignalSource {
     std::shared_ptr<ColumnFeed> feed;
     TableSubscription table;
     TelemetryClient::Id id = 0;
-    std::optional<TelemetryClient::Id> standing;  // until a row has arrived
+    std::optional<TelemetryClient::Id> standing;  // set until a row has arrived
     std::map<QString, int> users;                 // by signal
     QSet<const QObject*> watchers;
     int idle_sweeps = 0;
@@ -60,7 +60,7 @@ class LiveSignals : public SignalSource {
   /// Null if `column` is not the path of a column.
   Column* open(const QString& column);
   /// Requests the row that existed before the subscription, if the column has users and no row yet;
-  /// does so again after a lost link, since there may be another row.
+  /// does so again after a lost link, because there may be another row.
   void seekStandingRow(Column& column);
   void endStanding(Column& column);
   void drainSignal(Column& column, const QString& signal);

@@ -25,7 +25,7 @@ std::optional<Error> RefusalOf(const Result<T>& result) {
 Action ActionOf(const message::HistoryEntry& step) {
   Action action;
   if (IsOfLife(step)) {
-    action.verb = Action::Verb::kUndo;  // unless it is one that windows can make
+    action.verb = Action::Verb::kUndo;  // for a step that windows cannot make
     action.component = step.life.process + '/' + step.life.component;
     for (const LifeVerb verb : {LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop}) {
       if (ToString(verb) != step.verb) continue;
@@ -63,7 +63,7 @@ class Session::Listener final : public GcmListener {
   }
 
  private:
-  Session& session_;  // used only in its own thread, while it lives
+  Session& session_;  // used only in the session's thread, while the session lives
   std::shared_ptr<Courier> courier_;
 };
 
@@ -306,7 +306,7 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                          : Result<std::chrono::microseconds>(answer.error()));
     tell(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
   };
-  // The process itself answers, without a thread of the component.
+  // A request that the process itself answers, without a thread of the component.
   client_->GetFill(wire.provided.process, wire.provided.component, heard);
 }
 

@@ -24,8 +24,8 @@
 
 namespace tendon::gui {
 
-/// The window's only connection to the system, and the only class that hears network threads.
-/// Everything it hears arrives in the GUI thread, in order; no request waits.
+/// The window's only connection to the system, and the only class that is called by network
+/// threads. It delivers everything in the GUI thread, in order; no request waits.
 class Session : public QObject, public SystemActions, public CommandCalls, public ConnectionChecks {
   Q_OBJECT
 
@@ -62,7 +62,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
-  /// A call without an answer yet.
+  /// A call that has no answer yet.
   struct OpenCall {
     std::string process;
     std::chrono::steady_clock::time_point start;
@@ -77,7 +77,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   Finish begin(Action action);
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);
-  /// Ignores the answer of a process to a call that was already given up.
+  /// Finishes a call. Ignores the answer to a call that was already given up.
   void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
   /// Gives up the calls to lost processes.
   void giveUpCalls();

@@ -18,22 +18,22 @@ namespace tendon::gui {
 
 struct RawPicture;
 
-/// The numbers in a column, in wire order; a new list if their count changes.
+/// The numbers in a column, in wire order; a new list if their number changes.
 using ChannelList = std::shared_ptr<const std::vector<PlotChannel>>;
 
 /// The newest row of one column, decoded.
 struct ColumnValues {
   ChannelList channels;  ///< never null
-  /// By channel; nothing if the row lacks it. Empty before the first row.
+  /// By channel; no value if the row does not have it. Empty before the first row.
   std::vector<std::optional<ChannelValue>> values;
   QString text;                                    ///< of a column without numbers, as JSON
-  std::shared_ptr<const RawPicture> picture = {};  ///< of a column with a picture, else null
+  std::shared_ptr<const RawPicture> picture = {};  ///< of a column with a picture; otherwise null
   std::uint64_t rows = 0;                          ///< the number of rows so far, this one included
   std::int64_t time = 0;  ///< of this row, ns on this process's steady clock
 };
 
 /// Live data of state tables, by path, in two ways: every row of one number (a signal, for plots),
-/// or the newest row of a column a few times a second (for tables). GUI thread; nothing here waits.
+/// or the newest row of a column a few times a second (for tables). GUI thread; no function waits.
 class SignalSource : public QObject {
   Q_OBJECT
 
@@ -45,7 +45,7 @@ class SignalSource : public QObject {
   virtual void subscribe(const QString& signal) = 0;
   virtual void release(const QString& signal) = 0;
 
-  /// Sets the columns, "robot/arm/state.Joints", whose newest values `owner` wants; replaces
+  /// Sets the columns, "robot/arm/state.Joints", whose newest values `owner` needs; replaces
   /// earlier ones. Ends when `owner` is destroyed.
   virtual void watch(const QObject* owner, const QSet<QString>& columns) = 0;
 
@@ -56,18 +56,18 @@ class SignalSource : public QObject {
   virtual void retry(const QString& column) = 0;
 
  Q_SIGNALS:
-  /// In order and complete. The samples are valid during the call.
+  /// New samples, in order and complete. They are valid only during the call.
   void samplesArrived(const QString& signal, std::span<const tendon::gui::Sample> samples);
-  /// The names of a signal's values; null for plain numbers. Comes before its samples, and again
+  /// The names of a signal's values; null for plain numbers. Emitted before its samples, and again
   /// when its type may have changed.
   void namesLearned(const QString& signal, const tendon::gui::ValueNamesPointer& names);
   /// The source was restarted: its ticks start again with the following samples.
   void epochBegan(const QString& signal);
-  /// Nothing arrives for now. `reason` says why; it is empty if the process is unreachable.
+  /// No samples arrive for now. `reason` says why; it is empty if the process is unreachable.
   void wentStale(const QString& signal, const QString& reason);
 
   void valuesArrived(const QString& column, const tendon::gui::ColumnValues& values);
-  /// No values come for now; repeated while that lasts.
+  /// No values arrive for now; emitted repeatedly during this time.
   void valuesRefused(const QString& column, const QString& reason);
 };
 

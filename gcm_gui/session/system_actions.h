@@ -19,10 +19,10 @@ class SystemActions {
 
   virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
   virtual void disconnectInterface(const InterfaceName& required) = 0;
-  /// Connects a connected interface to another provider in one step; reconnects it to the former
-  /// one if that is refused.
+  /// Connects a connected interface to another provider in one step; restores the former connection
+  /// if the new one is refused.
   virtual void replaceConnection(const InterfaceName& required, const InterfaceName& provided) = 0;
-  /// Undoes the newest step that stands, by any author. A step of somebody else, or on a
+  /// Undoes the newest step that is not undone, whoever made it. A step of another user, or on a
   /// component's life cycle, is only undone at the second call.
   virtual void undo() = 0;
   /// Removes the remains of a lost process.

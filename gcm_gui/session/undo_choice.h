@@ -12,8 +12,8 @@ namespace tendon::gui {
 /// The name of this window in its requests and in the GCM's history: "gcm-gui of anna@host".
 [[nodiscard]] std::string NameOfThisWindow();
 
-/// Chooses the step that an undo takes back: the newest that stands, by any author. A step of
-/// another person or program, or on a component's life cycle, needs a second request.
+/// Chooses the step to undo: the newest that is not undone, by any author. A step of another person
+/// or program, or on a component's life cycle, needs a second request.
 class UndoChoice {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -29,7 +29,7 @@ class UndoChoice {
 
  private:
   std::string me_;
-  std::uint64_t asked_ = 0;  // the step of the latest question
+  std::uint64_t asked_ = 0;  // the step for which confirmation was requested last
   Time until_;
 };
 

@@ -58,7 +58,7 @@ void SteerCard::enter() {
   Q_EMIT confirmed(verb_, components_);
 }
 
-/// Ignores a key that is still held since it opened the card.
+/// Ignores a key that opened the card and is still pressed.
 void SteerCard::keyPressEvent(QKeyEvent* event) {
   if (event->isAutoRepeat()) return;
   const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

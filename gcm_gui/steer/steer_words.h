@@ -14,7 +14,7 @@ namespace tendon::gui {
 inline constexpr std::array kSteerVerbs{LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop,
                                         LifeVerb::kRestart};
 
-/// "Start".
+/// The word for a button: "Start".
 [[nodiscard]] QString WordOf(LifeVerb verb);
 /// "Hold to start".
 [[nodiscard]] QString HoldWordOf(LifeVerb verb);

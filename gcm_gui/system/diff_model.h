@@ -22,7 +22,7 @@ class DiffModel : public RowListModel<SystemDifference> {
 /// "= 29   + 2 only running   − 1 missing   ~ 1 changed".
 [[nodiscard]] QString SummaryOf(const SystemComparison& comparison);
 
-/// A line of a plan: a step and its outcome, or something that no step can achieve.
+/// A line of a plan: a step and its outcome, or a goal that no step can reach.
 struct PlanLine {
   enum class Kind { kObstacle, kNote, kWaiting, kDone, kFailed, kLeft };
 
@@ -33,7 +33,7 @@ struct PlanLine {
   bool operator==(const PlanLine&) const = default;
 };
 
-/// The steps of a plan in order, below the obstacles and remarks.
+/// The obstacles and remarks of a plan, and below them its steps in order.
 class PlanModel : public RowListModel<PlanLine> {
   Q_OBJECT
 

@@ -147,7 +147,7 @@ void DiffPanel::showDiff() {
   showButtons();
 }
 
-/// Selects the same difference again, never another one in its place.
+/// Selects the same difference again; if it does not exist any more, selects none.
 void DiffPanel::choose(const std::string& what) {
   int row = 0;
   while (row < differences_.rowCount() && !what.empty() && differences_.row(row).what != what)
@@ -217,7 +217,7 @@ void DiffPanel::showPlan() {
   back_->setEnabled(phase != Restore::Phase::kRunning);
   pages_->setCurrentIndex(page);
   if (!is_new) return;
-  // Away from every button: a key may still be held.
+  // Moves the focus away from the buttons, because a key may still be pressed.
   if (waits || phase == Restore::Phase::kAsking) step_list_->setFocus();
   if (phase == Restore::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();

@@ -29,7 +29,7 @@ class PlanWorker final : public QObject, public PlanRunner {
   std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<Courier> courier_;
-  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: stop after the present step
+  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: stops it after the present step
   Background thread_{QT_TRANSLATE_NOOP("Words", "a step of a plan")};
 };
 

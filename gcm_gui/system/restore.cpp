@@ -9,8 +9,8 @@
 namespace tendon::gui {
 namespace {
 
-/// The state to return to: without what the plan creates in processes that it starts, and with a
-/// start command for a process that it ends.
+/// The target of an undo: without the components that the plan creates in processes that it starts,
+/// and with a start command for a process that it ends.
 SystemFile Before(const Plan& plan, SystemFile running) {
   for (const PlanStep& step : plan.steps) {
     const bool is_there = running.FindProcess(step.process) != nullptr;
@@ -61,7 +61,7 @@ void Restore::plan(const SystemFile& wanted, const QString& goal, Finish finish)
     reports_.askClasses(process, [self = QPointer(this), question, process,
                                   make](const Result<message::Classes>& classes) {
       if (self == nullptr || self->question_ != question) return;
-      if (classes) question->known[process] = *classes;  // else it refuses what it cannot create
+      if (classes) question->known[process] = *classes;  // otherwise the process itself refuses
       if (--question->open == 0) make(question->known);
     });
   }
@@ -108,7 +108,7 @@ void Restore::execute(AfterError after_error) {
       });
 }
 
-/// Records the start of a process in the step that has just ended; the catalogue already has it.
+/// Records the process that the last step has started; the catalogue already has it.
 void Restore::noteBirth() {
   if (outcomes_.size() > plan_.steps.size()) return;
   const PlanStep& step = plan_.steps[outcomes_.size() - 1];

@@ -16,9 +16,9 @@
 
 namespace tendon::gui {
 
-/// Brings the running system to a wanted state: shows a plan, executes it step by step, and can
-/// undo it. Before it shows a plan, it asks the processes that must create something for their
-/// classes. GUI thread.
+/// Brings the running system to a target state: shows a plan, executes it step by step, and can
+/// undo it. Before it shows a plan, it requests the classes of the processes that must create
+/// components. GUI thread.
 class Restore : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class Restore : public QObject {
           QObject* parent = nullptr);
 
   [[nodiscard]] Phase phase() const { return phase_; }
-  /// The name of the wanted state: "demo.gcm.json", "the state at 12:04".
+  /// The name of the target state: "demo.gcm.json", "the state at 12:04".
   [[nodiscard]] const QString& goal() const { return goal_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
   /// Of the finished steps, in order.
@@ -45,7 +45,8 @@ class Restore : public QObject {
   void stop() { runner_.stop(); }
   /// Previews the system as before execute(); the plan ends processes that were started.
   void undo();
-  /// Returns from the preview of an undo to the executed plan, and waits for no answer any more.
+  /// Returns from the preview of an undo to the executed plan, and ignores answers that are still
+  /// missing.
   void leave();
 
  Q_SIGNALS:
@@ -60,14 +61,14 @@ class Restore : public QObject {
     PlanOutcome outcome;
   };
 
-  /// The classes known for a plan, and the number of answers still missing.
+  /// The known classes for a plan, and the number of missing answers.
   struct Question {
     KnownClasses known;
     std::size_t open = 0;
   };
   using Finish = std::function<Plan(Plan)>;
 
-  /// Makes the plan once all have answered; `finish` may still change it.
+  /// Makes the plan when all processes have answered; `finish` may still change it.
   void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
   void noteBirth();
@@ -83,8 +84,8 @@ class Restore : public QObject {
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
-  std::optional<Done> to_undo_;   // while its undo is previewed
-  std::vector<PlanStep> births_;  // started processes since then, with their instance ids
+  std::optional<Done> to_undo_;   // the executed plan while its undo is previewed
+  std::vector<PlanStep> births_;  // processes started since then, with their instances
 };
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ class Snapshots {
     SystemFile system{};
   };
 
-  /// Ignored if nothing changed.
+  /// Adds a state; ignored if nothing has changed.
   void add(std::int64_t when, SystemFile system) {
     if (!all_.empty() && all_.back().system == system) return;
     all_.push_back({when, std::move(system)});

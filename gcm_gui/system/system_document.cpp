@@ -18,7 +18,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::milliseconds kSoon{200};  // collects several changes
+constexpr std::chrono::milliseconds kSoon{200};  // delay, to collect several changes
 
 using Layout = std::map<std::string, SystemFile::Position>;
 
@@ -32,7 +32,7 @@ Layout LayoutFor(const SystemFile& file, Layout layout) {
   return layout;
 }
 
-/// Keeps the file's components and connections that do not run yet, of processes that are present.
+/// Keeps those components and connections of the file that do not exist yet in present processes.
 void KeepMissing(const SystemFile& former, RunningSystem& running) {
   const SystemIndex now(running.file);
   std::vector<SystemFile::Connection> connections;
@@ -91,7 +91,7 @@ std::string SystemName(const QString& path) {
   return FileName(path).section('.', 0, 0).toStdString();
 }
 
-/// Never overwrites a file: nothing of it would be left.
+/// Never overwrites a file, because its content would be lost.
 Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
                                 const std::string& process) {
   auto imported = Import(from, process);

@@ -29,8 +29,8 @@ class SystemDocument : public QObject {
 
  public:
   SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
-  /// Waits, for a limited time, for files being read or written. A requested save is done even if
-  /// the GCM has not answered yet.
+  /// Waits, for a limited time, for files that are being read or written. A requested save is
+  /// executed even if the GCM has not answered yet.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -45,16 +45,16 @@ class SystemDocument : public QObject {
   [[nodiscard]] QString title() const;
   [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
 
-  /// Sets the positions of components in the graph, by path. From now on they are saved in place of
+  /// Sets the positions of components in the graph, by path. From now on they are saved instead of
   /// those in the file.
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
   /// Imports a file of the cisst component manager; components without a process go to `process`.
-  /// Writes the result beside it as a system file; does nothing if that exists already.
+  /// Writes the result beside it as a system file; does nothing if that file already exists.
   void importFrom(const QString& path, const QString& process);
-  /// Reads a system file that does not become this window's file.
+  /// Reads a system file, without making it this window's file.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
-  /// Saves the running system. Keeps the file's further content and, in an imported file, the parts
+  /// Saves the running system. Keeps other content of the file and, in an imported file, the parts
   /// that do not run yet.
   void save(const QString& path);
   /// Updates one item of the file to its running state; `what` is that of a SystemDifference.
@@ -62,7 +62,7 @@ class SystemDocument : public QObject {
 
  Q_SIGNALS:
   void changed();
-  /// After open(), when the file has been read.
+  /// Emitted after open(), when the file was read.
   void opened();
   /// A sentence about the outcome.
   void told(const QString& sentence);
@@ -72,15 +72,16 @@ class SystemDocument : public QObject {
   /// Compares soon with the running system; again if something has changed meanwhile.
   void compare();
   void show(SystemComparison comparison);
-  /// Makes `file` the window's file once it has been compared; then calls `done`.
+  /// Makes `file` the window's file when it was compared; then calls `done`.
   void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
-  /// The processes started by the GCM; empty if it is too old to tell, as `note` then says.
+  /// The processes started by the GCM; empty if the GCM is too old to report them, which `note`
+  /// then says.
   struct Started {
     message::Children children;
     QString note;
   };
-  /// Nothing if the answer is any other error; then emits told(), and nothing is written.
+  /// Empty if the answer is any other error; then told() is emitted, and nothing is written.
   std::optional<Started> startedBy(const Result<message::Children>& answer);
   void write(const QString& path, const Started& started);
   void writePart(const std::string& what, const Started& started);
@@ -88,7 +89,7 @@ class SystemDocument : public QObject {
   const CatalogueStore& store_;
   SystemReports& reports_;
   QString path_;
-  QString imported_;     // the path of an imported file that was not opened since
+  QString imported_;     // the path of an imported file that was not opened again
   QStringList unsaved_;  // files to be written after the GCM's answer
   SystemFile file_;
   SystemComparison comparison_;
@@ -97,8 +98,8 @@ class SystemDocument : public QObject {
   std::optional<std::map<std::string, SystemFile::Position>> layout_;
   QTimer soon_;
   bool is_comparing_ = false;
-  bool is_behind_ = false;     // must compare again
-  std::uint64_t version_ = 0;  // of file_
+  bool is_behind_ = false;     // must be compared again
+  std::uint64_t version_ = 0;  // version of file_
   std::shared_ptr<Courier> courier_;
   Background thread_{QT_TRANSLATE_NOOP("Words", "a system file")};
   Background comparing_{QT_TRANSLATE_NOOP("Words", "the comparison with a system file")};

@@ -10,8 +10,8 @@ namespace tendon::gui {
 
 /// The desktop's preference for dark or light windows.
 ///
-/// Asks the desktop portal without waiting. Until it answers, or without a portal, the palette at
-/// the start of the application decides.
+/// Asks the desktop portal without waiting. Until the portal answers, or without one, uses the
+/// palette at the start of the application.
 class SystemAppearance : public QObject {
   Q_OBJECT
 

@@ -60,7 +60,7 @@ void TendonStyle::polish(QWidget* widget) {
   }
 }
 
-// An event that is not accepted goes on to the parent.
+// Qt passes an event that is not accepted to the parent.
 bool TendonStyle::eventFilter(QObject* watched, QEvent* event) {
   const auto* const widget = qobject_cast<QWidget*>(watched);
   const bool passes = event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus();

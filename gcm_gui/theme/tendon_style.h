@@ -7,9 +7,9 @@ class QAbstractScrollArea;
 namespace tendon::gui {
 
 /// The parts of the look that palette and style sheet cannot set: row heights, arrows of trees,
-/// width of splitters, plain text in labels and tool tips unless they ask for another format, and a
-/// wheel that scrolls the surroundings of a spin box or choice without focus. Also draws item
-/// views, because a style sheet would make them slow.
+/// width of splitters, plain text in labels and tool tips that do not set another format, and a
+/// mouse wheel that scrolls the page instead of changing a spin box or choice without focus. Also
+/// draws item views, because a style sheet would make them slow.
 class TendonStyle : public QProxyStyle {
   Q_OBJECT
 

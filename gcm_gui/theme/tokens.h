@@ -18,7 +18,7 @@ enum class Token {
   kOk,
   kWarning,
   kBad,
-  kStale,  ///< marks and lines of lost things; too faint for text, which uses kDim
+  kStale,  ///< marks and lines of lost things; too faint for text; use kDim for text
 };
 inline constexpr int kTokenCount = 13;
 
@@ -26,7 +26,7 @@ enum class Appearance { kDark, kLight };
 
 [[nodiscard]] QColor ColorOf(Token token, Appearance appearance);
 
-/// The colours of Okabe and Ito, adapted for contrast with kPanel. They repeat after
+/// The colours of Okabe and Ito, adapted for contrast with kPanel. The colours repeat after
 /// kCurveColorCount.
 [[nodiscard]] QColor CurveColor(int index, Appearance appearance);
 inline constexpr int kCurveColorCount = 8;

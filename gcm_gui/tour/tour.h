@@ -16,14 +16,14 @@ class TourCard;
 struct TourStep {
   QString title;
   QString text;  ///< one sentence
-  /// Opens the page of the widget and returns it. The tour skips a widget that is null or not
-  /// visible then.
+  /// Opens the page of the widget and returns it. The tour skips the step if the widget is null or
+  /// not visible.
   std::function<QWidget*()> target;
 };
 
-/// Leads the user through a window: dims it, leaves a hole over one widget after another, and
-/// explains each on a card. Ends with the last step, with Escape, or when something else takes the
-/// focus; then restores the former focus. The widgets below keep updating, but get no mouse events.
+/// Leads the user through a window: dims it except for one widget after another, and explains each
+/// on a card. Ends with the last step, with Escape, or when something else takes the focus; then
+/// restores the former focus. The widgets below keep updating, but get no mouse events.
 class Tour : public QWidget {
   Q_OBJECT
 
@@ -48,7 +48,7 @@ class Tour : public QWidget {
  private:
   void next();
   void back();
-  /// The target of a step if it is visible now; else null, and the tour skips the step.
+  /// The target of a step if it is visible now; otherwise null, and the tour skips the step.
   [[nodiscard]] QWidget* reach(std::size_t step);
   void showStep(std::size_t step, QWidget& target);
   void follow(QWidget* target);

@@ -8,9 +8,9 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// The tour's text about one widget, with buttons and keys to go on (Enter or Right), back (Left)
-/// and out (Escape). While the card has the focus, the window receives no key without Ctrl or Alt,
-/// and Tab stays within the card.
+/// The tour's text about one widget, with buttons and keys to continue (Enter or Right), to go back
+/// (Left) and to end (Escape). While the card has the focus, the window receives no key without
+/// Ctrl or Alt, and Tab stays within the card.
 class TourCard : public QFrame {
   Q_OBJECT
 
@@ -19,9 +19,9 @@ class TourCard : public QFrame {
 
   /// `number` counts from 1 to `count`.
   void show(const QString& title, const QString& text, int number, int count);
-  /// A readable line length, and the height that the text then needs.
+  /// The size for a readable line length.
   [[nodiscard]] QSize wantedSize() const;
-  /// Sets the focus to the button that goes on.
+  /// Sets the focus to the button that continues.
   void takeFocus();
 
  Q_SIGNALS:

@@ -120,7 +120,8 @@ void CataloguePanel::foldGone() {
   tellFolded(folded);
 }
 
-/// The former selection stays visible until the next tick: nothing moves under the user's hand.
+/// Shows the selection. The former one stays visible until the next tick, so that nothing moves
+/// under the pointer.
 void CataloguePanel::showSelected() {
   int hidden = 0;
   bool is_shown = false;

@@ -49,7 +49,7 @@ void CatalogueTree::connectModel() {
   connect(model(), &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
             viewport()->update();
-            // Not only values: rows may have returned with a lost process.
+            // More than values may have changed: rows may have returned with a lost process.
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
@@ -102,7 +102,7 @@ void CatalogueTree::applyFilter() {
   settle_.start();
 }
 
-/// No menu on empty ground, where the pointer is on none of the selected items.
+/// No menu on empty space, where no selected item is under the pointer.
 void CatalogueTree::contextMenuEvent(QContextMenuEvent* event) {
   const bool is_by_key = event->reason() == QContextMenuEvent::Keyboard;
   if (!is_by_key && !indexAt(event->pos()).isValid()) return;

@@ -15,10 +15,10 @@ namespace tendon::gui {
 
 class CatalogueColumns;
 
-/// The catalogue as a tree view. Expansion and selection are kept by path, so they return when the
-/// object returns. A row that the user expands under a filter stays expanded without it; a row
-/// collapsed under a filter is collapsed only until the filter ends. Live values are requested only
-/// for visible rows.
+/// The catalogue as a tree view. Expansion and selection are stored by path, so that they are
+/// restored when the object returns. A row that the user expands under a filter stays expanded
+/// without it; a row collapsed under a filter is collapsed only until the filter ends. Live values
+/// are requested only for visible rows.
 class CatalogueTree : public RowView {
   Q_OBJECT
 

@@ -35,7 +35,7 @@ class OverlayCard : public QFrame {
   /// Adds a widget to the head, before the close button.
   void addToHead(QWidget* widget);
   void open();
-  /// Called on Enter if the focus is on nothing that uses Enter itself.
+  /// Called on Enter, if the focused widget does not use Enter itself.
   virtual void enter() {}
   /// Fits the height to the present contents.
   void fit();

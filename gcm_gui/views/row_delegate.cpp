@@ -35,8 +35,8 @@ int PaintText(QPainter& painter, const QRect& rect, const QString& text, const Q
   return metrics.horizontalAdvance(shown);
 }
 
-/// Draws nothing if only a few letters fit, since they would say nothing. Returns the width used.
-/// Shortens "suspended · 5 s old" to the age if necessary: the component shows its state.
+/// Draws nothing if only a few letters would fit. Returns the width used. If necessary, shortens
+/// "suspended · 5 s old" to the age, because the component already shows its state.
 int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
   constexpr int kFewest = 8;  // characters
   const QFont& mono = Theme::instance().mono();
@@ -106,7 +106,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->restore();
 }
 
-/// The width that the name needs, up to a limit: a value without a name says nothing.
+/// The width that the name needs, up to a limit, because a value without a name is useless.
 int RowDelegate::roomForName(const QRect& rect, const QModelIndex& index) const {
   const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
                    QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
@@ -200,7 +200,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   font.setStrikeOut(index.data(kStruckRole).toBool());
   const bool quiet = stale || index.data(kQuietRole).toBool();
   if (index.data(kFreshRole).toBool()) font.setBold(true);
-  // The end of a path says most.
+  // The end of a path is its most specific part.
   const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
   const int used =
       PaintText(painter, rect, index.data().toString(), font, quiet ? Token::kDim : Token::kText,

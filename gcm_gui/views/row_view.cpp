@@ -30,7 +30,7 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(kRowHeight);
   connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
-  // The frame around all rows, drawn if the current one is out of sight, must not scroll.
+  // The frame around all rows, which is drawn if the current row is not visible, must not scroll.
   connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
           qOverload<>(&QWidget::update));
 }
@@ -40,7 +40,7 @@ void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   drawInside([&] { drawFencedRow(painter, option, index); });
 }
 
-/// No exception may pass QTreeView::paintEvent(): its painter would never be ended.
+/// No exception may pass QTreeView::paintEvent(), because its painter would never be ended.
 void RowView::drawInside(const std::function<void()>& draw) const {
   auto* view = const_cast<RowView*>(this);
   if (!Fence::instance().isCovered(view)) Fence::run(view, ViewWork::kDrawing, draw);

@@ -16,7 +16,7 @@ class StateLabel : public QWidget {
 
   /// An empty text shows the default word of the mark.
   void show(StateMark mark, const QString& text = {});
-  /// Stale means grey: the last known state.
+  /// A stale label is grey: it shows the last known state.
   void setStale(bool stale);
   [[nodiscard]] const QString& text() const { return text_; }
 

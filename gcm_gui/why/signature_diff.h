@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// One member of a required interface beside the member of a provided interface that fills it or
-/// should fill it.
+/// A member of a required interface, and the member of a provided interface that fills it or should
+/// fill it.
 struct SignatureRow {
   enum class Verdict {
     kSame,
@@ -30,7 +30,7 @@ struct SignatureRow {
 };
 
 /// First the needed members in their order, commands before events, then the unneeded ones. The
-/// rows point into both descriptions. The verdicts are those of Compare().
+/// rows refer to both descriptions. The verdicts are those of Compare().
 [[nodiscard]] std::vector<SignatureRow> SignatureDiff(const RequiredDescription& required,
                                                       const ProvidedDescription& provided);
 

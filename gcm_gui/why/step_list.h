@@ -45,7 +45,7 @@ class StepList : public QWidget {
   QWidget* rows_ = nullptr;
   std::vector<DiagnosisStep> shown_;
   bool comparable_ = false;
-  bool compares_ = false;  // the comparison is visible
+  bool compares_ = false;  // true while the comparison is visible
 };
 
 }  // namespace tendon::gui

@@ -29,7 +29,7 @@ class WhyBinding : public QObject {
   /// Opens the card for the required interface `path`, or for the interface of a member. Anything
   /// else only gives a notice().
   void open(const QString& path);
-  /// Opens it only if something is wrong with the connection; returns true if so.
+  /// Opens the card only if the connection has a problem; returns true if so.
   bool openProblem(const QString& path);
 
  Q_SIGNALS:
@@ -49,7 +49,7 @@ class WhyBinding : public QObject {
   Refusals refusals_;
   std::optional<message::Wire> wire_;  // of the open card
   bool is_asking_ = false;
-  bool ask_again_ = false;  // something has changed meanwhile
+  bool ask_again_ = false;  // a process has changed during the check
 };
 
 }  // namespace tendon::gui

@@ -18,7 +18,7 @@ class WhyCard : public OverlayCard {
  public:
   explicit WhyCard(QWidget& place);
 
-  /// The check has begun: shows the ends, without steps.
+  /// Called when the check begins: shows the ends, without steps.
   void begin(const message::Wire& wire);
   /// A description is null if that end does not exist.
   void show(const WhyReport& report, const RequiredDescription* required,

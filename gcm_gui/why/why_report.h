@@ -12,7 +12,7 @@ namespace tendon::gui {
 /// The contents of the Why? card for one connection.
 struct WhyReport {
   Diagnosis diagnosis;
-  std::optional<RefusedConnection> refusal;  ///< the last one of this very connection
+  std::optional<RefusedConnection> refusal;  ///< the last refusal of this connection
   QStringList leftovers;                     ///< LeftoverTexts() of a connection that was tried
 
   /// "fails at step 5 of 7", "connected and working", "nothing keeps it from being connected".
@@ -21,17 +21,18 @@ struct WhyReport {
   [[nodiscard]] QString history() const;
   /// The shell command that gives the same report.
   [[nodiscard]] QString command() const;
-  /// All of it as text for a mail; numbers and words of the steps are those of `gcm explain`.
+  /// The whole report as text for a mail; numbers and texts of the steps are those of `gcm
+  /// explain`.
   [[nodiscard]] QString text() const;
 };
 
 /// The provided interface that the user probably means when asking why `required` is not connected:
-/// the refused one, else the connected one, else the best candidate.
+/// the refused one, otherwise the connected one, otherwise the best candidate.
 [[nodiscard]] std::optional<InterfaceName> LikelyProvider(const Catalogue& catalogue,
                                                           const Refusals& refusals,
                                                           const InterfaceName& required);
 
-/// The part of a fix to copy: its command if there is one, else all of it.
+/// The part of a remedy to copy: its command if there is one, otherwise the whole text.
 [[nodiscard]] QString CommandOfFix(const std::string& fix);
 
 }  // namespace tendon::gui

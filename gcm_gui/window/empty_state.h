@@ -11,9 +11,9 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// The middle of the window while no component is known. It explains this state and offers buttons
-/// to start a GCM or the demo (if possible), to go to another machine and to take the tour, and a
-/// shell command that fills the window.
+/// The middle of the window while no component is known. It explains this state and has buttons to
+/// start a GCM or the demo (if possible), to go to another machine and to take the tour, and a
+/// shell command that starts components.
 class EmptyState : public QWidget {
   Q_OBJECT
 

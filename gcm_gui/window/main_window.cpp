@@ -130,7 +130,7 @@ void MainWindow::connectFence() {
             .arg(fault.view, fault.what)
             .arg(fault.count)
             .toStdString());
-    if (!fault.is_covered) return;  // Problems counts it; the notice of the action may say more
+    if (!fault.is_covered) return;  // it is in Problems; the notice of the action may be better
     notice_->tell(Words::tr("%1 has met an error: see Problems").arg(fault.view));
   });
 }

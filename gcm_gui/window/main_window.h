@@ -82,7 +82,7 @@ class MainWindow : public QMainWindow {
   /// Goes to the form of the selected command.
   void callSelection();
   void revealSelection();
-  /// Selects the object and makes it visible.
+  /// Selects the object and makes it visible in all views.
   void goTo(const QString& path);
   void escape();
 
@@ -154,7 +154,7 @@ class MainWindow : public QMainWindow {
   KeysCard* keys_ = nullptr;
   Tour* tour_ = nullptr;
   QTimer second_;
-  std::int64_t lost_since_ = 0;  // of the GCM, ns since 1970; 0 while it is reachable
+  std::int64_t lost_since_ = 0;  // loss of the GCM, ns since 1970; 0 while it is reachable
 };
 
 }  // namespace tendon::gui

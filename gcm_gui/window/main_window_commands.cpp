@@ -154,7 +154,7 @@ void MainWindow::forbidChanges() {
     action->setEnabled(false);
     action->setToolTip(parts_.read_only);
     if (action->shortcut().isEmpty()) continue;
-    auto* refusal = new QAction(this);  // so that its key also says why
+    auto* refusal = new QAction(this);  // so that its key also shows the reason
     refusal->setShortcut(action->shortcut());
     connect(refusal, &QAction::triggered, this,
             [this, undoes = action->objectName() == Words::tr("Undo")] {

@@ -21,8 +21,8 @@ constexpr int kVersion = 1;  // of saved layouts
 constexpr QDockWidget::DockWidgetFeatures kFree =
     QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
 
-/// The sizes of the panels in a perspective, in the order of add(), 0 for hidden; and the plots'
-/// fraction of the middle.
+/// The sizes of the panels in a perspective, in the order of add(), 0 if hidden, and the fraction
+/// of the middle for the plots.
 struct Arrangement {
   const char* title;
   std::array<int, 3> sizes;

@@ -14,8 +14,8 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// The panels around the middle of a window and their sizes: four perspectives on keys, panels that
-/// can be moved after a command allows it, and a layout that can be saved.
+/// The panels around the middle of a window and their sizes: four perspectives with keys, panels
+/// that can be moved after a command has unlocked them, and a layout that can be saved.
 class Panels : public QObject {
   Q_OBJECT
 
@@ -45,7 +45,8 @@ class Panels : public QObject {
 
  Q_SIGNALS:
   void shown(tendon::gui::Panels::Perspective perspective);
-  /// Everything else that can be arranged must return to its default, too.
+  /// Emitted after reset(): everything else that can be arranged must return to its default as
+  /// well.
   void wasReset();
 
  private:

@@ -28,7 +28,7 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
 
 void PlotBinding::showStale(const QString& path, const QString& reason) {
   const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
-  // Many places report a lost process; the legend says which rows it waits for.
+  // A lost process is reported elsewhere; the legend says for which rows it waits.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
 }

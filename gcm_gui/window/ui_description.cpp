@@ -218,7 +218,7 @@ void UiDescription::write() {
   if (text == written_) return;
   written_ = text;
   FileWriter::instance().write(file_, text, this, [this](const QString& refusal) {
-    if (!refusal.isEmpty()) written_.clear();  // writes it again
+    if (!refusal.isEmpty()) written_.clear();  // so that the next update writes the file again
   });
 }
 

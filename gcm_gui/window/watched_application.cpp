@@ -45,7 +45,7 @@ bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   const std::int64_t before = os::ThreadWaits();
   const std::int64_t waits_so_far = painting_waits_;
   const bool handled = FencedApplication::notify(receiver, event);
-  // Includes the waits of nested painting.
+  // Includes the waits of nested paint events.
   painting_waits_ = waits_so_far + os::ThreadWaits() - before;
   return handled;
 }

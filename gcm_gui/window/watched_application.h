@@ -8,9 +8,9 @@
 namespace tendon::gui {
 
 /// Measures the longest processor time of an event handler, and counts how often handlers wait.
-/// Waiting for the processor does not count, so a busy machine does not look like a stall. Nor does
-/// the event loop's own wait for events, nor Qt's wait while painting: it shares large areas with
-/// its own threads.
+/// Waiting for the processor does not count, so a busy machine is not reported as a slow handler.
+/// Nor does the event loop's own wait for events, nor Qt's wait while painting: it shares large
+/// areas with its own threads.
 class WatchedApplication : public FencedApplication {
   Q_OBJECT
 
@@ -38,7 +38,7 @@ class WatchedApplication : public FencedApplication {
   std::chrono::nanoseconds longest_{0};
   QString longest_name_;
   std::int64_t waits_ = 0;
-  std::int64_t painting_waits_ = 0;  // in the running handler
+  std::int64_t painting_waits_ = 0;  // number of waits for painting in the running handler
   QStringList waiters_;
 };
 

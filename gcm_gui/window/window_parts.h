@@ -32,7 +32,7 @@ struct WindowParts {
   QString kept = {};               ///< the folder for saved state; empty: none
   QStringList gcm = {};            ///< `gcm` with its options; empty: the window starts no GCM
   QString demo = {};               ///< the system file of the demo; empty: no demo is offered
-  QString read_only = {};          ///< why this window can change nothing; empty if it can
+  QString read_only = {};          ///< why this window cannot change anything; empty if it can
 };
 
 /// The parts that belong to a session.

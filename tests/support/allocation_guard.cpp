@@ -16,7 +16,7 @@ constinit thread_local std::uint64_t allocations_of_thread = 0;
 constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 constinit std::atomic<std::size_t> too_much = kNever;
 
-// Null if memory is exhausted.
+// Returns null if memory is exhausted.
 void* TryAllocate(std::size_t size) noexcept {
   ++allocations_of_thread;
   if (size >= too_much.load(std::memory_order_relaxed)) return nullptr;

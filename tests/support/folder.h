@@ -9,7 +9,7 @@
 
 namespace tendon::test {
 
-/// An empty private folder, removed at the end.
+/// An empty private folder, which the destructor removes.
 class Folder {
  public:
   Folder()

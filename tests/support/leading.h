@@ -42,7 +42,7 @@ class Leading final : public Base {
   std::atomic<bool> holds = false;    ///< holds a cycle until it is false again
   std::atomic<bool> is_held = false;
   std::atomic<std::uint64_t> refused = 0;  ///< commands refused for lack of room
-  std::atomic<std::uint64_t> gone = 0;     ///< as reported to it
+  std::atomic<std::uint64_t> gone = 0;     ///< lost clients that were reported to it
 
  private:
   void Run() override {

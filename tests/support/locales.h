@@ -12,10 +12,10 @@
 
 namespace tendon::test {
 
-/// Creates locales for tests of numbers: installed locales, and the sources from which Debian makes
-/// them, differ between machines. Each has its language's number format and nothing else. This
-/// program uses the last chosen one, and its original one at the end; child programs find them by
-/// LOCPATH. One at a time, because a locale belongs to the whole program.
+/// Creates locales for tests of numbers, because installed locales, and their Debian sources,
+/// differ between machines. Each has only the number format of its language. The program uses the
+/// last chosen one until this object is destroyed; child programs find the locales by LOCPATH. One
+/// object at a time, because the locale is global.
 class Locales {
  public:
   Locales() {
@@ -29,7 +29,7 @@ class Locales {
     former_path_.empty() ? unsetenv("LOCPATH") : setenv("LOCPATH", former_path_.c_str(), 1);
   }
 
-  /// "C", "en_US", a German and a French one: the last two have a decimal comma.
+  /// "C", "en_US", a German and a French locale; the last two have a decimal comma.
   static const std::vector<std::string>& Names() {
     static const std::vector<std::string> names{"C", "en_US", "de_DE", "fr_FR"};
     return names;
@@ -61,7 +61,7 @@ class Locales {
     std::ofstream(letters) << "<code_set_name> ANSI_X3.4-1968\n<mb_cur_max> 1\n<escape_char> /\n"
                               "CHARMAP\n"
                            << AsciiLetters() << "END CHARMAP\n";
-    // -c: the other parts stay those of C, about which localedef warns.
+    // With -c, localedef only warns that the other parts are those of C.
     const std::string line = "localedef -c -f '" + letters + "' -i '" + locale + "' '" +
                              (folder_.path() / name).string() + "' >/dev/null 2>&1";
     [[maybe_unused]] const int warned = std::system(line.c_str());

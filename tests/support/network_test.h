@@ -18,7 +18,7 @@ class NetworkTest : public testing::TestWithParam<NetworkKind> {
  protected:
   NetworkTest() { StartGcm(); }
 
-  /// Also restarts it, at the same address.
+  /// Starts a GCM, or restarts it at the same address.
   void StartGcm() {
     auto gcm = tendon::GlobalManager::Start(
         join_(),

@@ -16,7 +16,7 @@
 /// operator that uses all of them.
 namespace plant {
 
-/// A payload of fixed size; the number distinguishes calls.
+/// A payload of fixed size; the number identifies a call.
 struct Move {
   std::uint64_t number = 0;
   std::array<double, 3> goal{};
@@ -109,7 +109,7 @@ class Operator final : public tendon::Component {
   void OnWritten(const Note& note) { written.push_back(note); }
 };
 
-/// Offers and needs too little, or the wrong things.
+/// Its interfaces have too few members, or members of the wrong types.
 class Impostor final : public tendon::Component {
  public:
   explicit Impostor(std::string name);

@@ -43,14 +43,15 @@ const fs::path& Home() {
   return home.path();
 }
 
-/// Ends a child with its parent; otherwise it would live on with its ports if `parent` were killed.
+/// Ends a child with its parent; otherwise it would continue, and keep its ports, if `parent` were
+/// killed.
 void EndWith(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent had already ended
 }
 
-/// The data for a child, prepared before fork(): between fork() and exec() other threads' locks may
-/// be held, so the child must take none.
+/// The data for a child, prepared before fork(): between fork() and exec(), other threads may hold
+/// locks, so the child must not lock.
 class Start {
  public:
   Start(const Program::Words& command, const std::map<std::string, std::string>& environment,
@@ -101,8 +102,8 @@ class Start {
   std::string err_;
 };
 
-/// Reserves the port among tests, also of other users, until this one ends. The abstract socket
-/// name leaves no file behind.
+/// Reserves the port among tests, including those of other users, until this process ends. An
+/// abstract socket name needs no file.
 bool IsReserved(int port) {
   const std::string name = "tendon-test-port-" + std::to_string(port);
   sockaddr_un address{};
@@ -113,7 +114,7 @@ bool IsReserved(int port) {
   if (holder < 0) return false;
   const bool is_ours = bind(holder, reinterpret_cast<const sockaddr*>(&address), size) == 0;
   if (!is_ours) close(holder);
-  return is_ours;  // the socket stays open
+  return is_ours;  // the socket stays open on purpose
 }
 
 bool IsFree(int port) {
@@ -136,7 +137,7 @@ Program::Program(const Words& command, const std::map<std::string, std::string>&
   folder_ = folder;
   const Start start(command, environment, folder_, Home());
   const pid_t parent = getpid();
-  const bool is_main_thread = gettid() == parent;  // others may end, and end their children
+  const bool is_main_thread = gettid() == parent;  // other threads may end before their children
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("no process for " + command[0]);
   if (pid_ > 0) return;
@@ -154,7 +155,7 @@ Program::~Program() {
 }
 
 void Program::Signal(int signal) const {
-  if (!exit_code_) kill(pid_, signal);  // else another process may have its pid by now
+  if (!exit_code_) kill(pid_, signal);  // afterwards another process may have its pid
 }
 
 std::optional<int> Program::Wait(std::chrono::seconds patience) {

@@ -27,7 +27,7 @@ class Program {
   ~Program();
 
   void Signal(int signal) const;
-  /// The exit code, or 128 + the signal that killed it; nothing if it has not ended in time.
+  /// The exit code, or 128 + the signal that killed it; empty if it has not ended in time.
   std::optional<int> Wait(std::chrono::seconds patience = std::chrono::seconds(30));
   /// Its output so far.
   [[nodiscard]] std::string out() const;

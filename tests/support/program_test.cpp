@@ -44,8 +44,8 @@ TEST(Program, TheEnvironmentThatIsGivenDecides) {
 TEST(Program, SaysWhichSignalEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
 
 TEST(Program, EndsWithTheTestThatRunsItHoweverThatDies) {
-  const tendon::test::Folder folder;  // for files that they cannot remove
-  int ends[2];                        // the other end is open in the test and in its program
+  const tendon::test::Folder folder;  // the programs cannot remove the files here
+  int ends[2];                        // both the test and its program keep the other end open
   ASSERT_EQ(pipe(ends), 0);
 
   const pid_t test = fork();

@@ -79,7 +79,7 @@ rc::Gen<Integer> AnyInteger() {
                         rc::gen::arbitrary<Integer>());
 }
 
-/// Calls a property, whose body uses RC_ASSERT(), for some hundred cases, or for a minute if
+/// Calls a property, whose body uses RC_ASSERT(), for a few hundred cases, or for a minute if
 /// TENDON_FULL_FAULTS is set. To repeat a failure, set RC_PARAMS as printed by RapidCheck.
 template <typename Property>
 void CheckProperty(Property property) {

@@ -40,7 +40,7 @@ constexpr unsigned char kBlock = 1;
 constinit thread_local bool is_guarded = false;
 constinit thread_local bool is_armed = false;
 constinit thread_local bool traps_system_calls = false;
-constinit thread_local volatile unsigned char selector = kAllow;  // read by the kernel
+constinit thread_local volatile unsigned char selector = kAllow;  // the kernel reads it
 constinit thread_local Counts counts;
 
 void SetArmed(bool armed) {
@@ -65,8 +65,8 @@ void CountSystemCall(long number) {
 }
 
 #if defined(__x86_64__)
-/// Counts a trapped call and then lets it happen: repeats the instruction, and does not trap
-/// further calls until the thread sleeps.
+/// Counts a trapped call and then allows it: the instruction is repeated, and further calls are not
+/// trapped until the thread sleeps.
 void OnTrap(int /*signal*/, siginfo_t* info, void* context) {
   selector = kAllow;
   CountSystemCall(info->si_syscall);

@@ -9,8 +9,9 @@ namespace tendon_test {
 /// a futex by syscall(), and armed again when the thread wakes up.
 ///
 /// For programs linked with real_time_guard.cpp, which interposes some functions of the C library.
-/// If the kernel can trap a thread's system calls (Linux 5.11, x86-64), it sees all of them, else
-/// only those by syscall(). Reading the clock is allowed. Does not work with sanitizers.
+/// If the kernel can trap a thread's system calls (Linux 5.11, x86-64), all of them are counted;
+/// otherwise only those made by syscall(). Reading the clock is allowed. Does not work with
+/// sanitizers.
 class RealTimeGuard {
  public:
   struct Counts {
@@ -21,7 +22,8 @@ class RealTimeGuard {
     std::uint64_t sleeps = 0;    // how often it was disarmed and armed again
   };
 
-  /// The first is true if this build has a guard, the second if that sees every system call.
+  /// The first value is true if this build has a guard, the second if the guard sees every system
+  /// call.
   static bool IsAvailable();
   static bool SeesEverySystemCall();
 

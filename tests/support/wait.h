@@ -4,7 +4,7 @@
 #include <thread>
 
 /// Waits until `predicate()` is true, polling every millisecond; false after `timeout`. The default
-/// is long: it only bounds a failing test and says nothing about speed.
+/// is long: it only limits a failing test, and is not a requirement on speed.
 template <typename Predicate>
 bool EventuallyTrue(Predicate predicate,
                     std::chrono::milliseconds timeout = std::chrono::seconds(30)) {

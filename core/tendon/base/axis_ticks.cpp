@@ -12,10 +12,10 @@ namespace tendon {
 namespace {
 
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kAir = 0.1;  // space around a constant value, relative to its size
+constexpr double kAir = 0.1;  // margin around a constant value, relative to the value
 constexpr double kTolerance = 1e-9;
 constexpr double kFinest = 0x1p-55;  // step size relative to the axis: 1/8 of a double's spacing
-constexpr std::size_t kShort = 9;    // letters; a label up to this size never has an exponent
+constexpr std::size_t kShort = 9;    // letters; a label of at most this length has no exponent
 constexpr std::array<std::int64_t, 3> kFactors{1, 2, 5};
 
 /// factor * 10^exponent. Doubles hold hardly any of these numbers exactly, but labels must.
@@ -60,13 +60,13 @@ std::string ExponentText(const Decimal& number) {
          (size.size() < 2 ? "0" : "") + size;
 }
 
-/// (high - low) / parts, computed so that it is finite.
+/// (high - low) / parts, computed without overflow.
 double SpanOver(const AxisSpan<double>& span, double parts) {
   return span.high / parts - span.low / parts;
 }
 
-/// 1, 2 or 5 times a power of ten, at most `most` of which fit, and not too small for doubles of
-/// this size to be told apart.
+/// 1, 2 or 5 times a power of ten: the smallest such step that fits at most `most` times, and that
+/// doubles of this size can tell apart.
 Decimal StepOf(const AxisSpan<double>& span, int most) {
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   const double least = std::max({SpanOver(span, std::max(most, 2)), size * kFinest,
@@ -86,8 +86,8 @@ Decimal Multiple(const Decimal& step, std::int64_t count) {
   return {.factor = step.factor * count, .exponent = step.exponent};
 }
 
-/// The last multiple of a step that is not above `value`. The quotient is only near it, because a
-/// denormal step is not exactly what its digits say.
+/// The last multiple of a step that is not above `value`. The quotient is only a first guess: a
+/// denormal step differs from the decimal digits of its label.
 std::int64_t StepsBelow(double value, const Decimal& step) {
   const auto is_above = [&](std::int64_t count) { return Multiple(step, count).real() > value; };
   auto low = static_cast<std::int64_t>(std::floor(value / step.real()));
@@ -183,7 +183,7 @@ AxisSpan<double> FittedToTicks(const AxisSpan<double>& span, int most) {
           .high = std::min(Multiple(step, last).real(), kLargest)};
 }
 
-/// Labels of one form: the shorter one, if it is much shorter.
+/// Labels in one notation, plain or exponent: plain, unless exponents are much shorter.
 std::vector<std::string> LabelsOf(const std::vector<Decimal>& numbers) {
   std::vector<std::string> fixed;
   std::vector<std::string> exponents;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-/// Axes of numbers for a window, a terminal or a page: the range that an axis shows, the places of
-/// its labels, and their texts. All functions are pure, work for every finite double and every
+/// Axes of numbers for a window, a terminal or a page: the range that an axis shows, the positions
+/// of its labels, and their texts. All functions are pure, work for every finite double and every
 /// 64-bit integer, and give finite results.
 namespace tendon {
 
@@ -19,7 +19,7 @@ struct AxisSpan {
   bool operator==(const AxisSpan&) const = default;
 };
 
-/// A place on an axis and the text of its label.
+/// A position on an axis and the text of its label.
 template <typename Number>
 struct AxisTick {
   Number value{};
@@ -37,9 +37,9 @@ inline constexpr double kNothing = 1e-12;
 /// Values that differ by less than this part of their size differ only by rounding.
 inline constexpr double kRounding = 5e-14;
 
-/// The ends of the data, far enough apart for useful labels in between. Data that vary by no more
-/// than rounding get a tenth of their size up and down, or 1 around 0; integers that are all the
-/// same get 1. `low` must not be above `high`, and both must be finite.
+/// The range of the data, widened if it is too narrow for useful labels. Data that vary only by
+/// rounding are widened by a tenth of their size on each side, or by 1 around 0; equal integers are
+/// widened by 1. `low` must not be above `high`, and both must be finite.
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> WidenedSpan(Number low, Number high);
 
@@ -49,13 +49,13 @@ template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> FittedSpan(Number low, Number high, int most);
 
 /// About `most` multiples, and at least one, of a step that is 1, 2 or 5 times a power of ten. Each
-/// label reads back as its tick, so that all labels differ. All have as many digits as the step
-/// needs, with an exponent if that is shorter. Empty if the axis has no span.
+/// label parses back to the value of its tick, so all labels differ. All have as many digits as the
+/// step needs, with an exponent if that is shorter. Empty if the axis has no span.
 template <AxisNumber Number>
 [[nodiscard]] std::vector<AxisTick<Number>> TicksOf(const AxisSpan<Number>& span, int most);
 
-/// The place of a value on an axis that has a span: 0 at its low end and below, 1 at its high end
-/// and above. Not-a-number stays not-a-number.
+/// The position of a value on an axis with a span: 0 at or below the low end, 1 at or above the
+/// high end. Not-a-number stays not-a-number.
 template <AxisNumber Number>
 [[nodiscard]] double PartOf(const AxisSpan<Number>& span, Number value);
 

@@ -20,9 +20,9 @@ class Clock {
 /// The real clock.
 const Clock& SteadyClock() noexcept;
 
-/// The longest wait: as good as forever, and short enough to be added to the present time.
+/// The longest wait: practically forever, but short enough to be added to the present time.
 inline constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
-/// The end of `timeout`, or of the longest wait if that is less, on the real clock.
+/// The present time plus `timeout`, which is limited to kLongestWait. Real clock.
 [[nodiscard]] SteadyTime DeadlineAfter(std::chrono::nanoseconds timeout) noexcept;
 
 /// Stands still until Advance().

@@ -3,10 +3,10 @@
 namespace tendon {
 namespace {
 
-/// An element that is put in order after all that it depends on.
+/// An element whose dependencies are being placed before it.
 struct Open {
   std::size_t number;
-  std::size_t next = 0;  // of its dependencies
+  std::size_t next = 0;  // index into its dependencies
 };
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace tendon {
 /// For each element, by its number, the numbers of those that it depends on.
 using Dependencies = std::vector<std::vector<std::size_t>>;
 
-/// The numbers of all elements, each after those that it depends on. If dependencies form a circle,
-/// the order of the numbers decides there. The same input gives the same order.
+/// The numbers of all elements, each after those that it depends on. In a dependency cycle, the
+/// elements keep the order of their numbers. The same input gives the same order.
 [[nodiscard]] std::vector<std::size_t> DependencyOrder(const Dependencies& dependencies);
 
 }  // namespace tendon

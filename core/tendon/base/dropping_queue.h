@@ -6,15 +6,15 @@
 
 namespace tendon {
 
-/// The most that may wait.
+/// The most elements and bytes that a queue holds.
 struct QueueBound {
   std::size_t elements = 0;
   std::size_t bytes = 0;
 };
 
-/// A queue for a slow reader, bounded in elements and in bytes. A new element for which there is no
-/// room replaces the oldest ones. The newest one is always kept, even if it alone is larger than
-/// the bound.
+/// A queue for a slow reader, bounded in elements and in bytes. If there is no room for a new
+/// element, the oldest ones are dropped. The newest one is always kept, even if it alone is larger
+/// than the bound.
 ///
 /// Thread safety: one thread at a time.
 template <typename T>
@@ -22,7 +22,7 @@ class DroppingQueue {
  public:
   explicit DroppingQueue(QueueBound bound) : bound_(bound) {}
 
-  /// Calls `on_dropped(T&)` with each element that is replaced, oldest first.
+  /// Calls `on_dropped(T&)` for each dropped element, oldest first.
   template <typename OnDropped>
   void Push(T element, std::size_t bytes, OnDropped&& on_dropped) {
     while (!waiting_.empty() &&

@@ -12,7 +12,7 @@ namespace tendon {
 enum class ErrorCode : std::int32_t {
   kFailed,        ///< the operation was refused or failed
   kInvalid,       ///< an argument, a file or a message is malformed
-  kUnreachable,   ///< nobody answers at an address
+  kUnreachable,   ///< no program answers at the address
   kNotFound,      ///< no such process, component, interface, member, file
   kExists,        ///< the name or the address is taken
   kIncompatible,  ///< two ends do not fit
@@ -20,7 +20,8 @@ enum class ErrorCode : std::int32_t {
   kDenied,        ///< the role does not allow it
 };
 
-/// The reason why a request was refused: one sentence with what, where, and what to do next.
+/// The reason why a request was refused: one sentence that says what failed, where, and what to do
+/// next.
 struct Error {
   ErrorCode code = ErrorCode::kFailed;
   std::string message;
@@ -36,7 +37,7 @@ struct Error {
 [[nodiscard]] std::string ReasonOf(std::exception_ptr thrown);
 
 /// A wiring mistake in a program, such as a duplicate interface name or an invalid period. Thrown
-/// while a component is built, never in a cycle.
+/// while a component is constructed, never in a cycle.
 class ConfigurationError : public std::runtime_error {
  public:
   /// With code kInvalid.
@@ -51,7 +52,8 @@ class ConfigurationError : public std::runtime_error {
 };
 
 /// The error for an author who adds a part too late: "cannot add command 'Stop' to interface
-/// 'Control' (sealed): add it in the constructor". `state` is that of `whole`, if any.
+/// 'Control' (sealed): add it in the constructor". `state` is the state of `whole` ("sealed"), or
+/// empty.
 [[nodiscard]] ConfigurationError AddedTooLate(const std::string& part, const std::string& whole,
                                               std::string_view state = "sealed");
 

@@ -56,13 +56,13 @@ void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::str
   Sinks& sinks = TheSinks();
   std::string line(source);
   line.append(": ").append(message);
-  // Directly to the sinks: the logger's level was checked before, or must not count.
+  // Writes directly to the sinks: the caller has checked the level, or the level must not matter.
   const spdlog::details::log_msg record(time, {}, sinks.console->name(), ToSpdlog(level), line);
   for (const auto& sink : sinks.console->sinks()) {
     try {
       sink->log(record);
     } catch (const std::exception&) {
-      // The caller is not told that nobody reads the log.
+      // A failure to write the log is not reported to the caller.
     }
   }
   const std::scoped_lock lock(sinks.mutex);

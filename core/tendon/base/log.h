@@ -31,7 +31,7 @@ using LogTime = std::chrono::system_clock::time_point;
 /// Stores log records for threads that must not wait.
 class LogDeferral {
  public:
-  /// In the thread that logs; the texts are valid only during the call.
+  /// Runs in the thread that logs; the texts are valid only during the call.
   virtual void PutAside(LogTime time, LogLevel level, std::string_view source,
                         std::string_view message) noexcept = 0;
 
@@ -51,7 +51,7 @@ class DeferLogging {
   LogDeferral* before_;
 };
 
-/// Log() for a deferred record, or for one that no level may hide: it is never dropped.
+/// Logs a deferred record, or one that must appear at every log level: it is never dropped.
 void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::string_view message);
 
 }  // namespace tendon

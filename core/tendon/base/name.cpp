@@ -14,7 +14,7 @@ bool IsAllowed(char letter) {
          (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
 }
 
-/// Makes any bytes safe to print inside quotes.
+/// Escapes bytes so that they can be printed inside quotes.
 std::string ToAscii(std::string_view text) {
   constexpr std::string_view kHex = "0123456789abcdef";
   std::string out;
@@ -52,7 +52,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// The full name for one that was not typed to its end; empty if there are several.
+/// The only candidate that begins with `beginning`; empty if there are none or several.
 std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::string> candidates) {
   constexpr std::size_t kShortest = 2;
   std::string found;
@@ -102,7 +102,7 @@ std::string Nearest(std::string_view name, std::span<const std::string> candidat
   const std::string lower = InLowerCase(name);
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({name.size(), candidate.size()});
-    if (longer - shorter > limit) continue;  // a name from outside may have megabytes
+    if (longer - shorter > limit) continue;  // a name from the network may be megabytes long
     const std::size_t distance = EditDistance(lower, InLowerCase(candidate));
     if (2 * distance <= shorter && distance < best_distance) {
       best = candidate;

@@ -18,8 +18,8 @@ Result<void> CheckName(std::string_view what, std::string_view name);
 /// The same for the author of a component; throws ConfigurationError.
 void RequireName(std::string_view what, std::string_view name);
 
-/// A name that may be given only once, with the place where it was given: constructed from text in
-/// a call, it knows the caller's line.
+/// A name that may be given only once, with the source line that gave it: the implicit conversion
+/// from text records the caller's line.
 struct PlacedName {
   PlacedName(const char* name, SourcePlace given_at = SourcePlace::current())
       : text(name), place(given_at) {}
@@ -30,9 +30,10 @@ struct PlacedName {
   SourcePlace place;
 };
 
-/// The candidate most like `name`, or empty if none is near. Near is an edit distance of at most a
-/// third of its length (or 1), of 3, and of half of either name. If none is, the only candidate
-/// that begins with `name`, if that has two letters or more. Ignores case.
+/// The candidate most similar to `name`, or empty. Similar means an edit distance of at most 3, of
+/// at most a third of the length of `name` (or 1), and of at most half of either name. If no
+/// candidate is similar, returns the only one that begins with `name`, provided `name` has two
+/// letters or more. Ignores case.
 [[nodiscard]] std::string Nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// "; did you mean 'arm'?", or empty if no candidate is near.

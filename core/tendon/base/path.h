@@ -9,7 +9,7 @@ namespace tendon {
 
 /// The name that every tool uses for a part of the system:
 /// `process/component/interface.member(.field or [i])*`, for example
-/// `robot/arm/state.Joints.position[0]`. Later parts may be empty: `robot/arm` is a path.
+/// `robot/arm/state.Joints.position[0]`. Parts may be left out from the end: `robot/arm` is a path.
 struct Path {
   std::string process;
   std::string component;
@@ -27,7 +27,8 @@ Result<Path> ParsePath(std::string_view text);
 [[nodiscard]] std::string ToString(const Path& path);
 
 /// True if `text` fits the glob `pattern`: `*` stands for any letters except '/' and '.', `**` for
-/// any letters at all. For patterns that people type: the cost grows with the number of stars.
+/// any letters at all. Meant for short patterns that people type: the cost grows with the number of
+/// stars.
 [[nodiscard]] bool MatchesGlob(std::string_view pattern, std::string_view text);
 
 }  // namespace tendon

@@ -9,7 +9,7 @@ namespace tendon {
 /// a cut; control characters and invalid UTF-8 become `\xNN`.
 [[nodiscard]] std::string Printable(std::string_view text, std::size_t most = 4096);
 
-/// The text with small letters for capital ones. ASCII alone, in every locale.
+/// The text in lower case. Converts only ASCII letters, whatever the locale.
 [[nodiscard]] std::string InLowerCase(std::string_view text);
 
 }  // namespace tendon

@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// A value, or the Error that tells why there is none. Accessing the one that does not exist is a
-/// bug of the caller.
+/// A value, or the Error that says why there is none. Accessing the missing one is a bug of the
+/// caller.
 template <typename T>
 class [[nodiscard]] Result {
  public:

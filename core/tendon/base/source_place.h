@@ -5,8 +5,8 @@
 
 namespace tendon {
 
-/// A line of source code; as a default argument, the line of the caller. Used like
-/// std::source_location, which clang has only from version 15 on.
+/// A line of source code. As a default argument, it is the caller's line. Replaces
+/// std::source_location, which clang has only since version 15.
 class SourcePlace {
  public:
   [[nodiscard]] static constexpr SourcePlace current(const char* file = __builtin_FILE(),

@@ -5,7 +5,7 @@
 
 namespace tendon {
 
-/// The outcome of a real-time call. It never allocates or throws; it is true if the call was
+/// The outcome of a real-time call. Never allocates or throws. Converts to true if the call was
 /// executed or accepted for execution.
 class [[nodiscard]] Status {
  public:
@@ -13,15 +13,15 @@ class [[nodiscard]] Status {
     kDone,            ///< executed
     kQueued,          ///< accepted; runs in the server's thread
     kNotConnected,    ///< no peer, or the peer is gone
-    kNotActive,       ///< the peer exists but does not run
-    kQueueFull,       ///< refused: the peer has not caught up
+    kNotActive,       ///< the peer exists but is not running
+    kQueueFull,       ///< refused: the peer has not yet executed earlier calls
     kNoSample,        ///< nothing has been written yet
-    kTimeout,         ///< not executed, and will not be
-    kOutcomeUnknown,  ///< started or sent; its outcome cannot be known
-    kWouldDeadlock,   ///< it would wait for its own thread
+    kTimeout,         ///< not executed in time, and will not be
+    kOutcomeUnknown,  ///< started or sent, but the outcome is unknown
+    kWouldDeadlock,   ///< the caller would wait for its own thread
     kDenied,          ///< the caller's role does not allow it
     kDisabled,        ///< the peer has switched this command off for now
-    kUnsupported,     ///< not possible this way: a function with a result must wait
+    kUnsupported,     ///< such a call is not possible, for example a result without waiting
     kInvalid,         ///< the argument cannot be decoded
     kFailed,          ///< the server's code, or the copy of a value, threw
   };

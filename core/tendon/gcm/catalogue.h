@@ -13,13 +13,13 @@ namespace tendon {
 struct ProcessEntry {
   ProcessDescription process;
   std::map<std::string, ComponentDescription> components;
-  std::map<std::uint64_t, ConnectionDescription> connections;  ///< those that it owns, by id
+  std::map<std::uint64_t, ConnectionDescription> connections;  ///< its own connections, by id
 
   bool operator==(const ProcessEntry&) const = default;
 };
 
-/// All that is known of the system: processes, their components with interfaces and members, and
-/// connections. A plain value: copy it, compare it, apply changes to it. Not thread-safe.
+/// Everything that is known of a system: processes, their components with interfaces and members,
+/// and connections. A plain value, which can be copied, compared and changed. Not thread-safe.
 class Catalogue {
  public:
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -36,18 +36,18 @@ class Catalogue {
   [[nodiscard]] std::vector<ConnectionDescription> connections() const;
 
   /// Applies the next change. Returns false without an effect if its revision is not the next one
-  /// or it is invalid (the watcher then asks for a snapshot).
+  /// or it is invalid (then the watcher asks for a snapshot).
   [[nodiscard]] bool Apply(const CatalogueChange& change);
 
-  /// The changes that build this catalogue from an empty one of revision `revision() - size`. A
-  /// snapshot is sent in this form.
+  /// The changes that build this catalogue from an empty one of revision `revision() - size`.
+  /// Snapshots are sent in this form.
   [[nodiscard]] std::vector<CatalogueChange> AsChanges() const;
 
-  /// An empty catalogue of this revision, to which a snapshot is applied.
+  /// An empty catalogue of this revision, as the start for applying a snapshot.
   static Catalogue At(std::uint64_t revision);
 
-  /// A hash of everything but pids, instances, times, addresses, connection ids, reasons and
-  /// warnings: equal for two systems that look the same to users.
+  /// A hash of everything except pids, instances, times, addresses, connection ids, reasons and
+  /// warnings. Equal for two systems that look the same to users.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalogue&) const = default;

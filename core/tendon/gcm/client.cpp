@@ -24,7 +24,7 @@ Result<void> Ignored(const Result<None>& result) {
   return result.error();
 }
 
-/// The present process, as in the catalogue.
+/// The description of a present process in the catalogue.
 Result<ProcessDescription> PlaceOf(const Catalogue& catalogue, const std::string& process) {
   const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
@@ -35,7 +35,7 @@ Result<ProcessDescription> PlaceOf(const Catalogue& catalogue, const std::string
   return (*entry)->process;
 }
 
-/// The events as in the catalogue, in the order asked for.
+/// The descriptions of the events in the catalogue, in the order of the request.
 Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                                                     const EventSubscription& wanted) {
   const auto provided = LookUpProvided(catalogue, wanted.provided);
@@ -60,7 +60,7 @@ Error NoCommand(const std::string& path) {
           "'" + path + "' names no command: expected process/component/interface.member"};
 }
 
-/// With a long timeout, waits longer for a busy process before it says "it hangs".
+/// With a long timeout, waits longer for a busy process before it reports that the process hangs.
 client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
   opening.patience = std::max(opening.patience, options.timeout / 2);
@@ -69,7 +69,7 @@ client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
 
 }  // namespace
 
-/// The parts of a client, and the order of their start and end.
+/// The parts of a client; their order is that of construction and destruction.
 class GcmClient::Implementation {
  public:
   Implementation(std::shared_ptr<Middleware> middleware, const Options& options,
@@ -108,8 +108,8 @@ class GcmClient::Implementation {
     return client::CallOnce<T>(outstanding_, std::move(handler));
   }
 
-  /// For a request to a process. kUnreachable becomes kFailed, because it would mean that the GCM
-  /// is not reached.
+  /// Wraps the handler of a request to a process: kUnreachable becomes kFailed, because for a
+  /// viewer kUnreachable means the GCM.
   template <typename T>
   std::function<void(Result<T>)> GuardedOfProcess(std::function<void(Result<T>)> handler) {
     return [done = Guarded(std::move(handler))](Result<T> result) {
@@ -122,7 +122,7 @@ class GcmClient::Implementation {
   Worker& timer() { return *timer_; }
   client::Caller& caller() { return *caller_; }
   client::EventFeed& events() { return *events_; }
-  /// Created at the first call, because many programs subscribe to nothing.
+  /// Created at the first call, because many programs have no subscriptions.
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) {
@@ -150,7 +150,8 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// All callers before the next look at the catalogue share it, which bounds the number of looks.
+  /// All callers before the next check of the catalogue share that check, which limits their
+  /// number.
   void LearnDisputedTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
     if (closing_) return;
@@ -190,7 +191,7 @@ class GcmClient::Implementation {
     };
   }
 
-  /// Asks the GCM each time; it answers only clients that may watch.
+  /// Asks the GCM each time; the GCM answers only clients that may watch.
   [[nodiscard]] FindFanOut FanOutFinder() const {
     return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
       const auto alive = weak.lock();
@@ -204,11 +205,11 @@ class GcmClient::Implementation {
   }
 
   [[nodiscard]] Hello Mine() const {
-    const auto cookie = LoopbackCookie();  // without it, the peer's refusal says what is missing
+    const auto cookie = LoopbackCookie();  // without it, the peer's refusal says what to do
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
-  /// Drops the handlers, which reports an error to their callers.
+  /// Destroys the handlers, which reports an error to their callers.
   void EndLearning() {
     std::vector<DoneHandler> learners;
     const std::scoped_lock lock(mutex_);
@@ -240,7 +241,8 @@ class GcmClient::Implementation {
     for (const auto& [process, instance] : processes) telemetry_->Retry(process);
   }
 
-  /// Owned only here: it must not be destroyed in one of its own threads, where links may end.
+  /// Owned only here, because it must not be destroyed in one of its own threads, where links may
+  /// end.
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
   const std::chrono::milliseconds timeout_;
@@ -252,8 +254,8 @@ class GcmClient::Implementation {
   const std::shared_ptr<client::EventFeed> events_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
-  std::vector<DoneHandler> learners_;  // wait for the next look
-  SteadyTime next_look_{};             // not earlier
+  std::vector<DoneHandler> learners_;  // wait for the next check
+  SteadyTime next_look_{};             // earliest time of the next check
   bool closing_ = false;
 };
 

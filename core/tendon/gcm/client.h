@@ -23,16 +23,17 @@ namespace tendon {
 /// The next records of the log of all processes, oldest first.
 struct LogBatch {
   std::vector<message::LogRecord> records;
-  std::uint64_t lost = 0;   ///< records before these that the GCM did not keep long enough
-  bool is_current = false;  ///< includes all records that the GCM had when it was asked
+  std::uint64_t lost = 0;   ///< earlier records that the GCM no longer had
+  bool is_current = false;  ///< includes all records that the GCM had at the time of the request
 };
 
 /// Receives the events of a GCM, in a thread of the middleware or of the client; must not block.
-/// The window turns each into a queued signal.
+/// The window converts each call to a queued signal.
 class GcmListener {
  public:
   virtual ~GcmListener() = default;
-  /// The whole catalogue: after the first connect, after a gap, and when the GCM came back.
+  /// Called with the whole catalogue after the first connect, after a gap, and when the GCM is
+  /// back.
   virtual void OnSnapshot(const Catalogue& catalogue) = 0;
   /// The next changes, which follow the last ones without a gap.
   virtual void OnChanges(const std::vector<CatalogueChange>& changes) = 0;
@@ -43,17 +44,18 @@ class GcmListener {
 };
 
 /// A viewer's connection to a system: watches a GCM's catalogue, asks the GCM for changes, and
-/// talks to the processes directly for data. Recovers by itself. Functions with a handler return at
-/// once and call it exactly once, in a thread of the middleware. The others wait for at most
-/// `timeout` and must not be called from a handler.
+/// exchanges data with the processes directly. Reconnects by itself. Functions with a handler
+/// return at once and call it exactly once, in a thread of the middleware. The others wait for at
+/// most `timeout` and must not be called from a handler.
 class GcmClient {
  public:
-  /// Replace() and Undo() may take this many times `timeout`: the GCM breaks the old connection,
-  /// makes the new one, and if that fails restores the old one.
+  /// Replace() and Undo() may take this many times `timeout`: the GCM ends the old connection,
+  /// makes the new one, and restores the old one if that fails.
   static constexpr int kOrdersOfAReplacement = 3;
 
-  /// Undo() may take this many times `timeout`. The GCM gives all orders within five times, however
-  /// many components must run again; the last time is for stopping them if one does not.
+  /// Undo() may take this many times `timeout`. The GCM gives all orders within five times
+  /// `timeout`, however many components must run again. The sixth is for stopping them if one
+  /// fails.
   static constexpr int kOrdersOfAnUndo = 6;
 
   /// Steer() may take this many times `timeout`: once to execute, once to report.
@@ -66,10 +68,11 @@ class GcmClient {
   /// The client and its GCM.
   struct Options {
     std::string name = "viewer";  ///< in the GCM's history and log: "gcm connect", "gcm-gui"
-    std::string address;          ///< of the GCM
+    std::string address;          ///< address of the GCM
     /// Longer than the GCM waits for a process, so that the GCM can report its answer.
     std::chrono::milliseconds timeout{2000};
-    /// Gives up all other rights: the GCM and each process then refuse a viewer's changes.
+    /// With Role::kViewer, the client gives up its other rights: the GCM and all processes refuse
+    /// its changes.
     Role role = Role::kOperator;
   };
 
@@ -86,12 +89,12 @@ class GcmClient {
 
   /// A copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
-  /// Calls `look` with the current catalogue, without a copy. The client is locked meanwhile, so
-  /// `look` must be short and must not use the client.
+  /// Calls `look` with the current catalogue, without a copy. The client is locked during the call,
+  /// so `look` must be short and must not use the client.
   void Look(const std::function<void(const Catalogue&)>& look) const;
 
-  /// Asks the GCM for the whole catalogue again, for the listener. Does nothing if that is under
-  /// way or there is no GCM.
+  /// Asks the GCM for the whole catalogue again; the listener gets it. Does nothing if such a
+  /// request is pending or there is no GCM.
   void Resync();
 
   using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
@@ -100,58 +103,60 @@ class GcmClient {
 
   void Connect(const InterfaceName& required, const InterfaceName& provided,
                ConnectHandler handler);
-  /// First disconnects the required interface. Connects it to its old peer again if the new
-  /// connection is refused, or works less than the old one. One step of the history.
+  /// Like Connect(), but first disconnects the required interface. Restores the old connection if
+  /// the new one is refused, or if the old one was active and the new one is not. One step of the
+  /// history.
   void Replace(const InterfaceName& required, const InterfaceName& provided,
                ConnectHandler handler);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
-  /// An order for the life cycle of a component, or to load a plug-in. May take twice
-  /// `order.patience`, which is `timeout` by default. Valid only for the process instance in the
-  /// catalogue now.
+  /// Gives an order for the life cycle of a component, or to load a plug-in. May take twice
+  /// `order.patience`, which is `timeout` by default. The order is only valid for the process
+  /// instance that is in the catalogue now.
   void Steer(const message::LifeOrder& order, DoneHandler handler);
   /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
   /// kOrdersOfAProcess times as long as other requests.
   void SteerProcess(message::ProcessOrder order, DoneHandler handler);
   /// The processes that the GCM has started. kDenied by a GCM older than this request.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
-  /// The classes of which a process can create components, and the plug-ins that it could load.
+  /// The classes from which a process can create components, and the plug-ins that it could load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);
   using StepHandler = std::function<void(Result<message::HistoryEntry>)>;
-  /// Undoes the newest step; if `step` is not 0, only if it is that one.
+  /// Undoes the newest step. If `step` is not 0, only if `step` is its number.
   void Undo(StepHandler handler, std::uint64_t step = 0);
-  /// Marks the newest step as not to be undone, so that earlier ones can be. kFailed if the step
-  /// can be undone and is not named by `step`, or if its process may come back.
+  /// Skips the newest step, so that earlier ones can be undone. kFailed if its process may come
+  /// back, or if the step can be undone and `step` is not its number.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
   /// Reserves the execution of plans for this client, until GivePlanTurnBack() or the end of the
-  /// link. kFailed names the current holder.
+  /// link. If another client has it, fails with kFailed, and the error names that client.
   void TakePlanTurn(DoneHandler handler);
   void GivePlanTurnBack();
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// The resources that processes use, as last reported to the GCM.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
-  /// The version of a process, or of the GCM if it is empty. kDenied by a program older than this
-  /// request; kFailed if it is not reached or refuses us.
+  /// The version of a process, or of the GCM if `process` is empty. kDenied from a program that is
+  /// older than this request; kFailed if the program cannot be reached or refuses the link.
   void GetVersion(const std::string& process,
                   std::function<void(Result<message::ProgramVersion>)> handler);
-  /// The counts of the connection of a required interface, from its process. kNotFound; kFailed if
-  /// it is not active.
+  /// The counts of the connection of a required interface, from its process. kNotFound if there is
+  /// no connection; kFailed if it is not active.
   void GetCounts(const InterfaceName& required,
                  std::function<void(Result<ConnectionCounts>)> handler);
-  /// The provided side's counts of a connection to another process: its capacity and lost events.
-  /// kNotFound if it has none.
+  /// The counts of a connection at the provided side: capacity and lost events. kNotFound if the
+  /// provider's process does not have the connection.
   void GetServed(const message::Wire& wire, std::function<void(Result<ConnectionCounts>)> handler);
-  /// The fill of the mailboxes of a component.
+  /// The fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
-  /// Removes a tombstone.
+  /// Removes from the catalogue a process that is lost or has left.
   void Forget(const std::string& process, DoneHandler handler);
 
-  /// From now on the listener gets the log of all processes: first the newest records that the GCM
-  /// has kept, then each within some 100 ms. Continues after a broken link; a restarted GCM has the
-  /// records logged meanwhile.
+  /// From now on, the listener gets the log of all processes: first the newest records that the GCM
+  /// has kept, then each new record within about 100 ms. Continues after a broken link, and with a
+  /// restarted GCM, which receives the records logged meanwhile.
   void WatchLog();
-  /// The process drops records below `level` from now on. kNotFound; kFailed if it is gone.
+  /// From now on, the process drops records below `level`. kNotFound for an unknown process;
+  /// kFailed if the process is gone.
   void SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler);
 
   /// Calls any command of a process by its path: reads, qualified reads, void and write commands
@@ -159,10 +164,11 @@ class GcmClient {
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
 
   using ListenerId = std::uint64_t;
-  /// The sink gets the events of any process as they are raised, until StopListening(). Recovers by
-  /// itself. A component never waits for its listeners; events without room are lost and counted.
+  /// The sink gets the events of any process as they are raised, until StopListening(). Reconnects
+  /// by itself. A component never waits for its listeners; events that do not fit into the queue
+  /// are lost and counted.
   ListenerId Listen(const EventSubscription& events, std::shared_ptr<EventSink> sink);
-  /// After it returns the sink is not called any more. Must not be called from a sink.
+  /// After the return, the sink is not called any more. Must not be called from a sink.
   void StopListening(ListenerId id);
 
   /// The schema of a payload type as a process knows it, by fingerprint; cached.
@@ -170,11 +176,11 @@ class GcmClient {
                  std::function<void(Result<Schema>)> handler);
 
   /// Fetches the schemas of types that share a name with another type of the catalogue, so that
-  /// FindSchema() knows them and Compare() can name the difference. Call it at every change: it
-  /// looks at the catalogue at most twice a second.
+  /// FindSchema() knows them and Compare() can name the difference. Call it after every change; it
+  /// checks the catalogue at most twice a second.
   void LearnDisputedTypes(DoneHandler handler);
 
-  /// State-table rows of any process: see TelemetryClient.
+  /// Gives access to state-table rows of any process.
   [[nodiscard]] TelemetryClient& telemetry();
 
  private:
@@ -183,8 +189,8 @@ class GcmClient {
 };
 
 /// Waits for the answer of one of the functions above: `Wait<ConnectionDescription>(timeout,
-/// [&](auto handler) { client.Connect(a, b, handler); })`. kTimeout if it does not come in time;
-/// the request may still be executed. Must not be called from a handler.
+/// [&](auto handler) { client.Connect(a, b, handler); })`. kTimeout if no answer comes in time; the
+/// request may still be executed. Must not be called from a handler.
 template <typename T, typename Start>
 Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
   const auto answer = std::make_shared<std::promise<Result<T>>>();

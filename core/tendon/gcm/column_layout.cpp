@@ -18,7 +18,7 @@ struct Interval {
   double bottom;
 };
 
-/// The occupied intervals of a column, from above; they do not overlap.
+/// The occupied intervals of a column, from top to bottom, without overlap.
 class Column {
  public:
   void Take(const Interval& interval) {
@@ -31,8 +31,8 @@ class Column {
   [[nodiscard]] bool empty() const { return taken_.empty(); }
   [[nodiscard]] double bottom() const { return taken_.empty() ? 0 : taken_.back().bottom; }
 
-  /// The free place of `height` nearest to `wanted`; of two equally near, the upper one. Linear in
-  /// the occupied intervals.
+  /// The free place of this height that is nearest to `wanted`; of two equally near ones, the upper
+  /// one. Linear in the number of occupied intervals.
   [[nodiscard]] double NearestFree(double wanted, double height, double gap) const {
     double best = -1;
     const auto offer = [&](double y) {
@@ -82,7 +82,7 @@ struct ColumnLayout::Plan {
     return columns[index];
   }
 
-  /// The middle of the peers that are placed already; nothing if none is.
+  /// The middle of the peers that are already placed; empty if none is.
   [[nodiscard]] std::optional<double> PeersMiddle(std::size_t block) const {
     double sum = 0;
     int count = 0;
@@ -134,7 +134,7 @@ void ColumnLayout::KeepPlaces(Plan& plan) const {
   for (const std::size_t i : known) {
     Place place = place_of(i);
     place.height = plan.blocks[i].size.height;
-    // A block above that has grown pushes it down, no further than necessary.
+    // A block above that has grown pushes this one down, no further than necessary.
     const Column& column = plan.ColumnAt(place.column);
     if (!column.empty()) place.y = std::max(place.y, column.bottom() + spacing_.rows);
     plan.Put(i, place);
@@ -173,7 +173,7 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
 
 void ColumnLayout::PlaceLoose(Plan& plan) const {
   const auto loose = std::count(plan.layers.begin(), plan.layers.end(), -1);
-  // A few stand in one column, so that no edge between others passes behind one of them.
+  // A few such blocks are put into one column, so that no edge between others passes behind them.
   const int columns =
       std::max(plan.column_count,
                static_cast<int>(std::ceil(std::sqrt(static_cast<double>(loose) / kTallness))));

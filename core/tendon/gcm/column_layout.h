@@ -10,7 +10,7 @@
 
 namespace tendon::graph {
 
-/// In units of the drawing.
+/// A size, in units of the drawing.
 struct Size {
   double width = 0;
   double height = 0;
@@ -18,7 +18,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// From its upper left corner; y grows downwards.
+/// A rectangle: upper left corner and size; y grows downwards.
 struct Rect {
   double x = 0;
   double y = 0;
@@ -30,14 +30,14 @@ struct Rect {
 
 /// Places blocks in columns, providers left of their clients. A placed block stays as long as its
 /// layer is the same and no other block grows into it. A new block goes to the free place nearest
-/// its peers. Places are remembered for blocks that come back, one for each layer.
+/// its peers. The places of removed blocks are kept, one for each layer, in case they come back.
 class ColumnLayout {
  public:
   /// An object to place, with its name.
   struct Block {
     std::string key;
     Size size;
-    bool keeps_place = true;  ///< else it moves where others leave room
+    bool keeps_place = true;  ///< false: it moves to where others leave room
 
     bool operator==(const Block&) const = default;
   };
@@ -60,14 +60,14 @@ class ColumnLayout {
 
  private:
   struct Place {
-    int layer = 0;  // -1: has no peers, and stands where there is room
+    int layer = 0;  // -1: has no peers, and is put where there is room
     int column = 0;
     double y = 0;
     double height = 0;
   };
   using Order = std::vector<std::size_t>;
 
-  struct Plan;  // of one Arrange()
+  struct Plan;  // the data of one Arrange()
 
   [[nodiscard]] Plan PlanFor(const std::vector<Block>& blocks,
                              const std::vector<LayerEdge>& edges) const;
@@ -77,7 +77,7 @@ class ColumnLayout {
   void Commit(const Plan& plan);
 
   Spacing spacing_;
-  std::vector<Block> blocks_;  // of the last Arrange()
+  std::vector<Block> blocks_;  // blocks of the last Arrange()
   std::vector<LayerEdge> edges_;
   std::map<std::pair<std::string, int>, Place> places_;  // by key and layer
   std::map<std::string, Rect> rects_;

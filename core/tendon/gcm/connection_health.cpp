@@ -9,7 +9,7 @@ using FlawKind = ConnectionFlaw::Kind;
 constexpr std::chrono::milliseconds kLongestRoundTrip{100};
 constexpr double kFullest = 0.8;  // of a mailbox
 
-/// Whether a counter has grown; a smaller value means that it was reset.
+/// True if a counter has grown; a smaller value means that it was reset.
 bool HasGrown(std::uint64_t now, std::uint64_t before) {
   return now > before || (now < before && now > 0);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Verdict = DiagnosisStep::Verdict;
 
-/// What each step checks; shown if it was not reached.
+/// The text of each step that was not reached.
 constexpr std::array kSteps = {
     "both processes are there", "both components are active",     "the required interface is free",
     "the signatures match",     "the processes reach each other", "the connection is made",
@@ -24,7 +24,7 @@ constexpr std::array kSteps = {
 constexpr std::size_t kActive = 1;
 constexpr std::size_t kReached = 4;
 
-/// Executes the steps until one is bad.
+/// Makes the checks until one is bad.
 class Examination {
  public:
   explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
@@ -36,7 +36,7 @@ class Examination {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
-  /// As in the catalogue, if the required side is present, since only that side knows.
+  /// As in the catalogue, if the required side is present, because only that side knows.
   void SetConnected(const Catalogue& catalogue) {
     const message::Wire& wire = diagnosis_.wire;
     const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
@@ -56,7 +56,7 @@ class Examination {
   Diagnosis diagnosis_;
 };
 
-/// A connection to an end that is not in the catalogue waits for it.
+/// A connection may wait for an end that is not in the catalogue.
 void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Error& missing,
                  Examination& examination) {
   const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
@@ -120,14 +120,14 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
                   std::move(details));
 }
 
-/// Whether the provider announces a loopback address to a process on another host.
+/// True if the provider announces a loopback address to a process on another host.
 bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& provided) {
   return IsOfOneHost(provided.address) && required.host != provided.host;
 }
 
 std::string SeenFrom(const std::string& host) { return " (seen from host " + host + ")"; }
 
-/// It is retried automatically, which may or may not help.
+/// The remedy for a pending connection, which is retried automatically, perhaps without success.
 std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
                          const std::string& reason) {
   if (os::TellsOfNoRoute(reason)) {
@@ -150,7 +150,7 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
             provided.address,
         "start " + provided.name + " with --listen and --advertise for host " + provided.host);
   }
-  if (connection == nullptr) return;  // never tried
+  if (connection == nullptr) return;  // no connection was tried
   if (connection->state == ConnectionState::kPending) {
     return examination.Bad(ErrorCode::kTimeout,
                            "it is pending: " + connection->reason + SeenFrom(required.host),
@@ -197,7 +197,7 @@ Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
               ", which asks for nothing; it ends with the link between the two"};
 }
 
-/// Smaller is better.
+/// The rank of a candidate; a smaller one is better.
 auto RankOf(const Candidate& candidate) {
   const Compatibility& how = candidate.compatibility;
   return std::tuple(!how.fits(), -how.matched, how.mismatches.size(), candidate.provided);

@@ -19,7 +19,7 @@ struct DiagnosisStep {
 
   Verdict verdict = Verdict::kNotReached;
   std::string text;                  ///< what was found, or what would be checked
-  std::string fix;                   ///< kBad: what to do
+  std::string fix;                   ///< kBad: the remedy
   std::vector<std::string> details;  ///< each member that does not match
 
   bool operator==(const DiagnosisStep&) const = default;
@@ -36,48 +36,50 @@ struct Remainder {
   bool operator==(const Remainder&) const = default;
 };
 
-/// Why a connection works, or does not: the same seven steps in the console and in the window.
+/// The check of a connection in seven steps: why it works or fails. The console and the window show
+/// the same steps.
 struct Diagnosis {
   message::Wire wire;
   std::vector<DiagnosisStep> steps;   ///< all seven; those after a bad one were not reached
-  std::optional<Error> failure;       ///< of the bad step
-  bool is_connected = false;          ///< as `wire` says; if not, and no step is bad, it could be
-  std::vector<Remainder> remainders;  ///< of both processes if not active and asked
+  std::optional<Error> failure;       ///< error of the bad step
+  bool is_connected = false;          ///< if not, and no step is bad, it could be connected
+  std::vector<Remainder> remainders;  ///< of both processes if not active and requested
 };
 
-/// Checks what the catalogue knows: the presence of processes and components, that the required
-/// interface is free, the signatures, and the state of a wanted connection. Errors: kInvalid;
-/// kNotFound if an end is not in the catalogue, unless a connection waits for it.
+/// Makes the checks that need only the catalogue: that processes and components are present, that
+/// the required interface is free, the signatures, and the state of a requested connection. Errors:
+/// kInvalid; kNotFound if an end is not in the catalogue, unless a connection waits for it.
 Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire);
 
 /// Adds flaws of an active connection, which the catalogue does not know: losses to step 6, delays
 /// to step 7. Does nothing if a step is bad already.
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 
-/// Whether the required side still tries to reach the provider, and so may know the problem.
+/// True if the required side still tries to reach the provider, so that its reason is current.
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
-/// Adds how long the provider's process took to answer this host, or why it did not: to the last
-/// step if the connection was made, else to the step "the processes reach each other". kTimeout
-/// means reached, but silent. Does nothing if a step is bad, unless IsTrying().
+/// Adds the time that the provider's process took to answer this host, or the reason why it did
+/// not: to the last step if the connection was made, otherwise to the step "the processes reach
+/// each other". kTimeout means that the process was reached, but did not answer. Does nothing if a
+/// step is bad, except while IsTrying().
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
-/// Adds to step 2 of an active connection that a component at one end does not run, which may
+/// Adds a note to step 2 of an active connection if a component at one end does not run, which may
 /// explain later problems.
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
-/// Adds whether both processes have removed a refused or failed connection: the required side from
-/// the catalogue, the provider from the answer of GcmClient::GetServed(). Does nothing if the
-/// connection is wanted, because its required side keeps trying.
+/// Adds `remainders`: whether both processes have removed a refused or failed connection. The
+/// catalogue knows this for the required side, the answer of GcmClient::GetServed() for the
+/// provider. Does nothing for a requested connection, because its required side keeps trying.
 void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
                    const Result<ConnectionCounts>& served);
 
-/// The remedy if `host` could not reach process `name`: it is silent or absent, or `host` has no
-/// route to it, which is not the fault of the process.
+/// The remedy if `host` could not reach process `name`: the process is silent or absent, or `host`
+/// has no route to it.
 [[nodiscard]] std::string FixOfUnreached(const std::string& name, const std::string& host,
                                          const Error& reason);
 
-/// A provided interface to which a required one might be connected.
+/// A provided interface to which a required interface might be connected.
 struct Candidate {
   InterfaceName provided;
   Compatibility compatibility;

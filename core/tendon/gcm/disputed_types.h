@@ -9,9 +9,9 @@
 
 namespace tendon {
 
-/// For each present process, the payload types that share their name with another type, as with two
-/// versions of a component, and that FindSchema() does not know. When they are learned, Compare()
-/// can name the difference. Linear in the members.
+/// For each present process, the payload types that have the same name as another type, for example
+/// because of two versions of a component, and that FindSchema() does not know. With these schemas,
+/// Compare() can name the difference. Linear in the members.
 [[nodiscard]] std::map<std::string, message::GetSchemas> DisputedTypes(const Catalogue& catalogue);
 
 /// The same for two interfaces only; each process is asked for its own types.

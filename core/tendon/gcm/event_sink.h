@@ -14,19 +14,19 @@
 
 namespace tendon {
 
-/// Which events of which provided interface: {"robot", "arm", "Control"}, {"GoalReached"}.
+/// The chosen events of a provided interface: {"robot", "arm", "Control"}, {"GoalReached"}.
 struct EventSubscription {
   InterfaceName provided;
   std::vector<std::string> events;
-  /// How many events may wait in their process to be sent; more are lost.
+  /// How many events may wait in their process to be sent; further ones are lost.
   std::uint32_t capacity = 1024;
 };
 
-/// When an event was raised.
+/// The time when an event was raised.
 struct EventTime {
   SteadyTime raised;  ///< on this process's steady clock; never later than now
-  /// The bound of the error: at most half a round trip, some 10 us on one host. The largest value
-  /// if the other clock is not usable; then `raised` is the time of arrival.
+  /// The largest possible error: at most half a round trip, about 10 us on one host. The largest
+  /// value of the type if the other clock is not usable; then `raised` is the time of arrival.
   std::chrono::nanoseconds uncertainty = std::chrono::nanoseconds::max();
 };
 
@@ -41,9 +41,9 @@ class EventSink {
   /// `value` is the CDR body of the event's type; empty if it has none.
   virtual void OnEvent(std::size_t event, std::span<const std::byte> value,
                        const EventTime& time) = 0;
-  /// `lost` more events were raised and not delivered.
+  /// `lost` further events were raised and not delivered.
   virtual void OnEventsLost(std::size_t event, std::uint64_t lost) = 0;
-  /// No events for now; the client keeps trying.
+  /// There are no events for now; the client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 

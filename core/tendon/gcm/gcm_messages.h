@@ -11,14 +11,15 @@
 #include <string>
 #include <vector>
 
-/// The messages between a GCM and its viewers. For messages to LCMs see
-/// process/membership_messages.h and process/life/messages.h. Each struct is the body of a frame.
+/// The messages between a GCM and its viewers. For messages to LCMs, see
+/// process/membership_messages.h and process/life/life_messages.h. Each struct is the body of a
+/// frame.
 namespace tendon {
 
 /// The orders to a GCM for a process on its own host.
 enum class ProcessVerb : std::int32_t {
-  kStart,  ///< starts an `lcm` without components; done when it has joined
-  kKill,   ///< asks it to end, and kills it if it does not; done when it is gone
+  kStart,  ///< starts an `lcm` without components, and waits until it has joined
+  kKill,   ///< terminates the process, kills it if it does not end, and waits until it is gone
 };
 
 template <>
@@ -49,7 +50,7 @@ inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOr
 inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);  // PlanLock -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
-// From the GCM, besides process/log/messages.h.
+// From the GCM, in addition to process/log/log_messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
 /// The catalogue as changes to an empty one (Catalogue::At(base)).
@@ -59,15 +60,15 @@ struct Snapshot {
   std::vector<CatalogueChange> changes;
 };
 
-/// The next changes. If they do not follow the viewer's revision, the viewer was too slow and sends
-/// kWatch again.
+/// The next changes. If they do not follow the viewer's revision, the viewer was too slow, and must
+/// send kWatch again.
 struct Changes {
   std::vector<CatalogueChange> changes;
 };
 
 /// Asks for the records of all processes from now on, preceded by those that the GCM has kept.
 struct WatchLog {
-  std::uint64_t gcm_instance = 0;  ///< the GCM of the viewer's records, or 0
+  std::uint64_t gcm_instance = 0;  ///< instance of the GCM that sent the viewer's records, or 0
   std::uint64_t after = 0;         ///< the viewer has all records before this one
 };
 
@@ -82,62 +83,63 @@ struct WatchLogReply {
 struct ProcessHealth {
   std::string process;
   std::uint64_t instance = 0;
-  double cpu = -1.0;         ///< cores kept busy; below 0 until the second report
+  double cpu = -1.0;         ///< number of busy cores; negative until the second report
   std::uint64_t memory = 0;  ///< resident bytes
-  /// How far its steady clock is ahead of the GCM's, and the bound of the error: below 0 if nothing
-  /// is known yet.
+  /// How far its steady clock is ahead of the GCM's clock, and the largest possible error; the
+  /// latter is negative if nothing is known yet.
   std::chrono::nanoseconds clock_offset{0};
   std::chrono::nanoseconds clock_uncertainty{-1};
-  std::chrono::nanoseconds age{0};  ///< since its report; members report every second
+  std::chrono::nanoseconds age{0};  ///< time since its report; members report every second
 };
 
-/// The members that have reported; no tombstones.
+/// The members that have reported, without processes that are gone.
 struct SystemHealth {
   std::vector<ProcessHealth> processes;  ///< by name
 };
 
-/// Removes a tombstone.
+/// Removes a process that is lost or has left.
 struct Forget {
   std::string process;
 };
 
-/// One verb, for a process that the GCM starts or has started.
+/// One order, for a process that the GCM starts or has started.
 struct ProcessOrder {
   ProcessVerb verb = ProcessVerb::kStart;
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;  ///< start
-  /// The time for it to join, after which it is stopped, or to end, after which it is killed; 0:
-  /// the GCM chooses.
+  /// The time limit; 0: the GCM chooses. A started process that has not joined by then is stopped;
+  /// a process that has not ended by then is killed.
   std::chrono::nanoseconds patience{0};
 };
 
-/// What a life-cycle step changed, and the state before it.
+/// The change of a life-cycle step, and the state before it.
 struct LifeStep {
   std::string process;
   std::string component;  ///< empty: the step started the process itself
   std::string class_name;
   std::string library;
-  std::string configuration;  ///< "create", "configure": the new one
-  /// "configure", "remove": the old one; "stop": the components that stopped too, see followers.h.
+  std::string configuration;  ///< "create", "configure": the new configuration
+  /// "configure", "remove": the old configuration. "stop": the followers that stopped too, see
+  /// life/followers.h.
   std::string former;
   std::string thread;                                   ///< "remove": as in LifeOrder
   std::string leader;                                   ///< "remove": as in LifeOrder
-  ComponentState state = ComponentState::kConstructed;  ///< before the step
-  std::vector<Wire> connections;                        ///< "remove": those of the component
+  ComponentState state = ComponentState::kConstructed;  ///< state before the step
+  std::vector<Wire> connections;                        ///< "remove": the component's connections
 
   bool operator==(const LifeStep&) const = default;
 };
 
-/// The step to be undone or passed over.
+/// The step to undo or to skip.
 struct StepSelection {
   std::uint64_t id = 0;                  ///< refused if it is not the newest; 0: the newest
-  std::chrono::nanoseconds patience{0};  ///< for each of its orders; 0: the GCM chooses
+  std::chrono::nanoseconds patience{0};  ///< time limit of each of its orders; 0: the GCM chooses
 };
 
-/// Sent before the first and after the last step of a plan. Otherwise two plans executed at once
-/// would undo each other's steps.
+/// Reserves the execution of plans: sent before the first and after the last step of a plan.
+/// Otherwise two plans executed at once would undo each other's steps.
 struct PlanLock {
-  bool is_wanted = true;  ///< true: refused while another viewer has the turn; false: gives it back
+  bool is_wanted = true;  ///< true: refused while another viewer holds it; false: releases it
 };
 
 /// One step of the history, which can be undone.
@@ -146,20 +148,20 @@ struct HistoryEntry {
   std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
   Wire wire;
   InterfaceName former;   ///< "replace": the former provided interface
-  LifeStep life;          ///< for a life-cycle order; else its process is empty
-  std::string who;        ///< the program that asked: "gcm connect", "gcm-gui"
+  LifeStep life;          ///< for a life-cycle order; otherwise its process is empty
+  std::string who;        ///< the program that made the request: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
-  /// The instance of the required side's process, which made the change. A restarted process has
-  /// nothing to undo.
+  /// The instance of the process that made the change, which is that of the required side. After a
+  /// restart, the process has nothing to undo.
   std::uint64_t instance = 0;
-  bool is_unknown = false;  ///< it was begun, and its outcome is unknown
+  bool is_unknown = false;  ///< the step was begun, and its outcome is unknown
   bool undone = false;
-  bool passed_over = false;  ///< it could not be undone any more, and a user has confirmed that
+  bool passed_over = false;  ///< the step cannot be undone, and a user has confirmed this
 
   bool operator==(const HistoryEntry&) const = default;
 };
 
-/// The requests of people and programs.
+/// The recorded changes that people and programs requested.
 struct History {
   std::vector<HistoryEntry> entries;  ///< oldest first
 };

@@ -45,7 +45,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = kGcmName, .cookie = *cookie};
-  // Listens first: while another GCM has the address, the history is in use.
+  // Listens first: if another GCM has the address, that one uses the history.
   std::promise<std::weak_ptr<server::Server>> made;
   const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {
     const auto alive = server.get().lock();
@@ -53,7 +53,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
-  auto promise = std::move(made);  // breaks before the listener ends if no server is made
+  auto promise = std::move(made);  // if no server is made, destroyed before the listener
   auto server = std::make_shared<server::Server>(server::Server::Options{
       .history = StatePath(options, "history", ".jsonl"),
       .clock = options.clock,

@@ -19,11 +19,12 @@ class Server;
 }
 
 /// The global component manager. LCMs join it under their names and report changes; viewers watch
-/// its catalogue and log, and ask it to connect and disconnect. It carries no data. A restarted one
-/// learns everything again when the LCMs join again, and disturbs nothing that runs. Only the
-/// history of steps is kept in a file.
+/// its catalogue and log, and ask it to connect and disconnect. It carries no data. A restarted GCM
+/// rebuilds its catalogue when the LCMs join again; its absence does not affect running components.
+/// Only the history of steps is kept in a file.
 ///
-/// Thread safety: all functions at any time. One thread of its own, and the middleware's.
+/// Thread safety: all functions at any time. Has one thread of its own, and those of the
+/// middleware.
 class GlobalManager {
  public:
   /// The address and the files of a GCM.
@@ -31,7 +32,7 @@ class GlobalManager {
     std::string address = "127.0.0.1:10705";
     std::filesystem::path state_folder;   ///< for the history; empty: os::StateFolder()
     const Clock* clock = &SteadyClock();  ///< for the leases; outlives the manager
-    /// How long to wait for an LCM's answer: longer than an LCM needs to find that its peer hangs,
+    /// How long to wait for an LCM's answer: longer than an LCM needs to detect a hanging peer,
     /// shorter than clients wait for the GCM.
     std::chrono::milliseconds order_timeout{1500};
     Launch launch{};  ///< for the processes that it starts
@@ -44,17 +45,18 @@ class GlobalManager {
                                                       Options options);
   GlobalManager(const GlobalManager&) = delete;
   GlobalManager& operator=(const GlobalManager&) = delete;
-  /// Closes all channels; LCMs run on and look for a GCM. Not in a thread of the middleware.
+  /// Closes all channels; LCMs continue and try to join a GCM again. Not in a thread of the
+  /// middleware.
   ~GlobalManager();
 
-  /// The address for others, with the port that was taken.
+  /// The announced address, with the actual port.
   [[nodiscard]] std::string address() const { return listener_->address(); }
   /// New at each start.
   [[nodiscard]] std::uint64_t instance() const { return instance_; }
   /// A copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
 
-  /// Checks the leases, as its thread does every 100 ms. For tests that set the clock.
+  /// Checks the leases; the manager's thread does this every 100 ms. For tests that set the clock.
   void Tick();
 
  private:

@@ -66,7 +66,7 @@ std::optional<message::HistoryEntry> StepOf(const Ordered& line) {
   return step;
 }
 
-// The marks that a line can give an earlier step.
+// The kinds of lines that mark an earlier step.
 constexpr const char* kUndo = "undo";
 constexpr const char* kPassOver = "pass over";
 
@@ -81,7 +81,7 @@ std::string MarkLine(std::uint64_t id, const char* what, const UndoMark& by) {
   return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }
 
-/// Returns false if there is no such step.
+/// Marks a step; returns false if there is no such step.
 bool MarkIn(std::vector<message::HistoryEntry>& steps, std::uint64_t id, std::string_view what) {
   bool is_known = false;
   for (message::HistoryEntry& step : steps) {
@@ -238,7 +238,7 @@ void History::Close() {
   Write();
 }
 
-/// Writes all waiting lines at once, to wait for a slow disk only once.
+/// Writes all waiting lines together, to wait for a slow disk only once.
 void History::Write() {
   const bool is_long = file_bytes_ > 2 * kMaxBytes;
   std::vector<Line> lines;

@@ -20,23 +20,23 @@ namespace tendon {
 /// "start robot".
 [[nodiscard]] std::string ToString(const message::HistoryEntry& step);
 
-/// Who undid a step, and when.
+/// The undo of a step: the program and the time.
 struct UndoMark {
-  std::string who;        ///< the program that asked; empty if unknown
+  std::string who;        ///< the program that requested it; empty if unknown
   std::int64_t when = 0;  ///< ns since 1970
 };
 
-/// The steps of users, in a file with one JSON object a line, so that they can be undone after a
-/// restart too. Keeps the newest kMaxSteps, or as many as fit into kMaxBytes, and rewrites the file
-/// when it is twice as large. Ignores a last line that a crash cut off; ignores other invalid lines
-/// with a warning.
+/// The steps of users, in a file with one JSON object per line, so that they can also be undone
+/// after a restart. Keeps the newest kMaxSteps, or as many as fit into kMaxBytes, and rewrites the
+/// file when it is twice as large. Ignores a last line that a crash cut off; ignores other invalid
+/// lines with a warning.
 ///
-/// A step is in memory at once. A thread of its own waits for the disk, so that a slow disk delays
-/// only callers that wait for `done`. A crash loses at most steps whose `done` was not called. A
-/// write error is logged, and the step stays in memory until the process ends; the start tests
-/// whether the file can be written.
+/// A step is in memory at once. A separate thread writes it, so that a slow disk delays only
+/// callers that wait for `done`. A crash can lose only steps whose `done` was not called. A write
+/// error is logged, and the step stays in memory until the process ends; the constructor checks
+/// that the file can be written.
 ///
-/// Thread safety: all functions but Close() at any time.
+/// Thread safety: all functions except Close() at any time.
 class History {
  public:
   static constexpr std::size_t kMaxSteps = 1000;
@@ -44,7 +44,7 @@ class History {
   /// Called once, in the order of the steps, by the history's thread or by Close().
   using Done = std::function<void()>;
 
-  /// Reads the file; a missing one is empty. The history's thread logs if it cannot be written.
+  /// Reads the file, if it exists. The history's thread logs if the file cannot be written.
   explicit History(std::filesystem::path file);
   History(const History&) = delete;
   History& operator=(const History&) = delete;
@@ -55,14 +55,14 @@ class History {
   std::uint64_t Record(message::HistoryEntry step, Done done);
   void MarkUndone(std::uint64_t id, Done done, const UndoMark& by = {});
   void MarkPassedOver(std::uint64_t id, Done done);
-  /// Waits until everything is on disk. Other functions must not add steps any more.
+  /// Waits until everything is on the disk. Afterwards, no steps may be added.
   void Close();
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
   /// For an undone step; `who` is empty if it is not known.
   [[nodiscard]] UndoMark undo_of(std::uint64_t id) const;
-  /// The newest step that was neither undone nor passed over.
+  /// The newest step that was neither undone nor skipped.
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
 
  private:
@@ -81,15 +81,15 @@ class History {
   void Write();
 
   const std::filesystem::path file_;
-  // Only in the writing thread.
+  // Used only in the writing thread.
   bool is_torn_ = false;  // the file may end in the middle of a line
   std::size_t file_bytes_ = 0;
 
-  mutable std::mutex mutex_;  // for all that follows
+  mutable std::mutex mutex_;  // guards the members below
   std::vector<message::HistoryEntry> steps_;
   std::deque<std::size_t> bytes_;  // size of each step's line
   std::size_t all_bytes_ = 0;
-  std::map<std::uint64_t, UndoMark> undos_;  // known steps, by number
+  std::map<std::uint64_t, UndoMark> undos_;  // by number of the step
   std::uint64_t last_id_ = 0;
   std::vector<Line> unwritten_;
   Worker writer_{"gcm-history"};

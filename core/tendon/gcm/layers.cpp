@@ -7,7 +7,7 @@ namespace {
 
 enum class Visit { kNew, kOpen, kDone };
 
-/// Depth-first without recursion: the providers of a node come before it.
+/// A depth-first search without recursion, which visits the providers of a node before the node.
 class LongestPaths {
  public:
   LongestPaths(std::size_t count, const std::vector<LayerEdge>& edges)
@@ -38,7 +38,7 @@ class LongestPaths {
       if (visits_[here] == Visit::kDone) continue;
       visits_[here] = Visit::kDone;
       for (const std::size_t provider : providers_[here]) {
-        // A provider that is still open closes a ring; its edge does not count.
+        // A provider that is not finished closes a cycle; its edge is ignored.
         if (visits_[provider] != Visit::kDone || provider == here) continue;
         layers_[here] = std::max(layers_[here], layers_[provider] + 1);
       }

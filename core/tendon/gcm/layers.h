@@ -13,8 +13,9 @@ struct LayerEdge {
   bool operator==(const LayerEdge&) const = default;
 };
 
-/// The layer of each of `count` nodes, so that edges run to higher layers: the longest path from a
-/// node without providers. Ignores the edge that closes a ring, in the order of visits.
+/// The layer of each of `count` nodes, so that edges lead to higher layers: the length of the
+/// longest path from a node without providers. Ignores the edge that closes a cycle, in the order
+/// of visits.
 [[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
 }  // namespace tendon::graph

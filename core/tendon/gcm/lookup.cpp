@@ -27,7 +27,7 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
-/// The error for an interface of the wrong side; lists those of the right side, if any.
+/// The error for an interface on the wrong side; lists the interfaces on the right side, if any.
 Error OtherSide(const InterfaceName& name, const std::string& what, const std::string& needed,
                 const std::vector<std::string>& candidates) {
   const std::string hint = candidates.empty()
@@ -55,14 +55,14 @@ std::vector<std::string> NamesIn(const List& elements) {
   return names;
 }
 
-/// Names are untrusted: they are checked before an error repeats them.
+/// Checks the names, which are untrusted, before an error message contains them.
 Result<void> CheckFullName(const InterfaceName& name) {
   if (auto checked = CheckName("process", name.process); !checked) return checked;
   if (auto checked = CheckName("component", name.component); !checked) return checked;
   return CheckName("interface", name.interface);
 }
 
-/// The text between the required and the provided interface.
+/// The words between required and provided interface in a sentence.
 std::string StandOf(ConnectionState state) {
   switch (state) {
     case ConnectionState::kPending:
@@ -88,7 +88,7 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
          " --replace";
 }
 
-/// An active connection is not replaced by one that would wait for its provider.
+/// Refuses to replace an active connection by one that would be pending.
 Result<void> CheckReplacement(const Catalogue& catalogue, const ConnectionDescription& connection,
                               const std::string& provider) {
   if (connection.state != ConnectionState::kActive) return {};

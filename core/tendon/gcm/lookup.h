@@ -9,8 +9,9 @@
 #include <string>
 #include <string_view>
 
-/// Looks up names that people type in a catalogue. Errors are of code kNotFound unless noted, and
-/// name what is missing and similar names. The pointers are valid until the catalogue changes.
+/// Looks up, in a catalogue, names that people type. Errors have the code kNotFound if not noted
+/// otherwise; they say what is missing and suggest similar names. The pointers are valid until the
+/// catalogue changes.
 namespace tendon {
 
 Result<const ProcessEntry*> LookUpProcess(const Catalogue& catalogue, const std::string& process);
@@ -25,17 +26,17 @@ Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
 /// A command, or a column of a state table as a read command.
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
-/// Whether a call or an event carries an argument.
+/// True if a call or an event has an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
-/// What a connect does if the required interface is connected already.
+/// The effect of a connect if the required interface is already connected.
 enum class Occupied { kRefused, kReplaced };
 
 /// The order for a connect, checked against the catalogue. Errors: kInvalid, kNotFound;
-/// kIncompatible, in the words of Refusal(); kExists if the required interface is connected;
-/// kFailed if its process is absent. An absent or unknown provider process is allowed, and the
-/// connection will be pending; but it must not replace an active one (kFailed, kNotFound). A
-/// missing interface of a present process is an error.
+/// kIncompatible, with the text of Refusal(); kExists if the required interface is connected;
+/// kFailed if its process is absent. The process of the provider may be absent or unknown; then the
+/// connection will be pending, and must not replace an active one (kFailed, kNotFound). A missing
+/// interface of a present process is an error.
 Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                     Occupied occupied = Occupied::kRefused);
 
@@ -47,28 +48,30 @@ Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::W
 Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,
                                              const InterfaceName& required);
 
-/// The required interface that `text` names: by its path, or by the number of its connection: "12",
-/// or "desk/12" if several processes have a connection of that number (else kInvalid).
+/// Finds a required interface by its path or by the number of its connection: "12", or "desk/12" if
+/// several processes have a connection with that number (otherwise kInvalid).
 Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::string& text);
 
-/// Changes at each start of the process; 0 if there is no process of that name.
+/// The instance of a process, which changes at each start; 0 if there is no process with that name.
 [[nodiscard]] std::uint64_t InstanceOf(const Catalogue& catalogue, const std::string& process);
 
-/// Whether the process can be reached: it is there, perhaps slow.
+/// True if the process is present, even if it is slow.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
-/// How the reason of a lost process begins if it fell silent while its link was open.
+/// The begin of ProcessDescription::reason if a process was lost because it was silent while its
+/// link was open.
 inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
 
-/// Whether the process was lost by silence: it may be suspended, hang, or be cut off, and may come
-/// back. A process whose link broke has ended.
+/// True if the process was lost because it was silent: it may be suspended, hang, or be
+/// disconnected from the network, and may come back. A process whose link broke has ended.
 [[nodiscard]] bool HasFallenSilent(const ProcessDescription& process);
 
-/// The remedy if a process is gone: "start it again", or for a silent one, how to wake or to end
+/// The remedy if a process is gone: "start it again", or for a silent process, how to resume or end
 /// its program.
 [[nodiscard]] std::string AdviceFor(const ProcessDescription& process);
 
-/// kFailed, "process 'robot' is lost (reason)" or "is starting", unless it is present.
+/// Fails if the process is not present: kFailed, "process 'robot' is lost (reason)" or "is
+/// starting".
 Result<void> RequirePresent(const ProcessDescription& process);
 
 }  // namespace tendon

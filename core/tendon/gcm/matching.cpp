@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// For present processes.
+/// Lists the interfaces of present processes.
 template <typename Description>
 using Named = std::vector<std::pair<InterfaceName, const Description*>>;
 

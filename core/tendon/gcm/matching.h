@@ -9,10 +9,10 @@
 
 namespace tendon {
 
-/// A required interface and the provided ones that may be meant for it.
+/// A required interface and the provided interfaces that may belong to it.
 struct Match {
   InterfaceName required;
-  std::vector<InterfaceName> provided;  ///< all that are equally good; one if it is clear
+  std::vector<InterfaceName> provided;  ///< all equally good candidates; one if the choice is clear
 };
 
 /// Globs of process/component/interface that limit the match.
@@ -21,9 +21,9 @@ struct MatchPatterns {
   std::string provided;
 };
 
-/// For each free required interface that matches the pattern, the provided interfaces that fit it,
-/// or only the one with its name if that fits; never one of its own component. In the order of
-/// their paths. Linear in matching required times provided interfaces. Errors: kNotFound if a
+/// For each unconnected required interface that matches the pattern: the provided interfaces that
+/// fit it, or only the one with the same name if that one fits; never one of its own component.
+/// Sorted by path. Linear in matching required times provided interfaces. Errors: kNotFound if a
 /// pattern matches nothing.
 Result<std::vector<Match>> MatchInterfaces(const Catalogue& catalogue,
                                            const MatchPatterns& patterns);

@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-/// "Gains" of "SetGains" and "GetGains".
+/// The subject of a command name: "Gains" for "SetGains" and "GetGains".
 std::string_view Subject(std::string_view name) {
   const bool has_verb = name.starts_with("Set") || name.starts_with("Get");
   return has_verb ? name.substr(3) : name;
@@ -15,7 +15,7 @@ std::string_view Subject(std::string_view name) {
 
 bool IsStructure(const std::string& type) { return type.find('.') != std::string::npos; }
 
-/// Empty if there is none.
+/// The read command that returns the whole argument; empty if there is none.
 std::string WholeRead(const ProvidedDescription& of, const MemberDescription& command) {
   std::string found;
   for (const MemberDescription& one : of.commands) {

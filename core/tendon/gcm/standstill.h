@@ -11,10 +11,10 @@
 
 namespace tendon {
 
-/// Why the values of a component are not current.
+/// The reason why the values of a component are not current.
 enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNoAnswer, kLost };
 
-/// "suspended", "not started", "no answer"; "running" for none.
+/// "suspended", "not started", "no answer"; "running" for kNone.
 [[nodiscard]] constexpr std::string_view ToString(Standstill why) noexcept {
   switch (why) {
     case Standstill::kNone:
@@ -66,10 +66,10 @@ enum class Standstill { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNo
   return StandstillOf(entry->process.state, found->second.state);
 }
 
-/// Whether to mark a value as old, in the console and in the window. Values of a component that
-/// stands still are old, unless the row is so fresh that it may have just arrived. So are values
-/// whose next row is overdue. `age` is the row's, if known; `rate` is that of the rows in Hz, 0 if
-/// unknown.
+/// True if a value must be marked as old, in the console and in the window. Values of a component
+/// that does not run are old, except if the row is so new that it may have just arrived. Values
+/// whose next row is overdue are old too. `age` is the age of the row, if known; `rate` is the rate
+/// of rows in Hz, 0 if unknown.
 [[nodiscard]] inline bool IsOld(Standstill why, std::optional<std::chrono::nanoseconds> age,
                                 double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};

@@ -20,7 +20,7 @@ Error Refused(const fs::path& path, const std::string& reason) {
   return {ErrorCode::kInvalid, path.string() + ": " + reason};
 }
 
-/// At most kMaxSize bytes of the file, plus one that tells if it is larger.
+/// Reads at most kMaxSize bytes of the file, plus one byte, which shows if the file is larger.
 Result<std::string> ReadBytes(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string text(SystemFile::kMaxSize + 1, '\0');
@@ -34,14 +34,15 @@ void AddComment(OrderedJson& json, const std::string& comment) {
   if (!comment.empty()) json["comment"] = comment;
 }
 
-/// The state to ask for, so that a component reaches `state` or the state intended by it.
+/// The state that a file requests for a component which is now in `state`: a faulted one should be
+/// active, a ready one constructed.
 ComponentState DesiredFor(ComponentState state) {
   if (state == ComponentState::kFaulted) return ComponentState::kActive;
   if (state == ComponentState::kReady) return ComponentState::kConstructed;
   return state;
 }
 
-/// The fields that differ from the defaults, and the policy.
+/// Writes the policy and the fields that differ from the defaults.
 OrderedJson JsonOf(const ThreadOptions& thread) {
   const OrderedJson all = OrderedJson::parse(ToJson(thread));
   const OrderedJson defaults = OrderedJson::parse(ToJson(ThreadOptions()));
@@ -104,7 +105,7 @@ OrderedJson JsonOf(const SystemFile& system) {
   return json;
 }
 
-/// First of all, because code below would recurse into JSON that is nested too deeply.
+/// Must be called first, because later code is recursive and the JSON may be nested too deeply.
 Result<void> CheckConfigurations(const SystemFile& system) {
   for (const auto& process : system.processes) {
     for (const auto& component : process.components) {

@@ -32,21 +32,21 @@ namespace tendon {
 ///       "layout": {"robot/arm": [120, 40]}
 ///     }
 ///
-/// A component may also have "configuration" (for its constructor), "period" (s, chosen by its
-/// class; to compare, not to set), "thread" (fields of ThreadOptions), "runs_after" (a task of its
-/// process, in whose thread and cycle it runs), and "state": "active" by default, else "suspended",
-/// "finished" or "constructed". With "thread" but no "runs_after" it runs in a thread of its own;
-/// with neither, as its class chooses. A "class" of null means that its own program creates the
-/// component. A process with "start" is an `lcm` that the GCM starts on its own host: {"restart":
-/// "on-failure"}, or {} for no restarts. With "strict": true a component is not started without the
-/// connections that it needs; otherwise it runs and waits for them. Everything may have a
-/// "comment". All these keys of a component are optional, and so are "connections", "layout" and
-/// "strict".
+/// A component may also have "configuration" (for its constructor), "period" (in s, chosen by its
+/// class; only compared, never set), "thread" (fields of ThreadOptions), "runs_after" (a task of
+/// its process, in whose thread and cycle it runs), and "state": "active" by default, or
+/// "suspended", "finished" or "constructed". With "thread" but no "runs_after", it runs in a thread
+/// of its own; with neither, its class chooses. A "class" of null means that its own program
+/// creates the component. A process with "start" is an `lcm` that the GCM starts on its own host:
+/// {"restart": "on-failure"}, or {} for no restarts. With "strict": true a component is not started
+/// without the connections that it needs; otherwise it runs and waits for them. Each object may
+/// have a "comment". All these keys of a component are optional, and so are "connections", "layout"
+/// and "strict".
 struct SystemFile {
   /// A component to create.
   struct Component {
     std::string name;
-    std::string class_name;     ///< empty: only its own program creates it
+    std::string class_name;     ///< empty: created only by its own program
     std::string library;        ///< plug-in name without path; empty: any plug-in with the class
     std::string configuration;  ///< JSON that the class checks; empty for its defaults
     double period = 0.0;        ///< s; 0 if it is unknown or there is none
@@ -56,7 +56,7 @@ struct SystemFile {
     ComponentState state = ComponentState::kActive;
     std::string comment{};
 
-    /// Whether the thread in which it runs is known.
+    /// True if it is known in which thread the component runs.
     [[nodiscard]] bool tells_thread() const { return thread || !runs_after.empty(); }
 
     bool operator==(const Component&) const = default;
@@ -72,11 +72,11 @@ struct SystemFile {
     std::string name;
     std::vector<Component> components;
     std::string comment{};
-    std::optional<Start> start{};  ///< empty: others start it
+    std::optional<Start> start{};  ///< empty: not started by the GCM
 
     bool operator==(const Process&) const = default;
   };
-  /// Two ends, each `process/component/interface`.
+  /// A connection with its two ends, each `process/component/interface`.
   struct Connection {
     InterfaceName required;
     InterfaceName provided;
@@ -109,15 +109,15 @@ struct SystemFile {
   static constexpr int kVersion = 1;
   static constexpr std::size_t kMaxSize = std::size_t{16} << 20U;           // bytes
   static constexpr std::size_t kMaxConfiguration = std::size_t{64} << 10U;  // bytes, on one line
-  /// The states that a component can be asked to have.
+  /// The states that can be requested for a component.
   static constexpr std::array kDesirable = {ComponentState::kActive, ComponentState::kSuspended,
                                             ComponentState::kFinished,
                                             ComponentState::kConstructed};
 };
 
-/// Strict: unknown content is an error, with its place: "demo.json: line 12, column 5: unexpected
-/// ','" or "demo.json: line 7, column 20: processes[0].components[1].class: expected string, got
-/// number". The code is kNotFound for a missing file, else kInvalid.
+/// Reads a file. Unknown content is an error, with its place: "demo.json: line 12, column 5:
+/// unexpected ','" or "demo.json: line 7, column 20: processes[0].components[1].class: expected
+/// string, got number". The code is kNotFound for a missing file, else kInvalid.
 Result<SystemFile> ReadSystemFile(const std::filesystem::path& path);
 
 /// The content of the file, which must be a regular one; cut just above kMaxSize.
@@ -126,12 +126,12 @@ Result<std::string> ReadSystemText(const std::filesystem::path& path);
 /// Errors begin with `source`.
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source);
 
-/// The text that reads back as `system`; a faulted component becomes active. kInvalid if there is
-/// none, because a configuration is no JSON or is too long.
+/// The text of a file that reads back as `system`; a faulted component becomes active. kInvalid if
+/// a configuration is not JSON or is too long.
 Result<std::string> SystemFileText(const SystemFile& system);
 
-/// Replaces the file completely or not at all; os::ReplaceDurably() says what it keeps of an
-/// existing file. kInvalid as SystemFileText(), else kFailed.
+/// Replaces the file completely or not at all; see os::ReplaceDurably(). Errors: kInvalid as in
+/// SystemFileText(), otherwise kFailed.
 Result<void> WriteSystemFile(const std::filesystem::path& path, const SystemFile& system);
 
 }  // namespace tendon

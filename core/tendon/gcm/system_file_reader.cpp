@@ -40,7 +40,7 @@ std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::str
   return *options;
 }
 
-/// The value of `known` with the name in the file.
+/// The value in `known` whose name is in the file.
 template <typename T, std::size_t kCount>
 T ReadWord(const FileObject& object, const std::string& key, const std::array<T, kCount>& known) {
   const std::string text = object.Text(key);
@@ -56,13 +56,13 @@ T ReadWord(const FileObject& object, const std::string& key, const std::array<T,
          "expected one of " + all + ", got '" + shown + "'" + DidYouMean(shown, names));
 }
 
-/// A state that a component can be asked to have.
+/// Reads a state that can be requested for a component.
 ComponentState ReadState(const FileObject& object) {
   if (object.Find("state") == nullptr) return ComponentState::kActive;
   return ReadWord(object, "state", SystemFile::kDesirable);
 }
 
-/// null means: only its own program creates it.
+/// Reads a class; null means that only its own program creates the component.
 std::string ReadClass(const FileObject& object) {
   if (object.Get("class").is_null()) {
     for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
@@ -101,7 +101,7 @@ SystemFile::Component ReadComponent(const Json& json, const std::string& place) 
   return component;
 }
 
-/// Each must run after another component of the process, without rings.
+/// Checks that each leader is another component of the process, and that there are no cycles.
 void CheckLeaders(const std::vector<SystemFile::Component>& components, const FileObject& process) {
   std::vector<std::string> names;
   for (const auto& one : components) names.push_back(one.name);
@@ -146,7 +146,7 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
   return process;
 }
 
-/// Reads the rest of the file, which refers to its processes.
+/// Reads the parts of the file that refer to its processes.
 class LinkReader {
  public:
   explicit LinkReader(SystemFile& system) : system_(system) {}
@@ -225,7 +225,7 @@ void CheckVersion(const Json& json) {
 }
 
 SystemFile ReadSystem(const Json& json) {
-  CheckVersion(json);  // first: another version may have other keys
+  CheckVersion(json);  // first, because another version may have other keys
   const FileObject object(
       json, "", {"version", "name", "strict", "processes", "connections", "layout", "comment"});
   object.Require("version");

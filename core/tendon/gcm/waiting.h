@@ -8,8 +8,9 @@
 
 namespace tendon {
 
-/// The missing connections of a component that runs, for required interfaces that it needs to work.
-/// Empty if it does not run, or if `process`, its own, is absent. All programs use this.
+/// The missing connections of a running component, for required interfaces that it needs to work.
+/// Empty if it does not run, or if `process`, to which it belongs, is absent. All programs use
+/// this.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component);
 
@@ -18,7 +19,7 @@ namespace tendon {
                                                         const ComponentDescription& component,
                                                         const FindConnection& find);
 
-/// What it would wait for if it ran.
+/// The interfaces that it would wait for if it ran.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ProcessEntry& process,
                                                              const ComponentDescription& component);
 
@@ -28,7 +29,7 @@ namespace tendon {
 /// "waiting for Robot: not connected", or empty.
 [[nodiscard]] std::string WaitingReasons(const std::vector<UnsatisfiedInterface>& waits);
 
-/// "active, waiting for Robot": the state of a component, and what prevents its work.
+/// "active, waiting for Robot": the state of a component, and why it cannot work.
 [[nodiscard]] std::string StateText(const ProcessEntry& process,
                                     const ComponentDescription& component);
 

@@ -10,7 +10,7 @@
 namespace tendon::ice {
 
 /// Reads the encoding of Ice from untrusted bytes: checks every size against the remaining bytes.
-/// Generated code of Ice 3.7.8 does not check, and crashes; none of it runs here.
+/// Generated code of Ice 3.7.8 does not check sizes, and crashes; it is not used here.
 class BoundedReader {
  public:
   explicit BoundedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -27,7 +27,7 @@ class BoundedReader {
     std::memcpy(&value, bytes->data(), sizeof value);
     return value;
   }
-  /// One byte, or 255 and an int. Fails above the remaining bytes.
+  /// Reads a size: one byte, or 255 and an int. Fails if it is larger than the remaining bytes.
   std::optional<std::size_t> ReadSize() {
     const auto first = ReadByte();
     if (!first) return std::nullopt;
@@ -43,19 +43,19 @@ class BoundedReader {
   }
   [[nodiscard]] bool AtEnd() const { return rest_.empty(); }
 
-  /// The byte before a size that is an int.
+  /// The byte before a size that is encoded as an int.
   static constexpr std::uint8_t kLongSize = 255;
 
  private:
   std::span<const std::byte> rest_;
 };
 
-/// The parameters of an operation with one sequence of bytes or one string: its content, or nothing
-/// if `encapsulation` is malformed or holds anything else.
+/// Reads the parameters of an operation with one sequence of bytes or one string, and returns its
+/// content. Returns no value if `encapsulation` is malformed or contains anything else.
 std::optional<std::span<const std::byte>> ReadOnlyParameter(
     std::span<const std::byte> encapsulation);
 
-/// The inverse. Replaces the content of `encapsulation`, keeps its capacity.
+/// The inverse. Replaces the content of `encapsulation` and keeps its capacity.
 void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulation);
 
 }  // namespace tendon::ice

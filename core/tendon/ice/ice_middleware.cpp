@@ -34,7 +34,7 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
   return 0;
 }
 
-/// Releases calls that are open for long, in the thread of Ice's timer.
+/// Releases calls that are open for too long, in the thread of Ice's timer.
 class PendingCallsTimer final : public IceUtil::TimerTask {
  public:
   explicit PendingCallsTimer(std::shared_ptr<Links> links) : links_(std::move(links)) {}
@@ -81,7 +81,7 @@ Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const T
                                    (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
 }
 
-/// The reason if nobody waits for the link any more.
+/// Thrown when nobody waits for the link any more.
 struct ConnectCancellationSignal {};
 std::exception_ptr NobodyWaits() { return std::make_exception_ptr(ConnectCancellationSignal()); }
 
@@ -138,7 +138,7 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
   }
-  /// A listener needs the certificate of a process, because the broker opens the link to it.
+  /// With TLS, needs the certificate of a process, because the broker connects to each listener.
   [[nodiscard]] FanOut* fan_out() override {
     return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &fan_out_;
   }
@@ -207,7 +207,7 @@ class IceMiddleware final : public Middleware {
     return ++last_number_;
   }
 
-  /// Returns a new connection; nothing if it takes too long.
+  /// Returns a new connection; empty if `deadline` passes first.
   std::optional<Connected> Connect(const HostPort& place, SteadyTime deadline) {
     const auto proxy =
         communicator_->stringToProxy("tendon:" + EndpointAt(place))
@@ -229,8 +229,8 @@ class IceMiddleware final : public Middleware {
     return connected->WaitUntil(deadline);
   }
 
-  /// Starts to serve a link. The ping makes the other end do the same, and warms up the connection.
-  /// Returns the failure, if any; nothing if it takes too long.
+  /// Starts to serve a link. A ping makes the other end do the same. Returns the failure (null for
+  /// success), or no value if the deadline passes first.
   std::optional<std::exception_ptr> Greet(const std::shared_ptr<IceLink>& link,
                                           const std::shared_ptr<Ice::Connection>& connection,
                                           SteadyTime deadline) {
@@ -276,7 +276,7 @@ Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credent
   try {
     return std::unique_ptr<Middleware>(
         std::make_unique<ice::IceMiddleware>(Exposure::kCertified, *std::move(tls)));
-  } catch (const Ice::Exception& failure) {  // Ice reads the same files, and may disagree
+  } catch (const Ice::Exception& failure) {  // Ice reads the same files, and may reject them
     return Error{
         ErrorCode::kInvalid,
         "TLS cannot be started with " + credentials.certificate.string() + ": " + failure.ice_id()};

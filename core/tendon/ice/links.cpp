@@ -27,7 +27,7 @@ Ends EndsIfOpen(const Ice::Connection& connection) {
   return {};
 }
 
-/// The exception of the peer while it answered; empty if the link broke or is closing.
+/// The exception that the peer threw while it answered; empty if the link broke or is closing.
 std::string FailureOfPeer(const Ice::Exception& why) {
   if (const auto* unknown = dynamic_cast<const Ice::UnknownException*>(&why)) {
     return unknown->unknown;
@@ -35,7 +35,7 @@ std::string FailureOfPeer(const Ice::Exception& why) {
   return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
 }
 
-/// Replaces the answer to `question`.
+/// Makes a refusal frame, which replaces the answer to `question`.
 Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std::string& failure) {
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
@@ -48,7 +48,7 @@ Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std:
   return refusal;
 }
 
-/// Of a link that is about to be closed.
+/// Used for a link that is about to be closed.
 bool IsUnheard(const std::string& local, const std::string& peer) {
   const auto here = ParseAddress(local, 1);
   const auto there = ParseAddress(peer, 1);
@@ -94,8 +94,9 @@ Status IceLink::Send(std::span<const std::byte> frame) {
   return Begin(oneway_, "frame", frame);
 }
 
-/// A two-way call of Ice, which returns the answer if there is one at once, without another thread
-/// or message. No thread waits in Ice. The acceptor uses Send(): no caller waits for its requests.
+/// Makes a two-way call of Ice, which returns an immediate answer without another thread or
+/// message. No thread waits in Ice. The acceptor uses Send(), because no caller waits for its
+/// requests.
 Status IceLink::Ask(std::span<const std::byte> frame) {
   if (door_ != 0) return Send(frame);
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
@@ -103,7 +104,7 @@ Status IceLink::Ask(std::span<const std::byte> frame) {
   return Begin(two_way_, "ask", frame, *header);
 }
 
-/// Sends one message; `question` is the header of a request by Ask().
+/// Sends one message; `question` is the header of a request sent by Ask().
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
                       std::span<const std::byte> bytes,
                       const std::optional<FrameHeader>& question) {
@@ -163,7 +164,7 @@ void IceLink::Close() {
 
 void IceLink::Fail(const Error& reason) {
   if (!StartClosing(reason)) return;
-  open_calls_.Release();  // otherwise Ice would not close
+  open_calls_.Release();  // otherwise Ice would not close the connection
   const bool is_unheard = door_ == 0 && IsUnheard(local_, peer_);
   connection_->close(is_unheard ? Ice::ConnectionClose::Forcefully
                                 : Ice::ConnectionClose::Gracefully);
@@ -190,7 +191,8 @@ void IceLink::CheckAdmission() {
   Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
 }
 
-/// The marker means nothing to the peer. When it has left, so have all earlier replies.
+/// Sends a marker, which the peer ignores. When the marker was sent, all earlier replies were sent
+/// too.
 void IceLink::SendSign() {
   if (is_sign_on_way_.Get()) return;
   is_sign_on_way_.Set(true);
@@ -225,7 +227,7 @@ bool IceLink::Deliver(std::span<const std::byte> frame) {
   return HandOn(frame, kMaxPieceSize, nullptr);
 }
 
-/// An admitted peer may send `most` bytes.
+/// Delivers a frame. An admitted peer may send `most` bytes.
 bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
                      std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);

@@ -26,10 +26,10 @@ struct Ends {
   std::string peer = "unknown";
 };
 
-/// Either end of an Ice connection. Callbacks of Ice own it by shared pointers only.
+/// Either end of an Ice connection. Callbacks of Ice hold it only by shared pointers.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
-  /// `door` identifies the listener that accepted it; 0 if it was opened here.
+  /// `door` identifies the listener that accepted the link; 0 if the link was opened here.
   IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door);
 
   Status Send(std::span<const std::byte> frame) override;
@@ -46,39 +46,41 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void SetHandler(std::shared_ptr<LinkHandler> handler);
   /// Delivers one message. Returns false if the peer may not send it.
   bool Deliver(std::span<const std::byte> frame);
-  /// Like Deliver(), for a frame by Ask(). The reply, if there is one at once or it is deferred,
-  /// may return with the call. Ice does not report when such replies have left, and queues any
-  /// number. So above 2 MiB a marker is sent after them, and while over 4 MiB have not left,
-  /// replies use Send() and its window.
+  /// Like Deliver(), for a frame sent by Ask(). An immediate or deferred reply may be the response
+  /// of the call. Ice does not report when such replies were sent, and queues any number of them.
+  /// So above 2 MiB a marker is sent after them, and while more than 4 MiB are unsent, replies use
+  /// Send() and its window.
   bool DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer);
-  /// Whether a reply may still return with its call.
+  /// True if a reply may still be the response of its call.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
-  /// Counts a reply of `size` bytes that returned with its call.
+  /// Counts a reply of `size` bytes that was the response of its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
   /// Calls with deferred replies; released when the link ends.
   [[nodiscard]] PendingCalls& open_calls() { return open_calls_; }
-  /// Closes because of the peer's fault, after answering it.
+  /// Closes the link because of an error of the peer, after answering it.
   void Fail(const Error& reason);
   void CloseAtOnce();
-  /// Called some time after an accept: fails the link unless it was admitted.
+  /// Called some time after an accept: fails the link if it is not admitted.
   void CheckAdmission();
 
-  // Outcomes of a message. `size` is its room in the window; it becomes 0.
+  // Outcomes of a message. `size` is the room that it occupies in the window; it becomes 0.
 
-  /// The message has left, and so have the first `returned_before` bytes of returned replies.
+  /// The message was sent, and so were the first `returned_before` bytes of replies returned as
+  /// responses.
   void OnSent(std::size_t& size, std::uint64_t returned_before);
-  /// The message has failed, or its answer is missing. If the peer has thrown, refuses `question`.
+  /// The message has failed, or its answer is missing. If the peer has thrown an exception, refuses
+  /// `question`.
   void OnFailed(std::size_t& size, const std::optional<FrameHeader>& question,
                 const Ice::Exception& why);
   /// The message was answered with one parameter: a frame or nothing. Valid as long as `owner` is
-  /// held, or during the call if that is null.
+  /// held; if it is null, only during the call.
   void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
  private:
   friend class Links;
 
-  /// Bounds of reply bytes that may not have left.
+  /// Limits of reply bytes that may be unsent.
   static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
   static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
 
@@ -110,9 +112,9 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::optional<Error> reason_;  // why the link is closed, or about to be
   std::size_t unsent_ = 0;       // bytes; those of small requests count until answered
 
-  Published<std::size_t> limit_{kMaxStrangersFrameSize};  // of a frame; 0 once closed
+  Published<std::size_t> limit_{kMaxStrangersFrameSize};  // largest size of a frame; 0 once closed
   SharedCounter<> returned_;                              // bytes of all returned replies
-  Published<std::uint64_t> left_;                         // of these, known to have left
+  Published<std::uint64_t> left_;                         // of these, known to be sent
   Flag is_sign_on_way_;
   PendingCalls open_calls_;
 };
@@ -120,7 +122,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 /// The links of one communicator. Thread-safe.
 class Links {
  public:
-  /// Routes the frames and the end of the link's connection to the link from now on.
+  /// From now on, passes the frames and the end of the link's connection to the link.
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
@@ -129,8 +131,8 @@ class Links {
   /// Calls PendingCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
-  /// Closes the links accepted at `door`; for 0 all present and future links. Their handlers have
-  /// heard OnClosed() when it returns.
+  /// Closes the links accepted at `door`; for 0 all present and future links. After the return, all
+  /// their handlers have got OnClosed().
   void CloseAll(std::uint64_t door);
 
  private:
@@ -140,12 +142,13 @@ class Links {
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
 
-/// Null if there is none.
+/// The IP information of a connection; null if there is none.
 std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
 Ends EndsOf(const Ice::IPConnectionInfo& address);
 
 /// Changes the socket of a connection (os::AdoptSocket()), so that child processes cannot inherit
-/// it and hold its port, and the kernel does not pace it. Takes longer with more sockets.
+/// it and hold its port, and the kernel does not pace it. The cost grows with the number of
+/// sockets.
 void AdoptSocket(const Ice::Connection& connection);
 
 /// The identity of the endpoint, at both ends.

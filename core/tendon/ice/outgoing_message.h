@@ -13,17 +13,17 @@
 
 namespace tendon::ice {
 
-/// A message that a link sends through Ice, with one sequence of bytes. Made as generated code
-/// makes it, with one allocation and no function object. Reports its outcome to its link once.
+/// A message that a link sends through Ice, with one sequence of bytes. Does what generated code
+/// does, but with one allocation and no function object. Reports its outcome to its link once.
 /// Create it with std::make_shared().
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
-  /// What the link needs to know when the message has left.
+  /// The data that the link needs when the message was sent.
   struct Told {
     std::size_t size = 0;  ///< as counted by the link
     std::uint64_t returned_before = 0;
   };
-  /// `peer` is two-way if an answer is wanted; `question` is then the header.
+  /// `peer` is two-way if an answer is expected; then `question` is the header.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
                   const Told& told, const std::optional<FrameHeader>& question)
       : OutgoingAsync(peer, false),
@@ -32,7 +32,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
         counted_(told.size),
         question_(question) {}
 
-  /// Starts to send; never waits. Throws if Ice has ended; then the link is not told.
+  /// Starts to send; never waits. Throws if Ice has ended; then the link gets no outcome.
   void Send(const std::string& operation, std::span<const std::byte> bytes);
 
  private:
@@ -46,8 +46,8 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeException(const Ice::Exception& why, OutgoingAsyncBase* self) const override;
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
-  /// A request of at least this size leaves the window when it was sent, because its answer may
-  /// take long.
+  /// A request of at least this size is removed from the window when it was sent, because its
+  /// answer may take long.
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 
   const std::shared_ptr<IceLink> link_;

@@ -31,12 +31,12 @@ class PendingCalls {
  private:
   std::mutex mutex_;
   bool is_released_ = false;
-  std::map<Call, SteadyTime> calls_;  // since when they are open
+  std::map<Call, SteadyTime> calls_;  // open calls, and the time when they began
 };
 
-/// For a call whose frame is sent another way, or not at all.
+/// Gives an empty reply to a call whose frame is sent separately, or not at all.
 void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept;
-/// For a call whose frame was begun and not completed.
+/// Gives a failure as the reply to a call whose frame was begun and not completed.
 void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept;
 
 }  // namespace tendon::ice

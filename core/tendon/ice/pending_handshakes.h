@@ -14,8 +14,8 @@
 namespace tendon::ice {
 
 /// Closes accepted connections that are not admitted after kPatience. Ice's timeout ends a silent
-/// one, but not one that sends a byte now and then. As Ice's observer it hears of every connection,
-/// and checks each in the thread of Ice's timer. Thread-safe.
+/// connection, but not one that sends a byte now and then. As an observer of Ice, it is notified of
+/// every connection, and checks each one in the thread of Ice's timer. Thread-safe.
 class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserver {
  public:
   static constexpr std::chrono::seconds kPatience{3};

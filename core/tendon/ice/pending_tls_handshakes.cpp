@@ -39,7 +39,7 @@ void PendingTlsHandshakes::OnInfo(const SSL* link, int what, int /*value*/) {
   }
 }
 
-/// Called before the socket is closed, whose number may then be reused.
+/// Called before the socket is closed; after that, its number may be reused.
 void PendingTlsHandshakes::OnFreed(void* parent, void* /*own*/, CRYPTO_EX_DATA* /*data*/,
                                    int /*index*/, long /*argument*/, void* /*pointer*/) {
   const SSL& link = *static_cast<const SSL*>(parent);

@@ -9,9 +9,10 @@
 
 namespace tendon::ice {
 
-/// The unfinished TLS handshakes of accepted connections. Ice's timeout ends a silent one, but not
-/// one that sends a byte now and then. When kMany are unfinished, a new one ends those older than
-/// kPatience, so that they cannot hold sockets that others need. Thread-safe; called by OpenSSL.
+/// The unfinished TLS handshakes of accepted connections. Ice's timeout ends a silent handshake,
+/// but not one that sends a byte now and then. When kMany are unfinished, a new one ends those
+/// older than kPatience, so that they cannot occupy sockets that others need. Thread-safe; called
+/// by OpenSSL.
 class PendingTlsHandshakes {
  public:
   static constexpr std::chrono::seconds kPatience{3};
@@ -23,7 +24,7 @@ class PendingTlsHandshakes {
  private:
   struct Begun {
     SteadyTime since;
-    int socket = -1;  // open until End()
+    int socket = -1;  // stays open until End()
   };
 
   static int ContextIndex();

@@ -26,7 +26,7 @@ std::optional<std::span<std::byte>> ImmediateReply::MakeRoom(const FrameHeader& 
 std::unique_ptr<ReplySlot> ImmediateReply::MakeLater() {
   auto later = std::make_unique<DeferredReply>(link_.shared_from_this());
   auto call = IceInternal::IncomingAsync::create(incoming_);
-  is_deferred_ = true;  // Ice accepts no direct reply now
+  is_deferred_ = true;  // Ice accepts no immediate reply now
   later->Take(std::move(call));
   return later;
 }

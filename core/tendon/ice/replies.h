@@ -17,7 +17,7 @@ class ImmediateReply final : public ReplySlot {
   ImmediateReply(IceLink& link, IceInternal::Incoming& incoming)
       : link_(link), incoming_(incoming) {}
 
-  /// The call is answered later.
+  /// True if the call is answered later.
   [[nodiscard]] bool is_deferred() const { return is_deferred_; }
 
  private:
@@ -37,7 +37,7 @@ class DeferredReply final : public ReplySlot {
   DeferredReply& operator=(const DeferredReply&) = delete;
   ~DeferredReply() override;
 
-  /// Call it once: from now on this object replies to `call`, perhaps with nothing.
+  /// Makes this object reply to `call`, perhaps with an empty reply. Call it once.
   void Take(PendingCalls::Call call) noexcept;
 
  private:

@@ -6,9 +6,9 @@
 
 /// Replaces the function of this name in Ice's library: the dynamic linker uses the first
 /// definition, also for calls within that library, unless it was linked with -Bsymbolic-functions.
-/// Up to 3.7.11 Ice's own adds in 32 bits, so that a size near 2^31 passes. Ice reads the facet in
-/// a request's header with it before it asks any servant; then it allocates 64 GiB, or the
-/// connection hangs for ever.
+/// Up to version 3.7.11, Ice's own function adds in 32 bits, so that a size near 2^31 passes the
+/// check. Ice uses it to read the facet in a request's header, before any servant is called; then
+/// Ice allocates 64 GiB, or the connection hangs for ever.
 Ice::Int Ice::InputStream::readAndCheckSeqSize(Int minSize) {
   const Int size = readSize();
   const std::int64_t left = b.end() - i;
@@ -21,7 +21,7 @@ namespace tendon::ice {
 bool RefusesImpossibleSizes(const std::shared_ptr<Ice::Communicator>& communicator) {
   const std::vector<Ice::Byte> two_gigabytes{255, 255, 255, 255, 127};
   Ice::InputStream stream(communicator, two_gigabytes);
-  std::pair<const Ice::Byte*, const Ice::Byte*> unread;  // just two pointers
+  std::pair<const Ice::Byte*, const Ice::Byte*> unread;  // only two pointers
   try {
     stream.read(unread);
     return false;

@@ -22,13 +22,15 @@ constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
 constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
                           std::byte{1}, std::byte{1}, std::byte{1}};
 
-/// A peer that waits for an answer reads `what`. (Ice asks for a file and a line.)
+/// Ends the link. A peer that waits for an answer gets the text `what`. (Ice requires a file and a
+/// line.)
 [[noreturn]] void CutOff(IceLink& link, const std::string& what) {
   link.Fail({ErrorCode::kInvalid, link.peer() + " was cut off: " + what});
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-/// Writes the reply, the only parameter: nothing or one frame. Returns false if it is deferred.
+/// Writes the reply, whose only parameter is empty or one frame. Returns false if the reply is
+/// deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
   ImmediateReply answer(link, incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
@@ -36,7 +38,7 @@ bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming&
   if (!answer.has_begun()) {
     incoming.startWriteParams()->writeSize(0);
   } else if (!answer.is_there()) {
-    throw std::runtime_error("the answer could not be written");  // makes Ice drop what was written
+    throw std::runtime_error("the answer could not be written");  // makes Ice discard the reply
   }
   incoming.endWriteParams();
   return true;
@@ -70,7 +72,7 @@ bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice:
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  // Ice keeps the context as long as the call is open, and we do not use it.
+  // Ice keeps the context as long as the call is open, so it would only occupy memory.
   if (!current.ctx.empty()) CutOff(*link, "it sends a context with '" + current.operation + "'");
   if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";

@@ -12,7 +12,7 @@
 
 namespace tendon::ice {
 
-/// The endpoint of slice/tendon.ice, dispatched by hand. Passes each frame to the link of its
+/// The endpoint of slice/tendon.ice, without generated code. Passes each frame to the link of its
 /// connection.
 class EndpointServant : public Ice::Object {
  public:
@@ -33,14 +33,14 @@ class EndpointServant : public Ice::Object {
   const std::shared_ptr<Links> links_;
 };
 
-/// The endpoint of a listener: makes a link of each new connection.
+/// The endpoint of a listener, which makes a link from each new connection.
 class AcceptingServant final : public EndpointServant {
  public:
   AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t door)
       : EndpointServant(std::move(links)), accept_(std::move(accept)), door_(door) {}
 
-  /// Accepts no more connections and closes the accepted ones. Their handlers have heard OnClosed()
-  /// when it returns.
+  /// Accepts no more connections and closes the accepted ones. After the return, all their handlers
+  /// have got OnClosed().
   void Stop();
 
  private:

@@ -25,7 +25,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
     Log(LogLevel::kInfo, "ice", OnOneLine(message));
   }
   void trace(const std::string& category, const std::string& message) override {
-    // Ice reports a certificate that OpenSSL rejects only here.
+    // Ice reports a certificate rejected by OpenSSL only in the log.
     if (category == "Security" && message.starts_with("certificate verification failure")) {
       const std::string place = After("remote address = ", message);
       const std::string address = place.substr(0, place.rfind(':'));
@@ -80,21 +80,21 @@ Ice::InitializationData Settings() {
   set("Ice.MessageSizeMax", KibibytesFor(kMaxReturned));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
-  // Without progress for this long (ms), a connection is lost.
+  // A connection without progress for this time (ms) is lost.
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
   // Clients send heartbeats; servers close silent connections, 2 to 4 s after a peer vanished. Not
-  // the reverse as well: a sender's own heartbeats would hide from it that nothing comes back. So
-  // the opener must ping the peer, as WatchOver() does.
+  // in both directions: an end's own heartbeats would hide from it that nothing comes back. So the
+  // opener must ping the peer, as WatchOver() does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
   set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open: see PendingCalls
   // One thread serves all opened connections, another all accepted ones. A pool that may grow wakes
-  // a thread for each message, to wait for the next (4 futex and 2 epoll calls). It is not needed,
-  // because WorkerPool executes what may take long. One thread also keeps the order on each
+  // a thread for each message, to wait for the next (4 futex and 2 epoll calls). More threads are
+  // not needed, because WorkerPool executes long calls. One thread also keeps the order on each
   // connection.
   set("Ice.ThreadPool.Server.Size", "1");
   set("Ice.ThreadPool.Server.SizeMax", "1");

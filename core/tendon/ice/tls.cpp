@@ -14,7 +14,7 @@
 namespace tendon::ice {
 namespace {
 
-/// The text of the peer's certificate; empty if there is none.
+/// The PEM text of the peer's certificate; empty if there is none.
 std::string ShownBy(const IceSSL::ConnectionInfo& info) {
   return info.certs.empty() ? std::string() : info.certs.front()->encode();
 }
@@ -23,7 +23,7 @@ std::chrono::sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// Translates OpenSSL's reason, as Ice reports it.
+/// Converts OpenSSL's reason, as Ice reports it, to one of our texts.
 std::string InOurWords(const std::string& reason, const Credentials& credentials) {
   const auto says = [&reason](const char* words) { return reason.find(words) != reason.npos; };
   if (says("self-signed") || says("self signed") || says("issuer certificate")) {
@@ -60,7 +60,7 @@ void Tls::AddTo(Ice::Properties& settings) const {
   settings.setProperty("Ice.Plugin.IceSSL", "IceSSL:createIceSSL");
   settings.setProperty("IceSSL.Protocols", "TLS1_2, TLS1_3");
   settings.setProperty("IceSSL.VerifyPeer", "2");
-  settings.setProperty("IceSSL.Trace.Security", "1");  // why an acceptor refuses a peer
+  settings.setProperty("IceSSL.Trace.Security", "1");  // logs why an acceptor refuses a peer
   settings.setProperty("IceSSL.VerifyDepthMax", "2");
   settings.setProperty("IceSSL.CAs", (credentials_.authority / "ca.crt").string());
   settings.setProperty("IceSSL.CertFile", own_->file().string());

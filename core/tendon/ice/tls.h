@@ -21,7 +21,7 @@
 namespace tendon::ice {
 
 /// TLS for one communicator, with certificates at both ends. Ice checks the CA of a peer; this
-/// class checks revocation and role, and knows the reason of a refusal. Thread-safe.
+/// class checks revocation and role, and stores the reason of a refusal. Thread-safe.
 class Tls : public std::enable_shared_from_this<Tls> {
   struct Key {};
 
@@ -30,17 +30,18 @@ class Tls : public std::enable_shared_from_this<Tls> {
   /// it expires soon. A certificate renewed later is used for the next link.
   static Result<std::shared_ptr<Tls>> Make(Credentials credentials);
 
-  /// Call it before a communicator is created with the settings.
+  /// Adds TLS to the settings. Call it before a communicator is created with them.
   void AddTo(Ice::Properties& settings) const;
-  /// Call it before any connection.
+  /// Installs the checks of certificates. Call it before the first connection.
   void Judge(const Ice::Communicator& communicator);
 
-  /// Why no link was opened to `place`: Ice's reason against its certificate, or ours.
+  /// The error for a link to `place` that was not opened: Ice's reason against the peer's
+  /// certificate, or our own reason.
   Error NotTrusted(const HostPort& place, const std::string& reason);
-  /// The same after the peer hung up: most likely it does not trust us.
+  /// The same if the peer closed the connection: most likely it does not trust our certificate.
   [[nodiscard]] Error NotAccepted(const HostPort& place) const;
 
-  /// Our own.
+  /// Our own certificate.
   [[nodiscard]] const Certificate& certificate() const { return own_->certificate(); }
   /// Sets our certificate for the handshake of one link. Returns false if there is none.
   bool ShowOwn(SSL& link);
@@ -69,8 +70,8 @@ class Tls : public std::enable_shared_from_this<Tls> {
   std::optional<Refused> refused_;  // the last refused peer of an opened link
 };
 
-/// The certificate of the peer; nothing without TLS. Throws an Ice exception if the connection is
-/// closed already: a peer with a certificate must not pass for one that needs none.
+/// The certificate of the peer; empty without TLS. Throws an Ice exception if the connection is
+/// already closed, because a peer with a certificate must not be treated as one without TLS.
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection);
 
 }  // namespace tendon::ice

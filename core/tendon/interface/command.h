@@ -15,10 +15,10 @@
 namespace tendon {
 
 /// A command bound for one connection: created when two interfaces are connected, destroyed after
-/// the connection. It has two faces: typed, for callers that share the types, and encoded (CDR
-/// bodies), for all others: proxies, consoles, plug-ins with types of their own.
+/// the connection. It has two interfaces: a typed one for callers with the same types, and an
+/// encoded one (CDR bodies) for proxies, consoles and plug-ins that were built with other types.
 ///
-/// Thread safety: one thread at a time, or many if the connection was made for many.
+/// Thread safety: one thread at a time, or many threads if the connection was made for many.
 class CommandBase {
  public:
   CommandBase(Layout in, Layout out) : in_layout_(in), out_layout_(out) {}
@@ -36,26 +36,26 @@ class CommandBase {
   }
 
   /// WaitEncoded() in two steps, for callers that must not block. kQueued: `call` identifies the
-  /// call until EndEncoded(). `ended`, which must outlive the command, is notified when the server
-  /// has finished the call, or stops after it was posted. Any other status is final.
+  /// call until EndEncoded(). `ended` is notified when the server has finished the call, or stops
+  /// before that; it must outlive the command. Any other status is final.
   virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                               Wakeup<>& /*ended*/, std::size_t& /*call*/) {
     return Status::kUnsupported;
   }
   [[nodiscard]] virtual bool HasEnded(std::size_t /*call*/) { return true; }
-  /// Returns the outcome of a begun call. Gives up a call that has not ended, as at its deadline.
+  /// Returns the outcome of a begun call. A call that has not ended is abandoned, as at a deadline.
   virtual Status EndEncoded(std::size_t /*call*/, std::vector<std::byte>& /*out*/) {
     return Status::kUnsupported;
   }
 
-  /// Age of the value that the last read returned: 0 if every read asks the server, the largest
-  /// value if there was no value.
+  /// Age of the value that the last read returned. 0 if every read goes to the server; the largest
+  /// value if no value was read.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
 
   /// For event handlers: the source of the event has faulted, or is about to restart.
   virtual void SetSourceFaulted(bool /*faulted*/) {}
 
-  /// True if it may be cast to Command<In, Out>. The fingerprints must already be equal.
+  /// True if this command may be cast to Command<In, Out>. The fingerprints must already be equal.
   template <Payload In, Payload Out>
   [[nodiscard]] bool Is() const {
     return in_layout_ == LayoutOf<In>() && out_layout_ == LayoutOf<Out>();
@@ -66,15 +66,16 @@ class CommandBase {
   Layout out_layout_;
 };
 
-/// The typed face: one virtual call.
+/// The typed interface: a call costs one virtual call.
 template <Payload In, Payload Out>
 class Command : public CommandBase {
  public:
   Command() : CommandBase(LayoutOf<In>(), LayoutOf<Out>()) {}
 
   virtual Status Execute(const In& in, Out& out) = 0;
-  /// Returns when the call was executed. kTimeout: it was not and will not be; kOutcomeUnknown: it
-  /// was started. A command that runs in the caller's thread ignores `timeout`.
+  /// Waits until the call was executed. kTimeout: not executed, and it will not be;
+  /// kOutcomeUnknown: the execution was started. A command that runs in the caller's thread ignores
+  /// `timeout`.
   virtual Status Wait(const In& in, Out& out, std::chrono::nanoseconds /*timeout*/) {
     return Execute(in, out);
   }

@@ -16,10 +16,10 @@ struct Mismatch {
 
   Kind kind = Kind::kMissing;
   std::string member;
-  std::string text;  ///< "missing write command MoveTo", one clause for a person
+  std::string text;  ///< "missing write command MoveTo", one clause, for people
 };
 
-/// Tells if a required and a provided interface fit. LCM, `gcm` and `gcm-gui` all use this.
+/// Whether a required and a provided interface fit. LCM, `gcm` and `gcm-gui` all use this result.
 struct Compatibility {
   int needed = 0;   ///< functions and handlers that are not optional
   int matched = 0;  ///< how many of them the provided interface fills
@@ -30,12 +30,12 @@ struct Compatibility {
   [[nodiscard]] std::string Text() const;
 };
 
-/// Finds the schema of a type; nothing if the type is unknown.
+/// Finds the schema of a type; empty if the type is unknown.
 using SchemaLookup = std::function<std::optional<Schema>(Fingerprint)>;
 
 /// Compares descriptions only. Every function needs a command, and every handler an event, of the
-/// same name and signature. An optional member may be missing, but must not differ. The text names
-/// the first difference of two types if `find` knows both.
+/// same name and signature. An optional member may be missing, but must not have a different
+/// signature. The text names the first difference of two types if `find` knows both.
 [[nodiscard]] Compatibility Compare(const RequiredDescription& required,
                                     const ProvidedDescription& provided,
                                     const SchemaLookup& find = FindSchema);

@@ -21,7 +21,7 @@ void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point dead
   }
 }
 
-/// The function that would wait for its own calling thread, if there is one.
+/// The function that would make its calling thread wait for itself; empty if there is none.
 std::optional<std::string> WaitForItself(const RequiredInterface& required,
                                          const ProvidedInterface& provided) {
   if (required.inbox() == nullptr || required.inbox() != provided.inbox()) return std::nullopt;
@@ -108,7 +108,7 @@ void Connection::OpenMailboxes() {
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
     events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
                                        &required_.event_time_);
-    if (required_.has_hearer()) events_->Hold();  // until the component was told of its peer
+    if (required_.has_hearer()) events_->Hold();  // until OnConnected() has returned
     peer_.events = events_;
   }
 }
@@ -116,7 +116,7 @@ void Connection::OpenMailboxes() {
 void Connection::BindHandlers() {
   for (const auto& handler : required_.handlers_) {
     EventBase* event = provided_.FindEvent(handler->description().name);
-    if (event == nullptr) continue;  // an optional one
+    if (event == nullptr) continue;  // optional, and not offered
     Commands& kept = handler->uses_mailbox() ? queued_handlers_ : direct_handlers_;
     kept.push_back(handler->Bind(events_));
     CommandBase& bound = *kept.back();
@@ -130,7 +130,7 @@ void Connection::BindFunctions() {
   members_.reserve(required_.callers_.size() + 1);
   for (const auto& one : required_.callers_) {
     const Offer* offer = provided_.FindCommand(one.description.name);
-    if (offer == nullptr) {  // an optional one
+    if (offer == nullptr) {  // optional, and not offered
       members_.emplace_back();
       continue;
     }
@@ -153,14 +153,14 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (is_told_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
-    // Waiting callers are inside the binding: serve or cancel them before it goes.
+    // Waiting callers use the binding: serve or cancel them before it is destroyed.
     commands_->Close();
     LetDrain(commands_, deadline);
     commands_->completions().Cancel();
   }
   required_.Withdraw();
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
-  LetDrain(commands_, deadline);  // calls that arrived meanwhile
+  LetDrain(commands_, deadline);  // calls that were posted meanwhile
   if (events_ != nullptr && !events_->is_held()) LetDrain(events_, deadline);
   const auto last = std::max(deadline, std::chrono::steady_clock::now() + kGrace);
   const std::uint64_t number = commands_ != nullptr ? commands_->number() : 0;
@@ -176,7 +176,7 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   functions_.clear();
   queued_handlers_.clear();
   direct_handlers_.clear();
-  if (!is_told_here()) required_.AnnounceNone();  // after its last event
+  if (!is_told_here()) required_.AnnounceNone();  // after the last event was handled
   TellClientGone(number);
   return dropped;
 }

@@ -13,16 +13,17 @@
 namespace tendon {
 
 /// Connects a required interface to a provided one in the same process: a mailbox for commands, a
-/// mailbox for events, and the commands in between. Lasts from Make() to its destruction.
+/// mailbox for events, and the commands in between. The connection lasts from Make() to the
+/// destruction of this object.
 ///
 /// Used by managers only, one at a time; both components may run meanwhile.
 class Connection {
  public:
   /// Binds all functions and handlers, or none. Fails with kIncompatible if the interfaces do not
   /// fit (the message names both ends) or a task would wait for itself, with kExists if `required`
-  /// is already connected. Both interfaces must outlive the connection. The component of `required`
-  /// is told before its functions reach the peer (Component::OnConnected): in its own thread, or,
-  /// if it has none, in this one before anything is bound.
+  /// is already connected. Both interfaces must outlive the connection. Component::OnConnected()
+  /// runs before the functions reach the peer: in the thread of the component of `required`, or in
+  /// this one if that component has no thread.
   static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
                                                   ProvidedInterface& provided,
                                                   const std::string& required_name,
@@ -37,15 +38,15 @@ class Connection {
   /// Calls Close() with no patience if the connection is still open.
   ~Connection();
 
-  /// Stops new calls and events; both ends get at most `patience` to execute those accepted.
-  /// CallerThreads that still wait then get kNotConnected, and everything is freed; the data of a
-  /// handler that does not return is freed when it returns. Both components are told in their own
-  /// threads (Component::OnDisconnected, OnClientGone); if that of `required` has no thread, it is
-  /// told here, before all else. Returns the number of accepted calls and events that were dropped.
-  /// Never call it from a thread that executes a mailbox of either end.
+  /// Refuses new calls and events, and gives both ends at most `patience` to execute the accepted
+  /// ones. Then callers that still wait get kNotConnected, and everything is freed; data of a
+  /// handler that has not returned is freed when it returns. Component::OnDisconnected() and
+  /// OnClientGone() run in the components' own threads. If the component of `required` has no
+  /// thread, OnDisconnected() runs here, before all else. Returns the number of accepted calls and
+  /// events that were dropped. Never call it from a thread that executes a mailbox of either end.
   std::size_t Close(std::chrono::milliseconds patience);
 
-  /// When it was made.
+  /// The time when the connection was made.
   [[nodiscard]] SteadyTime made() const { return made_; }
   /// Calls taken from the server's mailbox plus events taken from the client's. Reads use no
   /// mailbox and are not counted.
@@ -72,7 +73,8 @@ class Connection {
   void OpenMailboxes();
   void BindFunctions();
   void BindHandlers();
-  /// True if the component of `required` is told in the thread that changes the connection.
+  /// True if the component of `required` has no thread, so that OnConnected() and OnDisconnected()
+  /// run in the thread that changes the connection.
   [[nodiscard]] bool is_told_here() const {
     return required_.inbox() == nullptr && required_.has_hearer();
   }
@@ -82,13 +84,13 @@ class Connection {
   ProvidedInterface& provided_;
   std::string client_;
   RequiredInterface::Peer peer_;
-  Mailbox* commands_ = nullptr;  // at the server
-  Mailbox* events_ = nullptr;    // at the client
+  Mailbox* commands_ = nullptr;  // queue at the server
+  Mailbox* events_ = nullptr;    // queue at the client
   using Commands = std::vector<std::unique_ptr<CommandBase>>;
   Commands functions_;        // bound to commands_
   Commands queued_handlers_;  // bound to events_
   Commands direct_handlers_;
-  std::vector<BoundMember> members_;  // by function; one extra, so that it is never empty
+  std::vector<BoundMember> members_;  // one per function plus one, so never empty
   struct Subscription {
     EventBase* event;
     CommandBase* handler;

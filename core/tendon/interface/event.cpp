@@ -29,7 +29,7 @@ void EventBase::SetSourceFaulted(bool faulted) {
 }
 
 void EventBase::Replace(std::unique_ptr<List> next) {
-  current_.Exchange(next.get());  // waits until no thread walks the old list
+  current_.Exchange(next.get());  // waits until no thread uses the old list
   list_ = std::move(next);
 }
 

@@ -16,13 +16,13 @@ class EventBase : public Caller {
   ~EventBase() override;
 
   /// Calls `handler` from now on, through a converting command if needed. Events that do not reach
-  /// it are also counted in `lost`. Both must outlive the call of Unsubscribe().
+  /// `handler` are also counted in `lost`. Both must live until Unsubscribe() returns.
   void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
-  /// When it returns, the handler does not run and will not be called again.
+  /// After the return, the handler does not run and is not called again.
   void Unsubscribe(CommandBase& handler);
 
-  /// Tells the handlers that nobody raises the event until further notice, or that the source is
-  /// back. Called by a thread that may raise the event.
+  /// Notifies the handlers that the source of the event has faulted, or works again. Called by a
+  /// thread that may raise the event.
   void SetSourceFaulted(bool faulted);
 
   /// How often the event did not reach a handler, over all handlers: the mailbox was full, the
@@ -34,7 +34,7 @@ class EventBase : public Caller {
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] bool is_enabled() const noexcept { return enabled_.Get(); }
 
-  /// Called before the event is raised; see Gate.
+  /// Called before the first event is raised; see Gate.
   void SetRaisers(CallerThreads raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
 
  protected:
@@ -42,7 +42,7 @@ class EventBase : public Caller {
   struct Subscriber {
     CommandBase* handler = nullptr;
     std::shared_ptr<CommandBase> adapter;
-    SharedCounter<>* lost = nullptr;  // of the component that handles it
+    SharedCounter<>* lost = nullptr;  // counter of the handling component
     [[nodiscard]] CommandBase& target() const { return adapter ? *adapter : *handler; }
   };
   using List = std::vector<Subscriber>;
@@ -71,9 +71,9 @@ class EventBase : public Caller {
   std::unique_ptr<List> list_;
 };
 
-/// Notifies all connected handlers. The component raises it by calling it, in its own thread.
-/// Raising never waits, locks or allocates. A handler whose mailbox is full misses the event, and
-/// both ends count it. Direct handlers run in the thread that raises.
+/// An event that a component raises by calling this object in its own thread. All connected
+/// handlers are notified. Raising never waits, locks or allocates. A handler whose mailbox is full
+/// misses the event, and both ends count it. Direct handlers run in the thread that raises.
 template <typename T>
 class Event final : public EventBase {
   static_assert(RequirePayload<T>());

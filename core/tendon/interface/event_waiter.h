@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// Lets a thread wait for an event instead of handling it; a member of the component that waits.
+/// Lets a thread wait for an event instead of handling it. Make it a member of the component.
 ///
 ///     robot.AddEventWaiter(homed_, "Homed");
 ///     ...
@@ -36,9 +36,9 @@ class EventWaiter {
   EventWaiter(const EventWaiter&) = delete;
   EventWaiter& operator=(const EventWaiter&) = delete;
 
-  /// kDone with the newest value, at once if one has arrived since the last wait; kTimeout;
-  /// kNotConnected if nobody can raise the event (any more); kNotActive while its source is
-  /// faulted.
+  /// Returns kDone and the newest value, at once if an event was raised since the last wait.
+  /// Otherwise kTimeout, kNotConnected if there is no source (any more), or kNotActive while the
+  /// source is faulted.
   Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
     return Await(value, timeout);
   }
@@ -46,16 +46,16 @@ class EventWaiter {
     None nothing;
     return Await(nothing, timeout);
   }
-  /// Discards the kept value: only a later event ends a wait.
+  /// Discards the kept value, so that only a later event ends a wait.
   void Forget() noexcept { newest_.Take(); }
 
-  /// Values that newer ones replaced before a Wait() took them.
+  /// Number of values that were replaced by newer ones before a Wait() returned them.
   [[nodiscard]] std::uint64_t missed() const noexcept { return missed_.value(); }
 
  private:
   friend class RequiredInterface;
 
-  /// Represents one connection and lasts as long.
+  /// Represents one connection, and lives as long as it.
   class Handler final : public Command<T, None> {
    public:
     explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Tell(Status::kTimeout); }
@@ -95,7 +95,7 @@ class EventWaiter {
     EventWaiter& waiter_;
   };
 
-  /// Runs in the raising thread. If several raise at once, one value is kept.
+  /// Runs in the raising thread. If several threads raise the event at once, one value is kept.
   void Raised(const T& value) {
     {
       const TryLock<>::Hold raising(raising_);

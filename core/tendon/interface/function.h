@@ -7,24 +7,25 @@
 
 namespace tendon {
 
-/// The caller's end of a command; a member of the component that calls it. It is bound when its
+/// The caller's end of a command, as a member of the calling component. It is bound when its
 /// required interface is connected. A call returns kNotConnected before that, kDisabled while the
 /// server has disabled the command, and kNotActive while the server does not run. Reads also work
 /// while the server is stopped, but not while it is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates. A read runs the server's
-/// code in this thread. If another process serves it and it is not mirrored, the read waits for the
-/// reply, at most for the interface's read deadline. Wait() waits until the server has executed the
-/// call:
+/// code in the calling thread. If the server is in another process and the function is not
+/// mirrored, the read waits for the reply, at most for the interface's read deadline. Wait() waits
+/// until the server has executed the call:
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
-/// kTimeout: it was not executed and will not be; kOutcomeUnknown: it was started, and its result
-/// is unknown; kNotConnected: the connection ended; kWouldDeadlock: the server runs in this very
-/// thread. Functions that return a value can only be called with Wait().
+/// kTimeout: the call was not executed and will not be; kOutcomeUnknown: its execution was started,
+/// and the result is unknown; kNotConnected: the connection ended; kWouldDeadlock: the server runs
+/// in the calling thread. Functions that return a value can only be called with Wait().
 ///
-/// Thread safety: one thread at a time calls the functions of a required interface; for a task, its
-/// own. Any thread may call them if the component has none, or if SetCallers() allows it.
+/// Thread safety: one thread at a time calls the functions of a required interface; for a task, the
+/// task's own thread. Any thread may call them if the component has none, or if SetCallers() allows
+/// it.
 template <CommandKind kKind, typename In, typename Out>
 class Function final : public Caller {
   static_assert(RequirePayload<In>() && RequirePayload<Out>());
@@ -53,9 +54,8 @@ class Function final : public Caller {
     return CallAndWait(in, out, timeout);
   }
 
-  /// Age of the value that was read last, if it is a copy: see RequiredInterface::Mirror(). 0 if
-  /// each read asks the server; the largest value if nothing was read yet or no server can be
-  /// asked.
+  /// Age of the last read value of a mirrored function: see RequiredInterface::Mirror(). 0 if each
+  /// read goes to the server; the largest value if nothing was read yet or there is no server.
   [[nodiscard]] Time age() requires kIsRead {
     Time age = Time::max();
     if (binding_ == nullptr) return age;
@@ -66,7 +66,7 @@ class Function final : public Caller {
     return age;
   }
 
-  /// True if a call would reach a server now.
+  /// True if a call now would reach a server.
   [[nodiscard]] bool is_connected() {
     return binding_ != nullptr && binding_->Enter([this](const BoundMember* members) {
       return members != nullptr && members[index_].is_reached();

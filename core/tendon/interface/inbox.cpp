@@ -24,7 +24,7 @@ Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, CallerTh
   list_.swap(next);
   const SteadyTime deadline = StdAtomics::Now() + std::chrono::milliseconds(1);
   if (!current_.TryExchange(list_.get(), deadline)) {
-    retired_.push_back({std::move(next), nullptr, {}});  // a thread still walks the old list
+    retired_.push_back({std::move(next), nullptr, {}});  // a thread still uses the old list
   }
   return opened;
 }
@@ -70,7 +70,7 @@ void Inbox::List::ForEachReady(ReadyFlag<>::IfEmpty if_empty, Action action) con
   for (FlagRow* const row : rows) {
     for (auto flag = row->flags.begin(); flag != row->flags.end() && mailbox != end;
          ++flag, ++mailbox) {
-      if (*mailbox == nullptr) continue;  // the flag may belong to a mailbox of a newer list
+      if (*mailbox == nullptr) continue;  // not in this list, but perhaps in a newer one
       std::size_t waiting = 0;
       const auto has_calls = [&] {
         waiting = (*mailbox)->size();
@@ -93,7 +93,7 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
   const GuardedPointer<List>::Call call(current_);
   const List* const list = call.get();
   if (list == nullptr) return 0;
-  constexpr unsigned kPasses = 64;  // after these, an idle mailbox costs only a look at its byte
+  constexpr unsigned kPasses = 64;  // then an idle mailbox costs one byte load
   const bool lowers = ++passes_ % kPasses == 0;
   const auto if_empty = lowers ? ReadyFlag<>::IfEmpty::kLower : ReadyFlag<>::IfEmpty::kLeaveUp;
   list->ForEachReady(if_empty, [&](Mailbox& mailbox, std::size_t waiting) {
@@ -152,7 +152,7 @@ std::unique_ptr<Inbox::List> Inbox::Copy() const {
 
 std::size_t Inbox::FreePlace(List& list) {
   const auto is_free = [&](std::size_t place) {
-    // A thread that walks an old list may still lower the flag of the mailbox at this place.
+    // A thread that uses an old list may still lower the flag at this place.
     const auto is_of_old = [place](const Retired& one) {
       const Mailboxes& old = one.list->mailboxes;
       return one.mailbox != nullptr && place < old.size() && old[place] == one.mailbox.get();

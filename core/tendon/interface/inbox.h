@@ -35,18 +35,18 @@ class Inbox {
                 SteadyTime* event_time = nullptr);
 
   /// Closes and removes `mailbox`, and frees it with the commands that its slots refer to, when no
-  /// thread executes from it. If a handler has not returned by `deadline`, they are freed later.
+  /// thread executes its calls. If a handler has not returned by `deadline`, both are freed later.
   /// Returns the number of calls that were never executed.
   std::size_t Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands = {},
                      SteadyTime deadline = SteadyTime::max());
 
-  /// Executes the calls that wait now, mailbox by mailbox, so that a fast client cannot starve the
-  /// others; at most `limit` calls. A nested call does nothing. Returns the number of executed
-  /// calls. Takes no lock and makes no allocation of its own. An empty mailbox costs one look at a
-  /// byte that lies beside those of the others.
+  /// Executes the calls that wait now, at most `limit`, and returns their number. Serves the
+  /// mailboxes in turn, so that a fast client cannot starve the others. A nested call does nothing.
+  /// Takes no lock and allocates nothing itself. An empty mailbox costs one load of a byte; the
+  /// bytes of all mailboxes are adjacent.
   std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
 
-  /// True if a call waits. In the executing thread; takes no lock.
+  /// True if a call waits. Called in the executing thread; takes no lock.
   [[nodiscard]] bool has_queued() noexcept;
 
   /// Frees all waiting calls without executing them and returns their number. Only while no thread
@@ -57,14 +57,14 @@ class Inbox {
   void SetAccepting(bool accepting);
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
 
-  /// This thread now executes all calls, and it alone calls the functions and raises the events of
-  /// the component; Unbind() ends this. For tasks.
+  /// Binds the calling thread, until Unbind(): it executes all calls, and only this thread calls
+  /// the functions and raises the events of the component. For tasks.
   void BindToThisThread() noexcept {
     const std::thread::id here = std::this_thread::get_id();
     if (server_.thread.Get() != here) server_.thread.Set(here);
   }
   void Unbind() noexcept { server_.thread.Set({}); }
-  /// True if a thread is bound and it is not this one.
+  /// True if a thread other than the calling one is bound.
   [[nodiscard]] bool IsForeignThread() const noexcept {
     const std::thread::id bound = server_.thread.Get();
     return bound != std::thread::id() && bound != std::this_thread::get_id();
@@ -73,7 +73,7 @@ class Inbox {
   /// Calls waiting now, over all mailboxes.
   [[nodiscard]] std::size_t size() const;
 
-  /// The mailbox that is fullest relative to its capacity; 0 of 0 if there is none. Locks.
+  /// The mailbox that is fullest relative to its capacity; zeros if there is none. Locks.
   struct Fill {
     std::size_t waiting = 0;
     std::size_t capacity = 0;
@@ -85,7 +85,7 @@ class Inbox {
   struct alignas(kCacheLine) FlagRow {
     std::array<ReadyFlag<>, kRow> flags;
   };
-  /// By place; null at a free place.
+  /// Null at a free place.
   using Mailboxes = std::vector<Mailbox*>;
   struct List {
     std::vector<FlagRow*> rows;
@@ -114,8 +114,8 @@ class Inbox {
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
   std::vector<Retired> retired_;
-  std::uint64_t opened_ = 0;                     // number of mailboxes so far
-  alignas(kSeparation) bool executing_ = false;  // of the executing thread, like the next two
+  std::uint64_t opened_ = 0;                     // number of mailboxes opened so far
+  alignas(kSeparation) bool executing_ = false;  // used by the executing thread, like the next two
   unsigned passes_ = 0;
   GuardedPointer<List> current_;
 };

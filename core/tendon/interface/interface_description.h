@@ -7,16 +7,17 @@
 
 namespace tendon {
 
-/// One member of an interface: a command, an event, or the function or handler that needs one. The
+/// One member of an interface: a command, an event, or a function or handler that needs one. The
 /// names of the payload types are for people; only the signature decides what fits.
 struct MemberDescription {
   std::string name;
   Signature signature;
   std::string in_type;
   std::string out_type;
-  bool optional = false;  ///< functions and handlers only: the interface connects without it
+  bool optional = false;  ///< functions and handlers only: the interface also connects without it
   std::string hazard;     ///< commands only: "motion" if a call can set something in motion
-  /// Seconds, commands only: the effect of a call ends unless renewed in this time; 0 for never.
+  /// Seconds, commands only: the effect of a call ends if it is not renewed within this time; 0: it
+  /// does not end.
   double expires_after = 0.0;
 
   bool operator==(const MemberDescription&) const = default;

@@ -59,11 +59,12 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   Publish(argument, nothing);
 }
 
-/// Null at once in a thread without BlockWhenFull, and in the thread that would have to make room.
+/// Returns null at once in a thread without BlockWhenFull, and in the thread that executes this
+/// mailbox.
 std::byte* Mailbox::AwaitRoom() noexcept {
   constexpr std::chrono::microseconds kBetweenLooks(200);
   const SteadyTime deadline = BlockWhenFull::deadline();
-  if (deadline == SteadyTime::min()) return nullptr;  // the usual case asks no clock
+  if (deadline == SteadyTime::min()) return nullptr;  // the usual case; needs no clock
   std::byte* slot = nullptr;
   while (slot == nullptr && is_open() && !is_executed_here() && SteadyClock().Now() < deadline) {
     std::this_thread::sleep_for(kBetweenLooks);

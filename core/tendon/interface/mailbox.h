@@ -24,10 +24,11 @@ enum class CallerThreads {
 };
 
 /// Holds the calls of one connection until the thread of the called component executes them. It is
-/// one ring; a slot holds the command and its argument together, usually in one cache line.
+/// a ring buffer; a slot holds the command and its argument together, usually in one cache line.
 ///
-/// Thread safety: one thread or many, as constructed, post (Claim, Publish); one thread executes
-/// (ExecuteOne). Posting never locks or allocates, and waits only in a thread with BlockWhenFull.
+/// Thread safety: one thread or many, depending on `callers`, post (Claim, Publish); one thread
+/// executes (ExecuteOne). Posting never locks or allocates, and waits only in a thread with
+/// BlockWhenFull.
 class Mailbox {
  public:
   /// Executes the content of a slot.
@@ -51,32 +52,33 @@ class Mailbox {
     void Cover(const SlotShape& other);
   };
 
-  /// Bytes before the argument of a slot: its entry, and in timed slots the time.
+  /// Bytes before the argument of a slot: the pointer to its entry, and in timed slots also the
+  /// time.
   static constexpr std::size_t kEntryBytes = sizeof(Entry*);
   static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
   /// Bytes of a slot whose argument has `before` bytes in front of it.
   [[nodiscard]] static std::size_t SlotBytes(const SlotShape& argument, std::size_t before);
 
-  /// The component called, as all its mailboxes see it.
+  /// The called component; all its mailboxes share this data.
   struct Server {
     Flag accepting;                     ///< whether it executes calls
-    Published<std::thread::id> thread;  ///< that executes them; none until one is bound
+    Published<std::thread::id> thread;  ///< the thread that executes them; none until one is bound
     Wakeup<>* wakeup = nullptr;         ///< notified of every post
   };
 
   /// `server` and `ready` must outlive it; `ready` is raised after every post. If `event_time` is
-  /// given, each slot holds the time of its post, which is written there when the slot is executed.
+  /// given, each slot holds the time of its post; executing the slot copies it to `event_time`.
   Mailbox(std::size_t capacity, SlotShape argument, CallerThreads callers, const Server& server,
           ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
 
   /// Unique among all mailboxes that its inbox has ever had.
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
-  /// Room for the argument of the next call; if there are many callers, it must be published. Null
-  /// if the mailbox is not open, or full, which is counted; nothing has happened then. In a thread
-  /// with BlockWhenFull it first waits for room.
+  /// Memory for the argument of the next call. With many callers, each claimed slot must be
+  /// published. Null if the mailbox is closed, or full, which is counted. In a thread with
+  /// BlockWhenFull, waits for room first.
   std::byte* Claim() noexcept;
-  /// Room in the reserve; null if its owner takes more slots than it has reserved.
+  /// Memory in the reserve; null if all reserved slots are in use.
   std::byte* ClaimReserved() noexcept;
   /// The reason why Claim() returned null.
   [[nodiscard]] Status refusal() const noexcept;
@@ -84,7 +86,8 @@ class Mailbox {
   [[nodiscard]] std::size_t SlotOf(const std::byte* argument) const noexcept;
   /// Hands the claimed slot to the server, which will execute `entry`.
   void Publish(std::byte* argument, Entry& entry) noexcept;
-  /// Instead of Publish(), if the argument could not be made: the slot passes without a call.
+  /// Called instead of Publish() if creating the argument failed: the slot is skipped without a
+  /// call.
   void GiveUp(std::byte* argument) noexcept;
 
   /// Executes the oldest call; false when there is none.
@@ -95,16 +98,16 @@ class Mailbox {
   /// Claim() refuses from now on.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
-  /// While held, calls arrive and wait, but are not executed.
+  /// Keeps calls waiting: they are accepted, but not executed.
   void Hold() noexcept { held_.Set(true); }
   void Release() noexcept { held_.Set(false); }
   [[nodiscard]] bool is_held() const noexcept { return held_.Get(); }
-  /// Waiting calls will not be executed any more.
+  /// From now on, waiting calls are not executed.
   void Abandon() noexcept { abandoned_.Set(true); }
   [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
   /// True if the called component executes calls.
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
-  /// True if this very thread would have to execute the calls that it posts.
+  /// True if the calling thread is the one that executes the posted calls.
   [[nodiscard]] bool is_executed_here() const noexcept {
     return server_.thread.Get() == std::this_thread::get_id();
   }
@@ -114,7 +117,7 @@ class Mailbox {
 
   [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
-  /// Calls that have left the mailbox, nearly all because they were executed.
+  /// Calls that have left the mailbox, nearly all of them executed.
   [[nodiscard]] std::uint64_t taken() const noexcept {
     return many_ ? many_->released() : one_->released();
   }
@@ -153,7 +156,7 @@ class Mailbox {
   Flag abandoned_;
   Flag held_;
   CompletionPool completions_;
-  // Written by callers, some of which retry all the time: apart from the data the server reads.
+  // Written by callers, which may retry all the time: kept apart from data that the server reads.
   alignas(kSeparation) SharedCounter<> refused_;
   SharedCounter<> replaced_;
 };

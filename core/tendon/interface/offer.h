@@ -28,7 +28,7 @@ MemberDescription DescribeMember(std::string name, CommandKind kind) {
           .expires_after = 0.0};
 }
 
-/// The effect of a full mailbox on a call.
+/// What happens to a call if the mailbox is full.
 enum class Overflow {
   kRefuse,      ///< it is refused with kQueueFull
   kLatestOnly,  ///< never refused: it replaces an older call of the command that still waits
@@ -44,7 +44,7 @@ struct ColumnSource {
 };
 
 /// An operation that a component offers: a command of a provided interface, or an event handler of
-/// a required one. Each connection gets its own command from it.
+/// a required one. Each connection gets its own command, made by Bind().
 class Offer {
  public:
   explicit Offer(MemberDescription description) : description_(std::move(description)) {}
@@ -58,60 +58,62 @@ class Offer {
     description_.hazard = std::move(hazard);
     return *this;
   }
-  /// For queued void and write commands and handlers, in the constructor; others ignore it.
+  /// Sets the effect of a full mailbox. Call it in the constructor; only queued void and write
+  /// commands and handlers use it.
   Offer& SetOverflow(Overflow overflow) {
     overflow_ = overflow;
     return *this;
   }
   [[nodiscard]] Overflow overflow() const { return overflow_; }
-  /// True if overflow() says kLatestOnly and this kind of offer does not ignore it.
+  /// True if overflow() is kLatestOnly and this kind of offer uses it.
   [[nodiscard]] bool keeps_latest_only() const {
     return overflow_ == Overflow::kLatestOnly && uses_mailbox() &&
            !WaitsForServer(description_.signature.kind);
   }
 
-  /// For queued commands of a task, in the constructor: the next call must renew the effect of a
-  /// call; a call that the command refuses renews it, too. If no call was executed for `after`, or
-  /// the client of the last call is gone, `method` runs in the component's thread: in
-  /// ProcessQueuedCommands(), or at the latest at the end of the first cycle after that. So a robot
-  /// stops when its operator is cut off. `method` also runs if another command has since taken over
-  /// or ended everything: it must check that the effect still goes on. `after` is 1 ms to 3600 s.
-  /// Throws ConfigurationError if calls do not wait for the component's thread.
+  /// Limits how long the effect of a call lasts: each call renews it, even one that the command
+  /// refuses. If no call was executed for `after`, or the client of the last call is gone, `method`
+  /// runs in the component's thread: in ProcessQueuedCommands(), or at the latest at the end of the
+  /// next cycle. So a robot stops when the connection to its operator breaks. `method` also runs if
+  /// another command has ended or replaced the effect meanwhile, so it must check whether the
+  /// effect still lasts. `after` is 1 ms to 3600 s. For queued commands of a task, in the
+  /// constructor; throws ConfigurationError for commands that are not queued.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });
   }
-  /// Null if calls need not be renewed.
+  /// Null if the effect of a call has no time limit.
   [[nodiscard]] Expiry* expiry() const { return expiry_.get(); }
 
-  /// States that a call returns the newest value of a column, which must outlive the offer.
+  /// Declares that a call returns the newest value of a column, which must outlive the offer.
   Offer& SetSource(const ColumnSource& source) {
     source_ = source;
     return *this;
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// CallerThreads of a disabled command get kDisabled; calls that already wait are still executed.
-  /// Any thread.
+  /// Callers of a disabled command get kDisabled; calls that already wait are still executed. Any
+  /// thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
-  /// Sets its component, on behalf of its interface. The host outlives all commands.
+  /// Sets the component; called by its interface. The host must outlive all commands.
   void SetHost(const Host* host) { host_ = host; }
 
-  /// States that a call only copies from a state table.
+  /// Declares that a call only copies from a state table.
   Offer& SetReadsTableOnly() {
     reads_table_only_ = true;
     return *this;
   }
-  /// True if a call runs code of the component in the caller's thread, where it may take long.
+  /// True if a call runs code of the component in the caller's thread, which may take long.
   /// `has_mailbox` says whether the offer is bound to a mailbox.
   [[nodiscard]] virtual bool RunsInCaller(bool has_mailbox) const {
     return uses_mailbox() ? !has_mailbox : !reads_table_only_;
   }
 
-  /// True if the mailbox refers to the result of Bind(), so that both are freed together.
+  /// True if slots of the mailbox refer to the result of Bind(), so that both must be freed
+  /// together.
   [[nodiscard]] virtual bool uses_mailbox() const { return true; }
   /// The room that its argument needs in a mailbox slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
@@ -186,10 +188,10 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
   Filter filter_;
 };
 
-/// The side that is blamed for an exception in code that runs in the caller's thread.
+/// The side that is at fault if code in the caller's thread throws.
 enum class Blame {
-  kCaller,     ///< it gets kFailed: its argument may be the cause
-  kComponent,  ///< it is faulted as well
+  kCaller,     ///< the caller gets kFailed, because its argument may be the cause
+  kComponent,  ///< in addition, the component is faulted
 };
 
 /// Runs `body` in the caller's thread. Each connection gets a copy of `body`, which may contain a

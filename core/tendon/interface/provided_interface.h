@@ -22,12 +22,12 @@ namespace tendon {
 /// A named set of commands and events that a component offers.
 ///
 /// Fill it in the component's constructor. A duplicate or invalid name, or adding a member after
-/// the component was started, throws ConfigurationError. Methods and events must outlive the
-/// interface; members of the component do.
+/// the component was started, throws ConfigurationError. Events and the objects of methods must
+/// outlive the interface; use members of the component.
 class ProvidedInterface {
  public:
-  /// Calls wait in `inbox` for the component's thread; if null, they run in the caller's thread.
-  /// `host` is the component; without one, calls are always accepted.
+  /// Calls wait in `inbox` for the component's thread. If `inbox` is null, they run in the caller's
+  /// thread. `host` is the component; without one, calls are always accepted.
   ProvidedInterface(std::string name, Inbox* inbox, const Host* host = nullptr)
       : name_(std::move(name)), inbox_(inbox), host_(host) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
@@ -54,8 +54,8 @@ class ProvidedInterface {
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
   }
-  /// The caller waits for the reply, with a deadline. Only for quick methods: a caller that has
-  /// given up does not get the reply.
+  /// The caller waits for the reply, with a deadline. Use it only for quick methods: a reply after
+  /// the deadline is lost.
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, PlacedName name) {
     return AddQueued<None, Out>(
@@ -123,7 +123,7 @@ class ProvidedInterface {
         });
   }
 
-  // Runs in the caller's thread at any time; therefore the tag.
+  // Runs in the caller's thread at any time, as the tag ThreadSafe confirms.
 
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe) {
@@ -146,9 +146,9 @@ class ProvidedInterface {
                                   return Status::kDone;
                                 });
   }
-  /// For a value that never changes after the method has returned it: an image, a map. It is not
-  /// copied before it is sent to another process. Null gives kNoSample. The method runs in the
-  /// caller's thread, which may be the last holder of the value and then frees it.
+  /// For a value that never changes after the method has returned it: an image, a map. Callers in
+  /// this process share the value without a copy. Null gives kNoSample. The method runs in the
+  /// caller's thread, which frees the value if it is the last holder.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         PlacedName name, ThreadSafe) {
@@ -169,14 +169,14 @@ class ProvidedInterface {
                               });
   }
 
-  /// Lets clients handle `event`. The component raises it by calling it.
+  /// Lets clients handle `event`, which the component raises by calling it.
   template <Payload T>
   void AddEvent(Event<T>& event, PlacedName name) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
     AddEvent(event, DescribeMember<T, None>(std::move(name.text), kKind), name.place);
   }
 
-  /// For members that are made at run time, such as proxies and columns of a table.
+  /// For members that are created at run time, such as those of proxies and the columns of a table.
   Offer& AddOffer(std::unique_ptr<Offer> offer, SourcePlace place = SourcePlace::current());
   void AddEvent(EventBase& event, MemberDescription description,
                 SourcePlace place = SourcePlace::current());
@@ -185,7 +185,7 @@ class ProvidedInterface {
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
 
-  /// One for each command that must be renewed.
+  /// One for each command whose effect must be renewed.
   [[nodiscard]] std::vector<Expiry*> expiries() const;
 
   /// Calls EventBase::SetSourceFaulted() of all its events.

@@ -52,14 +52,14 @@ void RequiredInterface::AdmitPeerAtRest() noexcept {
 
 void RequiredInterface::Announce(Peer& peer) {
   peer.number = ++peers_;
-  peer_.Set(peer.number);  // before the component can take it and compare numbers
+  peer_.Set(peer.number);  // set before the component can see the peer and compare numbers
   announced_.Exchange(&peer);
   if (has_hearer()) return host_->TellPeerChanged(*this);
   if (TakePeer()) binding_.Exchange(peer.members);
 }
 
 void RequiredInterface::Withdraw() noexcept {
-  announced_.Exchange(nullptr);  // from here on nobody can admit it
+  announced_.Exchange(nullptr);  // from here on, no thread can admit the peer
   binding_.Exchange(nullptr);
 }
 

@@ -21,7 +21,7 @@ namespace tendon {
 
 enum class Need { kRequired, kOptional };
 
-/// A named set of functions and event handlers that a component needs. A connection fills it from a
+/// A named set of functions and event handlers that a component needs. A connection binds them to a
 /// provided interface. Members are added in the component's constructor, as in ProvidedInterface.
 class RequiredInterface {
  public:
@@ -39,7 +39,7 @@ class RequiredInterface {
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
 
-  /// `function` is a member of the component and calls the command of this name.
+  /// Binds `function`, a member of the component, to the command of this name.
   template <CommandKind kKind, Payload In, Payload Out>
   void AddFunction(Function<kKind, In, Out>& function, PlacedName name,
                    Need need = Need::kRequired) {
@@ -65,7 +65,7 @@ class RequiredInterface {
                          [method, object](const In& in, None&) { (object->*method)(in); });
   }
 
-  // Runs in the thread that raises the event; therefore the tag.
+  // Runs in the thread that raises the event, as the tag ThreadSafe confirms.
 
   template <typename Owner, std::derived_from<Owner> Object>
   void AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe,
@@ -88,7 +88,7 @@ class RequiredInterface {
              name.place);
   }
 
-  /// For members that are made at run time. Returns the caller's index in the binding.
+  /// For members that are made at run time. Returns the index of `caller` in the binding.
   std::size_t AddCaller(Caller& caller, MemberDescription description,
                         SourcePlace place = SourcePlace::current());
   Offer& AddOffer(std::unique_ptr<Offer> handler, SourcePlace place = SourcePlace::current());
@@ -99,8 +99,8 @@ class RequiredInterface {
   void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
   [[nodiscard]] CallerThreads callers() const { return binding_.callers(); }
 
-  /// Capacity for calls at the server, and for events here: 1 to 2^24, default 64. Set it before
-  /// the connection is made.
+  /// Capacity of the mailboxes, both for calls at the server and for events here: 1 to 2^24,
+  /// default 64. Set it before the connection is made.
   void SetMailboxCapacity(std::size_t capacity);
   [[nodiscard]] std::size_t mailbox_capacity() const { return mailbox_capacity_; }
 
@@ -109,11 +109,11 @@ class RequiredInterface {
   void SetReadDeadline(std::chrono::milliseconds deadline);
   [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
 
-  /// If another process serves `function` (already added), reads return a copy that is updated
-  /// about 50 times a second. A read does not wait or lock and, after the first one, does not
-  /// allocate; it returns kNoSample before the first copy. The age() of the function tells how old
-  /// the value was. Works only with AddCommandReadState() without a delay: connecting to any other
-  /// command of another process is refused. Within one process, reads are as usual.
+  /// Makes reads of `function` (already added) return a local copy, updated about 50 times a
+  /// second, if the server is in another process. A read does not wait or lock and, after the first
+  /// one, does not allocate; it returns kNoSample before the first copy arrives. Function::age() is
+  /// the age of the value. Works only with AddCommandReadState() without a delay: connecting to any
+  /// other command of another process is refused. Within one process, Mirror() has no effect.
   template <Payload T>
   void Mirror(const Function<CommandKind::kRead, None, T>& function) {
     MarkMirrored(function);
@@ -121,29 +121,28 @@ class RequiredInterface {
   /// Names of the mirrored functions.
   [[nodiscard]] std::vector<std::string> mirrored() const;
 
-  /// Steady-clock time when the event was raised that the component's thread handles now, or has
-  /// handled last; for an event of another process, when it arrived. Direct handlers run when the
-  /// event is raised.
+  /// Steady-clock time at which the current or last event handled by the component's thread was
+  /// raised; for an event of another process, the time of its arrival. Not for direct handlers,
+  /// which run when the event is raised.
   [[nodiscard]] SteadyTime event_time() const { return event_time_; }
   /// Events that did not reach their handlers here: the mailbox was full, the component not active,
   /// or a handler threw. If a handler keeps only the latest event, replaced ones are not lost.
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
   [[nodiscard]] RequiredDescription description() const;
-  /// True if some event handlers run in the thread that raises the event, where they may take long.
+  /// True if some event handlers run in the thread that raises the event, which may take long.
   [[nodiscard]] bool handles_in_raiser() const;
   /// Names of the event handlers that keep only the latest event.
   [[nodiscard]] std::vector<std::string> latest_only() const;
-  /// True if there is a connection. Functions reach the peer after the component was told of it:
-  /// Component::OnConnected().
+  /// True if there is a connection. Functions reach the peer only after Component::OnConnected().
   [[nodiscard]] bool is_connected() const noexcept { return peer_.Get() != kNoPeer; }
-  /// Increases with each new peer, when the component is told of it; 0 before the first. A changed
+  /// Increases with each new peer, at Component::OnConnected(); 0 before the first. A changed
   /// number means that earlier data came from another peer. Any thread.
   [[nodiscard]] std::uint64_t generation() const noexcept { return generation_.Get(); }
 
   void Seal();
 
-  // For the component, in its own thread; it handles each change before it goes on.
+  // For the component, in its own thread, which handles each change before it continues.
 
   enum class PeerChange { kNone, kGone, kNew };
   [[nodiscard]] PeerChange peer_change() const noexcept {
@@ -153,13 +152,14 @@ class RequiredInterface {
   }
   /// Called after kGone.
   void ForgetPeer() noexcept { told_ = kNoPeer; }
-  /// Called after kNew: the next generation begins. False if the peer has gone meanwhile.
+  /// Called after kNew: the next generation begins. False if the peer is disconnected meanwhile.
   bool TakePeer() noexcept;
-  /// From now on calls reach the peer and its events are handled, unless it has gone meanwhile.
+  /// From now on calls reach the peer and its events are handled, unless it is disconnected
+  /// meanwhile.
   void AdmitPeer() noexcept;
 
-  /// For managers, while the component does not run; it is told when it starts. Admits calls now,
-  /// unless many threads may call.
+  /// For managers, while the component does not run; OnConnected() follows at its start. Admits
+  /// calls now, unless many threads may call.
   void AdmitPeerAtRest() noexcept;
 
  private:
@@ -175,15 +175,15 @@ class RequiredInterface {
 
   // For connections, in a manager's thread.
 
-  /// True if the component is told of its peers and admits them.
+  /// True if the component is notified of its peers and admits them itself.
   [[nodiscard]] bool has_hearer() const {
     return host_ != nullptr && host_->hears_of_connections();
   }
-  /// Sets the peer, which must stay in place until it is withdrawn, and numbers it.
+  /// Sets the peer and gives it a number. `peer` must stay valid until Withdraw().
   void Announce(Peer& peer);
-  /// After this, no call reaches the peer.
+  /// After the return, no call reaches the peer.
   void Withdraw() noexcept;
-  /// There is no peer any more.
+  /// Notifies the component that it has no peer any more.
   void AnnounceNone();
 
   struct NamedCaller {
@@ -232,9 +232,9 @@ class RequiredInterface {
   std::uint64_t peers_ = 0;  // number of peers so far
   Published<std::uint64_t> peer_{kNoPeer};
   GuardedPointer<const Peer> announced_;
-  std::uint64_t told_ = kNoPeer;  // of the component's thread: the peer it knows
+  std::uint64_t told_ = kNoPeer;  // the peer that the component knows; used by its thread
   Published<std::uint64_t> generation_{0};
-  SteadyTime event_time_{};  // of the component's thread
+  SteadyTime event_time_{};  // used by the component's thread
   SharedCounter<> lost_events_;
 };
 

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// How a command is executed. It is part of the signature, so that a harmless read can never bind
-/// to a command that blocks.
+/// How a command is executed. It is part of the signature, so that a function which should be a
+/// harmless read can never bind to a command that blocks.
 enum class CommandKind : std::int32_t {
   kVoid,           ///< no argument; queued to the server's thread
   kWrite,          ///< one argument in; queued to the server's thread

@@ -9,11 +9,12 @@
 
 namespace tendon {
 
-/// The messages of a component to people: the events `Status`, `Warning` and `Error` of one of its
-/// provided interfaces, each a text. Every message is also logged. A member of the component.
+/// Messages of a component for people: the events `Status`, `Warning` and `Error` of one of its
+/// provided interfaces, each with a text. Every message is also logged. Make it a member of the
+/// component.
 ///
 /// Thread safety: that of the component's events. Sending costs as much as Log(). In a cycle it
-/// allocates nothing once the longest text has passed through each slot.
+/// allocates nothing once each mailbox slot has held the longest text.
 class Messages {
  public:
   /// Adds the events to `interface`; `source` is the name under which they are logged.

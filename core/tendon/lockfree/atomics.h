@@ -11,7 +11,8 @@
 
 namespace tendon {
 
-/// Distance between data that two threads write: two cache lines, as processors fetch pairs.
+/// Distance in bytes between data that two threads write: two cache lines, because processors fetch
+/// them in pairs.
 inline constexpr std::size_t kSeparation = 128;
 inline constexpr std::size_t kCacheLine = 64;
 
@@ -22,7 +23,7 @@ struct StdAtomics {
   using Atomic = std::atomic<T>;
 
   static void Fence(std::memory_order order) noexcept { std::atomic_thread_fence(order); }
-  /// Orders only the compiler; the other side compensates with ProcessBarrier().
+  /// Orders only the compiler; the other thread compensates with ProcessBarrier().
   static void CompilerFence() noexcept { std::atomic_signal_fence(std::memory_order_seq_cst); }
   /// A full fence in every thread of the process. Takes microseconds.
   static void ProcessBarrier() noexcept { os::ProcessBarrier(); }
@@ -33,7 +34,7 @@ struct StdAtomics {
   }
   static void Wake(const std::atomic<std::uint32_t>& word) noexcept { os::FutexWake(word); }
 
-  /// Waits between two checks for a change by another thread: first yields, then sleeps.
+  /// Waits between two checks of a spin loop: yields at first, later sleeps.
   static void Pause(unsigned looks) noexcept {
     constexpr unsigned kYields = 64;
     constexpr std::chrono::microseconds kNap(50);

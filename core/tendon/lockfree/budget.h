@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// Limits how many units any threads hold together. Wait-free; costs nothing without a limit. Does
-/// not order other data.
+/// Limits the total number of units that all threads hold. Wait-free; costs nothing without a
+/// limit. Does not order other data.
 template <typename Atomics = StdAtomics>
 class Budget {
  public:
@@ -17,8 +17,9 @@ class Budget {
 
   explicit Budget(std::uint64_t most = kNoLimit) : most_(most) {}
 
-  /// Takes `n` units if the total stays within the limit, or if nothing else is taken: one alone
-  /// may exceed it. May also fail while the request of another thread is being refused.
+  /// Takes `n` units if the total stays within the limit, or if no units are taken, so that a
+  /// single large request succeeds. May fail spuriously while another thread's request is being
+  /// refused.
   [[nodiscard]] bool Take(std::uint64_t n) noexcept {
     if (most_ == kNoLimit) return true;
     const std::uint64_t before = taken_.fetch_add(n, std::memory_order_relaxed);

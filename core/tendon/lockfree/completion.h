@@ -8,23 +8,24 @@
 
 namespace tendon {
 
-/// The record that a waiting caller and the server of its call share. It belongs to a pool, and is
-/// free, pending (not executed yet), started, done, or abandoned by its caller.
+/// The record that a waiting caller shares with the server of its call. It belongs to a pool. Its
+/// states: free, pending (not executed yet), started, done, abandoned by its caller.
 ///
 /// Thread safety: any thread may try to take a free record; then one caller and one server use it.
-/// The last one to finish frees it: the caller of a done record, the server of an abandoned one.
+/// The side that finishes last frees it: the caller frees a done record, the server an abandoned
+/// one.
 template <typename Atomics = StdAtomics>
 class Completion {
  public:
   enum class Ending {
     kDone,        ///< status() is valid; call Free()
-    kNotStarted,  ///< and will not be
+    kNotStarted,  ///< will never be executed
     kStarted,     ///< being executed; the outcome stays unknown
   };
 
   // For the caller.
 
-  /// From free to pending; false if it is not free.
+  /// Changes the state from free to pending; false if it is not free.
   bool TryTake() noexcept {
     State expected = kFree;
     if (!state_.compare_exchange_strong(expected, kPending,
@@ -34,8 +35,8 @@ class Completion {
     listener_.store(nullptr, std::memory_order_relaxed);
     return true;
   }
-  /// Called before the post, by a caller that does not sleep in Await(). `listener` is notified
-  /// when is_done() holds, and by Interrupt(). It must outlive the record.
+  /// Called before the call is posted, by a caller that does not sleep in Await(). `listener` is
+  /// notified when the call is done, and by Interrupt(). It must outlive the record.
   void SetListener(Wakeup<Atomics>& listener) noexcept {
     listener_.store(&listener, std::memory_order_release);  // (D)
   }
@@ -60,15 +61,17 @@ class Completion {
 
   // For the server.
 
-  /// Before the call. False if its caller has gone: the call must not be executed.
+  /// Called before the execution. False if the caller has gone: then the call must not be executed.
   bool Start() noexcept {
     if (state_.exchange(kStarted, std::memory_order_acq_rel) != kAbandoned) return true;  // (C)
     Free();
     return false;
   }
-  /// After the call. A caller that finds it done sees everything written before.
+  /// Called after the execution. A caller that sees the state "done" also sees everything written
+  /// before it.
   void Finish(Status status) noexcept {
-    // Read first: once the state is done, the listener may be that of the next caller.
+    // Read before the exchange: once the state is done, the next caller may already have set its
+    // listener.
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
     status_ = status;
     if (state_.exchange(kDone, std::memory_order_acq_rel) == kAbandoned) return Free();  // (B), (C)
@@ -76,8 +79,8 @@ class Completion {
     if (listener != nullptr) listener->Notify();
   }
 
-  /// Any thread: makes the caller check `interrupted()`; notifies a listener too, if the call was
-  /// posted before.
+  /// Any thread: makes the caller check `interrupted()`; also notifies the listener of a call that
+  /// was posted before.
   void Interrupt() noexcept {
     wakeup_.Notify();
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)

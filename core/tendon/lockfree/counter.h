@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// A number that one thread increments and any thread may read. As cheap as a plain number; does
+/// A number that one thread increments and any thread may read. As cheap as a plain variable; does
 /// not order other data.
 template <typename Atomics = StdAtomics>
 class Counter {
@@ -23,7 +23,7 @@ class Counter {
   typename Atomics::template Atomic<std::uint64_t> value_{0};
 };
 
-/// The same for several counting threads: one locked instruction.
+/// The same for several incrementing threads. Costs one locked instruction.
 template <typename Atomics = StdAtomics>
 class SharedCounter {
  public:

@@ -8,11 +8,11 @@
 namespace tendon {
 
 /// A pointer that one thread uses in its calls while another thread replaces it and learns when the
-/// old object is no longer in use. The calling side pays three plain stores; the replacing side
-/// pays for both with a barrier through the whole process.
+/// old object is no longer in use. A call costs three plain stores; a replacement costs a memory
+/// barrier in the whole process.
 ///
 /// Thread safety: Calls by one thread (also nested); Exchange() and Get() by other threads, one at
-/// a time, never from inside a call, for which they would wait forever.
+/// a time, never from inside a call, where they would wait forever.
 ///
 /// The in-call word tells which object the thread uses:
 /// - A call stores that it uses some object, then loads the pointer, then stores which object. If
@@ -35,7 +35,7 @@ class GuardedPointer {
     explicit Call(GuardedPointer& guarded) noexcept
         : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {  // its own
       guarded_.in_call_.store(kSomeObject, std::memory_order_release);
-      Atomics::CompilerFence();  // with (C) a full fence: stored before the pointer is loaded
+      Atomics::CompilerFence();  // with (C) a full fence: store, then load
       object_ = guarded_.pointer_.load(std::memory_order_acquire);  // pairs with (A)
       const std::uintptr_t word = WordOf(object_);
       const bool is_only_one = before_ == kNoObject || before_ == word;
@@ -55,7 +55,8 @@ class GuardedPointer {
   };
 
   /// Makes `next` the object of all further calls, waits until no call uses the old object, and
-  /// returns it; the caller may free it. Takes microseconds, plus the rest of a call that uses it.
+  /// returns it; the caller may free it. Takes microseconds, plus the rest of a running call that
+  /// uses the old object.
   T* Exchange(T* next) noexcept {
     T* const old = Get();
     TryExchange(next, SteadyTime::max());
@@ -75,8 +76,8 @@ class GuardedPointer {
     }
   }
 
-  /// Instead of an exchange if there is no object yet; by the calling thread, between two of its
-  /// calls. Costs one store. The replacing side must not replace it meanwhile.
+  /// Sets the first object without an exchange. The calling thread calls it, between two of its
+  /// calls, while the pointer is null and the replacing side does nothing. Costs one store.
   void SetByCaller(T* object) noexcept {
     pointer_.store(object, std::memory_order_release);  // (A)
   }
@@ -87,7 +88,7 @@ class GuardedPointer {
  private:
   // Objects are aligned, so the word of an object never equals these.
   static constexpr std::uintptr_t kNoObject = 0;
-  static constexpr std::uintptr_t kSomeObject = 1;  // unknown which, or several
+  static constexpr std::uintptr_t kSomeObject = 1;  // one that is not known yet, or several
 
   static std::uintptr_t WordOf(T* object) noexcept {
     static_assert(alignof(T) >= 4);

@@ -22,7 +22,7 @@ class NoticeList {
   NoticeList(const NoticeList&) = delete;
   NoticeList& operator=(const NoticeList&) = delete;
 
-  /// Also frees the notices that were taken before.
+  /// Also frees the notices that the receiver has taken.
   void Send(T notice) {
     notices_.remove_if([](const Node& node) {
       return node.is_taken.load(std::memory_order_acquire);  // pairs with (B)
@@ -33,7 +33,8 @@ class NoticeList {
     }
   }
 
-  /// True if an unread notice satisfies `predicate(const T&)`. In the sending thread.
+  /// True if a notice that was not taken yet satisfies `predicate(const T&)`. Called by the sending
+  /// thread.
   template <typename Predicate>
   [[nodiscard]] bool HasUnread(Predicate predicate) const {
     for (const Node& node : notices_) {

@@ -9,15 +9,15 @@
 
 namespace tendon {
 
-/// A GuardedPointer for several calling threads; two locked instructions per call.
+/// A GuardedPointer for several calling threads. Each call costs two locked instructions.
 ///
 /// Thread safety: Calls by any threads (also nested); Exchange() and Get() by one thread at a time,
 /// never from inside a call.
 ///
-/// Calls are counted in one of two places. The lowest bit of the pointer tells which place belongs
-/// to the object, and changes with each exchange. A call counts itself, then reads the pointer
-/// again; if the pointer has changed, the call starts over. So all calls that stay counted in the
-/// old place use the old object, and the exchange waits only for them.
+/// There are two counters of running calls. The lowest bit of the pointer says which counter
+/// belongs to the object, and changes with each exchange. A call increments the counter, then reads
+/// the pointer again; if the pointer has changed, the call starts over. So all calls in the old
+/// counter use the old object, and the exchange waits only for them.
 template <typename T, typename Atomics = StdAtomics>
 class SharedGuardedPointer {
  public:
@@ -56,12 +56,13 @@ class SharedGuardedPointer {
   };
 
   /// Makes `next` the object of all further calls, waits until no call uses the old object, and
-  /// returns it; the caller may free it. Takes as long as the longest call that uses it.
+  /// returns it; the caller may free it. Takes as long as the longest call that uses the old
+  /// object.
   T* Exchange(T* next) noexcept {
     const std::uintptr_t old = pointer_.load(std::memory_order_relaxed);
     const std::size_t place = PlaceOf(old);
     pointer_.store(WordOf(next, 1 - place), std::memory_order_release);  // (A) publishes the object
-    Atomics::Fence(std::memory_order_seq_cst);  // (C) the pointer is out, then calls are seen
+    Atomics::Fence(std::memory_order_seq_cst);  // (C) published, then counters are read
     for (unsigned looks = 0; running_[place].load(std::memory_order_acquire) != 0; ++looks) {
       Atomics::Pause(looks);  // the load above pairs with (B)
     }
@@ -83,7 +84,7 @@ class SharedGuardedPointer {
     return reinterpret_cast<T*>(word & ~std::uintptr_t{1});
   }
 
-  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // with the place in its lowest bit
+  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // its lowest bit is the counter
   std::array<typename Atomics::template Atomic<std::uint32_t>, 2> running_{};
 };
 

@@ -17,8 +17,8 @@ namespace tendon {
 /// is lock-free, the others wait-free. A producer that is delayed between Claim() and Publish()
 /// delays the slots claimed after its own, but not the other producers.
 ///
-/// Claims move the write index. Each place in memory counts how often it was published. The slot of
-/// an index is published when its place was published once for every turn through the ring.
+/// A claim increments the write index. Each slot in memory counts how often it was published. The
+/// slot of an index is published when this count equals the number of turns through the ring.
 template <typename Atomics = StdAtomics>
 class SharedSlotRing {
  public:
@@ -39,11 +39,11 @@ class SharedSlotRing {
   /// Hands a claimed slot to the consumer.
   void Publish(const std::byte* slot) noexcept {
     Index& turns = published_[IndexOf(slot)];
-    // No other thread writes it now; (B) has made the count of the previous turn visible.
+    // No other thread writes this count now; (B) has made the count of the previous turn visible.
     turns.store(turns.load(std::memory_order_relaxed) + 1, std::memory_order_release);  // (A)
   }
 
-  /// Consumer: the oldest slot, the same until Release(); null when it is not published yet.
+  /// Consumer: the oldest slot, the same until Release(); null if it is not published yet.
   std::byte* Front() noexcept {
     const std::uint64_t read = read_.load(std::memory_order_relaxed);
     std::byte* const slot = slots_.At(read);
@@ -78,11 +78,12 @@ class SharedSlotRing {
   using Index = typename Atomics::template Atomic<std::uint64_t>;
 
   std::byte* ClaimWithin(std::size_t limit) noexcept {
-    // The exchange orders nothing: (B) frees the slot, and (A) tells the consumer of it.
+    // The exchange needs no ordering: (B) frees the slot, and (A) publishes it to the consumer.
     std::uint64_t write = write_.load(std::memory_order_relaxed);
     while (true) {
       const std::uint64_t read = read_.load(std::memory_order_acquire);  // pairs with (B)
-      // An old `write` may lie before `read`; then the exchange fails and loads the newest value.
+      // A stale `write` may be less than `read`; then the exchange fails and loads the newest
+      // value.
       const auto waiting = static_cast<std::int64_t>(write - read);
       if (waiting >= static_cast<std::int64_t>(limit)) return nullptr;
       if (write_.compare_exchange_weak(write, write + 1, std::memory_order_relaxed)) {

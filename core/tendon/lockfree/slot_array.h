@@ -43,7 +43,7 @@ class SlotArray {
   [[nodiscard]] std::byte* At(std::uint64_t index) const noexcept {
     return slots_ + (index & mask_) * stride();
   }
-  /// The place number of a slot, below count_in_memory().
+  /// The number of a slot in memory, below count_in_memory().
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
     // Exact division by the stride: a shift and the inverse of its odd part, modulo 2^64.
     return (static_cast<std::size_t>(slot - slots_) >> shift_) * inverse_;

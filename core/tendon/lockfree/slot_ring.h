@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// A bounded queue of raw slots between one producer thread and one consumer thread. Its users
-/// construct, use and destroy the contents of a slot in place.
+/// A bounded queue of raw slots between one producer thread and one consumer thread. The producer
+/// constructs the content of a slot in place; the consumer uses and destroys it there.
 ///
 /// All memory is allocated by the constructor. A capacity of 64 holds 64.
 ///
@@ -26,7 +26,7 @@ class SlotRing {
            std::size_t reserve = 0)
       : capacity_(capacity), reserve_(reserve), slots_(capacity + reserve, slot_size, alignment) {}
 
-  /// Producer: the next free slot, the same until Publish(); null if the ring is full.
+  /// Producer: the next free slot, always the same one until Publish(); null if the ring is full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
   /// Producer: the same, but full only when the reserve is used up as well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
@@ -53,7 +53,7 @@ class SlotRing {
     consumer_.read.store(read + 1, std::memory_order_release);  // (B) returns the slot
   }
 
-  /// The place number of a slot, below storage(); it serves a pool beside the ring.
+  /// The number of a slot in memory, below storage(); it can index a pool beside the ring.
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
     return slots_.IndexOf(slot);
   }

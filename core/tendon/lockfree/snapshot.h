@@ -8,26 +8,26 @@
 
 namespace tendon {
 
-/// Passes the newest value from one thread to one other, always complete; a newer value replaces an
-/// older one. Values are assigned, so that dynamic types keep their memory.
+/// Passes the newest value from one thread to another one, never a partial value; a newer value
+/// replaces an older one. Values are assigned, so that dynamic types keep their memory.
 ///
 /// Thread safety: one thread calls Write(), one other Take(), any is_fresh(). Wait-free.
 ///
-/// Of three values, one belongs to the writer and one to the reader. Each side exchanges its own
-/// for the third, the one in the middle.
+/// A triple buffer: one of three values belongs to the writer and one to the reader. Each side
+/// exchanges its own value with the third, the middle one.
 template <typename T, typename Atomics = StdAtomics>
 class Snapshot {
  public:
-  /// Returns true if it replaces a value that was never taken.
+  /// Returns true if this replaces a value that the reader never took.
   bool Write(const T& value) {
     values_[mine_] = value;
-    // (A) publishes the value; (B) gives the writer one that the reader no longer uses.
+    // (A) publishes the value; (B) gives the writer a value that the reader no longer uses.
     const std::uint32_t old = middle_.exchange(mine_ | kFresh, std::memory_order_acq_rel);
     mine_ = old & kPlace;
     return (old & kFresh) != 0;
   }
 
-  /// The newest value, the reader's until its next Take(); null if it was already taken.
+  /// The newest value, valid until the reader's next Take(); null if it was already taken.
   T* Take() noexcept {
     if (!is_fresh()) return nullptr;
     // (B) hands the reader's value back; pairs with (A).
@@ -45,8 +45,8 @@ class Snapshot {
   static constexpr std::uint32_t kFresh = 4;
 
   std::array<T, 3> values_{};
-  std::uint32_t mine_ = 0;    // of the writer
-  std::uint32_t theirs_ = 1;  // of the reader
+  std::uint32_t mine_ = 0;    // index of the writer's value
+  std::uint32_t theirs_ = 1;  // index of the reader's value
   typename Atomics::template Atomic<std::uint32_t> middle_{2};
 };
 

@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// A right that one thread at a time may hold. Nobody waits for it: a second thread goes without.
+/// A lock without waiting: one thread at a time holds it, and TryTake() fails for the others.
 /// Wait-free; one locked instruction.
 template <typename Atomics = StdAtomics>
 class TryLock {
@@ -18,7 +18,7 @@ class TryLock {
   /// Called by the thread whose TryTake() succeeded.
   void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
 
-  /// Takes it if it is free, and returns it in the end.
+  /// Takes the lock if it is free; the destructor returns it.
   class [[nodiscard]] Hold {
    public:
     explicit Hold(TryLock& lease) noexcept : lease_(lease.TryTake() ? &lease : nullptr) {}

@@ -7,12 +7,12 @@
 
 namespace tendon {
 
-/// Lets one thread sleep until others have work for it. A poster pays a fence and a look at a flag
+/// Lets one thread sleep until others have work for it. A poster pays a fence and a load of a flag
 /// (about 5 ns) while that thread is awake, and a system call while it sleeps.
 ///
 /// No wake-up is lost: the poster publishes, then reads the flag; the sleeper raises the flag, then
-/// looks for work. With a full fence between the two steps on both sides, at least one of them sees
-/// the other.
+/// checks for work. With a full fence between the two steps on both sides, at least one of them
+/// sees the other.
 ///
 /// Thread safety: any thread may Notify(); one thread may WaitUntil().
 template <typename Atomics = StdAtomics>
@@ -20,32 +20,33 @@ class Wakeup {
  public:
   /// Called after the work was published. Wait-free except for the system call.
   void Notify() noexcept {
-    Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is out before the flag is read
+    Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is visible before the flag is read
     NotifyAfterFence();
   }
-  /// The same for a poster that has already put such a fence after the work.
+  /// The same for a poster that has already executed a full fence after it published the work.
   void NotifyAfterFence() noexcept {
     if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
     if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
   }
-  /// Notify() for work that has time until `when`: skips a sleeper that wakes by itself before.
+  /// Notify() for work that may wait until `when`: does nothing if the sleeper wakes by itself
+  /// before then.
   void NotifyBy(SteadyTime when) noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A)
     if (asleep_.load(std::memory_order_acquire) == kAwake) return;
     if (until_.load(std::memory_order_relaxed) > when) NotifyAfterFence();
   }
 
-  /// Sleeps until `ready()` or until `deadline`; returns the last result of `ready()`, which looks,
-  /// in this thread, for work that posters publish before they notify. It runs a few times more
-  /// than needed.
+  /// Sleeps until `ready()` or until `deadline`; returns the last result of `ready()`. `ready()`
+  /// runs in this thread, a few times more than needed; it checks for work that posters publish
+  /// before they notify.
   template <typename Predicate>
   bool WaitUntil(Predicate ready, SteadyTime deadline) {
     while (!ready()) {
       const SteadyTime now = Atomics::Now();
       if (now >= deadline) return false;
       until_.store(deadline, std::memory_order_relaxed);
-      asleep_.store(kAsleep, std::memory_order_release);  // pairs with the look of NotifyBy()
-      Atomics::Fence(std::memory_order_seq_cst);  // (B) the flag is up before work is looked for
+      asleep_.store(kAsleep, std::memory_order_release);  // pairs with the load in NotifyBy()
+      Atomics::Fence(std::memory_order_seq_cst);          // (B) raised before the check for work
       const bool is_ready = ready();
       if (!is_ready) Atomics::Sleep(asleep_, kAsleep, deadline - now);
       asleep_.store(kAwake, std::memory_order_relaxed);

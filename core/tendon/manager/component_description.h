@@ -22,8 +22,8 @@ struct ColumnDescription {
   bool operator==(const ColumnDescription&) const = default;
 };
 
-/// A state table as others see it. It is also the provided interface `state` (the table named
-/// "state") or `state-NAME`, with one read command per column.
+/// The description of a state table. The table is also the provided interface `state` (the table
+/// named "state") or `state-NAME`, with one read command per column.
 struct TableDescription {
   std::string name;          ///< of its provided interface: "state" or "state-NAME"
   std::uint64_t length = 0;  ///< rows kept
@@ -34,8 +34,8 @@ struct TableDescription {
 
 /// The state of a plug-in's file since the plug-in was loaded.
 enum class PluginState : std::int32_t {
-  kCurrent,  ///< holds the loaded version
-  kChanged,  ///< holds another version, which only a new process runs
+  kCurrent,  ///< the file holds the loaded version
+  kChanged,  ///< the file holds another version; only a new process can load it
   kGone,
 };
 
@@ -49,29 +49,30 @@ inline constexpr auto kPayload<PluginState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// A plug-in that a process has loaded. The process keeps that version.
+/// A plug-in that a process has loaded. The process keeps the loaded version, even if the file
+/// changes.
 struct PluginDescription {
   std::string name;
   std::string file;          ///< its path
   std::int64_t written = 0;  ///< write time of the loaded version, ns since 1970 (for people)
   PluginState state = PluginState::kCurrent;
-  std::int64_t written_now = 0;  ///< kChanged: write time of the version there now
+  std::int64_t written_now = 0;  ///< only for kChanged: write time of the present file
 
   bool operator==(const PluginDescription&) const = default;
 };
 
-/// A component as others see it.
+/// The description of a component.
 struct ComponentDescription {
   std::string name;
   std::string class_name;
   std::string library;        ///< the plug-in's file name, or empty
-  std::string configuration;  ///< JSON, as given to its class; empty if none was given
+  std::string configuration;  ///< JSON, as given to the component; empty if none was given
   ComponentState state = ComponentState::kConstructed;
   std::string fault;            ///< the reason of the fault
   std::int64_t fault_time = 0;  ///< time of the fault, ns since 1970 (for people); 0 without one
-  std::string warning;          ///< a problem while it is active: "missed 8 x 10 ms"
-  double period = 0.0;          ///< s; 0 if it has none
-  /// How its own thread runs, or would run if it did not run after another one: one entry, or none
+  std::string warning;          ///< a problem of an active component: "missed 8 x 10 ms"
+  double period = 0.0;          ///< s; 0 if the component has none
+  /// The options of its own thread, also while it runs after another component. One entry, or none
   /// if it never has a thread of its own.
   std::vector<ThreadOptions> thread{};
   std::string leader{};  ///< the component after which it runs, or empty
@@ -83,9 +84,9 @@ struct ComponentDescription {
 };
 
 enum class ConnectionState : std::int32_t {
-  kPending,  ///< wanted; the peer does not exist yet, is gone, or faulted
+  kPending,  ///< requested, but the peer does not exist (yet), or is faulted
   kActive,
-  kFailed,  ///< the peer exists and has refused
+  kFailed,  ///< the peer has refused the connection
 };
 
 template <>
@@ -105,19 +106,19 @@ struct ConnectionDescription {
   InterfaceName required;
   InterfaceName provided;
   ConnectionState state = ConnectionState::kPending;
-  std::string reason;  ///< why it is pending or failed
-  /// Functions whose values pass through the codec, because the ends have different layouts of a
-  /// type: slower, and may allocate.
+  std::string reason;  ///< why the connection is pending or failed
+  /// Functions whose values pass through the codec, because the two ends have different layouts of
+  /// a type. Such calls are slower and may allocate.
   std::vector<std::string> converted{};
 
   bool operator==(const ConnectionDescription&) const = default;
 };
 
-/// Statistics of a connection's calls and events since it was made, or made again.
+/// Statistics of a connection's calls and events since it was last made.
 struct ConnectionCounts {
-  std::chrono::nanoseconds age{0};  ///< time since then
-  /// To the other process and back, as last measured; negative within one process, or if it is not
-  /// known yet.
+  std::chrono::nanoseconds age{0};  ///< time since the connection was last made
+  /// Last measured round-trip time to the other process; negative within one process, or if
+  /// unknown.
   std::chrono::nanoseconds round_trip{-1};
   std::uint64_t taken = 0;        ///< calls and events that have left a mailbox: executed, or sent
   std::uint64_t capacity = 0;     ///< calls that can wait at the server
@@ -129,7 +130,7 @@ struct ConnectionCounts {
   bool operator==(const ConnectionCounts&) const = default;
 };
 
-/// The fill of a component's fullest mailbox.
+/// The fill level of a component's fullest mailbox.
 struct MailboxFill {
   std::uint64_t waiting = 0;   ///< calls or events that wait now
   std::uint64_t capacity = 0;  ///< calls or events that can wait; 0 if not connected

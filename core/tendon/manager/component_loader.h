@@ -12,7 +12,7 @@ namespace tendon {
 
 /// Loads component classes from plug-ins: shared libraries `NAME.so` in a list of folders, which
 /// export TendonRegisterComponents. A plug-in stays loaded, unchanged, for the life of the process,
-/// even if its file changes: files() tells if it has.
+/// even if its file changes; files() shows such changes.
 ///
 /// Used by one thread at a time.
 class ComponentLoader {
@@ -21,10 +21,11 @@ class ComponentLoader {
   /// and ../lib/tendon/components relative to the program.
   explicit ComponentLoader(std::vector<std::filesystem::path> folders = {});
 
-  /// Loads `library`, a bare name, unless it is loaded. Errors: kInvalid for a name with '/' or
-  /// "..", kNotFound with the searched folders and a suggestion, kFailed with one sentence about
-  /// the file: its path, what was expected, what was found. A library is first tried in another
-  /// process; one that fails there is not loaded in this one and adds no class.
+  /// Loads `library`, a bare name; does nothing if it is already loaded. Errors: kInvalid for a
+  /// name with '/' or "..", kNotFound with the searched folders and a suggestion, kFailed with one
+  /// sentence about the file: its path, what was expected, what was found. A library is first
+  /// loaded in a separate process, as a test; if it fails there, it is not loaded in this one and
+  /// adds no class.
   Result<void> Load(const std::string& library);
 
   /// Loads the library and creates a component of one of its classes.
@@ -36,7 +37,7 @@ class ComponentLoader {
   [[nodiscard]] const std::map<std::string, ComponentRegistry>& loaded() const { return loaded_; }
   /// The loaded files; shared with other threads that watch them.
   [[nodiscard]] const std::shared_ptr<PluginFiles>& files() const { return files_; }
-  /// The names of the libraries in the folders, in order; they are not tried.
+  /// The names of the libraries in the folders, sorted; the files are not checked.
   [[nodiscard]] std::vector<std::string> available() const;
 
  private:

@@ -15,8 +15,8 @@ namespace tendon {
 /// A component class, for code that does not know its type.
 struct ComponentClass {
   std::string name;
-  Schema configuration;  ///< of None if it takes no configuration
-  std::string defaults;  ///< its default configuration, as JSON
+  Schema configuration;  ///< the schema of None if the class takes no configuration
+  std::string defaults;  ///< the default configuration, as JSON
 };
 
 /// The component classes that can be created by name. A plug-in adds its classes in a function
@@ -25,8 +25,8 @@ struct ComponentClass {
 ///       registry.Add<arm::SimulatedArm>("SimulatedArm");
 ///     }
 ///
-/// A component is constructed from its name, or from its name and its configuration: a described
-/// payload called `Configuration` in the class. Its defaults apply to members that the JSON omits.
+/// The constructor takes a name, or a name and a configuration: a described payload named
+/// `Configuration` in the class. Members that the JSON omits have their default values.
 class ComponentRegistry {
  public:
   using Factory = std::function<Result<std::unique_ptr<Component>>(const std::string& name,
@@ -56,7 +56,8 @@ class ComponentRegistry {
   [[nodiscard]] std::vector<std::string> class_names() const;
 
   /// Replaces members of `defaults`, which is JSON, by those of `json`, a JSON object or empty;
-  /// nested objects are merged. kInvalid tells what is wrong with either.
+  /// nested objects are merged. Fails with kInvalid if one of the two is malformed; the error says
+  /// why.
   static Result<std::string> MergeConfiguration(const std::string& defaults,
                                                 const std::string& json);
 

@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// Makes the connection pending, with the reason, because `component` at one of its ends is
-/// faulted. `fault` is its Component::fault().
+/// Marks a connection as pending because `component`, at one of its ends, is faulted. `fault` is
+/// the component's fault(), which becomes the reason.
 void SetEndFaulted(ConnectionDescription& connection, const std::string& component,
                    const std::string& fault);
 

@@ -22,7 +22,8 @@ Error NoInterface(const std::string& sort, const InterfaceName& name,
                                          DidYouMean(name.interface, known)};
 }
 
-/// The error for a name on the wrong side: a connection needs a required and a provided one.
+/// The error for an interface on the wrong side: a connection needs a required and a provided
+/// interface.
 Error OtherSide(const InterfaceName& name, const std::string& is, const std::string& wanted) {
   return Error{ErrorCode::kNotFound, "interface '" + name.interface + "' of component '" +
                                          name.component + "' is a " + is + " one; name a " +
@@ -84,8 +85,8 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
 LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component,
                                             ComponentOrigin origin) {
   component->Seal();
-  // The last holder may be a thread that waits for its state, without the lock. The lock is needed
-  // because the destructor also changes the tasks that run after it.
+  // The last holder may be a thread that waits for the component's state without the lock. The lock
+  // is needed because the destructor also changes the tasks that run after this one.
   const auto destroy = [this](Component* one) {
     const auto destroyed = Lock();
     delete one;
@@ -110,7 +111,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     if (Find(component) != removed.get()) {
       return Error{ErrorCode::kNotFound, "component '" + component + "' was removed meanwhile"};
     }
-    OnRemoving(*removed);  // ends its pending connections
+    OnRemoving(*removed);  // removes the component's pending connections
     DisconnectAll(component);
   }
   if (!removed->is_at_rest() && !removed->is_stopping()) {
@@ -148,7 +149,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  LetGo(*component);  // again: others could connect to it while it was stopping
+  LetGo(*component);  // again, because others could connect while it was stopping
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
 }

@@ -28,13 +28,13 @@ using ConnectionId = std::uint64_t;
 struct ComponentOrigin {
   std::string class_name;
   std::string library;
-  std::string added_at{};       ///< "robot.cpp:23": where its author's code added it
-  std::string configuration{};  ///< JSON, as given to its class; empty if none was given
+  std::string added_at{};       ///< "robot.cpp:23": the source line that added the component
+  std::string configuration{};  ///< JSON, as given to the component; empty if none was given
 };
 
 /// How a component runs, apart from its class and configuration.
 struct RunSettings {
-  std::optional<ThreadOptions> thread{};  ///< none if it has no thread of its own
+  std::optional<ThreadOptions> thread{};  ///< empty if it has no thread of its own
   std::string leader{};                   ///< the component after which it runs, or empty
   std::vector<std::string> followers{};   ///< the components that run after it
   bool is_at_rest = true;                 ///< neither running nor starting
@@ -44,18 +44,18 @@ struct RunSettings {
 [[nodiscard]] ConnectionCounts CountsOf(const Connection& connection);
 
 /// The local component manager: owns the components of one process and the connections between
-/// them. A process may have several. Process is one with a network.
+/// them. A process may have several. Process is a LocalManager with a network.
 ///
 /// Thread-safe, but no function may be called from a component's own thread. Requests take a lock
-/// and wait for threads to end, so nothing here belongs in a cycle. A request that spends a long
-/// time in a component's own functions delays further requests of that component, and no others.
+/// and wait for threads to end, so nothing here belongs in a cycle. While a request waits for a
+/// component's own functions, only further requests for the same component are delayed.
 class LocalManager {
  public:
   LocalManager() = default;
   LocalManager(const LocalManager&) = delete;
   LocalManager& operator=(const LocalManager&) = delete;
-  /// Stops everything in order, like StopAll() within kEndPatience, then disconnects and destroys
-  /// it. Waits without a limit for components that are busy in their own functions.
+  /// Stops all components in order, as StopAll() does within kEndPatience, then disconnects and
+  /// destroys them. Waits without a limit for components that are busy in their own functions.
   virtual ~LocalManager();
 
   /// Creates a component T(name, arguments...) and adds it. Throws ConfigurationError if the name
@@ -71,15 +71,15 @@ class LocalManager {
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
 
   /// Stops the component while its connections still work, lets servers execute its last calls,
-  /// then disconnects and destroys it. kTimeout if it does not stop; then it still exists, without
-  /// its connections.
+  /// then disconnects and destroys it. kTimeout if the component does not stop; then it still
+  /// exists, but without connections.
   Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
-  /// Puts `component` in the place of the one with its name, which is destroyed. The name exists
-  /// all the time, and observers see one change. The new one runs after the same leader, and gets
-  /// those connections within this process that it fits; connections across the network end.
-  /// kFailed if the old one is not at rest, or others run after it; kTimeout as in RunAfter(). On
-  /// an error nothing has changed.
+  /// Replaces the component with the same name by `component`, and destroys the old one. The name
+  /// exists all the time, and observers see one change. The new component runs after the same
+  /// leader. Connections within this process are kept if the new component fits them; connections
+  /// across the network end. kFailed if the old component is not at rest, or others run after it;
+  /// kTimeout as in RunAfter(). On an error nothing has changed.
   Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
                        Patience patience = kPatience);
 
@@ -87,80 +87,82 @@ class LocalManager {
   /// kExists, kIncompatible with the reason. A name without a process means this process.
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
                                        const InterfaceName& provided);
-  /// Drops the calls and events that its ends have accepted but do not execute within
-  /// kDrainPatience; the log says how many.
+  /// Drops accepted calls and events that are not executed within kDrainPatience, and logs their
+  /// number.
   virtual Result<void> Disconnect(const InterfaceName& required);
 
   /// From its next start on, `component` makes a cycle after each cycle of `leader`, in the
-  /// leader's thread: ThreadedTask::RunAfter(). kFailed if it is not at rest, has no thread to give
-  /// up, or the two would wait for each other; kTimeout if a cycle of its former leader does not
-  /// end within `patience`: then nothing has changed.
+  /// leader's thread: ThreadedTask::RunAfter(). kFailed if the component is not at rest, never has
+  /// a thread of its own, or the two would wait for each other. kTimeout if a cycle of the former
+  /// leader does not end within `patience`; then nothing has changed.
   Result<void> RunAfter(const std::string& component, const std::string& leader,
                         Patience patience = kPatience);
 
-  /// Follows the table of transitions (component_state.h) and waits for the target state; kTimeout
-  /// if it is not reached within `patience`.
+  /// Each request follows the table of transitions (component_state.h) and waits for the target
+  /// state; kTimeout if the component does not reach it within `patience`.
   Result<void> Start(const std::string& component, Patience patience = kPatience);
   /// The same for a start that may be cancelled meanwhile: see `proceed` of Component::Start().
   Result<void> Start(const std::string& component, Patience patience,
                      std::function<bool()> proceed);
   Result<void> Suspend(const std::string& component, Patience patience = kPatience);
-  /// Components that run after it stop first. Then waits, for at most kDrainPatience, until servers
-  /// have executed the last calls of its Cleanup().
+  /// Components that run after this one stop first. After the stop, waits for at most
+  /// kDrainPatience until servers have executed the last calls of its Cleanup().
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
-  /// Starts all that are not active, one after another, in the order in which they were added, but
-  /// each after the one that it runs after. `patience` is for all together. Returns the first
-  /// error, but starts the others nevertheless.
+  /// Starts all components that are not active, one by one, in the order in which they were added,
+  /// but leaders before the components that run after them. `patience` is the total time. Starts
+  /// the others even if one fails; returns the first error.
   Result<void> StartAll(Patience patience = kPatience);
-  /// Suspends all that are active, in the reverse order.
+  /// Suspends all active components, in the reverse order.
   Result<void> SuspendAll(Patience patience = kPatience);
-  /// Stops all that run: clients before their servers, which first execute the clients' last calls,
-  /// and components before the one that they run after. Those that do not depend on each other stop
-  /// at the same time. If connections form a circle, one component ends before its client: always
-  /// the same one, which follows from the order in which they were added.
+  /// Stops all running components: clients before their servers, which first execute the clients'
+  /// last calls, and components before their leaders. Components that do not depend on each other
+  /// stop at the same time. In a cycle of connections, one component stops before its client; the
+  /// order in which components were added decides which one.
   Result<void> StopAll(Patience patience = kPatience);
-  /// Returns when they are in that state. kTimeout: not within `patience`; kFailed: one is faulted.
+  /// Waits until all components are in that state. kTimeout: not within `patience`; kFailed: one is
+  /// faulted.
   Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience);
   Result<void> WaitForAll(ComponentState state, Patience patience);
 
-  /// Null if there is none; valid until it is removed.
+  /// Null if there is none; valid until the component is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
   [[nodiscard]] Result<RunSettings> SettingsOf(const std::string& component) const;
-  /// A connection with a faulted end is pending, with the reason, until that end is restarted.
+  /// A connection to a faulted component is pending, with the reason, until that component is
+  /// restarted.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
-  /// kNotFound if it is not connected, kFailed if the connection is not active.
+  /// kNotFound if `required` is not connected, kFailed if the connection is not active.
   [[nodiscard]] virtual Result<ConnectionCounts> Counts(const InterfaceName& required) const;
   /// kNotFound if there is no such component.
   [[nodiscard]] Result<MailboxFill> FillOf(const std::string& component) const;
 
-  /// How long a disconnect lets servers execute the calls that they have accepted.
+  /// How long a disconnect waits for servers to execute accepted calls.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
-  /// How long the end of a manager waits for all its components before it disconnects them. With
-  /// the steps that follow, a program that is told to end does so within 2 s.
+  /// How long the destructor waits for all components to stop before it disconnects them. So a
+  /// program ends within 2 s of a termination request.
   static constexpr std::chrono::milliseconds kEndPatience{1300};
 
  protected:
   /// The interface, or kNotFound with a suggestion.
   Result<RequiredInterface*> FindRequired(const InterfaceName& name) const;
   Result<ProvidedInterface*> FindProvided(const InterfaceName& name) const;
-  /// Held while components and connections are looked up or changed. The holder may call the public
-  /// functions.
+  /// Locks the manager against other lookups and changes of components and connections. The holder
+  /// may call the public functions.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
   /// `observer` is called after every change of components, states or connections, in the thread
-  /// that made the change, perhaps that of a component that faults. It must be quick and must not
-  /// call back. It is not called any more after another one, or none, is set.
+  /// that made the change, which may be that of a component that faults. It must be quick and must
+  /// not call this object. After the return, the former observer is not called any more.
   void SetObserver(std::function<void()> observer);
   /// Calls the observer.
   void NotifyChanged() const;
   ConnectionId NextConnectionId() { return ++last_connection_; }
-  /// Called with the lock held, before a component is removed: everything tied to it can be removed
-  /// first.
+  /// Called with the lock held, before a component is removed, so that everything that depends on
+  /// it can be removed first.
   virtual void OnRemoving(const Component& /*component*/) {}
-  /// True if calls that the component has sent, and its servers can execute, still wait.
+  /// True if calls sent by `client` still wait at servers that can execute them.
   [[nodiscard]] virtual bool HasCallsUnderWay(const Component& client) const;
   // For destructors of derived classes: the steps of ~LocalManager().
-  /// Like StopAll(), with a deadline; logs what did not end in order.
+  /// Like StopAll(), with a deadline; logs the components that did not end in order.
   void EndAll(SteadyTime deadline);
   void Clear();
 
@@ -180,31 +182,33 @@ class LocalManager {
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
-  /// All components, each after the one that it runs after.
+  /// All components, leaders before the components that run after them.
   [[nodiscard]] Components InOrder() const;
   using IsMeant = std::function<bool(const Component&)>;
-  /// The components that are meant, each after its clients and after those that run after it.
+  /// The components for which `is_meant` is true, each one after its clients and after the
+  /// components that run after it.
   [[nodiscard]] std::vector<OrderlyEnd::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;
-  /// Waits until its calls are executed; logs it if they are not by `deadline`.
+  /// Waits until the calls of `client` are executed; logs a warning if `deadline` passes first.
   void LetExecute(const Component& client, SteadyTime deadline) const;
   Result<void> Ask(const std::string& component, const Request& request, ComponentState wanted,
                    Patience patience);
   Result<void> AskAll(const Components& components, const Request& request, ComponentState wanted,
                       Patience patience);
-  /// Makes a request after all earlier ones to the component; does not wait for its effect.
+  /// Makes a request after all earlier requests for the component; does not wait for its effect.
   Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
                            SteadyTime deadline);
   [[nodiscard]] static Error TurnTaken(const std::string& component);
   [[nodiscard]] std::vector<std::string> component_names() const;
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
-  /// Closes a connection and logs how much that has dropped.
+  /// Closes a connection and logs how many calls and events were dropped.
   static void Close(const LocalConnection& connection, std::chrono::milliseconds patience);
   /// With the lock held; does not call the observer.
   Result<ConnectionId> Join(const InterfaceName& required, const InterfaceName& provided);
   void DisconnectAll(const std::string& component);
-  /// Tries with the lock held until the result is not kTimeout; in between, others get the lock.
+  /// Calls `attempt` with the lock held until the result is not kTimeout; releases the lock in
+  /// between.
   Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);
   Result<void> TryRunAfter(const std::string& component, const std::string& leader,
                            SteadyTime deadline);
@@ -217,12 +221,12 @@ class LocalManager {
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
-  RequestSerializer turns_;  // serialises requests; under mutex_
+  RequestSerializer turns_;  // serialises requests; guarded by mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;
   std::function<void()> observer_;
-  Watchdog watchdog_{[this] { NotifyChanged(); }};  // last, so that its thread ends first
+  Watchdog watchdog_{[this] { NotifyChanged(); }};  // last member, so that its thread ends first
 };
 
 }  // namespace tendon

@@ -14,7 +14,7 @@ Result<void> Start(Component& component) { return component.Start(kNoWait); }
 Result<void> Suspend(Component& component) { return component.Suspend(kNoWait); }
 Result<void> Stop(Component& component) { return component.Stop(kNoWait); }
 
-/// Runs `body` without the lock, which others may take meanwhile.
+/// Runs `body` with the lock released, so that other threads may take it.
 Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const auto& body) {
   struct Relock {
     explicit Relock(std::unique_lock<std::recursive_mutex>& given) : held(given) { held.unlock(); }
@@ -104,7 +104,7 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
   return end.Run(deadline);
 }
 
-/// Also checks that no request is in progress, which might end the rest.
+/// Also checks that no request is in progress, which might start the component.
 bool LocalManager::IsAtRest(const Component& component) const {
   const auto lock = Lock();
   return component.is_at_rest() && !turns_.IsInUse(component);
@@ -118,7 +118,8 @@ void LocalManager::LetExecute(const Component& client, SteadyTime deadline) cons
   }
 }
 
-/// A server whose cycles no other thread makes executes nothing while this thread waits.
+/// Ignores servers without a thread that makes their cycles: they execute nothing while this thread
+/// waits.
 bool LocalManager::HasCallsUnderWay(const Component& client) const {
   const auto lock = Lock();
   return std::ranges::any_of(connections_, [&](const auto& one) {
@@ -133,7 +134,7 @@ bool LocalManager::HasCallsUnderWay(const Component& client) const {
 
 std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
   const auto lock = Lock();
-  std::map<std::string, std::size_t> numbers;  // of the entries
+  std::map<std::string, std::size_t> numbers;  // numbers of the entries
   for (const Entry& entry : entries_) numbers.emplace(entry.component->name(), numbers.size());
   Dependencies needed(entries_.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -141,19 +142,19 @@ std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant
     const Task* const leader = task == nullptr ? nullptr : task->leader();
     const auto own = std::ranges::find_if(
         entries_, [&](const Entry& entry) { return entry.component.get() == leader; });
-    // Another manager may have the leader, or it has just been removed.
+    // The leader may belong to another manager, or may just have been removed.
     if (own != entries_.end())
       needed[i].push_back(static_cast<std::size_t>(own - entries_.begin()));
   }
   for (const auto& [id, connection] : connections_) {
     const std::size_t client = numbers.at(connection.description.required.component);
     const std::size_t server = numbers.at(connection.description.provided.component);
-    // A server that runs after its own client ends with it, and cannot end after it.
+    // A server that runs after its own client ends together with it, not later.
     if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
     needed[client].push_back(server);
   }
   std::vector<OrderlyEnd::Member> members;
-  std::map<std::size_t, std::size_t> places;  // places in the order of the end, by number
+  std::map<std::size_t, std::size_t> places;  // position in the end order, by number
   std::vector<std::size_t> order = DependencyOrder(needed);
   std::reverse(order.begin(), order.end());
   for (const std::size_t number : order) {
@@ -253,7 +254,7 @@ Result<void> LocalManager::Replace(std::unique_ptr<Component> component, Compone
   return replaced;
 }
 
-/// Changes nothing until everything that may refuse has agreed.
+/// Makes all checks that can fail before the first change.
 Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   Component& made = *given.component;
   const std::string& name = made.name();

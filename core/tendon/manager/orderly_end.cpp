@@ -17,7 +17,7 @@ OrderlyEnd::OrderlyEnd(std::vector<Member> members, Actions actions)
       drained_by_(members_.size()) {}
 
 Result<void> OrderlyEnd::Run(SteadyTime deadline) {
-  const BlockWhenFull all_together;  // one limit for all that end in this very thread
+  const BlockWhenFull all_together;  // one time limit for all components that end in this thread
   while (!Advance()) {
     if (SteadyClock().Now() >= deadline) {
       GiveUp();
@@ -28,7 +28,7 @@ Result<void> OrderlyEnd::Run(SteadyTime deadline) {
   return outcome_;
 }
 
-/// True if all are done.
+/// Returns true if all components have ended.
 bool OrderlyEnd::Advance() {
   for (std::size_t place = 0; place < members_.size(); ++place) Advance(place);
   return std::ranges::all_of(phases_, [](Phase phase) { return phase == Phase::kDone; });
@@ -70,7 +70,7 @@ void OrderlyEnd::BeginDrain(std::size_t place) {
   drained_by_[place] = SteadyClock().Now() + kDrainPatience;
 }
 
-/// WaitFor() also does the work for which the components have no thread.
+/// WaitFor() also runs the work of components without a thread.
 void OrderlyEnd::Wait() {
   constexpr std::chrono::microseconds kBetweenLooks(500);
   bool has_waited = false;

@@ -136,7 +136,8 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
     return Refusal(original, kLoads + ("it has not finished after " +
                                        std::to_string(patience.count()) + " ms"));
   }
-  // A plug-in may also print text, and end the process with any code.
+  // The output is checked too, because the plug-in itself may print text or end the process with
+  // any exit code.
   const std::string& out = outcome->out;
   const std::string last = out.substr(out.rfind('\n', out.size() - 2) + 1);
   if (outcome->exit_code == 0 && out.ends_with("loaded\n")) return {};

@@ -10,16 +10,17 @@
 
 namespace tendon {
 
-/// The files of the plug-ins that a process has loaded, and their states. Thread-safe.
+/// The files of the plug-ins that a process has loaded, and whether they have changed since.
+/// Thread-safe.
 class PluginFiles {
  public:
-  /// `content` was read from the file of the plug-in and is now loaded.
+  /// Adds a plug-in whose loaded content is `content`.
   void Add(const std::string& library, os::FileContent content);
-  /// Checks all files, which may take as long as their disks need.
+  /// Checks all files for changes; may wait for the disk.
   void Look();
-  /// Changes whenever the descriptions do.
+  /// Changes whenever descriptions() changes.
   [[nodiscard]] std::uint64_t revision() const;
-  /// As of the last Look(), in the order of loading. Does not wait for a Look().
+  /// The results of the last Look(), in the order of loading. Does not wait for a running Look().
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
  private:
@@ -30,7 +31,7 @@ class PluginFiles {
 
   static PluginDescription Describe(Loaded& loaded);
 
-  std::mutex look_mutex_;  // locked before mutex_
+  std::mutex look_mutex_;  // one Look() at a time; locked before mutex_
   std::vector<Loaded> loaded_;
   mutable std::mutex mutex_;  // guards what follows
   std::vector<PluginDescription> descriptions_;

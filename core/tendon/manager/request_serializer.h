@@ -16,11 +16,11 @@ namespace tendon {
 /// All functions are called with the owner's lock held.
 class RequestSerializer {
  public:
-  /// The time of one request of a component.
+  /// The right to make one request for a component.
   class Turn {
    public:
-    /// Releases the lock until no other request of the component is in progress, for at least
-    /// kShortest. If one still is at `deadline`, is_ours() is false.
+    /// Releases the lock and waits until no other request for the component is in progress, for
+    /// kShortest or longer. If `deadline` passes first, is_ours() is false.
     Turn(RequestSerializer& turns, const Component& component,
          std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
     Turn(const Turn&) = delete;
@@ -35,8 +35,8 @@ class RequestSerializer {
     bool is_ours_ = true;
   };
 
-  /// True if a request of it, or of one that runs after it, is in progress: it and its leader must
-  /// stay then.
+  /// True if a request for `component`, or for one that runs after it, is in progress. Then the
+  /// component must not be removed, nor its leader changed.
   [[nodiscard]] bool IsInUse(const Component& component) const;
 
   static constexpr std::chrono::milliseconds kShortest{20};

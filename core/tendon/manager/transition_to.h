@@ -6,10 +6,10 @@
 
 namespace tendon {
 
-/// Brings a component at rest to the state that a file wants. Starts it for kActive and kSuspended;
-/// for any other state it stays at rest. It becomes suspended after it was active. If that fails
-/// within `patience`, it is stopped, because it was not meant to run. Errors are those of the
-/// manager, and tell in which state it is left.
+/// Brings a component at rest to the state that a file requests. For kActive, starts it; for
+/// kSuspended, starts and then suspends it; for any other state, does nothing. If the suspension
+/// fails within `patience`, stops the component, because it must not run. Errors are those of the
+/// manager, plus the state in which the component is left.
 Result<void> TransitionTo(LocalManager& manager, const std::string& component,
                           ComponentState wanted, Patience patience = kPatience);
 

@@ -13,24 +13,25 @@ namespace tendon {
 struct UnsatisfiedInterface {
   std::string interface;
   std::string reason;           ///< "not connected", "pending: process 'robot' is not there"
-  bool has_connection = false;  ///< there is one, but it is not active
+  bool has_connection = false;  ///< there is a connection, but it is not active
 
   bool operator==(const UnsatisfiedInterface&) const = default;
 };
 
-/// True if a component needs the interface: it is not optional, and not all of its functions and
-/// event handlers are.
+/// True if a component needs the interface: neither the interface nor all of its functions and
+/// event handlers are optional.
 [[nodiscard]] bool IsNeeded(const RequiredDescription& required);
 
 /// Finds the connection of the required interface of this name; null if there is none.
 using FindConnection =
     std::function<const ConnectionDescription*(const std::string& required_interface)>;
 
-/// The unmet needs of a component, in the order of its required interfaces.
+/// The unsatisfied interfaces of a component, in the order of its required interfaces.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ComponentDescription& component,
                                                              const FindConnection& find);
 
-/// The same, with the connections of its process. Cost: connections times interfaces.
+/// The same, with all connections of its process. The cost is proportional to connections times
+/// interfaces.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(
     const ComponentDescription& component, const std::vector<ConnectionDescription>& connections);
 
@@ -40,7 +41,7 @@ using FindConnection =
 /// With the reasons: "Robot: not connected; Camera: pending: process 'eye' is not there".
 [[nodiscard]] std::string ReasonsOf(const std::vector<UnsatisfiedInterface>& needs);
 
-/// The error for a person who asked to start a component with unmet needs; none without them.
+/// Fails if a component with unsatisfied interfaces should start; the error is for people.
 [[nodiscard]] Result<void> CheckNeeds(const std::string& component,
                                       const std::vector<UnsatisfiedInterface>& needs);
 

@@ -17,9 +17,9 @@ namespace tendon {
 class Component;
 class Task;
 
-/// Notices periodic tasks whose next cycle does not come because the last one blocks: a task is
-/// overdue three periods and 50 ms after its last cycle began. The log reports this once, and the
-/// task's return once. Tasks without a period are ignored.
+/// Detects periodic tasks whose cycle blocks: a task is overdue if no cycle began for three periods
+/// and 50 ms. Logs this once, and once more when the task continues. Tasks without a period are
+/// ignored.
 ///
 /// One thread checks all tasks every 50 ms; it starts with the first task. Thread-safe.
 class Watchdog {
@@ -34,14 +34,14 @@ class Watchdog {
   Watchdog& operator=(const Watchdog&) = delete;
   ~Watchdog();
 
-  /// `task` must be forgotten before it is destroyed.
+  /// Call Forget() before `task` is destroyed.
   void Watch(const Task& task);
   void Forget(const Component& component);
 
   /// "missed 8 x 10 ms" while the task is overdue, else empty.
   [[nodiscard]] std::string WarningOf(const Component& component) const;
 
-  /// True if a task of this period is overdue when its last cycle began so long ago.
+  /// True if a task with this period is overdue, given the time since its last cycle began.
   [[nodiscard]] static bool IsOverdue(std::chrono::duration<double> period,
                                       std::chrono::nanoseconds since_last_cycle);
 

@@ -13,19 +13,20 @@
 namespace tendon {
 
 /// Multicast: one process publishes, any number of others receive, through a broker. The broker
-/// does not wait for a slow receiver, which misses messages without notice. So messages must carry
-/// sequence numbers. Thread-safe.
+/// does not wait for a slow receiver, and does not report the messages that it misses. So messages
+/// must carry sequence numbers. Thread-safe.
 class FanOut {
  public:
-  /// The publisher's end of a topic, which ends with it. Created anew after a broker restart.
+  /// The publisher's end of a topic. The topic ends when this object is destroyed, and is created
+  /// again after a restart of the broker.
   class Topic {
    public:
     Topic() = default;
     Topic(const Topic&) = delete;
     Topic& operator=(const Topic&) = delete;
     virtual ~Topic() = default;
-    /// Never blocks. kNotConnected while the broker has no such topic, kQueueFull if the broker
-    /// does not keep up, kInvalid for a message above kMaxMessage.
+    /// Never blocks. kNotConnected while the broker has no such topic, kQueueFull if the broker is
+    /// too slow, kInvalid for a message above kMaxMessage.
     virtual Status Publish(std::span<const std::byte> message) = 0;
   };
 
@@ -48,11 +49,12 @@ class FanOut {
   FanOut& operator=(const FanOut&) = delete;
   virtual ~FanOut() = default;
 
-  /// Returns at once; the broker creates the topic soon after. `name` must be unique.
+  /// Publishes a topic. Returns at once; the broker creates the topic soon after. `name` must be
+  /// unique.
   virtual std::unique_ptr<Topic> Speak(const std::string& broker, const std::string& name) = 0;
 
-  /// Subscribes; blocks until the broker has confirmed. Waits for the topic to be created. Errors:
-  /// kUnreachable, kDenied if the broker is not ours, kTimeout.
+  /// Subscribes to a topic; blocks until the broker has confirmed. If the topic does not exist yet,
+  /// waits for it. Errors: kUnreachable, kDenied if the broker belongs to another user, kTimeout.
   virtual Result<std::unique_ptr<Reception>> Listen(const std::string& broker,
                                                     const std::string& name, Hear hear,
                                                     std::chrono::milliseconds timeout) = 0;

@@ -11,7 +11,8 @@
 namespace tendon {
 namespace {
 
-/// How many calls from a middleware this thread is inside. Above 0 it must not wait for one.
+/// The depth of calls from a middleware in this thread. Above 0, the thread must not wait for an
+/// answer.
 thread_local int calls_from_middleware = 0;
 
 struct MiddlewareCallScope {
@@ -21,20 +22,20 @@ struct MiddlewareCallScope {
   ~MiddlewareCallScope() { --calls_from_middleware; }
 };
 
-/// Treats an unreadable address as on this machine, which is the stricter case.
+/// An invalid address counts as on this machine, which is the stricter case.
 bool IsOnThisMachine(const Link& link) {
   const auto address = ParseAddress(link.peer(), 0);
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
-/// The Hello that is sent to the peer of `link`. Only peers on this machine may get proof of the
-/// cookie, and TLS needs none.
+/// The Hello that is sent to the peer of `link`. Only for peers on this machine does it contain the
+/// cookie, and never under TLS, which does not need it.
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
 }
 
-/// If memory is short, only this answer is lost.
+/// Without memory, only this answer is lost.
 Result<Answer> CopyOf(std::span<const std::byte> answer) {
   try {
     return Answer(Bytes(answer.begin(), answer.end()));
@@ -90,7 +91,7 @@ AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHa
 
 std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this(), this}; }
 
-/// The opener's half of the handshake.
+/// The opener's side of the handshake.
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
   const CancellableConnect wait([this] {
     const std::scoped_lock lock(mutex_);
@@ -137,7 +138,7 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
   }
 }
 
-/// Gives up one message and its link; all other links go on.
+/// Ends the link because there is no memory for one of its messages; all other links continue.
 void Channel::OnNoRoom(const char* limit, std::size_t size) {
   static RateLimitedWarning complaints("channel");
   CallGuarded("channel", [&] {
@@ -148,7 +149,7 @@ void Channel::OnNoRoom(const char* limit, std::size_t size) {
   });
 }
 
-/// Handles frames that come before the handshake is done, or too late.
+/// Handles frames that arrive before the end of the handshake, or after the channel was closed.
 void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   if (reason_ || !link_) return;
@@ -233,7 +234,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   });
 }
 
-/// Checks the whole batch first: if it is malformed, none of its replies counts.
+/// Checks the whole batch first: if it is malformed, no reply in it is used.
 void Channel::OnReplies(std::span<const std::byte> body) {
   if (!IsReplyBatch(body)) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});

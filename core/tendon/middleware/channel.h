@@ -48,9 +48,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                                                std::shared_ptr<ChannelHandler> handler,
                                                std::chrono::milliseconds timeout);
 
-  /// For Middleware::Listen(): makes a channel of every link. `choose` returns its handler, or null
-  /// to refuse the link. Peers on this machine must know the cookie in `mine`, unless `strangers`
-  /// admits them without it.
+  /// For Middleware::Listen(): makes a channel from every link. `choose` returns its handler, or
+  /// null to refuse the link. Peers on this machine must know the cookie in `mine`, unless
+  /// `strangers` admits them without it.
   static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
                              Strangers strangers = Strangers::kRefused);
 
@@ -60,7 +60,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   template <Message T>
   Status Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane = kCommonLane);
 
-  /// A new lane, unique at this end, for messages from this end.
+  /// Returns a new lane for messages from this end, unique at this end.
   [[nodiscard]] Lane NewLane();
 
   using ReplyHandler = PendingRequests::Handler;
@@ -80,33 +80,33 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
                Lane lane = kCommonLane);
 
-  /// TryRequest() by way of Link::Ask(): for a caller that waits for an answer that the peer can
-  /// give at once.
+  /// TryRequest() through Link::Ask(): for callers that wait for an answer which the peer can give
+  /// at once.
   Status TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                 std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
 
-  /// Whether the caller is inside a call from a middleware, where it must not wait for an answer.
+  /// Returns true inside a call from a middleware, where a thread must not wait for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
   /// Sends a request and waits for the reply. Refused in a thread of the middleware.
   Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
-  /// Call() for what the peer can answer at once. A large answer is not copied.
+  /// Call() for requests that the peer can answer at once. A large answer is not copied.
   Result<Answer> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                      std::chrono::milliseconds timeout, Lane lane = kCommonLane);
   template <Payload Reply, Message T>
   Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
                      std::chrono::milliseconds timeout);
 
-  /// Ends requests that have timed out. Ends the channel if the peer has begun a large message and
-  /// does not continue it. The owner calls this regularly, as WatchOver() and KeepExpiring() do.
-  /// Call() does not depend on it.
+  /// Ends requests that have timed out. Closes the channel if the peer has stopped in the middle of
+  /// a large message. The owner must call this regularly, as WatchOver() and KeepExpiring() do.
+  /// Call() works without it.
   void Expire(SteadyTime now);
 
-  /// Idempotent; may be called from a handler. The handler hears OnClosed() later.
+  /// Idempotent; may be called from a handler. The handler's OnClosed() is called later.
   void Close();
-  /// Close() for a peer that misbehaves or does not answer; `what` it did becomes part of the
-  /// reason.
+  /// Close() for a peer that misbehaves or does not answer. `what` says what it did, and becomes
+  /// part of the reason.
   void CutOff(const std::string& what);
 
   /// Wait-free.
@@ -114,8 +114,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
-  /// When a part of a large message last arrived, or the peer last acknowledged one. Other messages
-  /// wait behind parts, so a recent part shows that the peer is alive.
+  /// The last time at which a part of a large message arrived, or the peer acknowledged one. A
+  /// recent part shows that the peer is alive, although other messages wait behind the parts.
   [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
   /// Number of answers that arrived after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
@@ -180,8 +180,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   const Hello mine_;
   const bool is_acceptor_;
-  std::shared_ptr<ChannelHandler> handler_;  // only in the middleware's thread
-  std::optional<Handshake> handshake_;       // likewise; set once there is a link
+  std::shared_ptr<ChannelHandler> handler_;  // used only in the middleware's thread
+  std::optional<Handshake> handshake_;       // likewise; set when the link exists
   PartAssembly assembly_;                    // likewise
   PendingRequests requests_;
   PartSender parts_;

@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// Receives what arrives on a channel. Called in a thread of the middleware, one call at a time for
-/// each channel. Must not block. An exception is logged, and the request is refused.
+/// Receives the messages of a channel. Called in a thread of the middleware, one call at a time for
+/// each channel. Must not block. If it throws, the exception is logged and the request is refused.
 class ChannelHandler {
  public:
   ChannelHandler() = default;
@@ -25,20 +25,20 @@ class ChannelHandler {
   /// The peer's Hello was accepted; requests may follow. Called before Channel::Open() returns.
   virtual void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer);
 
-  /// Refuses unless overridden. The body is valid during the call.
+  /// By default, refuses. The body is valid only during the call.
   virtual void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                          std::span<const std::byte> body, Responder responder);
 
-  /// Does nothing unless overridden. The body is valid during the call.
+  /// By default, does nothing. The body is valid only during the call.
   virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body);
 
-  /// Called with the header when a large message begins. An error refuses it: none of it is kept,
-  /// and a request gets the error. Unless overridden, accepts all.
+  /// Called with the header when a large message begins. If it returns an error, the message is
+  /// discarded, and a request is refused with the error. By default, accepts all.
   virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
 
-  /// Called exactly once, last, for every link that was opened, also if the handshake failed. The
-  /// channel then releases the handler.
+  /// The last call, made exactly once for every link that was opened, even if the handshake failed.
+  /// The channel then releases the handler.
   virtual void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
 };
 

@@ -8,13 +8,13 @@
 
 namespace tendon {
 
-/// While it lives, no thread of this program opens links: openings under way end at once, new ones
-/// are refused. For a program that ends while threads may be opening a link to a process that
+/// While it lives, no thread of this program opens links: attempts in progress end at once, and new
+/// ones are refused. For a program that ends while threads may be connecting to a process that
 /// hangs. Thread-safe.
 class ConnectCancellation {
  public:
   ConnectCancellation() : ConnectCancellation(std::thread::id()) {}
-  /// The same for one thread only; the program goes on.
+  /// The same for one thread only; the rest of the program continues.
   explicit ConnectCancellation(std::thread::id thread);
   ConnectCancellation(const ConnectCancellation&) = delete;
   ConnectCancellation& operator=(const ConnectCancellation&) = delete;
@@ -27,8 +27,9 @@ class ConnectCancellation {
 /// While it lives, this thread counts as waiting for a link.
 class CancellableConnect {
  public:
-  /// `give_up` must end the wait and must not block. A ConnectCancellation calls it once or more,
-  /// from any thread, perhaps before the constructor returns, never after the destructor.
+  /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. It is
+  /// called once or more, from any thread, perhaps before this constructor returns, never after the
+  /// destructor.
   explicit CancellableConnect(std::function<void()> give_up);
   CancellableConnect(const CancellableConnect&) = delete;
   CancellableConnect& operator=(const CancellableConnect&) = delete;
@@ -40,7 +41,7 @@ class CancellableConnect {
 
 /// Whether a ConnectCancellation applies to this thread.
 [[nodiscard]] bool AreConnectsCancelled();
-/// The error in that case, of code kUnreachable.
+/// The error for a cancelled attempt, of code kUnreachable.
 [[nodiscard]] Error ConnectCancelledError();
 
 }  // namespace tendon

@@ -18,11 +18,11 @@ enum class MessageType : std::uint16_t {
   kRefusal = 4,  ///< answers a request: its body is an Error
   kChallenge = 5,
   kProof = 6,
-  kPart = 7,        ///< the next bytes of a frame too large for one piece; `handle` is its number
-  kPartsTaken = 8,  ///< u64: bytes of parts taken since the link was opened
+  kPart = 7,        ///< next bytes of a frame too large for one piece; `handle` numbers the frame
+  kPartsTaken = 8,  ///< u64: bytes of parts received since the link was opened
   kReplies = 9,     ///< answers several requests: a ReplyBatch
-  // The layers above define theirs in the messages.h of their folders: proxy from 0x100 on, process
-  // from 0x200, gcm from 0x300.
+  // The layers above define their types in *_messages.h of their folders: proxy from 0x100 on,
+  // process from 0x200, gcm from 0x300.
 };
 
 /// The fixed 24 bytes before every body, little-endian, in this order, without padding.
@@ -30,9 +30,9 @@ struct FrameHeader {
   std::uint32_t magic = kMagic;
   std::uint16_t version = kProtocolVersion;
   MessageType type = MessageType::kHello;
-  std::uint64_t request = 0;  ///< 0: no answer is wanted
+  std::uint64_t request = 0;  ///< 0: no answer is expected
   std::uint32_t size = 0;     ///< bytes of the body
-  std::uint32_t handle = 0;   ///< the destination: issued by the receiver, checked on arrival
+  std::uint32_t handle = 0;   ///< the destination; issued by the receiver, which checks it
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
   /// Raise it when a message or its meaning changes: bodies do not name their fields. Both ends of
@@ -41,18 +41,19 @@ struct FrameHeader {
   static constexpr std::size_t kSize = 24;
 };
 
-/// The largest frame, header included. Only a reply that returns with its request (Link::Ask()) may
-/// be this large, since we chose the peer that we asked.
+/// The largest frame, header included. Only a reply as the response of Link::Ask() may be this
+/// large, because we chose the peer that we asked.
 inline constexpr std::size_t kMaxFrameSize = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
-/// The largest other frame, since any peer can make us hold it. Larger messages travel in parts.
+/// The largest frame in all other cases, because any peer can make us store it. Larger messages are
+/// sent in parts.
 inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
 /// The largest frame of a peer that is not authenticated yet.
 inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;
 
-/// Writes header and body one after the other; replaces the content of `frame`, keeps its capacity.
+/// Writes header and body to `frame`, whose content is replaced and whose capacity is kept.
 void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Bytes& frame);
 
-/// Writes only the header, in front of a body that is in memory already.
+/// Writes only the header, in front of a body that is already there.
 void WriteHeader(const FrameHeader& header, std::span<std::byte, FrameHeader::kSize> place);
 
 /// Reads the header at the front of `bytes`. Returns nothing if there are too few bytes, the magic

@@ -16,7 +16,8 @@ using message::Digest;
 using message::Greeting;
 using message::Proof;
 
-/// The content of a proof. Each part is preceded by its size, so that parts cannot be shifted.
+/// The content of a proof. Each part is preceded by its size, so that no bytes can move from one
+/// part to the next.
 struct Covered {
   std::uint8_t role = 0;
   Greeting opener;
@@ -50,7 +51,7 @@ Digest Sign(std::uint64_t cookie, const Covered& covered) {
   return digest;
 }
 
-/// In constant time, which does not reveal where they differ.
+/// Compares in constant time, so that the time does not reveal where the two differ.
 bool AreEqual(const Digest& one, const Digest& other) {
   return CRYPTO_memcmp(one.data(), other.data(), one.size()) == 0;
 }

@@ -42,38 +42,39 @@ struct Proof {
 ///
 ///     opener     kHello      Greeting
 ///     acceptor   kChallenge  Challenge: its greeting and its proof
-///     opener     kProof      Proof, and the session, which an impostor must not hear
+///     opener     kProof      Proof, and the session, which an impostor must not get
 ///     acceptor   kWelcome    None
 ///
 /// The header of each frame has the protocol version of its sender. An end refuses a frame of
 /// another version without reading its body, and says which program must be updated. A kRefusal is
 /// read in any version, so the body of an Error never changes.
 ///
-/// A proof covers both greetings, so it is valid on this link only. It also covers the acceptor's
-/// address as the opener knows it, so a process at another address cannot relay it. Under TLS both
-/// cookies are 0: certificates prove the same, and give the peer's name and role.
+/// A proof is computed from both greetings, so it is valid on this link only. The acceptor's
+/// address, as the opener knows it, is part of it, so a process at another address cannot relay it.
+/// Under TLS both cookies are 0: certificates prove the same, and give the peer's name and role.
 ///
 /// One end of one link; not thread-safe.
 class Handshake {
  public:
   enum class Role { kOpener, kAcceptor };
 
-  /// `address` is the acceptor's, as the opener reaches it. `certificate` is the peer's; null
-  /// without TLS. It must outlive this object.
+  /// `address` is the acceptor's address as the opener knows it. `certificate` is the peer's, or
+  /// null without TLS; it must outlive this object.
   Handshake(Role role, Hello mine, std::string address, Strangers strangers,
             const Certificate* certificate = nullptr);
 
-  /// The body of the opener's kHello.
+  /// Returns the body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
 
-  /// The result of a frame of the peer.
+  /// The reaction to a frame of the peer.
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;
-    bool has_answer = false;    ///< `type` and `body` are to be sent
+    bool has_answer = false;    ///< `type` and `body` must be sent
     std::optional<Hello> peer;  ///< set by the last step: the peer is authenticated
   };
-  /// Takes the peer's next frame. Returns an error, phrased for the opener, if it is not accepted.
+  /// Handles the peer's next frame. If the peer is not accepted, returns an error with a text for
+  /// the opener.
   Result<Step> Take(const FrameHeader& header, std::span<const std::byte> body);
 
  private:

@@ -17,12 +17,13 @@ inline constexpr const char* kGcmName = "gcm";
 struct Hello {
   std::uint64_t instance = 0;  ///< of the process; new at each start
   /// Of the process or program, for people: "robot", "gcm ls". A peer's name under TLS comes from
-  /// its certificate: "robot" is surely that process; other programs are "anna (gcm ls)".
+  /// its certificate: "robot" is then certain to be that process; other programs are named "anna
+  /// (gcm ls)".
   std::string name;
   /// A peer's role: from its certificate; operator without one.
   Role role = Role::kOperator;
-  std::string wanted;         ///< an opener's: the only peer that it accepts; empty for any
-  std::uint64_t session = 0;  ///< the session token of a joined process, or 0
+  std::string wanted;         ///< only for an opener: the peer that it accepts; empty for any
+  std::uint64_t session = 0;  ///< the session token of a process that has joined, or 0
   std::uint64_t cookie = 0;   ///< LoopbackCookie(), which is never sent; 0 for none
 };
 
@@ -30,8 +31,8 @@ struct Hello {
 /// the first process that needs it. kDenied if it cannot be read or created.
 Result<std::uint64_t> LoopbackCookie();
 
-/// Which peers without a certificate an acceptor admits: only those that know the cookie; in tests
-/// also those that show none; or anyone, for addresses off this machine that Exposure allows.
+/// Which peers without a certificate an acceptor admits: those that know the cookie; also those
+/// that send none (for tests); or all of them (peers on other machines, if Exposure allows these).
 enum class Strangers { kRefused, kAllowed, kFromElsewhere };
 
 /// Decodes the body of a kRefusal; the message is printable.

@@ -7,19 +7,19 @@
 namespace tendon {
 namespace loopback {
 
-/// A listener as others see it.
+/// The shared part of a listener.
 struct Door {
   std::shared_ptr<Courier> courier;
   std::string address;
   AcceptLink accept;
-  bool is_open = true;  // only in the courier's thread
+  bool is_open = true;  // used only in the courier's thread
 
   void Enter(const std::shared_ptr<End>& end);
-  /// Closes the links that it accepted. Their handlers have heard OnClosed() when it returns.
+  /// Closes the links that it accepted. After the return, all their handlers have got OnClosed().
   void Shut();
 };
 
-/// A reply frame, until it is passed on to the other end of `end`.
+/// A reply frame that waits to be delivered to the peer of `end`.
 class LoopbackReply final : public ReplySlot {
  public:
   enum class When { kOnceAsked, kOnceLeft };
@@ -47,7 +47,7 @@ class LoopbackReply final : public ReplySlot {
   Bytes frame_;
 };
 
-/// One end of a link. The two ends know each other.
+/// One end of a link. Each end has a pointer to the other one.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
   End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<Courier> courier, std::string local,
@@ -89,7 +89,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     Expect(SteadyClock().Now());
   }
 
-  /// Stops sending and delivering; the other end hears that the link is closed.
+  /// Stops sending and delivering; the other end gets OnClosed().
   void Crash() {
     {
       const std::scoped_lock lock(mutex_);
@@ -103,7 +103,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
-  /// What a frame is to its receiver. A reply to Ask() needs no room on the link.
+  /// How a frame was sent. A reply to Ask() needs no room on the link.
   enum class Kind { kSent, kAsked, kAnswer };
 
   struct Late {
@@ -159,7 +159,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Expect(SteadyTime due) {
     courier_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
   }
-  /// In order: a late frame holds up those behind it.
+  /// Delivers in order: a delayed frame delays all frames behind it.
   void DeliverDue() {
     while (true) {
       Late late;
@@ -201,7 +201,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (answer.is_there()) answer.PassOn();
   }
 
-  /// The handler hears OnClosed() after all that was posted before.
+  /// Calls OnClosed() after everything that was posted before.
   void Finish(const Error& reason) {
     const std::scoped_lock lock(mutex_);
     if (std::exchange(has_ended_, true)) return;
@@ -215,7 +215,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   const std::shared_ptr<Courier> courier_;
   const std::string local_name_;
   const std::string peer_name_;
-  const Door* const door_;  // the one that accepted it, or null; only compared, never dereferenced
+  const Door* const door_;  // its listener, or null; only compared, never dereferenced
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
@@ -236,7 +236,7 @@ void Courier::Stop() {
     for (const auto& end : ends()) end->Close();
   });
   Flush();  // closes the ends
-  Flush();  // their handlers hear OnClosed()
+  Flush();  // their handlers get OnClosed()
   {
     const std::scoped_lock lock(mutex_);
     stopped_ = true;
@@ -268,7 +268,7 @@ void Door::Shut() {
     }
   });
   courier->Flush();  // closes the ends
-  courier->Flush();  // their handlers hear OnClosed()
+  courier->Flush();  // their handlers get OnClosed()
 }
 
 }  // namespace loopback
@@ -311,7 +311,7 @@ bool LoopbackNetwork::Add(HostPort& address, const std::shared_ptr<loopback::Doo
   return true;
 }
 
-/// Leaves the address alone if another door has taken it.
+/// Does not remove an address that now belongs to another listener.
 void LoopbackNetwork::Remove(const loopback::Door& door) {
   const std::scoped_lock lock(mutex_);
   const auto found = doors_.find(door.address);

@@ -21,7 +21,8 @@ class Courier;
 class End;
 struct Door;
 
-/// A frame on its way. The address of an end is that of its listener, or one of its own.
+/// A frame that is being sent. The address of an accepting end is that of its listener; an opener
+/// has an address of its own.
 struct Frame {
   std::span<const std::byte> bytes;
   std::string_view from;
@@ -30,10 +31,10 @@ struct Frame {
 
 enum class Fate { kPass, kDrop, kHold };
 
-/// What happens to a frame. The sender notices nothing until the link has no more room.
+/// The fate of a frame. The sender notices nothing until the link is full.
 struct Verdict {
   Fate fate = Fate::kPass;
-  std::chrono::nanoseconds delay{0};  ///< of a frame that passes
+  std::chrono::nanoseconds delay{0};  ///< only for a frame that is delivered
 };
 
 inline constexpr Verdict kPass{};
@@ -74,7 +75,7 @@ class LoopbackNetwork {
 };
 
 /// The reference implementation of Middleware, within one process and without a socket. Each
-/// instance stands for a process. It has one thread, which delivers all that arrives there.
+/// instance stands for a process. It has one thread, which makes all calls of its handlers.
 class LoopbackMiddleware final : public Middleware {
  public:
   explicit LoopbackMiddleware(std::shared_ptr<LoopbackNetwork> network);
@@ -86,8 +87,8 @@ class LoopbackMiddleware final : public Middleware {
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override;
 
-  /// Acts as if its process was killed: its peers hear that their links are closed, its addresses
-  /// become free, and it sends and receives nothing more.
+  /// Behaves as if the process were killed: the peers get OnClosed(), its addresses become free,
+  /// and it sends and receives nothing more.
   void Crash();
 
  private:

@@ -17,7 +17,7 @@ std::optional<unsigned> ParseNumber(std::string_view text, unsigned lowest, unsi
   return number;
 }
 
-/// A word that needs no quoting anywhere.
+/// True if the text has only characters of host names and addresses, which need no quoting.
 bool IsHost(std::string_view host) {
   constexpr std::string_view kLetters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_:%";

@@ -31,23 +31,23 @@ class Link {
   virtual ~Link() = default;
 
   /// Copies one whole frame and sends it. Frames arrive in the order of the calls. Never blocks.
-  /// kQueueFull: more than kSendWindow bytes would wait, and none of the frame is sent. kInvalid:
-  /// not a frame of at most kMaxPieceSize. kNotConnected: the link is closed. kQueued does not mean
-  /// delivered.
+  /// kQueueFull: more than kSendWindow bytes would wait, so nothing was sent. kInvalid: not a frame
+  /// of at most kMaxPieceSize. kNotConnected: the link is closed. kQueued does not mean delivered.
   virtual Status Send(std::span<const std::byte> frame) = 0;
 
   /// Send() for a request whose sender waits for the answer. If the peer answers at once, the
-  /// answer may return by a shorter way. Keeps its order with Send(). Calls Send() unless
-  /// overridden.
+  /// answer may use a shorter way back. Keeps the order relative to Send(). By default, calls
+  /// Send().
   virtual Status Ask(std::span<const std::byte> frame) { return Send(frame); }
 
-  /// Marks the peer as authenticated: it may now send frames of kMaxPieceSize. Before that, a frame
-  /// above kMaxStrangersFrameSize ends the link, and so do 3 s on an accepted link, to bound what
-  /// an unauthenticated peer can occupy. Idempotent; may be called from a handler.
+  /// Marks the peer as authenticated: it may now send frames of kMaxPieceSize. To limit the
+  /// resources of unauthenticated peers, the link ends if a larger frame than
+  /// kMaxStrangersFrameSize arrives before, or, on an accepted link, if Admit() is not called
+  /// within 3 s. Idempotent; may be called from a handler.
   virtual void Admit() = 0;
 
-  /// Closes the link. Frames under way still reach the peer if it listens; no more frames are
-  /// received. The handlers of both ends hear OnClosed() within a second. Idempotent; may be called
+  /// Closes the link. Frames already sent still reach the peer if it reads them; no more frames are
+  /// received. The handlers of both ends get OnClosed() within a second. Idempotent; may be called
   /// from a handler.
   virtual void Close() = 0;
 
@@ -59,8 +59,8 @@ class Link {
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
-/// A reply frame that goes back as the link's response to a request (Link::Ask()). Its body is
-/// written directly into the memory that the link sends. One thread at a time.
+/// A reply frame that is the link's response to a request (Link::Ask()). The body is written
+/// directly into the memory that the link sends. One thread at a time.
 class ReplySlot {
  public:
   ReplySlot() = default;
@@ -68,9 +68,9 @@ class ReplySlot {
   ReplySlot& operator=(const ReplySlot&) = delete;
   virtual ~ReplySlot() = default;
 
-  /// Call at most once. Returns room for the body of the frame with this header; write all of it
-  /// before End(). Returns nothing if the reply can no longer return this way; then there was no
-  /// effect. May throw std::bad_alloc; then there is no frame.
+  /// Call it at most once. Returns memory for the body of the frame with this header; write all of
+  /// it before End(). Returns no value, without an effect, if the reply can no longer be sent as
+  /// the response. May throw std::bad_alloc; then there is no frame.
   std::optional<std::span<std::byte>> Begin(const FrameHeader& header) {
     assert(!has_begun_);
     has_begun_ = true;
@@ -79,14 +79,16 @@ class ReplySlot {
     has_begun_ = room.has_value();
     return room;
   }
-  /// Completes the frame. If it is not called, there is no frame, and the link may tell the peer.
+  /// Completes the frame. Without this call there is no frame, and the link may report that to the
+  /// peer.
   void End() {
     is_there_ = true;
     Leave();
   }
 
-  /// Returns a replacement, which any thread can write later; this one stays empty. The link does
-  /// not wait for a replacement that is destroyed. Null after Begin(), or if the link cannot defer.
+  /// Returns another slot for the same reply, which any thread can write later; this slot stays
+  /// empty. If the other slot is destroyed unused, the link stops waiting for the reply. Null after
+  /// Begin(), or if the link cannot defer.
   [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
     if (has_begun_) return nullptr;
     auto later = MakeLater();
@@ -110,8 +112,8 @@ class ReplySlot {
   std::size_t size_ = 0;
 };
 
-/// Receives what arrives on a link, in a thread of the middleware, one call at a time, in order.
-/// Must neither block nor throw. The link owns it until OnClosed().
+/// Receives the frames of a link, in a thread of the middleware, one call at a time, in order. Must
+/// neither block nor throw. The link owns it until OnClosed().
 class LinkHandler {
  public:
   LinkHandler() = default;
@@ -119,24 +121,24 @@ class LinkHandler {
   LinkHandler& operator=(const LinkHandler&) = delete;
   virtual ~LinkHandler() = default;
 
-  /// A whole frame that ReadWholeFrame() has checked. The bytes are valid during the call.
+  /// A whole frame that ReadWholeFrame() has checked. The bytes are valid only during the call.
   virtual void OnFrame(std::span<const std::byte> frame) = 0;
 
-  /// OnFrame() for a large answer: the bytes are valid as long as `owner` is held. Calls OnFrame()
-  /// unless overridden.
+  /// OnFrame() for a large answer: the bytes are valid as long as `owner` is held. By default,
+  /// calls OnFrame().
   virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
   /// OnFrame() for a frame sent by Link::Ask(), on a link with a shorter way back. A reply written
-  /// to `answer`, which is empty, takes that way, behind all frames sent during the call. Calls
-  /// OnFrame() unless overridden.
+  /// to `answer`, an empty slot, uses that way, behind all frames sent during the call. By default,
+  /// calls OnFrame().
   virtual void OnAsked(std::span<const std::byte> frame, ReplySlot& answer);
 
-  /// Exactly once, after the last frame, for whatever reason the link ended.
+  /// Called exactly once, after the last frame, for whatever reason the link ended.
   virtual void OnClosed(const Error& reason) = 0;
 };
 
-/// Accepts links at an address until it is destroyed. The destructor also closes the accepted links
-/// and returns after their handlers have heard OnClosed(). Must not be destroyed by a handler.
+/// Accepts links at an address until it is destroyed. The destructor also closes the accepted
+/// links, and returns after their handlers got OnClosed(). Must not be destroyed by a handler.
 class Listener {
  public:
   Listener() = default;
@@ -148,18 +150,19 @@ class Listener {
   [[nodiscard]] virtual std::string address() const = 0;
 };
 
-/// The reason when a link ends because the peer sent no frame, or one larger than allowed.
+/// The reason for closing a link if the peer sends bytes that are not a frame, or too large a
+/// frame.
 [[nodiscard]] Error NoFrame(const std::string& peer);
 
 /// A listener made of an address and a function that its destructor calls.
 std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close);
 
 /// Returns the handler of a new link. Called in a thread of the middleware, before the first frame.
-/// Null refuses the link: its opener gets an error or hears OnClosed().
+/// Null refuses the link: its opener gets an error or OnClosed().
 using AcceptLink = std::function<std::shared_ptr<LinkHandler>(const std::shared_ptr<Link>&)>;
 
 /// A transport between processes: loopback, plain TCP, or Ice. Chosen once, at start. The
-/// destructor closes what is still open and returns when no handler will be called any more.
+/// destructor closes all links that are still open; after it, no handler is called any more.
 /// Listeners may outlive it; they accept nothing then. Must not be destroyed by a handler.
 class Middleware {
  public:
@@ -180,10 +183,10 @@ class Middleware {
   virtual Result<std::unique_ptr<Listener>> Listen(const std::string& address,
                                                    AcceptLink accept) = 0;
 
-  /// Opens a new link. Blocks until it stands or `timeout` has passed; resolving a host name may
-  /// take longer. Errors: kUnreachable, kTimeout, kDenied as for Listen(), kInvalid. After an error
-  /// the handler hears nothing, or OnClosed() before this returns. Must not be called from a
-  /// handler.
+  /// Opens a new link. Blocks until the link is open or `timeout` has passed; resolving a host name
+  /// may take longer. Errors: kUnreachable, kTimeout, kDenied as for Listen(), kInvalid. After an
+  /// error, the handler was not called, or got OnClosed() before the return. Must not be called
+  /// from a handler.
   virtual Result<std::shared_ptr<Link>> Open(const std::string& address,
                                              std::shared_ptr<LinkHandler> handler,
                                              std::chrono::milliseconds timeout) = 0;

@@ -10,11 +10,12 @@
 
 namespace tendon {
 
-/// Hands one value from one thread to another that waits for it, once. Thread-safe; both own it.
+/// Passes a single value to a thread that waits for it. Thread-safe; both threads share this
+/// object.
 template <typename T>
 class OneShotValue {
  public:
-  /// Returns false if a value was given before or nobody waits any more.
+  /// Returns false if a value was given before, or the waiter has left.
   bool Give(T value) {
     {
       const std::scoped_lock lock(mutex_);
@@ -27,7 +28,7 @@ class OneShotValue {
     return true;
   }
 
-  /// Waits until `deadline`. Returns nothing if no value came; later values are refused.
+  /// Waits until `deadline`. Returns no value if none was given in time; later values are refused.
   std::optional<T> WaitUntil(SteadyTime deadline) {
     wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);
     const std::scoped_lock lock(mutex_);

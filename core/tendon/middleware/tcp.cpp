@@ -21,13 +21,13 @@ using Watch = os::Poller::Watch;
 
 constexpr const char* kOutOfMemory = "out of memory (ulimit -v): ";
 
-/// The owner of a socket, served in the loop's thread.
+/// An owner of a socket, called in the loop's thread.
 class Served {
  public:
   virtual ~Served() = default;
   virtual void OnReady(bool readable, bool writable) = 0;
   virtual void OnTick(SteadyTime now) = 0;
-  /// A function of this object has thrown std::bad_alloc.
+  /// Called after a function of this object has thrown std::bad_alloc.
   virtual void OnOutOfMemory() = 0;
   virtual void Shut() = 0;
   /// The key of the listener that accepted it, or 0.
@@ -93,7 +93,7 @@ class Loop {
     thread_.join();
   }
 
-  /// Returns false if memory is short; the rest of `function` is then not executed.
+  /// Calls `function`. Returns false if it throws std::bad_alloc.
   template <typename Function>
   static bool Guarded(const Function& function) {
     try {
@@ -123,7 +123,7 @@ class Loop {
     }
   }
 
-  /// If memory is short, only this object is affected.
+  /// Calls `function` of an object. Without memory, only this object is affected.
   template <typename Function>
   static void Serve(Served& one, const Function& function) {
     if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
@@ -154,7 +154,7 @@ class Loop {
   bool is_stopped_ = false;
   std::vector<std::function<void()>> tasks_;
   std::map<Key, std::shared_ptr<Served>> served_;
-  std::thread thread_;  // last, because it uses the others
+  std::thread thread_;  // last, because it uses the other members
 };
 
 class TcpLink final : public Link, public Served, public std::enable_shared_from_this<TcpLink> {
@@ -173,7 +173,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     loop_->Add(key_, shared_from_this(), socket_);
   }
 
-  /// Only in the loop's thread.
+  /// Called only in the loop's thread.
   void BeginAccepted(const AcceptLink& accept) {
     Begin(nullptr);
     try {
@@ -263,7 +263,8 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
   [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
 
-  /// With the lock held. The peer must not take later bytes for the rest of a partial frame.
+  /// With the lock held. With a frame sent in part, nothing may follow: the peer would take it for
+  /// the rest.
   void BreakOff() {
     state_ = State::kClosing;
     deadline_ = SteadyTime::min();
@@ -274,7 +275,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     const std::scoped_lock lock(mutex_);
     if (state_ == State::kClosed) return;
     const auto size = os::SendSome(socket_, std::span(unsent_).subspan(sent_));
-    sent_ += size.value_or(0);  // Read() notices a broken connection
+    sent_ += size.value_or(0);  // Read() detects a broken connection
     if (sent_ == unsent_.size()) {
       unsent_ = {};
       sent_ = 0;
@@ -303,7 +304,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     }
   }
 
-  /// Delivers the whole frames at the front and returns the remaining bytes.
+  /// Delivers the complete frames at the front and returns the remaining bytes.
   std::span<const std::byte> HandOn(std::span<const std::byte> bytes) {
     for (State now = state(); bytes.size() >= FrameHeader::kSize && now < State::kClosing;
          now = state()) {
@@ -343,15 +344,15 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   const std::string peer_;
   const std::string local_;
 
-  // Only in the loop's thread:
+  // Used only in the loop's thread:
   std::shared_ptr<LinkHandler> handler_;
-  Bytes rest_;  // the beginning of a frame
+  Bytes rest_;  // received start of an incomplete frame
 
   std::mutex mutex_;
   State state_ = State::kStranger;
-  SteadyTime deadline_;  // to be admitted, or to have closed
+  SteadyTime deadline_;  // latest time for Admit(), or for the end of Close()
   os::Socket socket_;
-  Bytes unsent_;  // from sent_ on
+  Bytes unsent_;  // not sent from index sent_ on
   std::size_t sent_ = 0;
 };
 
@@ -378,7 +379,7 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
   }
 
   void OnTick(SteadyTime /*now*/) override {
-    loop_->poller().Change(socket_, key_, Watch::kReads);  // it may have been paused
+    loop_->poller().Change(socket_, key_, Watch::kReads);  // accepting may have been paused
   }
 
   void OnOutOfMemory() override {

@@ -35,7 +35,7 @@ auto WithNumber(Schema::Kind kind, Visitor&& visit) {
     case Schema::Kind::kFloat64:
       return visit(double{0});
     default:
-      return visit(std::int32_t{0});  // enums too
+      return visit(std::int32_t{0});  // also for enums
   }
 }
 

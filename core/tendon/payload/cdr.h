@@ -37,10 +37,11 @@ class CdrWriter {
     WritePlain(&value, sizeof(T), sizeof(T));
   }
 
-  /// Copies `size` bytes, at least one, of numbers that are `alignment` bytes each.
+  /// Copies `size` bytes, at least one, of numbers of `alignment` bytes each.
   void WritePlain(const void* numbers, std::size_t size, std::size_t alignment) {
     const std::size_t start = AlignUp(position_, alignment);
-    // One store of a constant size; bytes beyond the padding are overwritten below.
+    // One store of a constant size; it also clears bytes beyond the padding, which are overwritten
+    // below.
     if (start != position_) std::memset(body_ + position_, 0, alignment);
     std::memcpy(body_ + start, numbers, size);
     position_ = start + size;
@@ -51,8 +52,8 @@ class CdrWriter {
     WritePlain(text.c_str(), text.size() + 1, 1);
   }
 
-  /// A separate writer for the next `size` bytes, for which this place is the start of the body.
-  /// Only if is_aligned().
+  /// A separate writer for the next `size` bytes, which treats this position as the start of the
+  /// body. Requires is_aligned().
   CdrWriter Fork(std::size_t size) {
     position_ += size;
     return CdrWriter(body_ + position_ - size);
@@ -67,7 +68,7 @@ class CdrWriter {
   std::size_t position_ = 0;
 };
 
-/// Reads from untrusted bytes. Returns false, and reads nothing, if there are too few.
+/// Reads from untrusted bytes. Functions return false, and read nothing, if too few bytes are left.
 class CdrReader {
  public:
   explicit CdrReader(std::span<const std::byte> body) : body_(body.data()), size_(body.size()) {}

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Nothing if the value has no place on an axis.
+/// Empty if the value has no position on an axis.
 template <AxisNumber Number>
 std::optional<Number> NumberOf(const ChannelValue& value) {
   if constexpr (std::is_integral_v<Number>) {
@@ -50,7 +50,7 @@ ChannelAxis::ChannelAxis(const Schema& schema, std::span<const ChannelValue> val
   }
 }
 
-/// Places the names at equal distances, whatever their numbers.
+/// Spaces the names equally, whatever their numbers are.
 void ChannelAxis::UseNames(const Schema& schema, std::span<const ChannelValue> values) {
   constexpr double kMiddle = 0.5;
   Names names;

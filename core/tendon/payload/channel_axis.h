@@ -14,12 +14,12 @@
 
 namespace tendon {
 
-/// An axis for values of one channel, of any payload type: it places the values and their labels.
-/// Bools and enums have a place for each value, with its name; integers are exact and have whole
-/// steps; of floats, only the finite ones count.
+/// An axis for values of one channel, of any payload type: it positions the values and their
+/// labels. Bools and enums have one position for each value, labelled with its name. Integers are
+/// exact and have whole steps. Floats that are not finite are ignored.
 class ChannelAxis {
  public:
-  /// A place on the axis: 0 is its low end, 1 its high end.
+  /// A position on the axis: 0 is its low end, 1 its high end.
   struct Label {
     double part = 0.0;
     std::string text;
@@ -30,13 +30,13 @@ class ChannelAxis {
   /// With round ends and about `most` labels, all of them different.
   static ChannelAxis Fitted(const Schema& schema, std::span<const ChannelValue> values, int most);
 
-  /// From the low end to the high end; empty if no value has a place.
+  /// Sorted from the low end to the high end; empty if no value has a position.
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
-  /// The place of a value, from 0 to 1; nothing for infinities and not-a-number.
+  /// The position of a value, from 0 to 1; empty for infinities and not-a-number.
   [[nodiscard]] std::optional<double> PartOf(const ChannelValue& value) const;
 
  private:
-  using Names = std::map<std::int64_t, double>;  // the places of values
+  using Names = std::map<std::int64_t, double>;  // the positions of values
 
   ChannelAxis(const Schema& schema, std::span<const ChannelValue> values,
               std::optional<int> most_labels);

@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// One number of a payload, exactly as it came. A double cannot hold all integers beyond 2^53, nor
-/// the nanoseconds of durations beyond 104 days, so these are not kept as doubles.
+/// One number of a payload, exactly as it came. Integers and durations are not stored as doubles,
+/// which cannot hold all integers beyond 2^53 and not the nanoseconds of durations beyond 104 days.
 class ChannelValue {
  public:
   enum class Kind : std::uint8_t { kFloat32, kFloat64, kSigned, kUnsigned, kDuration };
@@ -54,8 +54,8 @@ class ChannelValue {
 /// By the type of its channel: "true", "false", the name of an enumerator; otherwise ToString().
 [[nodiscard]] std::string ToString(const Schema& schema, const ChannelValue& value);
 
-/// True if values of this type are states or counts, which hold until the next one: bools, enums
-/// and integers. A line between two of them would show values that never existed.
+/// True if values of this type are states or counts: bools, enums and integers. A plot must draw
+/// them as steps, because a sloped line between two values would show values that never existed.
 [[nodiscard]] bool IsStepped(const Schema& schema);
 
 }  // namespace tendon

@@ -17,7 +17,8 @@ namespace tendon {
 
 namespace payload {
 
-/// Writes one of many values. If it begins aligned, the places of all its numbers are constants.
+/// Writes one of many values. If the value begins aligned, the offsets of all its numbers are
+/// constants.
 template <typename T>
 void WriteItem(CdrWriter& writer, const T& item);
 
@@ -159,7 +160,7 @@ bool ReadSequence(CdrReader& reader, T& value) {
 }  // namespace payload
 
 /// Writes `value` into the front of `out` and returns the number of bytes used, or 0 if `out` is
-/// too small; then it is unchanged. No allocation.
+/// too small; then `out` is unchanged. No allocation.
 template <Payload T>
 std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   const std::size_t size = EncodedSize(value);
@@ -170,7 +171,7 @@ std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   return size;
 }
 
-/// Replaces the content of `out`. Allocates only if its capacity is too small.
+/// The same, but replaces the content of `out`. Allocates only if its capacity is too small.
 template <Payload T>
 void Encode(const T& value, std::vector<std::byte>& out) {
   out.resize(EncodedSize(value));

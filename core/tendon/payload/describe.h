@@ -20,7 +20,7 @@ struct NotDescribed {};
 template <typename T>
 inline constexpr auto kPayload = NotDescribed{};
 
-/// The numbers that a field is meant to hold, including both ends; a duration counts in seconds.
+/// The range of numbers that a field should hold, including both ends; in seconds for a duration.
 struct Range {
   double lowest = 0;
   double highest = 0;
@@ -29,7 +29,8 @@ struct Range {
 };
 
 /// One named member of a structure. `unit` is part of the type: rad does not connect to deg. Help
-/// and range are not; they are for people, forms and JSON, and travel with the schema:
+/// and range are not part of the type; they are for people, forms and JSON, and are sent with the
+/// schema:
 ///
 ///     Field{"speed", &Goal::speed, "rad/s"}.Within(0, 2.5).Help("Of the fastest joint.")
 template <typename Owner, typename Member>
@@ -153,7 +154,7 @@ constexpr bool FitsInt32(Enum value) {
 
 }  // namespace payload
 
-/// Describes a structure. A mistake in it does not compile.
+/// Describes a structure. A wrong description does not compile.
 template <typename... Owner, typename... Member>
 consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
   if (!payload::IsTypeName(name)) throw ConfigurationError("a type is named like arm.JointState");

@@ -54,7 +54,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
       return AlignUp(start, PlainAlignment<Item>()) + length * sizeof(Item);
     } else {
       if constexpr (IsFixed<Item>()) {
-        // From the second item on, each is aligned as in a body of its own.
+        // From the second item on, each is aligned as at the start of a body.
         if (EndOf<Item>(0) % kMaxAlignment == 0) {
           return EndOf<Item>(start) + (length - 1) * EndOf<Item>(0);
         }

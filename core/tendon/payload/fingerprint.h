@@ -29,7 +29,7 @@ inline constexpr auto kPayload<Fingerprint> = Describe("tendon.Fingerprint",
 [[nodiscard]] Fingerprint FingerprintOf(std::string_view canonical_schema_text);
 
 namespace payload {
-/// Returns the fingerprint of `schema`, which FindSchema() finds from now on.
+/// Stores `schema` for FindSchema() and returns its fingerprint.
 Fingerprint Remember(const Schema& schema);
 }  // namespace payload
 
@@ -40,8 +40,8 @@ template <Payload T>
   return fingerprint;
 }
 
-/// The schema of any type whose FingerprintOf() this process has computed, or that another process
-/// has sent. Thread-safe.
+/// The schema of a type, if this process has computed its FingerprintOf() or another process has
+/// sent it. Thread-safe.
 [[nodiscard]] std::optional<Schema> FindSchema(Fingerprint fingerprint);
 
 }  // namespace tendon

@@ -18,16 +18,16 @@
 /// -0.0. The numbers that JSON lacks are "nan", "inf" and "-inf".
 namespace tendon {
 
-/// The error tells what is wrong with the body. An enum value without a name becomes a number, so
+/// The error says what is wrong with the body. An enum value without a name becomes a number, so
 /// that a viewer can show it.
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
 
 /// The same for one number: a bool, an integer, a float, an enum or a duration.
 [[nodiscard]] std::string ToJson(const Schema& number, const ChannelValue& value);
 
-/// The body of a value, which has every field once, in its range; at most 16 MiB, 64 levels. The
-/// error names the place and both sides: "goal.position[3]: expected a number (rad), got string
-/// 'x'".
+/// Converts JSON to a body. The value must have each field exactly once and in its range, at most
+/// 16 MiB and 64 levels. The error says where the mistake is, what was expected and what was found:
+/// "goal.position[3]: expected a number (rad), got string 'x'".
 [[nodiscard]] Result<std::vector<std::byte>> FromJson(const Schema& schema,
                                                       std::string_view json_text);
 

@@ -10,9 +10,10 @@
 
 namespace tendon {
 
-/// The memory layout of a payload, as one number: size, alignment, the place of every field, the
-/// C++ types in it, and the library's binary interface. Two plug-ins whose type has one fingerprint
-/// and one layout may pass values by pointer. 0 means "no layout": a proxy has only bytes.
+/// The memory layout of a payload, as one number: size, alignment, the offset of every field, the
+/// C++ types in it, and the library's binary interface. Two plug-ins may pass values by pointer if
+/// both fingerprint and layout of the type are equal. 0 means that the code has only encoded bytes,
+/// as a proxy does.
 using Layout = std::uint64_t;
 
 namespace layout {
@@ -32,7 +33,8 @@ constexpr Layout Mix(Layout hash, std::string_view text) {
 template <Payload T>
 Layout Of(Layout hash) {
   hash = Mix(Mix(hash, sizeof(T)), alignof(T));
-  // Seconds and milliseconds, or row-major and column-major matrices, look the same without it.
+  // Without the C++ type, seconds and milliseconds, or row-major and column-major matrices, would
+  // look the same.
   if constexpr (!payload::Structure<T>) hash = Mix(hash, std::string_view(typeid(T).name()));
   if constexpr (payload::Structure<T>) {
     const auto probe = std::make_unique<T>();

@@ -23,8 +23,8 @@ concept Described = !std::same_as<payload::DescriptionOf<T>, NotDescribed>;
 template <typename T>
 concept FixedPayload = Payload<T> && payload::IsFixed<T>();
 
-/// `static_assert(RequirePayload<T>())` belongs first in a template to which an author passes a
-/// payload: it gives one sentence instead of a failed constraint.
+/// `static_assert(RequirePayload<T>())` belongs at the start of a template that takes a payload
+/// type: a wrong type then gives one clear message instead of a failed constraint.
 template <typename T>
 consteval bool RequirePayload() {
   static_assert(Payload<T>, "T is not described: write kPayload<T> beside it");

@@ -93,7 +93,8 @@ class Lister {
           Inside("[" + std::to_string(i) + "]", i, [&] { return Visit(list.element(), unit); });
       if (!good) return false;
       if (reader_ == nullptr && channels_.size() == channels_before) {
-        // No element has a channel. The position stays known only if they are bytes of None alone.
+        // The elements have no channels. The position stays known only if all elements are None, of
+        // one byte each.
         if (position_) *position_ += (count - 1) * list.element().minimum_size();
         break;
       }

@@ -18,7 +18,7 @@ struct PlotChannel {
   std::string path;  ///< ".position[0]", or empty if the payload itself is the number
   std::string unit;  ///< of the innermost field that has one; "s" for a duration without
   Schema schema;     ///< of the number: bool, integer, float, enum or duration
-  /// Its place in every body, in bytes; nothing if a string or sequence comes before it.
+  /// Its offset in every body, in bytes; empty if a string or sequence comes before it.
   std::optional<std::size_t> offset;
 
   Schema root;                       ///< of the whole payload
@@ -28,19 +28,19 @@ struct PlotChannel {
 /// The largest number of listed channels.
 constexpr std::size_t kMaxChannels = 16384;
 
-/// All numbers of a schema, in wire order, but no elements of sequences: their number varies.
+/// All numbers of a schema, in wire order, without the elements of sequences, whose number varies.
 [[nodiscard]] std::vector<PlotChannel> Channels(const Schema& schema);
 
 /// All numbers of one value, including sequence elements. Empty if it cannot be decoded.
 [[nodiscard]] std::vector<PlotChannel> Channels(const Schema& schema,
                                                 std::span<const std::byte> body);
 
-/// The channel of a path that a person types: ".cores[3].load". It may name an element of a
-/// sequence that does not exist now. The error tells where the path leaves the schema.
+/// The channel of a path that a person types: ".cores[3].load". The path may name a sequence
+/// element that does not exist now. The error says which part of the path the schema does not have.
 [[nodiscard]] Result<PlotChannel> FindChannel(const Schema& schema, std::string_view path);
 
-/// The number in one body; nothing if the body is too short or has no such element. Costs a load if
-/// the channel has an offset, else a walk over all before it; allocates nothing.
+/// The number in one body; empty if the body is too short or has no such element. Costs a load if
+/// the channel has an offset, otherwise a walk over all values before it; allocates nothing.
 [[nodiscard]] std::optional<ChannelValue> ReadExactly(const PlotChannel& channel,
                                                       std::span<const std::byte> body);
 

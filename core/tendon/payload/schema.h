@@ -76,12 +76,12 @@ class Schema {
   [[nodiscard]] bool is_none() const { return kind() == Kind::kStructure && fields().empty(); }
   /// The fewest bytes that a value takes on the wire; at least 1.
   [[nodiscard]] std::size_t minimum_size() const;
-  /// True if a field of it can have a range: integers, floats, durations, or lists of these.
+  /// True if a field of this type can have a range: integers, floats, durations, or lists of these.
   [[nodiscard]] bool holds_numbers() const;
   /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]". See TypeNameOf().
   [[nodiscard]] std::string TypeName() const;
 
-  /// The canonical text: all that two ends must agree on, and nothing else.
+  /// The canonical text: exactly the properties that must be equal at both ends.
   ///
   ///     struct arm.JointState {
   ///       position: float64[7] in rad
@@ -90,15 +90,15 @@ class Schema {
   ///       }
   ///     }
   [[nodiscard]] std::string Text() const;
-  /// The same, plus lines before a field that only people and forms need; it has the same
-  /// fingerprint when it is read.
+  /// The same, plus help and range in lines before a field, for people and forms. Parse() ignores
+  /// them for the fingerprint.
   ///
   ///       # Of the fastest joint.
   ///       @ 0 to 2.5
   ///       speed: float64 in rad/s
   [[nodiscard]] std::string TextWithHelp() const;
-  /// Reads either text, even untrusted: at most 1 MiB, 64 levels, and a minimum_size() of 2 GiB.
-  /// The error names line and column.
+  /// Reads the result of Text() or TextWithHelp(), also from untrusted sources. Limits: 1 MiB of
+  /// text, 64 levels, a minimum_size() of 2 GiB. The error names line and column.
   static Result<Schema> Parse(std::string_view text);
   /// Computed from the text each time; needs fingerprint.h.
   [[nodiscard]] Fingerprint fingerprint() const;
@@ -126,7 +126,7 @@ struct Schema::Field {
 [[nodiscard]] std::string_view ToString(Schema::Kind kind);
 
 /// The definition as a ROS 2 message, with nested ones appended as in MCAP; enums are int32 with
-/// constants. A schema that is not a structure becomes a message with the field `data`.
+/// constants. A schema that is not a structure becomes a message with the single field `data`.
 [[nodiscard]] std::string RosMessage(const Schema& schema);
 /// "arm/msg/JointState" for a structure, as RosMessage() calls it.
 [[nodiscard]] std::string RosTypeName(const Schema& schema);

@@ -11,10 +11,10 @@
 namespace tendon {
 
 /// A list whose copies can share its memory: a std::vector until Share() is called. From then on a
-/// copy costs one reference count, and a copy that is changed becomes a separate list. As a payload
-/// it is a vector.
+/// copy costs one reference count, and a copy becomes separate when it is changed. As a payload it
+/// is a vector.
 ///
-/// Thread safety: that of a vector; shared content is never changed.
+/// Thread safety: that of a std::vector; shared content is never modified.
 template <typename T>
 class SharedList {
  public:
@@ -68,7 +68,7 @@ class SharedList {
     return own_;
   }
 
-  std::vector<T> own_;  // empty while there is a shared one
+  std::vector<T> own_;  // empty while the list is shared
   std::shared_ptr<const std::vector<T>> shared_;
 };
 

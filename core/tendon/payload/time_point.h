@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdint>
 
-/// Points on the system clock as payloads; include it for such a member. On the wire it is
-/// builtin_interfaces/Time of ROS 2. Points on the steady clock cannot travel, because they mean
-/// nothing on another machine.
+/// Makes time points of the system clock payloads; include it if a payload has such a member. On
+/// the wire it is builtin_interfaces/Time of ROS 2. Time points of the steady clock are not
+/// payloads, because they mean nothing on another machine.
 namespace tendon {
 
 namespace payload {

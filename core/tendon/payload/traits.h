@@ -41,7 +41,7 @@ struct IsTimeSpan<std::chrono::duration<Count, Period>>
     : std::bool_constant<std::is_floating_point_v<Count> ||
                          std::ratio_greater_equal_v<Period, std::nano>> {};
 
-/// A std::chrono::duration, no finer than nanoseconds if it counts in integers.
+/// A std::chrono::duration, with a resolution of nanoseconds or coarser if it counts in integers.
 template <typename T>
 concept TimeSpan = IsTimeSpan<T>::value;
 
@@ -139,7 +139,7 @@ constexpr bool FieldIsPayload(bool has_range) {
   return true;
 }
 
-/// A field that cannot travel is a mistake in its structure: it does not compile.
+/// A structure with a field that is not a payload does not compile.
 template <typename T>
 consteval bool IsPayload() {
   if constexpr (Array<T>) {
@@ -172,8 +172,8 @@ consteval bool IsFixed() {
   }
 }
 
-/// True if T has the same bytes in memory as on the wire, so that many are one memcpy. Not bool,
-/// which is checked when it is read.
+/// True if T has the same bytes in memory as on the wire, so that many values are copied by one
+/// memcpy. Not bool, whose value is checked when read.
 template <typename T>
 consteval bool IsPlain() {
   if constexpr (Array<T>) {

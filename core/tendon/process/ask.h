@@ -10,8 +10,7 @@
 
 namespace tendon {
 
-/// Channel::Request() whose timeout `timer` enforces by calling Expire(). Only while the timer
-/// lives.
+/// Channel::Request() with a timeout that works as long as `timer` lives, which calls Expire().
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,

@@ -14,13 +14,13 @@
 
 namespace tendon {
 
-/// The components of a process, as its network parts see them.
+/// The interface of a process to its network parts.
 class ProcessHost {
  public:
   virtual ~ProcessHost() = default;
-  /// The manager's lock. Hold it to look up components and to make or break connections.
+  /// The manager's lock. Hold it to look up components and to make or end connections.
   [[nodiscard]] virtual std::unique_lock<std::recursive_mutex> LockStructure() const = 0;
-  // Call these with the lock held; the results are valid as long as it is.
+  // Call these with the lock held; the results are valid as long as the lock is held.
   [[nodiscard]] virtual Result<RequiredInterface*> LookUpRequired(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<ProvidedInterface*> LookUpProvided(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Component* LookUpComponent(const std::string& name) const = 0;
@@ -33,12 +33,12 @@ class ProcessHost {
   virtual void StructureChanged() const = 0;
 };
 
-/// What the network parts of one process share. It outlives them.
+/// The data that the network parts of one process share, and which outlives them.
 ///
 /// Threads: the connections are changed on the worker, or under the manager's lock by a thread that
-/// removes a component or disconnects. Threads of the middleware post everything that might block
-/// to the worker. The worker never waits for another process: the openers open links, and post the
-/// result to the worker.
+/// removes a component or disconnects. Threads of the middleware post all work that might block to
+/// the worker. The worker never waits for another process: the openers open links, and post the
+/// results to the worker.
 struct ProcessContext {
   std::string name;
   ProcessHost& host;
@@ -46,7 +46,7 @@ struct ProcessContext {
   Hello hello;  ///< for channels that are opened here; only the worker changes its session
   std::shared_ptr<Worker> worker;
   std::shared_ptr<Worker> opener;      ///< opens links to peers
-  std::shared_ptr<Worker> gcm_opener;  ///< for the link to the GCM, which no peer may delay
+  std::shared_ptr<Worker> gcm_opener;  ///< opens the link to the GCM, so that no peer delays it
   std::shared_ptr<NetworkThread> network;
   std::shared_ptr<CallExecutors> calls;
   ComponentProxies proxies;

@@ -11,18 +11,19 @@ namespace tendon {
 /// class cost little more than one. Not thread-safe.
 class DescriptionPool {
  public:
-  /// Costs about one look at each member.
+  /// Replaces the lists of `component` by shared ones. The cost is proportional to the number of
+  /// members.
   void Share(ComponentDescription& component);
 
   /// The number of different lists.
   [[nodiscard]] std::size_t size() const;
 
  private:
-  /// By a hash of the content. Of several lists with the same hash, only one is kept.
+  /// By a hash of the content. If several lists have the same hash, only one is kept.
   template <typename T>
   struct Lists {
     std::unordered_map<std::size_t, SharedList<T>> by_hash;
-    std::size_t drop_at = 64;  // at this many entries, drops the lists that are used nowhere else
+    std::size_t drop_at = 64;  // number of entries above which unused lists are dropped
 
     void Share(SharedList<T>& list);
   };

@@ -18,18 +18,18 @@ inline constexpr auto kReport = static_cast<MessageType>(0x301);      // notice:
 inline constexpr auto kRenew = static_cast<MessageType>(0x302);       // request: None -> None
 inline constexpr auto kLeave = static_cast<MessageType>(0x303);       // request: None -> None
 inline constexpr auto kTellHealth = static_cast<MessageType>(0x304);  // request: Health -> GcmClock
-// From the GCM, on the channel that joined.
-// request: Wiring -> ConnectionDescription; the LCM reports the connection before it answers
+// From the GCM, on the channel on which the process joined. request: Wiring ->
+// ConnectionDescription; the LCM reports the connection before it answers
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
-// request: Wire -> None; the LCM reports that it is gone before it answers
+// request: Wire -> None; the LCM reports the end of the connection before it replies
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
 inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
 
-/// The description of a joining process. The GCM rebuilds its state from these. A process that
+/// The description of a joining process, from which the GCM rebuilds its state. A process that
 /// joins again with the same instance, and the last session in its Hello, continues its membership,
 /// even if the GCM has not yet noticed that the old link broke.
 struct Join {
-  ProcessDescription process;  ///< the GCM sets state, reason and since
+  ProcessDescription process;  ///< the GCM sets `state`, `reason` and `since`
   std::vector<ComponentDescription> components;
   std::vector<ConnectionDescription> connections;
 };
@@ -39,23 +39,24 @@ struct Join {
 struct JoinReply {
   std::uint64_t gcm_instance = 0;
   std::uint64_t session = 0;                  ///< token of this membership
-  std::vector<ProcessDescription> processes;  ///< all present processes, also this one
+  std::vector<ProcessDescription> processes;  ///< all present processes, including this one
 };
 
-/// The changes in a process since it joined or last reported, as in CatalogueChange with revisions
-/// of 0. Of the process itself only address, host, pid and plug-ins can change.
+/// The changes in a process since it joined or sent its last report. Each change is a
+/// CatalogueChange with revision 0. Of the process itself, only address, host, pid and plug-ins can
+/// change.
 struct Report {
   std::vector<CatalogueChange> changes;
 };
 
 /// The resources that a process uses, sent every second. Not part of the catalogue.
 struct Health {
-  std::int64_t cpu_time = 0;  ///< ns, all threads, since the start of the process
+  std::int64_t cpu_time = 0;  ///< ns of all threads since the start of the process
   std::uint64_t memory = 0;   ///< resident bytes
-  std::int64_t time = 0;      ///< when it was measured, ns on the steady clock of the process
-  /// How far that clock is ahead of the GCM's, estimated from earlier answers.
+  std::int64_t time = 0;      ///< time of the measurement, ns on the steady clock of the process
+  /// How far the clock of the process is ahead of the GCM's clock, estimated from earlier answers.
   std::chrono::nanoseconds clock_offset{0};
-  /// The bound of the error of clock_offset; below 0 if nothing is known yet.
+  /// The largest possible error of clock_offset; negative if nothing is known yet.
   std::chrono::nanoseconds clock_uncertainty{-1};
 };
 
@@ -72,8 +73,9 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
-/// The order to the required side's LCM: the two ends, and the address of the provider's process.
-/// The address is empty if that process is not there yet; the connection is pending then.
+/// The order to the LCM of the required side: the two ends, and the address of the provider's
+/// process. If that process does not exist yet, the address is empty, and the connection is
+/// pending.
 struct Wiring {
   Wire wire;
   std::string address;

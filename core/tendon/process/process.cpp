@@ -60,7 +60,7 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Call it once the process has its parts.
+  /// Call it when the process has its parts.
   void Open(const ProcessOptions& options) {
     Listen(options);
     if (options.gcm.empty()) return;
@@ -86,7 +86,7 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
 
   /// Call it while the process still has its parts. Drops unfinished calls at `deadline`.
   void Close(SteadyTime deadline) {
-    life_.Stop();  // while the worker still serves what it may wait for
+    life_.Stop();  // before the worker stops, because Stop() may wait for tasks of the worker
     context_.opener->Stop();
     context_.gcm_opener->Stop();
     context_.worker->Stop();  // from now on only this thread changes connections
@@ -119,7 +119,7 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
     return promise->get_future().get();
   }
 
-  /// If the GCM has ordered this connection, returns it; from now on it belongs to the program.
+  /// If the GCM has ordered this connection, returns it and makes the program its owner.
   [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::Wire& wire) {
     const auto lock = process_.Lock();
     const auto connection = ConnectionOf(wire.required);
@@ -272,10 +272,10 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
   Services services_;
   RemoteConnections connections_;
   LifeCycle life_;
-  // Connections that only the GCM has asked for; under the manager's lock.
+  // Connections ordered by the GCM and not by the program; guarded by the manager's lock.
   std::vector<message::Wire> ordered_;
   mutable std::mutex address_mutex_;
-  std::string address_;  // as others are told
+  std::string address_;  // the announced address
   std::unique_ptr<Membership> membership_;
   std::unique_ptr<Listener> listener_;
 };

@@ -18,63 +18,68 @@ inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 /// The network settings of a process. Tcp() and Ice() fill in the middleware.
 struct ProcessOptions {
   std::shared_ptr<Middleware> middleware;
-  std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: joins none
+  std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: joins no GCM
   std::string listen = "127.0.0.1:0";  ///< where peers and viewers connect; port 0 takes a free one
-  /// The address for others, if not `listen`: "host:port", or a host to keep the port. A process
-  /// that listens at every address announces by default the one from which it reaches the GCM.
+  /// The address to announce, if it is not `listen`: "host:port", or only a host to keep the port.
+  /// By default, a process that listens at every address announces the address from which it
+  /// reaches the GCM.
   std::string advertise;
-  bool retry = true;  ///< tries again until it finds the GCM
-  /// Loads plug-ins for orders that come through the GCM; do not use it elsewhere meanwhile. Null:
-  /// such orders are refused.
+  bool retry = true;  ///< keeps trying until it finds the GCM
+  /// Loads plug-ins for orders from the GCM. Must not be used elsewhere while the process lives. If
+  /// null, such orders are refused.
   std::shared_ptr<ComponentLoader> loader{};
 };
 
 /// A local component manager with a network. It joins a GCM under its name. Its components can be
-/// connected to those of any other process, which makes no difference to them.
+/// connected to components of any other process, in the same way as to local ones.
 ///
 /// Connections within the process are those of LocalManager. Other connections belong to the
 /// process of the required interface. Such a connection is pending while the other process is
-/// absent, and is made again whenever that returns. A killed GCM disturbs no connection.
+/// absent, and is made again when that process returns. A crash of the GCM affects no connection.
 ///
-/// Log records also go to the GCM, as many of each source as LogLimiter admits. The GCM can set the
-/// log level.
+/// Log records are also sent to the GCM, within the limits of LogLimiter for each source. The GCM
+/// can set the log level.
 ///
 /// Through the GCM, its components can be started, suspended and stopped. With a loader in the
 /// options, components of plug-ins can also be created and removed.
 ///
-/// Thread safety: as LocalManager. Threads: five of its own, one for each order that is under way,
-/// and the middleware's.
+/// Thread safety: like LocalManager. Threads: five of its own, one for each running order, and
+/// those of the middleware.
 class Process final : public LocalManager {
  public:
-  /// Listens, and starts to join the GCM. Throws ConfigurationError: for a bad name or address;
-  /// kExists if the port is in use; kDenied off this machine, or without the user's cookie.
+  /// Listens, and starts to join the GCM. Throws ConfigurationError for an invalid name or address,
+  /// if the port is in use (kExists), if an address of another machine is not allowed, or if the
+  /// user's cookie cannot be read (kDenied).
   Process(std::string name, ProcessOptions options);
   /// Stops all components in order, as LocalManager does, while their connections are open and
-  /// servers in other processes execute the last calls. Then leaves the GCM and closes all. A peer
-  /// or GCM that hangs delays this by at most 2 s.
+  /// servers in other processes execute the last calls. Then leaves the GCM and closes all
+  /// channels. A hanging peer or GCM delays this by at most 2 s.
   ~Process() override;
 
   [[nodiscard]] const std::string& name() const;
-  /// The address for others. Known only after joining if the process listens at every address.
+  /// The announced address. If the process listens at every address, it is known only after
+  /// joining.
   [[nodiscard]] std::string address() const;
   [[nodiscard]] std::uint64_t instance() const;
 
   /// Errors: kUnreachable "no GCM at ...", kExists with the holder of the name, kTimeout. The
-  /// process works without a GCM, and keeps trying if its options say so.
+  /// process works without a GCM, and keeps trying if ProcessOptions::retry is set.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
-  /// An end without a process name is in this process. The required interface must be here. The
-  /// provided one may be anywhere; if its process or component is absent, the connection is
-  /// pending. Blocks for at most two seconds. If the GCM has already ordered the same connection,
-  /// as it does for a process that returns, takes that over. Otherwise as LocalManager::Connect().
+  /// Like LocalManager::Connect(), with these differences. A name without a process means this
+  /// process. The required interface must be in this process; the provided one may be anywhere, and
+  /// if its process or component is absent, the connection is pending. Blocks for at most two
+  /// seconds. If the GCM has already ordered the same connection, as it does for a process that
+  /// returns, takes over that connection.
   Result<ConnectionId> Connect(const InterfaceName& required,
                                const InterfaceName& provided) override;
   Result<void> Disconnect(const InterfaceName& required) override;
 
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const override;
 
-  /// All connections of this process, also pending and failed ones. Both ends have process names.
+  /// All connections of this process, including pending and failed ones. Both ends have process
+  /// names.
   [[nodiscard]] std::vector<ConnectionDescription> connections() const override;
 
   /// The proxies here for components of other processes.
@@ -92,8 +97,9 @@ class Process final : public LocalManager {
   std::unique_ptr<Parts> parts_;
 };
 
-/// A process that talks over plain sockets: Process process("ui", Tcp({.gcm = "192.168.0.101"})).
-/// Addresses off this machine need Exposure::kInsecure, because nothing is encrypted.
+/// Options for a process that uses plain sockets: Process process("ui", Tcp({.gcm =
+/// "192.168.0.101"})). Addresses of other machines need Exposure::kInsecure, because nothing is
+/// encrypted.
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure = Exposure::kLoopbackOnly);
 
 }  // namespace tendon

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// The state of a process, as the GCM sees it.
+/// The state of a process from the GCM's point of view.
 enum class ProcessState : std::int32_t {
   kAlive,
   kSuspect,   ///< has missed lease renewals
-  kLost,      ///< its connection broke or its lease ran out; its description is kept as a tombstone
-  kLeft,      ///< said good-bye; kept as a tombstone too
+  kLost,      ///< connection broken or lease expired; the description is kept
+  kLeft,      ///< left in order; the description is kept
   kStarting,  ///< the GCM has started its program, which has not joined yet
 };
 
@@ -26,26 +26,26 @@ inline constexpr auto kPayload<ProcessState> = DescribeEnum(
 
 [[nodiscard]] std::string_view ToString(ProcessState state) noexcept;
 
-/// A process without its components.
+/// The description of a process, without its components.
 struct ProcessDescription {
   std::string name;
   std::uint64_t instance = 0;  ///< new at each start of the process
   std::string host;
   std::int64_t pid = 0;
-  std::string address;  ///< where viewers and peers reach it
+  std::string address;  ///< where viewers and peers connect
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost; while alive, from where it cannot be reached
-  std::int64_t since = 0;  ///< when it entered `state`, ns since 1970; for display only
+  std::string reason;      ///< why it is lost; while alive, which hosts cannot reach it
+  std::int64_t since = 0;  ///< time of entering `state`, ns since 1970; only for display
   std::vector<PluginDescription> plugins{};  ///< in the order of loading
 
   bool operator==(const ProcessDescription&) const = default;
 };
 
-/// One numbered change of the catalogue. Exactly one of the lists has one element, or a name says
-/// what is removed. Revisions have no gaps.
+/// One numbered change of the catalogue. Exactly one of the lists has one element; for a removal, a
+/// name or id instead. Revisions have no gaps.
 struct CatalogueChange {
   enum class Kind : std::int32_t {
-    kProcess,  ///< added or changed; a new instance empties its components and connections
+    kProcess,  ///< added or changed; a new instance begins without components and connections
     kProcessRemoved,
     kComponent,  ///< added or changed
     kComponentRemoved,
@@ -53,9 +53,9 @@ struct CatalogueChange {
     kConnectionRemoved,
   };
 
-  std::uint64_t revision = 0;  ///< of the catalogue after this change
+  std::uint64_t revision = 0;  ///< revision of the catalogue after this change
   Kind kind = Kind::kProcess;
-  std::string process;                             ///< which process it is about
+  std::string process;                             ///< the process that has changed
   std::string component;                           ///< kComponentRemoved
   std::uint64_t connection = 0;                    ///< kConnectionRemoved
   std::vector<ProcessDescription> processes;       ///< kProcess

@@ -18,16 +18,16 @@ namespace tendon {
 /// Answers kGetSchemas with the schemas that this process knows. Refuses more than 1024.
 void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
 
-/// The schemas in an untrusted answer, by fingerprint. Only those that were asked for and whose
-/// text matches the fingerprint.
+/// The schemas in an untrusted answer, by fingerprint. Returns only those that were requested and
+/// whose text matches the fingerprint.
 [[nodiscard]] std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
                                                         const message::Schemas& answer);
 
-/// Adds the types that peers describe to FindSchema(), until the process ends. Bounded, whatever
-/// peers send. Thread-safe.
+/// Stores the types that peers describe for FindSchema(), until the process ends. Its size is
+/// limited, whatever peers send. Thread-safe.
 class SchemaCache {
  public:
-  /// The bounds.
+  /// The limits of a SchemaCache.
   struct Limits {
     std::size_t types = 4096;
     std::size_t text = std::size_t{16} << 20U;  ///< bytes of all texts
@@ -35,7 +35,8 @@ class SchemaCache {
 
   explicit SchemaCache(Limits limits) : limits_(limits) {}
 
-  /// Adds a type for FindSchema(). Returns false if that would exceed the bounds; logs this once.
+  /// Adds a type for FindSchema(). Returns false, and logs this once, if the type would exceed the
+  /// limits.
   bool Learn(const Schema& schema);
 
  private:
@@ -46,9 +47,9 @@ class SchemaCache {
   bool has_warned_ = false;
 };
 
-/// Asks the peer for schemas and adds them for FindSchema(), within the default bounds of
-/// SchemaCache for all peers together. Calls `done` once, whatever the outcome; `timer` ends the
-/// wait.
+/// Asks the peer for schemas and adds them for FindSchema(), within the default limits of
+/// SchemaCache for all peers together. Calls `done` once, whatever the outcome; `timer` provides
+/// the timeout.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,
                   std::function<void()> done);

@@ -15,21 +15,22 @@
 
 namespace tendon {
 
-/// Rows of one state table, in order, that arrived in one batch. Valid during the call.
+/// Rows of one state table, in order, that arrived in one batch. Valid only during the call.
 struct RowBatch {
   std::uint64_t epoch = 0;  ///< changes when the source restarts; ticks then start at 0
-  /// Rows since the last batch that were overwritten before they were gathered.
+  /// Rows since the last batch that were overwritten before the source could read them.
   std::uint64_t lost_table = 0;
   /// Rows since the last batch that the link refused, or that were written while there was no link.
   std::uint64_t lost_network = 0;
   std::size_t count = 0;                 ///< 0 if there is only a loss to report
-  std::span<const std::uint64_t> ticks;  ///< of each row; consecutive if all rows come
+  std::span<const std::uint64_t> ticks;  ///< of each row; consecutive without a period
   std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
   /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
-  /// several hosts share one axis. Constant within a batch. Between batches it follows the estimate
-  /// by at most 500 ppm, and rows never go back in time. 0 on one host.
+  /// several hosts can share one time axis. Constant within a batch. Between batches it follows the
+  /// estimate by at most 500 ppm, and rows never go back in time. 0 on one host.
   std::chrono::nanoseconds clock_offset{0};
-  /// The bound of its error; the largest value before the first estimate.
+  /// The largest possible error of clock_offset; the largest value of the type before the first
+  /// estimate.
   std::chrono::nanoseconds clock_uncertainty = std::chrono::nanoseconds::max();
   /// Column c of row r: its CDR body, in the format of the column's schema.
   std::function<std::span<const std::byte>(std::size_t row, std::size_t column)> cell;
@@ -39,11 +40,13 @@ struct RowBatch {
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// The subscription is active; `columns` as asked for. Called again after each recovery.
+  /// The subscription is active; `columns` are in the order of the request. Called again after each
+  /// recovery.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
-  /// Returns how many rows, of this batch or earlier ones, the viewer had to drop.
+  /// Returns how many rows the viewer had to drop, of this batch or earlier ones.
   virtual std::size_t OnRows(const RowBatch& batch) = 0;
-  /// There are no rows for now: the process is absent or refused; the client keeps trying.
+  /// There are no rows for now, because the process is absent or has refused; the client keeps
+  /// trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 
@@ -56,14 +59,14 @@ struct TableSubscription {
   RowChoice rows = {};  ///< every row by default
 };
 
-/// The number of rows of a subscription since it was made. If every row is wanted, received +
-/// lost_table + lost_network equals the number of rows written since the first announced one, also
-/// across a broken link, as soon as the next batch has come. After a restart of the source it
-/// continues, without rows written before the subscription was active again. With a period, it
-/// counts neither rows that were not chosen nor rows written while the link was down; lost_table
-/// cannot tell chosen rows from others. With the newest row only, lost_table stays 0.
+/// The counts of rows of a subscription since it was made. For a subscription to every row,
+/// received + lost_table + lost_network equals the number of rows written since the first announced
+/// one, also across a broken link, as soon as the next batch has arrived. After a restart of the
+/// source, the counts continue, without rows written before the subscription was active again. With
+/// a period, rows that were not chosen and rows written while the link was down are not counted;
+/// lost_table counts all rows, chosen or not. With only the newest row, lost_table stays 0.
 struct RowCounts {
-  std::uint64_t received = 0;  ///< given to the sink, including lost_viewer
+  std::uint64_t received = 0;  ///< rows given to the sink, including lost_viewer
   std::uint64_t lost_table = 0;
   std::uint64_t lost_network = 0;
   std::uint64_t lost_viewer = 0;
@@ -77,13 +80,15 @@ class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
-  /// A process allows each client at most 2048 subscriptions. For one client it reads at most 32
-  /// times as many values of a table as a row has; subscriptions to the same columns and rows are
-  /// read once. Anything above, and a column named twice, is refused; the sink hears OnStale().
+  /// A process allows each client at most 2048 subscriptions. For each row of a table, it reads at
+  /// most 32 times the row's number of values for one client; subscriptions to the same columns and
+  /// rows are read once. Subscriptions beyond these limits, or with a column named twice, are
+  /// refused; the sink gets OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
-  /// After it returns, the sink is not called any more. Must not be called from a sink.
+  /// After the return, the sink is not called any more. Must not be called from a sink.
   virtual void Unsubscribe(Id id) = 0;
-  /// The process has come back or moved: tries its subscriptions again at once.
+  /// Tries the subscriptions of a process again at once. Call it when the process has come back or
+  /// moved.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
   /// Zeroes if there is no such subscription. Must not be called from a sink.
   [[nodiscard]] virtual RowCounts CountsOf(Id id) const = 0;

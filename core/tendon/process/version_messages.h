@@ -9,7 +9,7 @@
 /// The version of an LCM or a GCM.
 namespace tendon::message {
 
-// From a viewer. A program older than this message refuses it.
+// From a viewer. A program that is older than this message refuses it.
 inline constexpr auto kGetProgram =
     static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
 

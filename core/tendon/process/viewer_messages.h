@@ -28,22 +28,25 @@ inline constexpr auto kUnsubscribe =
 inline constexpr auto kRows =
     static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
 inline constexpr auto kRowsEnded =
-    static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why no more rows come
-// From a viewer that wants the newest row only: it has taken the last row, so send the next.
+    static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why there are no more rows
+// From a viewer that chose only the newest row: it has received the last row, so the next may be
+// sent.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
-// From a viewer: as kOpenInterface, but without functions. Afterwards as in proxy/messages.h: the
-// process sends kTimedEvents, kEventsLost and kInterfaceClosed, the viewer kCloseInterface.
+// From a viewer: like kOpenInterface, but without functions. Afterwards as in
+// proxy/connection_messages.h: the process sends kTimedEvents, kEventsLost and kInterfaceClosed,
+// the viewer kCloseInterface.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
 
-/// The counts of a connection with its required side in the process; the mailboxes of a component.
+/// kGetCounts: the counts of a connection whose required side is in the process. kGetFill: the
+/// mailboxes of a component.
 inline constexpr auto kGetCounts =
     static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// Names the required side. The process of the provided side also answers, with that end's capacity
-/// and lost events only.
+/// Names the required side. The process of the provided side also answers, but only with the
+/// capacity and the lost events of its end.
 struct GetCounts {
   InterfaceName required;
 };
@@ -53,12 +56,12 @@ struct GetFill {
   std::string component;
 };
 
-/// The payload types whose schemas are wanted.
+/// The payload types whose schemas are requested.
 struct GetSchemas {
   std::vector<Fingerprint> fingerprints;
 };
 
-/// Schema::Text() of each type, in the order asked for; empty if the process does not know it.
+/// Schema::Text() of each type, in the order of the request; empty if the process does not know it.
 struct Schemas {
   std::vector<std::string> texts;
 };
@@ -70,7 +73,7 @@ struct CallMember {
   std::string interface;
   std::string member;
   std::vector<std::byte> argument;  ///< the encoded argument; empty if the command takes none
-  std::chrono::nanoseconds timeout{2'000'000'000};  ///< for a command that its caller waits for
+  std::chrono::nanoseconds timeout{2'000'000'000};  ///< for commands with a waiting caller
 };
 
 /// The outcome of a call.
@@ -79,8 +82,8 @@ struct CallMemberReply {
   std::vector<std::byte> answer;  ///< the encoded result; empty if there is none
 };
 
-/// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. Names no column
-/// twice. TelemetryServer documents the limits.
+/// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. No column may be
+/// named twice. TelemetryServer documents the limits.
 struct Subscribe {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"
@@ -95,7 +98,7 @@ struct SubscribeReply {
   /// The first row that will come or be reported as lost. With the newest row only, the first row
   /// may be older.
   std::uint64_t first_tick = 0;
-  std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order asked for
+  std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order of the request
 };
 
 /// The body of kRows, little-endian. The layout lets a reader find each cell with one addition:
@@ -110,12 +113,12 @@ struct SubscribeReply {
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
 ///
-/// An empty batch reports rows that the link refused if no others follow.
+/// An empty batch reports rows that the link has refused, if no other batch follows.
 struct RowsHeader {
-  std::uint64_t rows_before = 0;  ///< rows sent before in this subscription: a gap is a loss
-  /// Rows since the last batch that were overwritten before they were gathered.
+  std::uint64_t rows_before = 0;  ///< rows sent earlier in this subscription; a gap means lost rows
+  /// Rows since the last batch that were overwritten before the source could read them.
   std::uint64_t lost_table = 0;
-  std::uint64_t next_tick = 0;  ///< this and earlier batches have all rows below it
+  std::uint64_t next_tick = 0;  ///< all rows below it are in this and earlier batches
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
 };

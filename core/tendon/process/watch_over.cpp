@@ -45,7 +45,7 @@ void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel) {
     const auto still_there = channel.lock();
     if (!still_there || !still_there->is_open()) return;
     const SteadyTime now = SteadyClock().Now();
-    const bool has_stood_still = now - due > kBetween;  // then arrived data may be unread
+    const bool has_stood_still = now - due > kBetween;  // then received data may be unread
     if (!has_stood_still) still_there->Expire(now);
     KeepExpiring(worker, channel);
   });

@@ -30,12 +30,12 @@ class Worker::Queue {
   }
 
   void Clear() {
-    std::multimap<SteadyTime, Task> dropped;  // destroyed without the lock: a task may own anything
+    std::multimap<SteadyTime, Task> dropped;  // destroyed without the lock
     const std::scoped_lock lock(mutex_);
     dropped.swap(tasks_);
   }
 
-  /// Returns after Stop().
+  /// The loop; returns after Stop().
   void Run() {
     os::NameThisThread(name_);
     std::unique_lock lock(mutex_);

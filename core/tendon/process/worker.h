@@ -20,31 +20,31 @@ namespace tendon {
 
 /// A thread with a queue of tasks, for work that must not be done in a thread of the middleware:
 /// opening channels, writing files, retrying later. Executes one task at a time, in the order of
-/// their due times, then of posting. Logs what a task throws. Sleeps when idle. Thread-safe.
+/// due time, then of posting. Logs exceptions of tasks. Sleeps when idle. Thread-safe.
 class Worker {
  public:
   using Task = std::function<void()>;
 
-  /// `name` is the thread's.
+  /// `name` is the name of the thread.
   explicit Worker(const std::string& name) : Worker(name, name) {}
   /// `owner` is the source of its log records.
   Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Calls Stop(). A task that owns the last reference may destroy the worker; no task follows it.
+  /// Calls Stop(). A task with the last reference may destroy the worker; then no task follows.
   ~Worker();
 
   void Post(Task task);
   void PostAfter(std::chrono::milliseconds delay, Task task);
 
-  /// Waits for the running task, and ends its wait for a link. Drops all other tasks, also those
-  /// posted later. Must not be called from a task.
+  /// Waits for the running task, whose attempt to open a link is cancelled. Drops all other tasks,
+  /// including those posted later. Must not be called from a task.
   void Stop();
 
  private:
   class Queue;
 
-  const std::shared_ptr<Queue> queue_;  // shared with its thread
+  const std::shared_ptr<Queue> queue_;  // shared with the thread
   std::thread thread_;
 };
 

@@ -12,15 +12,16 @@
 
 namespace tendon {
 
-/// Several calls or events in the body of one frame, so that a burst costs one frame. For each
-/// call: u32 handle, u32 size, the argument, and padding to 8; little-endian.
+/// Several calls or events in the body of one frame, so that a burst costs one frame. The format of
+/// each call: u32 handle, u32 size, the argument, and padding to 8; little-endian.
 class CallBatch {
  public:
-  /// The most bytes of a call beside its argument.
+  /// The most bytes of a call in addition to its argument.
   static constexpr std::size_t kOverhead = 24;
 
   void Add(std::uint32_t handle, std::span<const std::byte> argument);
-  /// Appends i64 `time` to the argument, in ns on our steady clock; `size` includes it.
+  /// Adds a call whose argument is followed by i64 `time`, in ns on our steady clock; `size`
+  /// includes the time.
   void AddTimed(std::uint32_t handle, std::span<const std::byte> argument, SteadyTime time);
   void Clear();
 
@@ -29,7 +30,7 @@ class CallBatch {
   [[nodiscard]] const Bytes& body() const { return body_; }
 
  private:
-  /// Writes the head of a call; returns the room for its argument.
+  /// Writes the head of a call and returns the memory for its argument.
   std::byte* AddHead(std::uint32_t handle, std::size_t size);
 
   std::size_t calls_ = 0;
@@ -37,7 +38,7 @@ class CallBatch {
 };
 
 /// Calls `visit(handle, argument)` for each call in `body`, which is untrusted. Stops at the first
-/// call that is not whole.
+/// incomplete call.
 template <typename Visitor>
 void ForEachCall(std::span<const std::byte> body, Visitor visit) {
   constexpr std::size_t kHead = 8;

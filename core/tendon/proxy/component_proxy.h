@@ -13,8 +13,8 @@
 namespace tendon {
 
 /// Represents, in this process, a component of another process. Holds one proxy for each connection
-/// between here and its interfaces, and exists as long as there is one. Unlike a component it has
-/// no life cycle, and no manager lists it.
+/// from this process to its interfaces, and exists as long as there is such a connection. Unlike a
+/// component it has no life cycle, and no manager lists it.
 struct ComponentProxy {
   std::string process;
   std::string component;
@@ -30,15 +30,15 @@ class ComponentProxies {
   ComponentProxies(const ComponentProxies&) = delete;
   ComponentProxies& operator=(const ComponentProxies&) = delete;
 
-  /// `original` is the interface in the other process. The proxy is in all() before it sends
-  /// anything.
+  /// `original` is the interface in the other process. all() contains the proxy before it sends its
+  /// first message.
   void Add(const InterfaceName& original, std::shared_ptr<ProvidedInterfaceProxy> proxy);
   void Add(const InterfaceName& original, std::shared_ptr<RequiredInterfaceProxy> proxy);
   /// After it returns, the network thread does not use the proxy any more.
   void Remove(const InterfaceName& original, ProvidedInterfaceProxy& proxy);
   void Remove(const InterfaceName& original, RequiredInterfaceProxy& proxy);
 
-  /// The current ones, by name.
+  /// The current component proxies, by name.
   [[nodiscard]] std::vector<ComponentProxy> all() const;
 
  private:

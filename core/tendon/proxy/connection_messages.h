@@ -9,8 +9,8 @@
 
 /// The messages between the two ends of a connection. The opener is the process of the required
 /// interface. Each struct is the body of a frame; requests are answered, notices are not. Each end
-/// issues a number for the connection, which the other end puts into the header's handle; member i
-/// has the number + 1 + i.
+/// issues a number for the connection, which the other end puts into the header's handle. The
+/// handle of member i is this number + 1 + i.
 namespace tendon::message {
 
 // From the opener.
@@ -46,7 +46,7 @@ struct Pong {
 struct OpenInterface {
   InterfaceName required;
   InterfaceName provided;
-  RequiredDescription description;  ///< the required interface: what it calls and handles
+  RequiredDescription description;  ///< the required interface: its functions and event handlers
   std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
   std::uint32_t capacity = 0;       ///< calls, and events, that may wait at a time
   std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
@@ -61,19 +61,21 @@ struct OpenInterfaceReply {
   std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
 };
 
-/// The progress and state of the component; sent within 5 ms of each change.
+/// How many calls the component has executed, and its state. Sent within 5 ms of each change.
 struct Credit {
-  std::uint64_t executed = 0;  ///< calls taken out of its mailbox since the connection was opened
+  std::uint64_t executed = 0;  ///< calls taken from its mailbox since the connection was opened
   bool accepting = false;
-  std::string fault;  ///< why it is faulted; else empty
+  std::string fault;  ///< why the component is faulted; otherwise empty
 
   bool operator==(const Credit&) const = default;
 };
 
-/// Events lost since the connection was opened, by event handler. The raising end reports those
-/// that it could not send; the handling end those that it lost on arrival.
+/// Events lost since the connection was opened, by event handler. The end that raises events
+/// reports those that it could not send; the end that handles them, those that it lost after
+/// arrival.
 struct EventsLost {
-  /// A report may exceed the one before by this much: its receiver counts each event in a loop.
+  /// The largest increase from one report to the next, because the receiver counts each event in a
+  /// loop.
   static constexpr std::uint64_t kMostAtOnce = 65536;
 
   std::vector<std::uint64_t> lost;

@@ -16,7 +16,7 @@ namespace tendon {
 /// An event of another process, raised here with encoded values.
 class EventProxy final : public EventBase {
  public:
-  /// One thread at a time. A handler that refuses the value counts in lost().
+  /// One thread at a time. If a handler refuses the value, lost() counts it.
   void Raise(std::span<const std::byte> value) {
     CountLost();
     const std::uint64_t before = lost();
@@ -27,21 +27,22 @@ class EventProxy final : public EventBase {
     lost_here_.Add(lost() - before);
   }
 
-  /// Call it in the thread of Raise() or one other thread. `lost` is the total that the other
-  /// process could not send; CountLost() counts these for the handlers.
+  /// Call it in the thread of Raise() or one other thread. `lost` is the total number of events
+  /// that the other process could not send; CountLost() adds them to the counts of the handlers.
   void SetLostThere(std::uint64_t lost) {
     const std::uint64_t before = lost_there_.Get();
     const std::uint64_t most = counted_there_.value() + message::EventsLost::kMostAtOnce;
     lost_there_.Set(std::clamp(lost, before, std::max(before, most)));
   }
-  /// An event that arrived and is not raised. Same threads as SetLostThere().
+  /// Counts an event that has arrived but is not raised. Called in the threads of SetLostThere().
   void Miss() noexcept { missed_.Add(); }
-  /// The thread of Raise(): counts the lost events for the handlers, as soon as there are handlers.
+  /// Adds the lost events to the counts of the handlers, as soon as there are handlers. Called in
+  /// the thread of Raise().
   void CountLost() {
     CountUpTo(lost_there_.Get(), counted_there_);
     CountUpTo(missed_.value(), counted_missed_);
   }
-  /// Any thread: events that arrived here and did not reach a handler.
+  /// Number of events that have arrived here and did not reach a handler. Any thread.
   [[nodiscard]] std::uint64_t lost_here() const noexcept {
     return lost_here_.value() + missed_.value();
   }
@@ -52,7 +53,7 @@ class EventProxy final : public EventBase {
   }
 
  private:
-  /// Events lost before there were handlers are counted later.
+  /// Without handlers, the events are counted later.
   void CountUpTo(std::uint64_t lost_before, Counter<>& counted) {
     for (; counted.value() < lost_before; counted.Add()) {
       const std::uint64_t before = lost();
@@ -63,7 +64,7 @@ class EventProxy final : public EventBase {
 
   std::vector<std::byte> nothing_;
   Published<std::uint64_t> lost_there_;
-  Counter<> counted_there_;  // of lost_there_, counted for the handlers
+  Counter<> counted_there_;  // the part of lost_there_ that the handlers have counted
   Counter<> missed_;
   Counter<> counted_missed_;
   Counter<> lost_here_;

@@ -21,7 +21,7 @@ void ExecutingCalls::Answer(SteadyTime now, SteadyTime& next) {
     ++kept;
   }
   begun_.erase(kept, begun_.end());
-  // With steady calls, none has to wake the network thread for its first check.
+  // During a steady stream of calls, no call has to wake the network thread for its first check.
   if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 

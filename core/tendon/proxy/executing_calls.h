@@ -16,7 +16,8 @@
 namespace tendon {
 
 /// Calls from other processes that a component here executes and whose callers wait. No thread
-/// waits here: the network thread checks whenever it hears that a call has ended. Not thread-safe.
+/// waits here: the network thread checks them when it is notified that a call has ended. Not
+/// thread-safe.
 class ExecutingCalls {
  public:
   /// A call that `command` has begun. `command` lives until the call is answered.
@@ -32,12 +33,13 @@ class ExecutingCalls {
   class Owner {
    public:
     virtual ~Owner() = default;
-    /// The call has ended, or will not be executed. With a good status the owner may take `result`.
+    /// Called when the call has ended, or will not be executed. If the status is good, the owner
+    /// may move `result`.
     virtual void OnEnd(Begun& begun, Status status, Bytes& result) = 0;
   };
 
-  /// The network thread may miss a call that was begun just as its server stopped, so it checks
-  /// this often.
+  /// Interval of checks without a notification: a call that is begun just as its server stops may
+  /// end without one.
   static constexpr std::chrono::milliseconds kNextLook{100};
 
   explicit ExecutingCalls(Owner& owner) : owner_(owner) {}
@@ -45,7 +47,8 @@ class ExecutingCalls {
     newest_ = begun.since;
     begun_.push_back(std::move(begun));
   }
-  /// When the network thread must first check a new call, unless it is notified before.
+  /// The time at which the network thread must first check a new call, if no notification comes
+  /// before.
   [[nodiscard]] static SteadyTime FirstLook(const Begun& begun) {
     return std::min(begun.deadline, begun.since + 2 * kNextLook);
   }
@@ -66,7 +69,7 @@ class ExecutingCalls {
 
 /// Appends the timeout to the body of kWait.
 void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question);
-/// Removes the timeout and returns it; nothing if it is missing.
+/// Removes the timeout and returns it; empty if it is missing.
 std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question);
 
 }  // namespace tendon

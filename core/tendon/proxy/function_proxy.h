@@ -10,11 +10,11 @@
 namespace tendon {
 
 /// A function that is created at run time from its description and is called with encoded values:
-/// for another process, a console, a script.
+/// on behalf of another process, a console or a script.
 class FunctionProxy final : public Caller {
  public:
   /// Adds itself to `interface`, which must live as long as this object is called. Throws
-  /// ConfigurationError as for any member.
+  /// ConfigurationError like any other member.
   FunctionProxy(RequiredInterface& interface, MemberDescription description)
       : kind_(description.signature.kind),
         index_(interface.AddCaller(*this, std::move(description))),
@@ -22,7 +22,7 @@ class FunctionProxy final : public Caller {
 
   [[nodiscard]] CommandKind kind() const { return kind_; }
 
-  /// In a thread that the interface allows. Replaces the content of `out`.
+  /// Calls the function, in a thread that the interface allows. Replaces the content of `out`.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
     BytesSink sink(out);
     return Replacing(out, (*this)(in, sink));
@@ -33,7 +33,8 @@ class FunctionProxy final : public Caller {
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
-  /// As BeginEncoded(). `command`, valid until the interface is disconnected, executes the call.
+  /// See CommandBase::BeginEncoded(). `command`, valid until the interface is disconnected,
+  /// executes the call.
   Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                CommandBase*& command, std::size_t& call) {
     return Replacing(out, CallMember(binding_, index_, [&](CommandBase& bound) {
@@ -48,8 +49,8 @@ class FunctionProxy final : public Caller {
   }
 
  private:
-  /// A successful call has replaced `out`. Emptying it before the call would cost time: a vector
-  /// that grows again fills itself with zeroes.
+  /// A successful call has replaced `out`. Clearing it before the call would be slow, because a
+  /// vector that grows again writes zeroes.
   static Status Replacing(std::vector<std::byte>& out, Status status) {
     if (!status) out.clear();
     return status;
@@ -60,12 +61,12 @@ class FunctionProxy final : public Caller {
   BindingGate& binding_;
 };
 
-/// Whether a call waits in a mailbox while its caller goes on.
+/// True if a call waits in a mailbox while its caller continues.
 [[nodiscard]] constexpr bool IsQueued(CommandKind kind) {
   return kind == CommandKind::kVoid || kind == CommandKind::kWrite;
 }
 
-/// Whether a caller can, or must, wait until the call was executed.
+/// True if a caller can, or must, wait until the call was executed.
 [[nodiscard]] constexpr bool CanBeAwaited(CommandKind kind) {
   return IsQueued(kind) || WaitsForServer(kind);
 }

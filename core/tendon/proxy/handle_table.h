@@ -15,7 +15,7 @@ namespace tendon {
 template <typename T>
 class HandleTable {
  public:
-  /// Issues the numbers of an object that does not exist yet.
+  /// Issues the numbers for an object that does not exist yet.
   std::uint32_t Reserve(std::size_t members) {
     const std::scoped_lock lock(mutex_);
     const std::uint32_t handle = next_;
@@ -40,7 +40,7 @@ class HandleTable {
     entries_.erase(found);
   }
 
-  /// What a number stands for.
+  /// The object, and its part, that a number refers to.
   struct Found {
     std::shared_ptr<T> object;  ///< null if the number is not issued
     std::size_t offset = 0;     ///< 0 is the object's own number, i + 1 that of its member i

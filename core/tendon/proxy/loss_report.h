@@ -18,9 +18,9 @@ class LossReport {
   LossReport(std::shared_ptr<Channel> channel, std::uint32_t handle)
       : channel_(std::move(channel)), handle_(handle) {}
 
-  /// The total of one event handler.
+  /// Sets the total number of lost events of one event handler.
   void Set(std::size_t handler, std::uint64_t lost);
-  /// Reports if there is something new. Lowers `next` to when it must report again.
+  /// Sends a report if a total has changed. Lowers `next` to the time of the next report.
   void Tell(SteadyTime now, SteadyTime& next);
 
  private:

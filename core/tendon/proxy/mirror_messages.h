@@ -26,10 +26,10 @@ struct Mirror {
 
 /// One mirrored command; all zero if there is no such command.
 struct MirroredColumn {
-  std::uint32_t handle = 0;      ///< of the frames with its copies
-  std::uint32_t capacity = 0;    ///< bytes of its largest value
-  std::int64_t time = 0;         ///< of the newest row, ns on the source's steady clock
-  std::vector<std::byte> value;  ///< in that row; empty if there is none
+  std::uint32_t handle = 0;      ///< handle of the frames with its copies
+  std::uint32_t capacity = 0;    ///< size of its largest value in bytes
+  std::int64_t time = 0;         ///< time of the newest row, ns on the source's steady clock
+  std::vector<std::byte> value;  ///< value in that row; empty if there is none
 };
 
 /// The answer to kMirror, in the order asked for.

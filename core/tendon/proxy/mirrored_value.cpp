@@ -11,7 +11,7 @@ namespace tendon {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint64_t);
-constexpr std::size_t kCopies = 3;  // readable while the next is written
+constexpr std::size_t kCopies = 3;  // older ones stay readable while the next is written
 
 std::size_t WordsFor(std::size_t bytes) { return 1 + (bytes + kWord - 1) / kWord; }
 

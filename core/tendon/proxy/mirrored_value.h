@@ -14,23 +14,23 @@ namespace tendon {
 
 /// The newest copy of a value of another process.
 ///
-/// Thread safety: one thread at a time calls Put(); all else may be called by any thread. Readers
-/// do not wait; a reader that several newer copies overtake tries again.
+/// Thread safety: one thread at a time calls Put(); any thread may call all other functions.
+/// Readers do not wait; a reader tries again if several newer copies are written during its read.
 class MirroredValue {
  public:
   /// Allocates everything, for values of at most `capacity` bytes on the wire.
   explicit MirroredValue(std::size_t capacity);
 
-  /// `time` is when the value was written, on our clock. An empty body means that there was no
+  /// `time` is when the value was written, on our clock. An empty body means that the row had no
   /// value. Returns false and keeps the old value if the body is too large.
   bool Put(SteadyTime time, std::span<const std::byte> body);
-  /// Whether readers get the value.
+  /// While disabled, readers get kDisabled instead of the value.
   void SetEnabled(bool enabled) noexcept { is_enabled_.Set(enabled); }
-  /// No newer value will come; readers do not get the last one any more.
+  /// Ends the copies: from now on, readers get kNotConnected.
   void End() noexcept { has_ended_.Set(true); }
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_.Get(); }
 
-  /// kNoSample before the first value, or if there was none; kDisabled while disabled;
+  /// kNoSample before the first value, or if the newest row had none; kDisabled while disabled;
   /// kNotConnected after End(). Allocates only if `body` must grow.
   Status Read(std::vector<std::byte>& body, SteadyTime& time) const;
 

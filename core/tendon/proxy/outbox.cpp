@@ -12,7 +12,7 @@
 namespace tendon {
 namespace {
 
-/// A batch of this many bytes takes no more calls.
+/// A batch with this many bytes is full.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
 static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
               "the largest argument fits behind a batch that is almost full");
@@ -54,7 +54,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       return claimed;
     }
     std::uint64_t call = 0;
-    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // may throw std::bad_alloc
       call = callers_->Enter(*record, deadline);
       return Status::kQueued;
     });
@@ -89,8 +89,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
-  /// If nothing must be sent before, sends the call in the caller's thread, which wakes no other
-  /// thread. Else returns nothing, without an effect.
+  /// If nothing must be sent before this call, sends it in the caller's thread without waking
+  /// another thread. Otherwise returns no value, without an effect.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
     if (SteadyClock().Now() >= deadline) return {};
@@ -100,9 +100,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (!record) return {};
     std::uint64_t call = 0;
     std::uint64_t sent = 0;
-    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // may throw std::bad_alloc
       Outbox::Question question = QuestionOf(0, {});
-      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
+      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // for the timeout
       question.argument.assign(in.begin(), in.end());
       call = question.call = callers_->Enter(*record, deadline);
       (void)callers_->Start(*record);  // succeeds: the caller is this thread
@@ -135,7 +135,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return claimed;
   }
 
-  /// kQueued, or why the argument cannot be sent.
+  /// Returns kQueued, or the reason why the argument cannot be sent.
   Status Check(std::span<const std::byte> in) {
     if (!outbox_.is_open()) return Status::kNotConnected;
     if (in.size() <= kMaxPayload) return Status::kQueued;
@@ -143,12 +143,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return Status::kInvalid;
   }
 
-  /// Sets `room` and copies the argument there. kQueued, or why not.
+  /// Sets `room` and copies the argument there. Returns kQueued, or the reason of a failure.
   Status Claim(std::span<const std::byte> in, std::byte*& room) {
     if (const Status can = Check(in); !can) return can;
     room = mailbox_.Claim();
     if (room == nullptr) return mailbox_.refusal();
-    const Status copied = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+    const Status copied = Host::Contain(nullptr, [&]() -> Status {  // may throw std::bad_alloc
       Bytes& argument = pool_[mailbox_.SlotOf(room)];
       const std::size_t before = argument.capacity();
       argument.assign(in.begin(), in.end());
@@ -192,7 +192,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
-  /// Buffers are kept up to a total: saving allocations is not worth unlimited memory.
+  /// Frees the slot's buffer if all buffers together exceed a limit; below it, buffers are kept to
+  /// save allocations.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
     if (grown_.value() - freed_.value() <= kMostKept) return;
@@ -203,7 +204,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   Outbox& outbox_;
   const bool must_wait_;
   const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // of the offer
+  SharedCounter<>& refused_;  // counter of the offer
   Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
   Awaited awaited_{*this};
@@ -212,7 +213,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   std::vector<Bytes> pool_;  // arguments, by slot; see FreeIfMany()
 };
 
-/// Behaves as LatestCommand: a newer call replaces an older one that waits, here or at the other
+/// Works like LatestCommand: a newer call replaces an older one that waits, here or at the other
 /// end. Calls whose callers wait are queued as usual.
 class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
  public:
@@ -242,7 +243,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
       outbox_.RefusePayload(handle_, in.size());
       return Status::kInvalid;
     }
-    return newest_.Post(*this, [&]() -> const Bytes& {  // memory may be short
+    return newest_.Post(*this, [&]() -> const Bytes& {  // may throw std::bad_alloc
       written_.assign(in.begin(), in.end());
       return written_;
     });
@@ -255,9 +256,9 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
 
   Outbox& outbox_;
   const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // of the offer
+  SharedCounter<>& refused_;  // counter of the offer
   QueuedCommandProxy queued_;
-  Bytes written_;  // only of the posting thread
+  Bytes written_;  // used only by the posting thread
   LatestValue<Bytes> newest_;
 };
 
@@ -334,7 +335,8 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, Question questi
   return 0;
 }
 
-/// Continues with the inbox while `limit` allows. Counts each call as it is sent.
+/// Sends the calls already taken, then those in the inbox, up to `limit`. Counts each call as it is
+/// sent.
 std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
   const Status no_room = Status::kQueueFull;
   const std::uint64_t before = sent_;
@@ -371,8 +373,8 @@ void Outbox::Collect(std::size_t limit) {
   }
 }
 
-/// The timeout at the other end starts now and is a little shorter, so that the report of a timeout
-/// arrives in time.
+/// The timeout at the other end starts now and is a little shorter, so that its report arrives
+/// before the caller's own timeout.
 Status Outbox::Ask(Question& question, Manner manner) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const SteadyTime now = SteadyClock().Now();
@@ -409,7 +411,7 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
-  constexpr std::size_t kTokens = 2;  // the most that a LatestCommand posts
+  constexpr std::size_t kTokens = 2;  // most tokens of a LatestCommand
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 

@@ -25,15 +25,15 @@ namespace tendon {
 /// Limits of an Outbox.
 struct OutboxLimits {
   std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();  ///< sent, not yet executed
-  /// Bytes of arguments that may wait here, or one larger argument. Does not count calls whose
-  /// callers wait.
+  /// Bytes of arguments that may wait here; a single larger argument is allowed. Does not count
+  /// calls whose callers wait.
   std::uint64_t waiting_bytes = Budget<>::kNoLimit;
 };
 
 /// The calls that wait to be sent on a channel. Component threads post them; the network thread
-/// sends them in order, many in one frame. A call whose caller waits is sent as a request, in the
-/// same order; if nothing is queued, its caller sends it directly. Nothing is lost if the link is
-/// full: calls are kept, and once the mailbox is full, callers get kQueueFull.
+/// sends them in order, many in one frame. A call with a waiting caller is sent as a request, in
+/// the same order; if nothing is queued, its caller sends it directly. No call is lost if the link
+/// is full: calls wait here, and when the mailbox is full, callers get kQueueFull.
 class Outbox {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
@@ -42,43 +42,43 @@ class Outbox {
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
          std::string interface, const OutboxLimits& limits = {});
 
-  /// Call it before the first call: each call is sent with the time of the event of `source`.
+  /// Sends each call with the time of the event of `source`. Must be called before the first call.
   void SendTimesOf(const RequiredInterface& source) { times_of_ = &source; }
 
   /// The queue of calls; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
 
-  /// Any thread: refuses later posts with kNotConnected and ends all waiting here.
+  /// Any thread: refuses later posts with kNotConnected and ends all waits.
   void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
   /// The lane on which calls are sent. Messages that must stay in order with them use it too.
   [[nodiscard]] Lane lane() const { return lane_; }
 
-  /// Any thread, also a caller's: notes that a value of a member is too large to be sent.
+  /// Any thread, even a caller's: leaves a note that a value of a member is too large to be sent.
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
   /// The budget for the bytes that wait here. Any thread.
   [[nodiscard]] Budget<>& waiting_bytes() { return waiting_bytes_; }
 
-  /// Any thread: at least `calls` of the sent calls were executed. If that exceeds the number sent,
-  /// the next Send() cuts the peer off.
+  /// Any thread: at least `calls` of the sent calls were executed. If `calls` is greater than the
+  /// number sent, the next Send() closes the channel.
   void SetExecuted(std::uint64_t calls);
 
-  /// Any thread: whether calls are still to be sent, or are sent and not known to be executed.
+  /// Any thread: true if calls wait to be sent, or are sent and not known to be executed.
   [[nodiscard]] bool HasCallsUnderWay() const;
 
-  /// A caller's right to send: nothing else is sent from here while it is held.
+  /// A caller's right to send: while it is held, no other thread sends from here.
   using Turn = std::unique_lock<std::mutex>;
 
-  /// Network thread: sends what waits, within `limit` and the credit; returns how many calls it
-  /// sent.
+  /// Network thread: sends waiting calls, up to `limit` and the credit, and returns their number.
   std::size_t Send(std::size_t limit = kAnyNumber);
   /// Call it after the network thread has stopped working here: sends the calls that it took and
   /// could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience);
-  /// Network thread: whether the link was full or a caller is sending; try again soon.
+  /// Network thread: true if the link was full or a caller is sending. Then Send() must be tried
+  /// again soon.
   [[nodiscard]] bool is_held_up() const {
     if (has_waited_) return true;
     const Turn turn(sending_, std::try_to_lock);
@@ -93,14 +93,16 @@ class Outbox {
     std::uint64_t call = 0;  ///< its number in `callers`
   };
 
-  /// Not held if other calls are taken already, credit is used up, or another thread is sending.
+  /// Returns a turn that is not held if other calls are taken already, the credit is used up, or
+  /// another thread is sending.
   [[nodiscard]] Turn TakeTurn();
-  /// Sends a call without the mailbox, which must be empty, or has the network thread send it once
-  /// the link has room. Returns how many calls were sent in total, this one being the last, or 0 if
-  /// it was not sent yet.
+  /// Sends a call without the mailbox, which must be empty. If the link is full, leaves the call to
+  /// the network thread. Returns the total number of sent calls, including this one, or 0 if it was
+  /// not sent yet.
   std::uint64_t SendNow(const Turn& turn, Question question);
-  /// A caller's thread, after the last of `calls` sent calls was executed: the earlier ones were
-  /// too, since one mailbox keeps their order. Notifies if calls wait in the mailbox of `callers`.
+  /// Called in a caller's thread after the last of `calls` sent calls was executed: the earlier
+  /// ones were executed too, because one mailbox keeps their order. Notifies the network thread if
+  /// calls wait in the mailbox `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
   // Network thread, called by Send(): takes the next call.
@@ -131,16 +133,16 @@ class Outbox {
   Budget<> waiting_bytes_;
   Inbox inbox_;
   const std::uint64_t credit_;
-  std::mutex raising_;  // for executed_, which never falls: reports may come out of order
+  std::mutex raising_;  // guards executed_: reports may arrive out of order
   Published<std::uint64_t> executed_{0};
 
   bool has_waited_ = false;  // network thread: another thread held sending_ in its last Send()
 
-  mutable std::mutex sending_;  // for all that follows
+  mutable std::mutex sending_;  // guards the members below
   std::uint64_t sent_ = 0;
-  // Taken, but not sent.
+  // Calls taken from the inbox, but not sent.
   CallBatch batch_;
-  std::optional<Question> question_;  // after the batch
+  std::optional<Question> question_;  // to be sent after the batch
 };
 
 /// The overflow policy of `member`, given the members that keep the latest only.
@@ -149,7 +151,7 @@ class Outbox {
 
 /// A command of another process, or a handler of its events. Calls are sent to that process. Takes
 /// encoded values only, and copies them into buffers that keep their capacity. A member that keeps
-/// the latest only does so here as well.
+/// only the latest call does so here as well.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
@@ -157,7 +159,7 @@ class QueuedOfferProxy final : public Offer {
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
-  /// Calls refused: no room, too large, or not connected.
+  /// Number of refused calls: no room, too large, or not connected.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
 
  private:

@@ -16,22 +16,22 @@
 
 namespace tendon {
 
-/// The outcome of a kWait: puts the result into `result`; or the status for its failure.
+/// Puts the result of a kWait into `result`, and returns the status.
 [[nodiscard]] Status TakeOutcome(Result<Bytes> answer, Bytes& result);
 
-/// The calls of one remote command whose callers wait here. A number leads from a reply to the
-/// caller's completion record. It becomes invalid when the caller gives up, so that a late reply
-/// finds nothing. May outlive the command while a reply is still to come. Thread-safe.
+/// The calls of one remote command whose callers wait here. A number in the reply identifies the
+/// caller's completion record. The number becomes invalid when the caller stops waiting, so that a
+/// late reply is ignored. May outlive the command while a reply is still expected. Thread-safe.
 template <typename Pool = CompletionPool, typename Mutex = std::mutex>
 class OutstandingCalls {
  public:
-  /// `completions` lives as long as a caller waits.
+  /// `completions` must live as long as a caller waits.
   explicit OutstandingCalls(Pool& completions)
       : completions_(completions), of_record_(completions.size()), answers_(completions.size()) {}
 
   // For the caller.
 
-  /// Returns the number of the call. The caller owns the record.
+  /// Adds a call and returns its number. The caller owns the record.
   std::uint64_t Enter(std::size_t record, SteadyTime deadline) {
     const std::scoped_lock lock(mutex_);
     const Awaited awaited{.record = record, .deadline = deadline};
@@ -45,15 +45,16 @@ class OutstandingCalls {
     of_record_[record] = ++last_;
     return last_;
   }
-  /// Call it before returning, with the result of Await(). Returns whether the call was sent, and
-  /// so may have been executed; if not, it never will be.
+  /// Removes the call; every caller must call it, with the result of Await(). Returns true if the
+  /// call was sent, so that it may have been executed; if not, it never will be.
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
     spare_ = awaited_.extract(call);
     assert(!spare_.empty());
     const Awaited& awaited = spare_.mapped();
-    // The thread that would free the record no longer finds the call, unless it was there before.
+    // The thread that would free the record can no longer find the call, except if it found it
+    // before.
     if (ending == Ending::kStarted && !awaited.has_ended) completions_[awaited.record].Free();
     return awaited.is_sent;
   }
@@ -62,21 +63,21 @@ class OutstandingCalls {
 
   // For the network thread.
 
-  /// Returns the number of the posted call with this record, which is to be sent; nothing if its
-  /// caller has left. The lock keeps the caller from reusing the record between the two steps.
+  /// Starts the posted call with this record and returns its number; empty if its caller has left.
+  /// The lock prevents the caller from reusing the record meanwhile.
   [[nodiscard]] std::optional<std::uint64_t> Start(std::size_t record) {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return std::nullopt;
     return of_record_[record];
   }
-  /// Instead of Start(): the posted call will not be sent.
+  /// Called instead of Start() if the posted call will not be sent.
   void Drop(std::size_t record) noexcept {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return;
     Finish(awaited_.at(of_record_[record]), Status::kNotConnected);
   }
-  /// Marks the call as sent. Returns until when its caller waits; nothing if that has left or its
-  /// time is over: then the call must not be sent.
+  /// Marks the call as sent and returns its caller's deadline. Empty if the caller has left or the
+  /// deadline has passed; then the call must not be sent.
   [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -90,7 +91,7 @@ class OutstandingCalls {
     const auto found = awaited_.find(call);
     if (found != awaited_.end()) found->second.is_sent = false;
   }
-  /// The call will not be sent, for this reason.
+  /// Ends a call that will not be sent, with this reason.
   void Refuse(std::uint64_t call, Status why) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -99,7 +100,7 @@ class OutstandingCalls {
     Finish(found->second, why);
   }
 
-  /// Any thread: the reply to kWait, or why none will come.
+  /// Any thread: ends a call with the reply to kWait, or with the reason why there is none.
   void End(std::uint64_t call, Result<Bytes> answer) {
     const std::scoped_lock lock(mutex_);
     const auto found = awaited_.find(call);
@@ -113,7 +114,7 @@ class OutstandingCalls {
     std::size_t record = 0;
     SteadyTime deadline{};
     bool is_sent = false;
-    bool has_ended = false;  // the record was finished; that frees it if nobody waits
+    bool has_ended = false;  // the record was finished, which frees it if no caller waits
   };
 
   void Finish(Awaited& awaited, Status status) noexcept {
@@ -125,9 +126,9 @@ class OutstandingCalls {
   Mutex mutex_;
   std::uint64_t last_ = 0;
   std::map<std::uint64_t, Awaited> awaited_;                    // from Enter() to Leave()
-  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // reused for the next call
+  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // memory reused for the next call
   std::vector<std::uint64_t> of_record_;
-  std::vector<Bytes> answers_;  // by record
+  std::vector<Bytes> answers_;  // indexed by record
 };
 
 }  // namespace tendon

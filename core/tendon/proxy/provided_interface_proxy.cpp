@@ -70,7 +70,7 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     if (event == nullptr) continue;
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
-    // The middleware's thread reports whether the source is faulted.
+    // The middleware's thread reports faults of the source, so two threads raise events.
     if (line_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
   }
 }
@@ -101,7 +101,7 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
     if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
   }
   if (!line_) return CountLostEvents();
-  // If the line is full, the calls in it count the events.
+  // If the line is full, the calls already in it count the events.
   (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
 }
 
@@ -128,7 +128,7 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   }
   if (is_faulted != host_.is_faulted()) {
     host_.SetFaulted(is_faulted);
-    // In the line, so that handlers hear earlier events first.
+    // Posted to the line, so that handlers get earlier events first.
     const bool is_posted = line_ && line_->Post([self = shared_from_this()] {
       self->interface_.SetSourceFaulted(self->host_.is_faulted());
     });

@@ -21,11 +21,12 @@ namespace tendon {
 
 class Connection;
 
-/// Stands in for a provided interface of another process, for one connection; a required interface
-/// here connects to it as usual. Void and write commands are queued until the network thread sends
-/// them, within the other end's credit. Reads ask in the caller's thread unless they are mirrored;
-/// so do awaited commands unless queued ones must be sent first. Events are raised in the
-/// middleware's thread, or in a line of WorkerPool if a handler runs in the raising thread.
+/// Represents a provided interface of another process, for one connection; a required interface of
+/// this process connects to it as usual. Void and write commands are queued until the network
+/// thread sends them, within the other end's credit. Reads send their request in the caller's
+/// thread, unless they are mirrored. Commands with a waiting caller do so too, unless queued ones
+/// must be sent first. Events are raised in the middleware's thread, or in a line of WorkerPool if
+/// a handler runs in the raising thread.
 class ProvidedInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
@@ -33,8 +34,8 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   struct Remote {
     std::shared_ptr<Channel> channel;
     message::OpenInterfaceReply opened;
-    InterfaceName name{};  ///< for the log
-    /// Values that are read from copies here, by the command's name.
+    InterfaceName name{};  ///< its name, for the log
+    /// Values of mirrored commands, by the command's name.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     std::shared_ptr<SerialExecutor> line{};  ///< of its events; null unless one of their handlers
                                              ///< runs in the raising thread
@@ -46,7 +47,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
                          std::chrono::milliseconds read_deadline);
 
   [[nodiscard]] ProvidedInterface& interface() { return interface_; }
-  /// The number at the other end.
+  /// The number that the other end has issued.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
   /// The lane on which calls are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
@@ -55,22 +56,22 @@ class ProvidedInterfaceProxy final : public NetworkJob,
 
   /// `handler` is the index of the event handler in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
-  /// Events that the other end lost count as lost here too.
+  /// Adds the events that the other end has lost to the counts here.
   void OnEventsLost(const message::EventsLost& events);
-  /// Returns whether the remote component has become faulted, or is no longer.
+  /// Returns true if the remote component has become faulted, or is not faulted any more.
   bool OnCredit(const message::Credit& credit);
 
   /// Any thread: waits until all events that have arrived are raised, at most until `deadline`.
   void DrainEvents(SteadyTime deadline) const;
-  /// Any thread: why the remote component is faulted; else empty.
+  /// Any thread: why the remote component is faulted; otherwise empty.
   [[nodiscard]] std::string fault() const;
-  /// Any thread: whether calls of `connection`, the one to this proxy, are queued here or not known
-  /// to be executed. False while the remote component is stopped.
+  /// Any thread: true if calls of `connection`, which leads to this proxy, are queued here or not
+  /// known to be executed. False while the remote component is stopped.
   [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
   /// Call it after the network thread has stopped working for this proxy: sends the calls that it
   /// took and could not send, for at most `patience`.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
-  /// Any thread: the peer is gone; refuses later calls with kNotConnected.
+  /// Any thread: called when the peer is gone; later calls are refused with kNotConnected.
   void Sever();
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -89,7 +90,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;
   LossReport loss_report_;
-  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null if it has no event
+  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null without an event
   Host host_{[](const auto& /*reason*/) {}};         // the remote component; executes nothing here
   ProvidedInterface interface_;
 

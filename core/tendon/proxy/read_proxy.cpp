@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-/// For a read: it has no side effect, so its outcome is never unknown.
+/// The status of a failed read, which has no side effects, so that its outcome is never unknown.
 Status ToStatus(const Error& error) {
   if (const auto refusal = StatusOfRefusal(error)) return *refusal;
   switch (error.code) {
@@ -54,7 +54,7 @@ std::unique_ptr<CommandBase> ReadOfferProxy::Bind(Mailbox* /*mailbox*/) const {
 
 std::optional<Status> StatusOfRefusal(const Error& error) {
   switch (error.code) {
-    case ErrorCode::kNotFound:  // the interface is being closed there
+    case ErrorCode::kNotFound:  // the other end is closing the interface
       return Status::kNotConnected;
     case ErrorCode::kDenied:
       return Status::kDenied;
@@ -66,7 +66,7 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
 }
 
 void AppendStatus(Status status, Bytes& answer) {
-  answer.reserve(answer.size() + 1);  // push_back() would double the capacity, which is kept
+  answer.reserve(answer.size() + 1);  // push_back() would double the capacity permanently
   answer.push_back(CodeOf(status));
 }
 

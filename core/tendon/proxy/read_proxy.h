@@ -22,7 +22,7 @@ class ReadOfferProxy final : public Offer {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
     std::chrono::milliseconds deadline{0};
-    RefusedPayloads* refused_payloads = nullptr;  ///< of the interface
+    RefusedPayloads* refused_payloads = nullptr;  ///< the list of the interface
   };
   ReadOfferProxy(MemberDescription description, Remote remote)
       : Offer(std::move(description)), remote_(std::move(remote)) {}
@@ -33,7 +33,7 @@ class ReadOfferProxy final : public Offer {
   Remote remote_;
 };
 
-/// The caller's status for a refused kRead or kWait; nothing if `error` is no refusal by the peer.
+/// The caller's status for a refused kRead or kWait; empty if `error` is not a refusal by the peer.
 [[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
 /// The status follows the value in the reply to kRead and kWait.

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Bits of a note for the size; the handle has the rest.
+/// Number of bits of a note for the size; the other bits are the handle.
 constexpr unsigned kSizeBits = 40;
 constexpr std::uint64_t kLargestSize = (std::uint64_t{1} << kSizeBits) - 1;
 constexpr std::uint32_t kHandleMask = (std::uint32_t{1} << (64 - kSizeBits)) - 1;
@@ -27,7 +27,7 @@ void RefusedPayloads::Tell() {
   const std::uint64_t notes = notes_.value();
   if (notes == told_) return;
   told_ = notes;
-  const std::uint64_t note = note_.Get();  // of these, or a newer one
+  const std::uint64_t note = note_.Get();  // one of the counted notes, or a newer one
   const auto member = members_.find(static_cast<std::uint32_t>(note >> kSizeBits));
   if (member != members_.end()) Log(member->second, note & kLargestSize);
 }

@@ -11,14 +11,14 @@
 
 namespace tendon {
 
-/// Logs values above kMaxPayload that a proxy refused to send. The caller of a function gets a
-/// status and must not log: it leaves a note, and the network thread logs it.
+/// Logs values above kMaxPayload that a proxy refused to send. The thread that calls a function
+/// must not log; it leaves a note, which the network thread logs.
 class RefusedPayloads {
  public:
   /// `interface` is the interface of the members: "robot/arm/Cloud".
   explicit RefusedPayloads(std::string interface) : interface_(std::move(interface)) {}
 
-  /// Call it before a note of this member.
+  /// Adds a member. Call it before the first note of the member.
   void Add(std::uint32_t handle, std::string member);
   /// Any thread; wait-free. A newer note replaces an older one.
   void Note(std::uint32_t handle, std::size_t size) noexcept;
@@ -32,10 +32,10 @@ class RefusedPayloads {
 
  private:
   const std::string interface_;
-  std::map<std::uint32_t, std::string> members_;  // by handle, cut to the bits of a note
+  std::map<std::uint32_t, std::string> members_;  // by the part of the handle that fits into a note
   Published<std::uint64_t> note_{0};
   SharedCounter<> notes_;
-  std::uint64_t told_ = 0;  // notes logged; network thread
+  std::uint64_t told_ = 0;  // number of logged notes; network thread
   RateLimitedWarning complaints_{"network"};
 };
 

@@ -12,21 +12,23 @@
 namespace tendon {
 namespace {
 
-/// How long a read may wait in a line. Its caller's deadline, 100 ms by default, is not sent.
+/// How long a read may wait in a line. The caller's own deadline, 100 ms by default, is not known
+/// here.
 constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 
 /// Bytes of events that may wait for a peer with a connection; more are lost, and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-/// The same for a peer that only listens, of which there may be many.
+/// The same for a peer that only receives events; there may be many of them.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
 /// The reply to a read, followed by the status. Written directly into the memory that the link
 /// sends, if the link has such memory.
 class ReadReply final : public AnswerSink {
  public:
-  /// `may_be` tells whether a value of that size may be sent; `spare` is the buffer otherwise.
+  /// `may_be` returns true if a value of that size may be sent; `spare` is used if the link has no
+  /// memory.
   ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
       : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
 
@@ -35,11 +37,11 @@ class ReadReply final : public AnswerSink {
     return is_refused_ ? std::span<std::byte>() : Begin(size).first(size);
   }
 
-  /// Call it once. Without a value, sends the status alone.
+  /// Sends the reply; call it once. Without a value, sends only the status.
   void Finish(Status status) {
     if (reply_.empty()) Begin(0);
     if (is_refused_) status = Status::kFailed;
-    if (!status) std::ranges::fill(reply_, std::byte{0});  // unwritten bytes may hold other data
+    if (!status) std::ranges::fill(reply_, std::byte{0});  // unwritten bytes may contain other data
     reply_.back() = CodeOf(status);
     if (is_in_place_) return responder_.EndReply();
     responder_.Reply(reply_, kOwnLane);
@@ -111,7 +113,8 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExec
     if (!runs_component_[i]) continue;
     (CanBeAwaited(functions_[i]->kind()) ? has_commands : has_reads) = true;
   }
-  // As many as the peer's credit, of any size, and one that has just ended.
+  // Room for the peer's whole credit, with arguments of any size, and for one call that has just
+  // ended.
   if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
@@ -125,14 +128,15 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
   return told_.accepting;
 }
 
-/// Asks the executing side: the task, or the component if it has no thread.
+/// Asks the side that executes calls: the task, or the component if it has no thread.
 bool RequiredInterfaceProxy::IsAccepting() const {
   if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
   const Host* host = server_.interface->host();
   return host == nullptr || host->accepting();
 }
 
-/// An exception may say anything; Printable() shortens it to what catalogues accept.
+/// The text of an exception can be arbitrary; Printable() shortens it to a length that catalogues
+/// accept.
 std::string RequiredInterfaceProxy::Fault() const {
   const Host* host = server_.interface->host();
   return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
@@ -161,11 +165,11 @@ bool RequiredInterfaceProxy::PostTo(SerialExecutor& line, std::span<const std::b
 
 class RequiredInterfaceProxy::QueuedCommandCount {
  public:
-  /// Create it before the command is counted.
+  /// Counts the command. Must be created before the command is counted as received.
   explicit QueuedCommandCount(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
   QueuedCommandCount(const QueuedCommandCount&) = delete;
   QueuedCommandCount& operator=(const QueuedCommandCount&) = delete;
-  /// The command was executed, was moved to the mailbox, or is dropped.
+  /// Called when the command was executed, moved to the mailbox, or dropped.
   ~QueuedCommandCount() {
     const std::scoped_lock lock(proxy_.mutex_);
     --proxy_.waiting_in_line_;
@@ -181,7 +185,7 @@ void RequiredInterfaceProxy::LogRefused(std::size_t function) {
                   " wait already, or memory is short");
 }
 
-/// For a command.
+/// True if a call of this command must wait in the line.
 bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
   if (!commands_ || runs_component_[function]) return commands_ != nullptr;
   const std::scoped_lock lock(mutex_);
@@ -206,7 +210,7 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
     if (status != Status(Status::kQueueFull)) return CountReceived(Watch::kClosely);
-    // Not always the peer's fault: a reply has confirmed all calls before it, also queued ones.
+    // This may not be the peer's fault: a reply confirms all calls before it, even queued ones.
     if (!commands_) {
       LogRefused(function);
       return CountReceived(Watch::kClosely);
@@ -241,7 +245,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   if (!runs_component_[function]) {
-    const LargeMessageInProgress mark;  // the size of the answer is not known before
+    const LargeMessageInProgress mark;  // the answer may be large
     return Read(function, argument, std::move(responder), answer_);
   }
   responder.Defer();
@@ -256,7 +260,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
 }
 
-/// Whether the caller of a read that waits since then has probably given up.
+/// True if the caller of a read that has waited since then has probably timed out.
 bool RequiredInterfaceProxy::IsStale(SteadyTime since) const {
   const bool is_late = SteadyClock().Now() - since > kMostReadWait;
   return is_late || are_reads_dropped_.Get() || !channel_->is_open();
@@ -320,9 +324,9 @@ void RequiredInterfaceProxy::OnBegun(ExecutingCalls::Begun begun, Status status,
   SteadyTime look = ExecutingCalls::FirstLook(begun);
   {
     const std::scoped_lock lock(mutex_);
-    // Closed meanwhile: executed or dropped.
+    // The connection was closed meanwhile, so the call was executed or dropped.
     if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, result);
-    // The notification for this call came before Add().
+    // The call ended before Add(), so no further notification comes.
     if (begun.command->HasEnded(begun.call)) look = begun.since;
     begun_.Add(std::move(begun));
   }
@@ -364,14 +368,15 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   return sent > 0;
 }
 
-/// Whether to report now. Executed calls can wait for more, unless they reach half the peer's
-/// credit and no replies have reported them.
+/// True if a report must be sent now. A report of executed calls can wait, unless they reach half
+/// the peer's credit and no replies have reported them.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
   if (credit.accepting != told_.accepting || credit.fault != told_.fault) return true;
   return watch_ != Watch::kNowAndThen && 2 * (credit.executed - told_.executed) >= capacity_;
 }
 
-/// Reports seldom even if replies have reported: a peer whose caller gave up ignores the reply.
+/// Sends a report now and then even if replies have reported the calls, because a peer ignores a
+/// reply whose caller has timed out.
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kLatest(4);
   constexpr std::chrono::milliseconds kLatestBehindAnswers(100);

@@ -20,10 +20,10 @@
 
 namespace tendon {
 
-/// Stands in for a required interface of another process, for one connection; it connects to a
-/// provided interface here as usual. Calls are made in the middleware's thread, or in a line of
-/// WorkerPool if they run code of the component in the caller's thread. Events are queued until
-/// the network thread sends them.
+/// Represents a required interface of another process, for one connection; it connects to a
+/// provided interface of this process as usual. Calls are made in the middleware's thread, or in a
+/// line of WorkerPool if they run code of the component in the caller's thread. Events are queued
+/// until the network thread sends them.
 class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
                                      private ExecutingCalls::Owner {
@@ -41,15 +41,15 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
-  /// The number at the other end.
+  /// The number that the other end has issued.
   [[nodiscard]] std::uint32_t handle() const { return handle_; }
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// The lane on which events are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
-  /// Any thread: events that have not reached the remote handlers, whichever end lost them.
-  /// Includes those lost at the other end as far as it has reported them.
+  /// Any thread: number of events that have not reached the remote handlers, whichever end lost
+  /// them; as far as the other end has reported its losses.
   [[nodiscard]] std::uint64_t lost_events() const;
-  /// Any thread: commands that have arrived, whatever became of them. Does not count reads.
+  /// Any thread: number of commands that have arrived, executed or not. Does not count reads.
   [[nodiscard]] std::uint64_t received() const;
 
   /// The connected component.
@@ -57,47 +57,48 @@ class RequiredInterfaceProxy final : public NetworkJob,
     const ProvidedInterface* interface = nullptr;
     std::function<std::string()> fault;  ///< why it is faulted; any thread
   };
-  /// Reports from now on how far `connection`'s calls have come and how the server is. Returns
-  /// whether the server executes calls now. The arguments must live until EndCredit().
+  /// Starts the reports about the executed calls of `connection` and the state of the server.
+  /// Returns true if the server executes calls now. The arguments must live until EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
   /// Waits until the commands in the line were executed, at most until `deadline`. Returns false if
-  /// a command or a read is left: component code may still run, so it must not be freed.
+  /// a command or a read is left; then component code may still run, and must not be freed.
   [[nodiscard]] bool Drain(SteadyTime deadline) const;
   void EndCredit();
-  /// Any thread: the peer is gone; later events are not sent.
+  /// Any thread: called when the peer is gone; later events are not sent.
   void Sever() { outbox_.Close(); }
-  /// Any thread: the callers of reads in the line have stopped waiting.
+  /// Any thread: drops the reads in the line, whose callers have stopped waiting.
   void DropReads() { are_reads_dropped_.Set(true); }
-  /// The same for commands; a running one continues.
+  /// The same for commands; a running command continues.
   void DropCommands() { are_commands_dropped_.Set(true); }
 
   // In threads of the middleware, one at a time. `function` is the index in the interface.
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
-  /// Answers after the call was executed or refused.
+  /// Replies after the call was executed or refused.
   void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
-  /// Logs a value that is too large, since the caller of an executed call gets no result then.
+  /// Returns false for a value that is too large, and logs it, because then the caller of an
+  /// executed call gets no result.
   bool CanBeSent(std::size_t function, std::size_t size);
-  /// How often the network thread checks what it must report to the peer: never; seldom, since
-  /// replies have probably reported it; or often.
+  /// How often the network thread checks whether it must report to the peer: never; seldom, if
+  /// replies have probably reported everything; or often.
   enum class Watch { kNone, kNowAndThen, kClosely };
 
-  /// While it lives, its command counts as waiting in the line.
+  /// While it lives, a command counts as waiting in the line.
   class QueuedCommandCount;
 
-  /// For a peer that exceeds its credit, or if memory is short.
+  /// Logs a refused call: the peer has exceeded its credit, or there is no memory.
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
-  /// In the line: if `function` is queued and the mailbox is full, waits for room.
+  /// Called in the line: waits for room if `function` is queued and the mailbox is full.
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
-  /// Posts `call(*this, argument)` with a copied argument. Returns false if too much waits.
+  /// Posts `call(*this, argument)` with a copied argument. Returns false if the line is full.
   template <typename Call>
   bool PostTo(SerialExecutor& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
@@ -121,24 +122,24 @@ class RequiredInterfaceProxy final : public NetworkJob,
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
-  std::vector<const QueuedOfferProxy*> handlers_;  // by event handler
+  std::vector<const QueuedOfferProxy*> handlers_;  // indexed by event handler
   RateLimitedWarning complaints_{"network"};
-  std::vector<bool> runs_component_;  // by function: in its caller's thread
+  std::vector<bool> runs_component_;  // by function: runs in its caller's thread
   std::shared_ptr<SerialExecutor>
-      commands_;                           // for commands that do, and those behind them; or null
-  std::shared_ptr<SerialExecutor> reads_;  // the same for reads
+      commands_;                           // line for such commands and those behind them; or null
+  std::shared_ptr<SerialExecutor> reads_;  // line for such reads; or null
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
-  Bytes answer_;  // only in the middleware's thread
+  Bytes answer_;  // used only in the middleware's thread
 
-  mutable std::mutex mutex_;  // for all that follows
+  mutable std::mutex mutex_;  // guards the members below
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
-  std::uint64_t waiting_in_line_ = 0;  // received commands
+  std::uint64_t waiting_in_line_ = 0;  // number of received commands
   Watch watch_ = Watch::kNone;
   message::Credit told_;
-  SteadyTime owed_since_{};  // since when a report is owed, at the latest
+  SteadyTime owed_since_{};  // begin of the wait for the next report
   ExecutingCalls begun_{*this};
 };
 

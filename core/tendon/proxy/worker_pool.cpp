@@ -13,7 +13,7 @@
 
 namespace tendon {
 
-/// With the pool's lock held.
+/// Used with the pool's lock held.
 struct SerialExecutor::Queue {
   struct Waiting {
     Call call;
@@ -26,8 +26,8 @@ struct SerialExecutor::Queue {
 
   const std::size_t most_calls;
   const std::size_t most_bytes;
-  std::deque<Waiting> calls{};  // the first one may be running
-  std::size_t bytes = 0;        // total of calls
+  std::deque<Waiting> calls{};  // the first call may be running
+  std::size_t bytes = 0;        // total bytes of the calls
 };
 
 class WorkerPool::Pool {
@@ -74,12 +74,13 @@ class WorkerPool::Pool {
 
  private:
   using Self = std::list<std::thread>::iterator;
-  /// Who takes a ready call: this thread, which has just finished another, or another thread.
+  /// The thread that takes a ready call: this one, which has just finished another call, or another
+  /// thread.
   enum class Taker { kThis, kOther };
 
   // With the lock held.
 
-  /// Returns false if there is no thread for it, or no memory.
+  /// Returns false if there is no thread or no memory for the queue.
   bool Serve(const Queue& queue, Taker taker) {
     try {
       ready_.push_back(queue);
@@ -106,7 +107,7 @@ class WorkerPool::Pool {
     }
   }
 
-  /// Destroys the dropped calls without the lock: they may own anything.
+  /// Destroys the dropped calls without the lock, because their destructors may do anything.
   static void Drop(SerialExecutor::Queue& queue, std::unique_lock<std::mutex>& lock) {
     auto dropped = std::exchange(queue.calls, {});
     queue.bytes = 0;

@@ -14,7 +14,7 @@ class SerialExecutor;
 
 /// A thread pool for calls from other processes that run component code in their caller's thread.
 /// Such code may take long, and threads of the middleware must not wait for it. At most kMost
-/// threads; they start on demand and end after a long idle time. Thread-safe.
+/// threads; threads start on demand and end after a long idle time. Thread-safe.
 class WorkerPool {
  public:
   static constexpr std::size_t kMost = 4;
@@ -22,11 +22,11 @@ class WorkerPool {
   explicit WorkerPool(std::string name);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
-  /// Waits for running calls; drops queued ones. Must not be called from a call.
+  /// Waits for running calls; drops queued ones. Must not run inside a call of this pool.
   ~WorkerPool();
 
-  /// A line holds at most `most_calls`, and `most_bytes` in total unless it is a single call. It
-  /// may outlive this object.
+  /// Makes a line, which holds at most `most_calls`, and at most `most_bytes` in total; a single
+  /// call may exceed the bytes. The line may outlive this object.
   [[nodiscard]] std::shared_ptr<SerialExecutor> MakeLine(
       std::size_t most_calls, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
@@ -37,7 +37,8 @@ class WorkerPool {
   const std::shared_ptr<Pool> pool_;
 };
 
-/// Executes its calls one at a time, in order. Different lines run in parallel. Thread-safe.
+/// A line of calls, which a WorkerPool executes one at a time, in order. Different lines run in
+/// parallel. Thread-safe.
 class SerialExecutor {
  public:
   using Call = std::function<void()>;
@@ -46,10 +47,10 @@ class SerialExecutor {
   SerialExecutor& operator=(const SerialExecutor&) = delete;
   ~SerialExecutor();
 
-  /// Logs what `call` throws. Returns false without an effect if too much waits or the pool has
-  /// ended. `bytes` is the memory that the call owns.
+  /// Adds a call; its exceptions are logged. Returns false without an effect if the line is full or
+  /// the pool has ended. `bytes` is the memory that the call owns.
   bool Post(Call call, std::size_t bytes = 0);
-  /// Waits until no call runs or waits; returns false if one still does at `deadline`.
+  /// Waits until no call runs or waits; returns false if `deadline` passes first.
   bool Drain(SteadyTime deadline);
 
  private:
@@ -63,8 +64,8 @@ class SerialExecutor {
   const std::shared_ptr<Queue> queue_;
 };
 
-/// The thread pools of one process, one for each kind of call, so that calls that hang delay only
-/// their own kind.
+/// The thread pools of one process, one for each kind of call, so that hanging calls delay only
+/// calls of the same kind.
 struct CallExecutors {
   WorkerPool reads{"reads"};
   WorkerPool commands{"commands"};

@@ -87,7 +87,7 @@ Result<void> WriteKey(const fs::path& file, const EVP_PKEY& key) {
   openssl::Wipe(text);
   if (!kept) return kept.error();
   openssl::Wipe(*kept);
-  if (is_ours) return os::AppendDurably(file, "");  // waits for the whole content
+  if (is_ours) return os::AppendDurably(file, "");  // flushes the content to the disk
   return Error{ErrorCode::kExists, file.string() + " is there already: it is not overwritten"};
 }
 

@@ -29,16 +29,16 @@ Result<void> RequirePrivate(const std::filesystem::path& file);
 /// Creates a folder of mode 0700; leaves an existing one as it is.
 Result<void> MakePrivateFolder(const std::filesystem::path& folder);
 
-/// Writes a file of mode 0600, atomically; waits for the disk.
+/// Writes a file of mode 0600 atomically, and waits until it is on the disk.
 Result<void> WritePrivateFile(const std::filesystem::path& file, std::string_view text);
 
-/// The same for a private key and a new file; other users can never read it.
+/// The same for a private key, to a new file that other users can never read.
 Result<void> WriteKey(const std::filesystem::path& file, const EVP_PKEY& key);
 
 // The files of a CA.
 Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder);
 Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder);
-/// A private key that other users cannot read.
+/// Reads a private key; fails if other users can read the file.
 Result<openssl::Key> ReadPrivateKey(const std::filesystem::path& file);
 
 }  // namespace tendon

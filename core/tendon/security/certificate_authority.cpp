@@ -23,7 +23,7 @@ sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// Keeps other programs from changing the CA while it lives.
+/// While it lives, other programs cannot change the CA.
 class Lock {
  public:
   explicit Lock(const AuthorityFolder& folder) : file_(folder.lock()) {
@@ -128,7 +128,7 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   fs::directory_iterator copies(folder.issued(), reason);
   for (; copies != fs::directory_iterator(); copies.increment(reason)) {
     const fs::path& copy = copies->path();
-    if (copy.extension() != ".crt") continue;  // a half-written file of a killed program
+    if (copy.extension() != ".crt") continue;  // a half-written file left by a killed program
     const auto text = ReadSmallFile(copy);
     if (!text) return Unreadable(copy, text.error().message);
     auto certificate = openssl::ReadCertificate(*text);
@@ -142,8 +142,8 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   return found;
 }
 
-/// The certificates of a name that are not revoked: at least one, or an error that says why there
-/// is none.
+/// The certificates of a name that are not revoked: at least one; otherwise an error that says why
+/// there is none.
 Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
                                                           X509_CRL& revoked,
                                                           const std::string& name) {
@@ -250,7 +250,7 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
       openssl::MakeCertificate(request, *key, Now() + request.validity, authority->signer());
   const std::string text = openssl::PemOf(*certificate);
   const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
-  // The copy first, so that every issued certificate can be revoked.
+  // Writes the copy first, so that every issued certificate can be revoked.
   if (auto done = WritePrivateFile(copy, text); !done) return done.error();
   const PersonalFiles issued(request.name, out);
   if (auto done = WriteKey(issued.key, *key); !done) return done.error();

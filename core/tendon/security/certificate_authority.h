@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// A small certificate authority in a folder of its user only (0700, files 0600):
+/// A small certificate authority in a private folder of its user (0700, files 0600):
 ///
 ///     ca.crt       its certificate              \ a host needs these to check certificates
 ///     crl.pem      its revoked certificates     /
@@ -19,13 +19,13 @@ namespace tendon {
 ///     issued/      a copy of each certificate, named by its serial number
 ///
 /// All keys are of the curve P-256. An object of this class holds no secret. Functions read and
-/// write files and wait for the disk. If two programs change one folder at once, the second is
-/// refused. Functions throw only if OpenSSL cannot continue, as without memory.
+/// write files and wait for the disk. If two programs change one folder at once, the second one
+/// fails. Functions throw only if OpenSSL cannot continue, for example without memory.
 class CertificateAuthority {
  public:
   /// Creates a CA that lasts ten years. kExists unless the folder is empty or missing.
   static Result<CertificateAuthority> Init(const std::filesystem::path& folder);
-  /// The error that Init() would return at once.
+  /// Returns the error that Init() would return before it writes anything.
   static Result<void> CheckInit(const std::filesystem::path& folder);
 
   /// Opens an existing CA. kNotFound if there is none, kDenied if other users can read its key.
@@ -49,13 +49,13 @@ class CertificateAuthority {
   /// if missing. Never overwrites a file. A name may have several certificates, so that a new one
   /// can be issued before the old one expires.
   Result<Issued> Issue(const Request& request, const std::filesystem::path& out) const;
-  /// The error that Issue() would return at once.
+  /// Returns the error that Issue() would return before it writes anything.
   [[nodiscard]] Result<void> CheckIssue(const Request& request,
                                         const std::filesystem::path& out) const;
 
   /// Revokes all certificates of that name; returns their serial numbers. kNotFound if none was
-  /// issued, kExists if all are revoked already, kInvalid if a copy cannot be read, since it could
-  /// be one of them.
+  /// issued, kExists if all are revoked already, kInvalid if a copy in issued/ cannot be read,
+  /// because it could be one of them.
   Result<std::vector<std::string>> Revoke(const std::string& name) const;
   /// The serial numbers that Revoke() would revoke, or its error.
   [[nodiscard]] Result<std::vector<std::string>> Revocable(const std::string& name) const;

@@ -16,7 +16,7 @@ using std::chrono::sys_seconds;
 
 constexpr const char* kIssueAnother = ": issue another with gcm cert issue";
 
-/// Translates the reason of X509_verify_cert().
+/// Converts an error code of X509_verify_cert() to an Error.
 Error NotGood(const std::string& what, int reason, X509& certificate, const fs::path& authority) {
   const auto denied = [&what](const std::string& why) {
     return Error{ErrorCode::kDenied, what + " " + why};
@@ -48,7 +48,7 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
   }
 }
 
-/// 0, or why the chain up to the CA is not valid.
+/// Returns 0, or the code that says why the chain up to the CA is not valid.
 int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   const openssl::Handle<X509_STORE_CTX, X509_STORE_CTX_free> context(X509_STORE_CTX_new());
   openssl::Require(
@@ -78,7 +78,7 @@ Result<Certificate> Check(const std::string& what, X509& certificate,
   return described;
 }
 
-/// The private key beside a certificate; nothing if there is none.
+/// The private key beside a certificate; empty if there is none.
 Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certificate) {
   fs::path key_file = file;
   key_file.replace_extension(".key");

@@ -18,26 +18,26 @@ class TrustedAuthority;
 /// A certificate that was found valid.
 struct CheckedCertificate {
   Certificate certificate;
-  std::optional<std::filesystem::path> key;  ///< its private key, if it is beside it
-  std::string warning;                       ///< what will be wrong soon, or empty
+  std::optional<std::filesystem::path> key;  ///< its private key, if the file exists
+  std::string warning;                       ///< a future problem, such as expiry; or empty
 };
 
-/// The warning starts this long before a certificate expires.
+/// The warning begins this many days before a certificate expires.
 inline constexpr std::chrono::days kExpiresSoon{30};
 
 /// Checks that the certificate in `file` (PEM) is valid at `now`: issued by the CA whose ca.crt and
-/// crl.pem are in the folder `authority`, neither expired nor revoked, with a known role. Its key
-/// is `file` with the extension .key; it may be missing, but must match and be readable by its user
-/// only. Does not need the private key of the CA.
+/// crl.pem are in the folder `authority`, neither expired nor revoked, with a known role. The key
+/// is `file` with the extension .key. It may be missing; if it exists, it must match and be
+/// readable by its user only. Does not need the private key of the CA.
 ///
-/// Errors: kDenied if it is not valid, kNotFound for a missing file, kInvalid for a malformed one.
-/// Reads files, each of at most 1 MiB.
+/// Errors: kDenied if the certificate is not valid, kNotFound for a missing file, kInvalid for a
+/// malformed one. Reads files, each of at most 1 MiB.
 Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
                                             const std::filesystem::path& authority,
                                             std::chrono::sys_seconds now);
 
-/// The same for a certificate (PEM) of a peer that has proved to own the key. Errors begin with
-/// "the certificate of 'robot'".
+/// The same for the certificate (PEM) of a peer that has proved that it owns the key. Errors begin
+/// with "the certificate of 'robot'".
 Result<Certificate> CheckShownCertificate(std::string_view pem,
                                           openssl::TrustedAuthority& authority,
                                           std::chrono::sys_seconds now);

@@ -9,30 +9,31 @@
 
 namespace tendon {
 
-/// Which audit lines a message causes. Messages of every cycle of a connection cause none if they
-/// are allowed: the audit log has the connection's opening, and at its end the number of commands.
+/// Which messages of one type are written to the audit log. The messages that a connection sends in
+/// every cycle are written only if refused: the audit log has the opening of the connection, and
+/// the number of its commands when it ends.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
 /// What is required to send one type of message to a process that serves others.
 struct Right {
   std::uint16_t type;    ///< MessageType
-  std::string_view act;  ///< for people
+  std::string_view act;  ///< description for people
   Role role;
   Audit audit;
 };
 
-/// All rights, by type. Types that are not here are denied to everybody. Messages that arrive on
-/// channels opened by this process need no right, because it chose its peer.
+/// All rights, sorted by type. Types that are not listed are denied to everybody. Messages that
+/// arrive on channels opened by this process need no right, because it chose its peer.
 inline constexpr auto kRights = std::to_array<Right>({
-    // proxy/messages.h
+    // proxy/connection_messages.h
     {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // logged separately
-    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // one opened by itself
+    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // one that it opened
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x105, "execute a command and wait", Role::kOperator, Audit::kRefusals},
     {0x120, "report lost events", Role::kOperator, Audit::kRefusals},
-    // process/messages.h
+    // process/viewer_messages.h
     {0x200, "read schemas", Role::kViewer, Audit::kRefusals},
     {0x201, "call a command", Role::kOperator, Audit::kAll},
     {0x202, "watch a state table", Role::kViewer, Audit::kRefusals},
@@ -41,16 +42,16 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
     {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
     {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
-    {0x20a, "watch a state table by the fan-out", Role::kViewer, Audit::kRefusals},  // telemetry/
-    {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // proxy/mirror/
-    {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/program_messages.h
+    {0x20a, "watch a state table by the fan-out", Role::kViewer, Audit::kRefusals},  // broadcast
+    {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // proxy/mirror_messages.h
+    {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // members are logged
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},
     {0x304, "tell its health", Role::kOperator, Audit::kRefusals},
-    // gcm/messages.h
+    // gcm/gcm_messages.h
     {0x310, "watch the catalogue", Role::kViewer, Audit::kRefusals},
     {0x311, "connect", Role::kOperator, Audit::kAll},
     {0x312, "disconnect", Role::kOperator, Audit::kAll},
@@ -58,18 +59,18 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x314, "read the history", Role::kViewer, Audit::kRefusals},
     {0x315, "forget a process", Role::kOperator, Audit::kAll},
     {0x316, "replace a connection", Role::kOperator, Audit::kAll},
-    // process/life/messages.h
+    // process/life/life_messages.h
     {0x317, "give an order", Role::kOperator, Audit::kAll},
     {0x318, "list classes", Role::kViewer, Audit::kRefusals},
     {0x319, "begin an order", Role::kOperator, Audit::kRefusals},
-    // gcm/messages.h
+    // gcm/gcm_messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
     {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},       // process/telemetry/
     {0x31d, "ask for its processes", Role::kViewer, Audit::kRefusals},  // gcm/supervisor/
     {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
-    // process/log/messages.h, gcm/messages.h
+    // process/log/log_messages.h, gcm/gcm_messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},
     {0x341, "set a log level", Role::kOperator, Audit::kAll},
     {0x342, "watch the log", Role::kViewer, Audit::kRefusals},
@@ -79,7 +80,7 @@ static_assert(std::ranges::is_sorted(kRights, std::ranges::less_equal{}, &Right:
                   std::ranges::adjacent_find(kRights, {}, &Right::type) == kRights.end(),
               "each type has one right, and is found by halving");
 
-/// Null for a type that is denied to everybody.
+/// Returns null for a type that is not listed.
 [[nodiscard]] constexpr const Right* FindRight(std::uint16_t type) {
   const auto* const found = std::ranges::lower_bound(kRights, type, {}, &Right::type);
   return found != kRights.end() && found->type == type ? found : nullptr;

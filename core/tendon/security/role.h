@@ -7,10 +7,10 @@
 
 namespace tendon {
 
-/// The rights of a certificate's holder; each role includes those before it.
+/// The rights of a certificate's holder; each role includes the rights of the roles before it.
 enum class Role : std::uint8_t {
-  kViewer,    ///< read: catalogue, values, rows, logs
-  kOperator,  ///< change: connect, call commands, join as a process
+  kViewer,    ///< read the catalogue, values, rows and logs
+  kOperator,  ///< make changes: connect, call commands, join as a process
 };
 
 /// "viewer", "operator".

@@ -16,13 +16,13 @@
 
 namespace tendon {
 
-/// The place of a column's cell in a row. A cell is the CDR body of a value. In a dynamic type, a
-/// word comes first: the body's length, or kAbsent.
+/// The position of a column's cell in a row. A cell is the CDR body of a value. In a dynamic type,
+/// a word comes first: the body's length, or kAbsent.
 struct CellLayout {
   static constexpr std::uint64_t kAbsent = ~std::uint64_t{0};
 
   std::size_t offset = 0;  ///< in words
-  std::size_t words = 0;   ///< with the length word
+  std::size_t words = 0;   ///< including the length word
   std::size_t bytes = 0;   ///< of the body; the maximum if the type is dynamic
   bool is_dynamic = false;
 
@@ -30,7 +30,7 @@ struct CellLayout {
 };
 
 /// True if a value of T has the same bytes in memory as on the wire: numbers without gaps, in the
-/// order of the description. The optimiser knows the offsets and makes it a constant.
+/// order of the description. The compiler reduces it to a constant.
 template <FixedPayload T>
 bool LiesAsOnWire(const T& value) noexcept {
   if constexpr (!std::is_trivially_copyable_v<T> || sizeof(T) != kEncodedSize<T>) {
@@ -69,7 +69,7 @@ inline void LoadWords(const RowRing<>::Word* /*words*/, std::byte* /*bytes*/,
 template <std::size_t kBytes>
 void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
   constexpr std::size_t kWord = sizeof(std::uint64_t);
-  constexpr std::size_t kBlock = 8;  // words; the optimiser does not improve a loop of single ones
+  constexpr std::size_t kBlock = 8;  // words; the compiler does not unroll a loop over single words
   constexpr std::size_t kWords = kBytes / kWord;
   constexpr std::size_t kInBlocks = kWords / kBlock * kBlock;
   for (std::size_t i = 0; i < kInBlocks; i += kBlock) {
@@ -83,11 +83,12 @@ void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
   }
 }
 
-/// A buffer of `words` words into which this thread reads rows. Always the same memory, so that
-/// nothing allocates once it has been large enough.
+/// A buffer of `words` words into which this thread reads rows. Reuses its memory, so that no call
+/// allocates once the buffer has been large enough.
 std::span<std::uint64_t> RowBuffer(std::size_t words);
 
-/// A reader's copy of one cell. Its content is valid only if the row proves to be complete.
+/// A reader's copy of one cell. Its content is valid only if the check of the row succeeds
+/// afterwards.
 template <Payload T>
 class CellCopy {
  public:
@@ -96,7 +97,7 @@ class CellCopy {
   void Load(const RowRing<>::Word* cell) noexcept {
     words_[0] = cell[0].load(std::memory_order_relaxed);
     if (is_absent()) return;
-    const std::size_t needed = (words_[0] + 7) / 8 + 1;  // any value if the row is torn
+    const std::size_t needed = (words_[0] + 7) / 8 + 1;  // arbitrary if the row is torn
     for (std::size_t i = 1; i < std::min(needed, words_.size()); ++i) {
       words_[i] = cell[i].load(std::memory_order_relaxed);
     }

@@ -71,11 +71,11 @@ class ColumnBase {
 
 /// The history of one variable.
 ///
-/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows.
-/// Unless it returns kDone, it leaves `value` unchanged, except for kInvalid: the variable held a
-/// value that no reader may see, such as an enum value without a name. Reads of a fixed type
-/// allocate nothing; reads of a dynamic type only when `value`, or a thread's copy of a cell,
-/// grows.
+/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows. If
+/// the result is not kDone, `value` is unchanged; only kInvalid leaves it unspecified: the writer's
+/// variable held an invalid value, such as an enum value without a name. Reads of a fixed type
+/// allocate nothing; reads of a dynamic type allocate only when `value`, or the thread's buffer for
+/// cells, grows.
 template <Payload T>
 class Column final : public ColumnBase {
  public:
@@ -85,13 +85,13 @@ class Column final : public ColumnBase {
         variable_(variable) {}
 
   /// The newest value. kNoSample before the first row, and if the newest value did not fit into the
-  /// column. About 4 ns for 64 bytes; wait-free unless the writer goes round the whole ring
+  /// column. About 4 ns for 64 bytes; wait-free unless the writer overwrites the whole ring
   /// meanwhile.
   Status ReadNewest(T& value) const noexcept {
     std::uint64_t tick = 0;
     return ReadNewestCell(value, tick, [](const Word* /*row*/) {});
   }
-  /// The same, and tells which row it was.
+  /// The same, and sets the stamp of the row.
   Status ReadNewest(T& value, RowStamp& stamp) const noexcept {
     return ReadNewestCell(value, stamp.tick, [&](const Word* row) { stamp.time = TimeOf(row); });
   }
@@ -107,8 +107,8 @@ class Column final : public ColumnBase {
     return rows < next ? ReadAt(next - 1 - rows, value) : RowResult::kNotYet;
   }
 
-  /// The value that was valid at `time`: that of the newest row not later. kNotYet if all rows are
-  /// later, kOvertaken if that row is lost. A binary search.
+  /// The value that was valid at `time`: that of the newest row whose time is not after it. kNotYet
+  /// if all rows are later, kOvertaken if that row is lost. A binary search.
   RowResult ReadAtTime(SteadyTime time, T& value) const noexcept {
     std::uint64_t tick = 0;
     const RowResult found = rows_.Find(time.time_since_epoch().count(), tick);
@@ -155,8 +155,8 @@ class Column final : public ColumnBase {
     return SteadyTime(std::chrono::nanoseconds(RowRing<>::TimeOf(row)));
   }
 
-  /// `read` copies the cell of one row; it is decoded if the row proves to be complete. `note` sees
-  /// the row as well.
+  /// `read` copies the cell of one row; the cell is decoded only if the row is complete. `note`
+  /// sees the row as well.
   template <typename Read, typename Note>
   RowResult ReadCell(T& value, Read read, Note note) const {
     CellCopy<T> copy(layout());
@@ -179,7 +179,7 @@ class Column final : public ColumnBase {
   Status ReadNewestCell(T& value, std::uint64_t& tick, Note note) const {
     const auto newest = [&](auto copy) { return rows_.ReadNewest(tick, copy); };
     if constexpr (FixedPayload<T>) {
-      if (LiesAsOnWire(value)) {  // once there is a row, this read never fails: no copy is needed
+      if (LiesAsOnWire(value)) {  // a complete row never fails to decode
         return ToStatus(newest([&](const Word* row) {
           LoadCell<kEncodedSize<T>>(row + layout().offset, reinterpret_cast<std::byte*>(&value));
           note(row);

@@ -17,10 +17,10 @@ class RowCopy {
  public:
   explicit RowCopy(const StateTable& table) : table_(table), words_(table.row_words()) {}
 
-  /// kNoSample before the first row. Wait-free unless the writer goes round the whole ring
+  /// kNoSample before the first row. Wait-free unless the writer overwrites the whole ring
   /// meanwhile.
   Status ReadNewest();
-  /// Unless it returns kDone, the previous copy is lost.
+  /// If the result is not kDone, the object holds no row afterwards.
   RowResult ReadAt(std::uint64_t tick);
   /// The newest row not later than `time`.
   RowResult ReadAtTime(SteadyTime time);

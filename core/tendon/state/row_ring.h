@@ -16,7 +16,7 @@ namespace tendon {
 enum class RowResult : std::uint8_t {
   kDone,
   kNotYet,     ///< not written yet
-  kOvertaken,  ///< the writer has gone round the ring; the row is lost
+  kOvertaken,  ///< the writer has overwritten the row
   kAbsent,     ///< the row exists, but its value did not fit into the column
   kInvalid,    ///< the row exists, but its value is invalid for its type
 };
@@ -25,11 +25,11 @@ enum class RowResult : std::uint8_t {
 /// numbers it, and a time.
 ///
 /// Thread safety: one thread writes (Begin, Store, Publish) and never waits; any number of threads
-/// read. All words are atomic: a reader that the writer laps copies a mixture, never undefined
-/// bytes, and detects it:
+/// read. All words are atomic: if the writer overwrites a row during a read, the reader copies a
+/// mixture of two rows, without undefined behaviour, and detects it:
 /// - The writer stores the new tick of a row before it changes any other word of it.
-/// - The reader checks the row's tick after it has copied all the words it wants. If any of them
-///   was of a later row, the fences make it see the tick of that row.
+/// - The reader checks the row's tick after it has copied all the words it wants. If any of these
+///   words was of a later row, the fences guarantee that the reader sees the tick of that row.
 template <typename Atomics = StdAtomics>
 class RowRing {
  public:
@@ -82,25 +82,25 @@ class RowRing {
     next_.store(tick + 1, std::memory_order_release);  // (B) publishes the row
   }
 
-  /// Number of rows ever written; the newest has the tick before.
+  /// Number of rows ever written; the newest row has this number minus 1 as its tick.
   [[nodiscard]] std::uint64_t next_tick() const noexcept {
     return next_.load(std::memory_order_acquire);  // pairs with (B)
   }
-  /// The oldest row that can still be read if the writer does not go on.
+  /// The oldest row that can still be read, provided that the writer does not write another one.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
     const std::uint64_t next = next_tick();
     return next > mask_ ? next - mask_ : 0;
   }
 
   /// Reader: calls `copy(words)`, which copies words of a row by relaxed loads alone. Returns kDone
-  /// if the copy is of that row.
+  /// if the copy is a complete copy of that row.
   template <typename Copy>
   RowResult Read(std::uint64_t tick, Copy copy) const {
     return tick < next_tick() ? ReadWritten(tick, copy) : RowResult::kNotYet;
   }
 
   /// Reader: the same for the newest row, whose tick it sets; kNotYet before the first. Retries
-  /// only if the writer goes round the whole ring meanwhile.
+  /// only if the writer overwrites the whole ring meanwhile.
   template <typename Copy>
   RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
     while (true) {
@@ -116,8 +116,8 @@ class RowRing {
     return Read(tick, [&](const Word* words) { time = TimeOf(words); });
   }
 
-  /// Reader: the newest row that is not later than `time`. kNotYet if all are later, kOvertaken if
-  /// that row, if there was one, is lost.
+  /// Reader: the newest row that is not later than `time`. kNotYet if all rows are later,
+  /// kOvertaken if that row may have existed but is overwritten.
   RowResult Find(std::int64_t time, std::uint64_t& tick) const noexcept {
     std::uint64_t low = oldest_tick();
     std::uint64_t high = next_tick();

@@ -24,10 +24,11 @@ namespace tendon {
 ///
 /// Thread safety: functions that add or set, and Prepare(), are called before the first row. One
 /// thread writes rows, and it alone changes the variables. Any thread may call all other functions
-/// at any time. Writing is wait-free; a reader that the writer overtakes by a whole ring is told.
+/// at any time. Writing is wait-free. If the writer overwrites the row that a reader copies, the
+/// read returns kOvertaken.
 class StateTable {
  public:
-  /// The fewest rows by default, as far as kDefaultBytes hold them.
+  /// The default number of rows is at least this, if kDefaultBytes suffice.
   static constexpr std::size_t kMinimumLength = 256;
   static constexpr std::size_t kMaximumLength = std::size_t{1} << 24;
   static constexpr std::size_t kDefaultBytes = std::size_t{16} << 20;
@@ -47,7 +48,7 @@ class StateTable {
     AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
   }
   /// The same for a dynamic type. A value of more than `capacity` bytes on the wire is left out of
-  /// its row: readers are told that it is absent, and the column counts it.
+  /// its row: reads return kAbsent, and the column counts it.
   template <typename T>
   requires(!FixedPayload<T>) void Add(const T& variable, std::string name, std::size_t capacity) {
     static_assert(RequirePayload<T>());
@@ -66,35 +67,36 @@ class StateTable {
         std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
   }
 
-  /// Number of rows that can be read back at least, whatever memory they take. Throws
+  /// Sets how many rows can be read back at least, whatever memory this needs. Throws
   /// ConfigurationError if it is not 1 to kMaximumLength, or if rows have been written. Reallocates
   /// the rows if they exist.
   void SetLength(std::size_t rows);
   /// The rows of one second: at least kMinimumLength, at most as many as kDefaultBytes hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
-  /// From now on no cycle writes a row; the code that fills the table calls Advance().
+  /// From now on, cycles write no rows; the author's code calls Advance().
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
-  /// Shortest time between rows that cycles write. With 0, the default, each cycle writes one.
+  /// Sets the shortest time between two rows written by cycles. With 0, the default, each cycle
+  /// writes a row.
   void SetShortestInterval(std::chrono::nanoseconds interval) noexcept { interval_ = interval; }
-  /// No column can be added from now on. Allocates the rows and touches their memory, so that the
-  /// first cycle need not.
+  /// Ends the adding of columns. Allocates the rows and touches their memory, so that the first
+  /// cycle has no page faults.
   void Prepare();
   /// Encodes every variable into a new row, which becomes the newest. Allocates nothing after
   /// Prepare(), which it calls itself if needed.
   void Advance(SteadyTime now) noexcept;
-  /// The same for a task after its cycle, unless rows are written by hand, or the last one is too
-  /// young.
+  /// Called by a task after its cycle: Advance(), unless AdvanceOnlyByHand() was called or the
+  /// shortest interval has not passed.
   void AdvanceAfterCycle(SteadyTime now) noexcept {
     if (is_by_hand_ || (interval_.count() > 0 && IsTooEarly(now))) return;
     Advance(now);
   }
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// As set; 0 before that.
+  /// As set; 0 if not set yet.
   [[nodiscard]] std::size_t length() const noexcept { return length_; }
   /// Random; distinguishes this table's ticks from those of an earlier one of the same name.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
-  /// Number of rows written; the newest has the tick before.
+  /// Number of rows written; the newest row has this number minus 1 as its tick.
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
   /// The oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }
@@ -151,7 +153,7 @@ class StateTable {
   std::size_t row_words_ = 0;
   std::vector<std::unique_ptr<ColumnBase>> columns_;
   std::vector<std::unique_ptr<RowFilter>> filters_;
-  std::vector<std::uint64_t> row_;  // where the writer encodes
+  std::vector<std::uint64_t> row_;  // the row that the writer encodes
   bool is_prepared_ = false;
   bool is_by_hand_ = false;
   std::chrono::nanoseconds interval_{0};

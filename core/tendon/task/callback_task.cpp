@@ -27,7 +27,7 @@ void CallbackTask::ServeWaiting() {
   const std::unique_lock lock(driving_, std::try_to_lock);
   if (!lock || !has_orders()) return;
   ObeyOrders();
-  TaskLife::Unbind(*this);  // this thread waits for a state; the driver's makes the cycles
+  TaskLife::Unbind(*this);  // this thread only waits; the driver's thread makes the cycles
 }
 
 }  // namespace tendon

@@ -10,8 +10,8 @@ namespace tendon {
 /// A task whose cycles run in a foreign thread: a callback of a driver, or a loop of the program.
 ///
 /// Startup() and Cleanup() run in the thread that starts or stops the task, or in the driver's
-/// thread if that comes first, but never during a cycle. Usually Startup() registers the callback
-/// with the driver, and Cleanup() removes it.
+/// thread if it makes a cycle first, but never during a cycle. Usually Startup() registers the
+/// callback with the driver, and Cleanup() removes it.
 class CallbackTask : public Task {
  public:
   /// Makes a cycle in the calling thread. Returns false without effect if the task is not active,
@@ -21,16 +21,16 @@ class CallbackTask : public Task {
  protected:
   explicit CallbackTask(std::string name) : Task(std::move(name)) {}
 
-  /// Makes a cycle that was due at `due`.
+  /// The same for a cycle that was due at `due`.
   bool CycleDue(SteadyTime due);
-  /// Counts cycles that the driver has skipped. In the thread that makes the cycles.
+  /// Counts cycles that the driver has skipped. Called in the thread that makes the cycles.
   void SkipCycles(std::uint64_t cycles);
 
   Result<void> Launch() override;
   void ServeWaiting() override;
 
  private:
-  std::mutex driving_;  // held during cycles and while orders are obeyed; nobody waits for it
+  std::mutex driving_;  // held during cycles and while orders are obeyed; only try_lock
 };
 
 }  // namespace tendon

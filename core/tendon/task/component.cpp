@@ -22,7 +22,8 @@ bool IsReserved(const std::string& name) { return name == "state" || name.starts
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// Finds the transition of the request, or why it is refused. `mutex` guards state changes.
+/// Finds the transition for a request, or the error that says why it is refused. `mutex` guards
+/// state changes.
 Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
                                  LifeRequest request) {
   const std::scoped_lock lock(mutex);  // the state and the flag change together
@@ -127,7 +128,7 @@ Result<void> Component::Start(Patience patience, const std::function<bool()>& pr
   }
   if ((*transition)->configures_first) {
     if (!RunGuarded("Configure", [this] { Configure(); })) {
-      return WaitFor(ComponentState::kReady, kNoWait);  // returns the reason
+      return WaitFor(ComponentState::kReady, kNoWait);  // fails, with the reason
     }
     {
       const std::scoped_lock lock(mutex_);
@@ -156,7 +157,7 @@ Result<void> Component::Stop(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kStop);
   if (!transition) return transition.error();
   {
-    const std::scoped_lock lock(mutex_);  // it may have ended by itself meanwhile
+    const std::scoped_lock lock(mutex_);  // the component may have ended by itself meanwhile
     is_stopping_.Set(is_starting() || IsRunning(state()));
   }
   Halt();
@@ -235,7 +236,7 @@ ProvidedInterface& Component::AddProvidedInterface(PlacedName name) {
 
 ProvidedInterface& Component::AddReservedInterface(PlacedName name) {
   RequireNew("provided interface", name, *this, sealed_, added_at_);
-  // State tables stay readable after a fault, when their records matter most.
+  // State tables have no host: they stay readable after a fault, when their records matter most.
   const Host* const host = IsReserved(name.text) ? nullptr : &host_;
   provided_.push_back(
       std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), host));
@@ -262,7 +263,7 @@ Result<void> Component::Resume() {
 }
 
 void Component::Halt() {
-  host_.SetAccepting(false);  // before Cleanup() releases data that calls use
+  host_.SetAccepting(false);  // before Cleanup() frees data that calls use
   const BlockWhenFull get_through;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
@@ -281,10 +282,10 @@ bool Component::TellOfPeers(RequiredInterface& interface) {
     if (!interface.TakePeer()) return true;
     if (!is_told_first) interface.AdmitPeer();
     if (!RunGuarded("OnConnected", [&] { OnConnected(interface); })) {
-      if (inbox_) interface.ForgetPeer();  // it is told again at the next start
+      if (inbox_) interface.ForgetPeer();  // OnConnected() runs again at the next start
       return false;
     }
-    // For a component without a thread, the caller of this function admits the peer.
+    // If the component has no thread, the caller of this function admits the peer.
     if (is_told_first && inbox_) interface.AdmitPeer();
   }
 }
@@ -300,7 +301,7 @@ bool Component::TellOfGoneClient(const DisconnectedClient& client) {
 
 bool Component::TellOfConnections() {
   for (const auto& one : required_) {
-    // A component without a thread is told by the threads that change its connections.
+    // A component without a thread is notified by the threads that change its connections.
     if (inbox_ && !TellOfPeers(*one)) return false;
   }
   bool is_good = true;
@@ -347,7 +348,7 @@ void Component::KeepGoneClient(DisconnectedClient client) {
   const auto is_same = [&client](const DisconnectedClient& one) {
     return one.provided == client.provided && one.name == client.name;
   };
-  // A suspended component hears of each client once, however often that came and went.
+  // A suspended component is notified once per client, however often the client has come and gone.
   if (state() == ComponentState::kSuspended && gone_clients_.HasUnread(is_same)) return;
   gone_clients_.Send(std::move(client));
 }
@@ -382,7 +383,8 @@ void Component::SetState(ComponentState state) {
     const std::scoped_lock lock(mutex_);
     is_starting_.Set(false);
     if (!IsRunning(state)) is_stopping_.Set(false);
-    // A fault that another thread has caused ends with the next start, not with this change.
+    // If another thread has faulted the component meanwhile, the state stays faulted until the next
+    // start.
     if (host_.is_faulted()) state = ComponentState::kFaulted;
     host_.SetAccepting(state == ComponentState::kActive);
     state_.Set(state);

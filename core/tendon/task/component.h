@@ -29,19 +29,19 @@ namespace tendon {
 /// How long a request waits for its target state.
 using Patience = std::chrono::nanoseconds;
 inline constexpr Patience kPatience = std::chrono::seconds(10);
-/// Only requests: the state changes when the component's thread gets to it.
+/// Do not wait: the state changes when the component's thread handles the request.
 inline constexpr Patience kNoWait{0};
 
 /// A named object with interfaces and a life cycle, but without a thread of its own: while it is
 /// active, its commands and event handlers run in the threads that call them. A Task adds a thread.
 ///
 /// An exception in one of the author's functions faults the component and nothing else. From then
-/// on, calls of its peers, even reads, return kNotActive. Waiting calls end, and threads that wait
-/// for its events are told. Its connections stay and work again after a restart; queued calls are
+/// on, calls of its peers, even reads, return kNotActive. Waiting calls end, and waits for its
+/// events return kNotActive. Its connections stay and work again after a restart; queued calls are
 /// dropped. Its tables stay readable through its `state` interfaces.
 ///
 /// The constructor of a derived class adds the interfaces. A manager owns the component and drives
-/// its life cycle. One thread at a time calls the functions below "For managers".
+/// its life cycle. Only one thread at a time may call the functions below "For managers".
 class Component {
  public:
   explicit Component(std::string name);
@@ -52,13 +52,14 @@ class Component {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// Any thread.
   [[nodiscard]] ComponentState state() const noexcept { return state_.Get(); }
-  /// The reason of the fault: the exception's message and its place. Any thread; allocates.
+  /// The reason of the fault: the exception's message and the function that threw. Any thread;
+  /// allocates.
   [[nodiscard]] std::string fault() const;
   /// Wall-clock time of the fault; 1970 if there is none. Any thread.
   [[nodiscard]] std::chrono::system_clock::time_point fault_time() const;
   /// Seconds between two cycles; 0 without a period.
   [[nodiscard]] virtual double period() const { return 0.0; }
-  /// Empty unless it is a task.
+  /// Empty if the component is not a task.
   [[nodiscard]] virtual std::vector<const StateTable*> tables() const { return {}; }
 
   /// Null if there is none.
@@ -67,36 +68,40 @@ class Component {
   [[nodiscard]] std::vector<ProvidedDescription> provided() const;
   [[nodiscard]] std::vector<RequiredDescription> required() const;
 
-  /// Returns when it is in that state. kTimeout: not within `patience`; kFailed: it is faulted. Any
-  /// thread but the component's own.
+  /// Waits until the component is in that state. kTimeout: not within `patience`; kFailed: the
+  /// component is faulted. Any thread except the component's own.
   Result<void> WaitFor(ComponentState state, Patience patience);
 
   // For managers.
 
   /// Ends the construction: no interface and no member can be added from now on.
   virtual void Seal();
-  /// Each request follows the table of transitions and waits for its target state like WaitFor().
-  /// An illegal request fails with kFailed. Start() first calls Configure(), in the calling thread,
-  /// if needed. Stop() is also legal during a start: the component ends without having run, or as
-  /// soon as its Startup() has returned.
-  /// If `proceed` is given, it is asked before and after Configure(). If it returns false, the
-  /// component is not started, and Start() fails with kFailed.
+  /// The requests follow the table of transitions and wait for the target state like WaitFor(). An
+  /// illegal request fails with kFailed. Start() first calls Configure(), in the calling thread, if
+  /// needed. Stop() is also legal during a start: the component ends before it runs, or as soon as
+  /// its Startup() has returned. `proceed` is called before and after Configure(); if it returns
+  /// false, the component is not started, and Start() fails with kFailed.
   Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
   Result<void> Suspend(Patience patience = kPatience);
   Result<void> Stop(Patience patience = kPatience);
-  /// Like WaitFor(), after the state was requested; kFailed if it is stopped instead.
+  /// Like WaitFor(), for a state that was requested before; kFailed if the component is stopped
+  /// instead.
   Result<void> WaitForEffect(ComponentState state, Patience patience);
-  /// True if it was asked to start, and is neither active nor faulted yet.
+  /// True from the request to start until the component is active, faulted or stopped.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
-  /// True if it was asked to stop and still runs. Until it has ended, it accepts no other request.
+  /// True if a stop was requested and the component has not ended yet. Until then it refuses other
+  /// requests.
   [[nodiscard]] bool is_stopping() const noexcept { return is_stopping_.Get(); }
-  /// True if it is neither active nor suspended, nor starting: none of its functions runs.
+  /// True if the component is not active, suspended or starting, so that none of its functions
+  /// runs.
   [[nodiscard]] bool is_at_rest() const;
-  /// Stops it if it runs, and waits for the end without a limit; then it can be destroyed.
+  /// Stops the component if it runs, and waits for the end without a limit. Afterwards it can be
+  /// destroyed.
   void End();
-  /// The fill of its fullest mailbox; 0 of 0 if it has none. Any thread; locks.
+  /// The fill level of its fullest mailbox; zeros if it has none. Any thread; locks.
   [[nodiscard]] Inbox::Fill mailbox_fill() const;
-  /// `observer` runs after each state change, in the thread that made it. It must not call back.
+  /// `observer` runs after each state change, in the thread that made it. It must not call this
+  /// component.
   void SetStateObserver(std::function<void()> observer);
 
  protected:
@@ -112,65 +117,67 @@ class Component {
   virtual void Configure() {}
   /// Called before the first cycle, in the component's thread if it has one. May throw.
   virtual void Startup() {}
-  /// Called after the last cycle, in the component's thread if it has one. Its connections still
-  /// work: the commands it sends arrive. May throw.
+  /// Called after the last cycle, in the component's thread if it has one. The connections still
+  /// work, so commands that it sends reach their servers. May throw.
   virtual void Cleanup() {}
 
   // Notifications of changes, in the component's thread before its next Run(). They may throw, and
-  // must return within the cycle's time. A cycle without a change pays nothing for them. Changes
-  // while the component does not run are told before Startup(); changes while it is suspended,
+  // must return within the cycle's time. They cost nothing in a cycle without a change. Changes
+  // while the component does not run are notified before Startup(); changes while it is suspended,
   // before OnResume().
 
-  /// `interface` has a new peer. Anything may differ from the last peer, such as the position of
-  /// the robot. Calls reach the new peer from here on, not earlier. (If other threads call too:
-  /// from the return on. A component without a thread is told in the thread that connects, in any
-  /// state.)
+  /// `interface` has a new peer. Everything may differ from the last peer, such as the position of
+  /// the robot. Calls reach the new peer from this call on; if other threads may call too, from its
+  /// return on. For a component without a thread, this runs in the thread that connects, in any
+  /// state.
   virtual void OnConnected(RequiredInterface& /*interface*/) {}
-  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). A
-  /// component without a thread is told in the thread that disconnects; there, its calls still
-  /// reach the peer, if it exists.
+  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). For
+  /// a component without a thread, this runs in the thread that disconnects; there, its calls still
+  /// reach the peer, if the peer exists.
   virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
-  /// It was suspended, perhaps for long, and continues: the world may have changed.
+  /// The component continues after a suspension. Its environment may have changed meanwhile.
   virtual void OnResume() {}
   /// A client that could call `interface` is disconnected or lost; none of its calls will be
-  /// executed any more. Called while the component runs, or after it has resumed. `client` is its
-  /// name for the manager: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in
-  /// another one. A component without a thread is told at once, in the thread that disconnects.
-  /// Consoles and windows that call commands by name are not clients.
+  /// executed any more. Called while the component runs, or after it has resumed. `client` is the
+  /// name that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot"
+  /// in another one. For a component without a thread, this runs at once, in the thread that
+  /// disconnects. Consoles and windows that call commands by name are not clients.
   virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
-  // How the requests work, once they are known to be legal. They need not wait for their effect.
+  // Implementations of the requests, called if the request is legal. They need not wait for the
+  // effect.
 
   /// Lets the component run until Halt(). A task starts its thread.
   virtual Result<void> Launch();
   virtual void Pause();
   virtual Result<void> Resume();
   virtual void Halt();
-  /// Called now and then in a thread that waits for a state: for work without a thread of its own.
+  /// Called repeatedly in a thread that waits for a state: does the work of a component without a
+  /// thread.
   virtual void ServeWaiting() {}
 
-  // For kinds of components, in the thread that runs the author's functions. False if one of these
-  // has thrown: the component is faulted.
+  // For derived kinds of components, in the thread that runs the author's functions. They return
+  // false if one of these functions has thrown; then the component is faulted.
 
-  /// Tells of new and lost peers, and of lost clients.
+  /// Calls OnConnected(), OnDisconnected() and OnClientGone() for all changes.
   bool TellOfConnections();
-  /// Tells of the resumption, after everything else.
+  /// Calls TellOfConnections(), then OnResume().
   bool TellOfResume();
-  /// Tells of the peers that have changed before a start. Lost clients are not told: the effects of
-  /// their calls ended with the last run.
+  /// Calls OnConnected() and OnDisconnected() before a start. Does not call OnClientGone(): the
+  /// effects of a client's calls ended with the last run.
   bool TellBeforeStartup();
   /// Ends the effects of commands that were not renewed by `now`.
   void EndExpired(SteadyTime now);
-  /// The time by which the next command must be renewed; the largest time if there is none.
+  /// The time at which the next effect of a command expires; the largest time if there is none.
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
-  /// In a manager's thread: there is something to tell.
+  /// Called in a manager's thread when the peer of `interface` has changed, or a client is gone.
   virtual void HearOfPeer(RequiredInterface& interface);
   virtual void HearOfGoneClient(DisconnectedClient client);
   void KeepGoneClient(DisconnectedClient client);
 
-  /// Runs one of the author's functions. An exception faults the component; `where` is read then,
-  /// and names the place.
+  /// Runs one of the author's functions. An exception faults the component; then `where` names the
+  /// place in the error text.
   template <typename Body>
   bool RunGuarded(const char* const& where, Body body) {
     try {
@@ -182,10 +189,10 @@ class Component {
     }
   }
   void EnterFault(const char* where, const std::string& reason);
-  /// The place of a fault if a command or event handler has thrown.
+  /// The place of the fault if a command or event handler throws.
   static constexpr const char* kInHandler = "a command or event handler";
-  /// One of its handlers has thrown in a foreign thread, the calling one. Only logged if the
-  /// component does not run.
+  /// Called in a foreign thread in which a handler of the component has thrown. Only logs the
+  /// reason if the component does not run.
   virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
@@ -193,7 +200,8 @@ class Component {
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  // Apart from the functions above, a base class has no names that an author might use.
+  // Names in a base class might collide with names of an author's class, so there are no further
+  // protected ones.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
   bool TellOfPeers(RequiredInterface& interface);

@@ -14,7 +14,7 @@ enum class ComponentState : std::int32_t {
   kConstructed,
   kReady,  ///< configured
   kActive,
-  kSuspended,  ///< its cycles pause, and only time is lost; a start resumes it
+  kSuspended,  ///< its cycles pause, without losing data; a start resumes it
   kFinished,
   kFaulted,  ///< one of its functions threw; a start configures it again
 };
@@ -32,7 +32,7 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// True if there is work that a fault or an end could interrupt.
+/// True if the component works, so that a fault or a stop would interrupt it.
 [[nodiscard]] constexpr bool IsRunning(ComponentState state) noexcept {
   return state == ComponentState::kActive || state == ComponentState::kSuspended;
 }
@@ -44,8 +44,8 @@ enum class LifeRequest : std::uint16_t { kStart, kSuspend, kStop };
 struct Transition {
   ComponentState from;
   LifeRequest request;
-  ComponentState to;           ///< `from` if it is refused
-  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if it is legal
+  ComponentState to;           ///< equal to `from` if the request is refused
+  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if legal
   bool configures_first = false;
 };
 

@@ -7,8 +7,7 @@
 namespace tendon {
 
 /// A task whose next cycle begins when the last one has ended: for a Run() that waits by itself, or
-/// that needs all the time it can get. Its tables get a row at most once a millisecond, unless set
-/// otherwise.
+/// that should use all available time. By default, its tables get at most one row per millisecond.
 class ContinuousTask : public ThreadedTask {
  protected:
   explicit ContinuousTask(std::string name);

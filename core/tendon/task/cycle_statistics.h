@@ -9,16 +9,16 @@ namespace tendon {
 /// Statistics of a task's last cycle; the column `Cycle` of its default state table.
 struct CycleStatistics {
   double period = 0.0;         ///< s from the previous cycle to this one; 0 in the first
-  double lateness = 0.0;       ///< s after the time it was due
-  double compute = 0.0;        ///< s that the previous cycle computed
+  double lateness = 0.0;       ///< s from the due time to the begin
+  double compute = 0.0;        ///< s that the previous cycle took
   double load = 0.0;           ///< compute / wanted period; 0 without a period
-  std::uint64_t overruns = 0;  ///< cycles skipped since the start because one took too long
+  std::uint64_t overruns = 0;  ///< cycles skipped since the start, because others took too long
 };
 
 /// Distribution of a time over some cycles. The percentiles are accurate to 3 %.
 struct TimeStatistics {
   double mean = 0.0;       ///< s
-  double deviation = 0.0;  ///< s; of the sample, so 0 for a single cycle
+  double deviation = 0.0;  ///< s; standard deviation of the sample, 0 for a single cycle
   double min = 0.0;        ///< s
   double max = 0.0;        ///< s
   double p50 = 0.0;        ///< s
@@ -28,7 +28,7 @@ struct TimeStatistics {
 /// Statistics over a window of one second and at least ten cycles, replaced when the next window is
 /// full. The column `CycleSummary` of a task's default state table.
 struct CycleSummary {
-  std::uint64_t cycles = 0;  ///< in the window; 0 until the first is full
+  std::uint64_t cycles = 0;  ///< cycles in the window; 0 until the first window is full
   TimeStatistics period;
   TimeStatistics lateness;
   TimeStatistics compute;

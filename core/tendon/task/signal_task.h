@@ -8,7 +8,7 @@ namespace tendon {
 
 /// A task that sleeps until a command or an event is queued to it, and then makes a cycle. Its
 /// Run() executes the queued calls with ProcessQueuedCommands(), and is called again while calls
-/// wait. A command that expires also wakes the task.
+/// are left. The end of an effect that was not renewed also wakes the task.
 class SignalTask : public ThreadedTask {
  protected:
   explicit SignalTask(std::string name);

@@ -19,7 +19,7 @@ class ColumnReadCommand final : public CommandBase {
       const std::uint64_t next = table_.next_tick();
       if (next == 0) return Status::kNoSample;
       std::int64_t time = 0;
-      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // lapped
+      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // overwritten
       const std::span<const std::byte> cell = table_.cell(*row, column_);
       if (cell.empty()) return Status::kNoSample;
       out.Take(cell);

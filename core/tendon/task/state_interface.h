@@ -5,9 +5,9 @@
 
 namespace tendon {
 
-/// Adds one read command per column to `interface`, which lets others see the table. They read
-/// encoded values, which a caller with the column's type converts. `table` must outlive
-/// `interface`.
+/// Adds one read command per column to `interface`, through which others read the table. The
+/// commands return encoded values, which a caller with the column's type converts. `table` must
+/// outlive `interface`.
 void AddColumnReads(const StateTable& table, ProvidedInterface& interface);
 
 }  // namespace tendon

@@ -39,7 +39,7 @@ StateTable& Task::AddStateTable(const std::string& name) {
                                "'; choose another name");
     }
   }
-  if (FindProvided(state_table().name()) != nullptr) {  // it is sealed
+  if (FindProvided(state_table().name()) != nullptr) {  // sealed already
     throw AddedTooLate("state table '" + name + "'", "component '" + this->name() + "'",
                        "state " + std::string(ToString(state())));
   }
@@ -77,7 +77,7 @@ std::size_t Task::ProcessQueuedCommands() {
   return executed;
 }
 
-/// After the commands that have arrived: the effects that they renew go on.
+/// Called after the queued commands, so that effects which they renew do not expire.
 void Task::EndExpiredNow() {
   if (next_expiry() == SteadyTime::max()) return;
   EndExpired(SteadyClock().Now());
@@ -131,7 +131,7 @@ void Task::EndFollowers() {
 
 void Task::PrepareStart() {
   has_failed_outside_.Set(false);
-  // Calls that waited when the task ended were meant for the world of that time.
+  // Calls that waited when the task ended are outdated now.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
         Counted(stale, "call", "calls") + " that waited when it ended " +
@@ -168,7 +168,8 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
 
 void Task::HearOfPeer(RequiredInterface& interface) {
   TaskLife::CallThread(*this);
-  // After CallThread(): a start before it is seen here, and a start after it tells of the peer.
+  // The order matters: a start before CallThread() is visible here, and a start after it calls
+  // OnConnected().
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 

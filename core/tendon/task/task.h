@@ -19,10 +19,10 @@ class CycleLog;
 class Task;
 class TaskLife;
 
-/// The effect of a post on the thread that makes the cycles.
+/// Whether a posted call wakes the thread that makes the cycles.
 enum class Posts {
   kWait,  ///< the post waits until a cycle executes it
-  kWake,  ///< it wakes a thread that sleeps on Task::wakeup()
+  kWake,  ///< the post wakes a thread that sleeps on Task::wakeup()
 };
 
 using TaskFollowers = std::vector<Task*>;
@@ -31,7 +31,7 @@ using TaskFollowers = std::vector<Task*>;
 struct alignas(8) TaskOrder {  // one word, so that it is published without a lock
   std::uint32_t number = 0;
   LifeRequest request = LifeRequest::kStop;
-  bool ends_start = false;  ///< a stop that also ends a start in progress
+  bool ends_start = false;  ///< for a stop: also ends a start in progress
 };
 
 /// A component with cycles, a state table and mailboxes. Commands and events that others send wait
@@ -46,12 +46,12 @@ class Task : public Component {
   [[nodiscard]] std::vector<const StateTable*> tables() const override;
   void Seal() override;
 
-  /// The task after which it runs, or null. For managers.
+  /// The task after which this one runs, or null. For managers.
   [[nodiscard]] const Task* leader() const { return leader_.Get(); }
-  /// For managers: it no longer runs after another task. kTimeout if the leader's cycle has not
-  /// ended by `deadline`; then nothing has changed. It must be at rest.
+  /// For managers: from now on, the task does not run after another one. kTimeout if the leader's
+  /// cycle has not ended by `deadline`; then nothing has changed. The task must be at rest.
   Result<void> LeaveLeader(SteadyTime deadline);
-  /// Time since its last cycle began; 0 while it is not active. Any thread.
+  /// Time since the last cycle began; 0 while the task is not active. Any thread.
   [[nodiscard]] std::chrono::nanoseconds SinceLastCycle(SteadyTime now) const noexcept;
   /// The period() at the last start. Any thread.
   [[nodiscard]] std::chrono::duration<double> started_period() const noexcept {
@@ -64,23 +64,25 @@ class Task : public Component {
 
   /// The table `state`: variables added to it are recorded once a cycle, after Run().
   StateTable& state_table() { return *tables_.front(); }
-  /// Adds a table, which others see as the interface `state-NAME`; also recorded once a cycle.
+  /// Adds a table, which is the provided interface `state-NAME`; also recorded once a cycle.
   StateTable& AddStateTable(const std::string& name);
 
-  /// The shortest time between two rows of its tables; for constructors, before tables are added.
+  /// Sets the shortest time between two rows of its tables. For constructors, before tables are
+  /// added.
   void SetShortestInterval(std::chrono::nanoseconds interval);
 
-  /// One cycle of the author's work, in the task's thread. An exception faults the task. Log
-  /// records are queued (CycleLog).
+  /// One cycle of the author's work, in the task's thread. An exception faults the task. Log()
+  /// queues its records (CycleLog).
   virtual void Run() = 0;
 
   /// Executes the queued commands and events in the calling thread, which must be the task's, and
-  /// returns their number. The author calls it in Run(): the moment is a control decision.
+  /// returns their number. The author calls it in Run(), at the point of the control cycle that
+  /// suits.
   std::size_t ProcessQueuedCommands();
 
-  // For kinds of tasks, in the thread that makes the cycles.
+  // For derived kinds of tasks, in the thread that makes the cycles.
 
-  /// Obeys the orders given to this task and to those that run after it.
+  /// Obeys the orders given to this task and to the tasks that run after it.
   void ObeyOrders();
   /// True if there are orders to obey.
   [[nodiscard]] bool has_orders() const noexcept { return orders_.Get() != orders_seen_; }
@@ -90,29 +92,30 @@ class Task : public Component {
   bool DoCycle(SteadyTime now) { return DoCycle(now, now); }
   /// End of the last cycle, including the cycles of the tasks that run after this one.
   [[nodiscard]] SteadyTime cycle_end() const { return cycle_end_; }
-  /// Counts cycles skipped because one took too long, here and in the tasks that run after it.
+  /// Adds skipped cycles to the statistics of this task and of the tasks that run after it.
   void AddOverruns(std::uint64_t cycles);
-  /// Ends the tasks that run after this one, for a thread that makes no more cycles.
+  /// Ends the tasks that run after this one. Called by a thread that makes no more cycles.
   void EndFollowers();
-  /// Called when it has become active, at a start and at a resumption.
+  /// Called when the task has become active, after a start or a resumption.
   virtual void OnActive() {}
 
   /// Notified of orders, and of posts with Posts::kWake.
   Wakeup<>& wakeup() { return wakeup_; }
-  /// Time between two rows; tables get about one second of rows.
+  /// Time between two rows, from which the default length of tables follows: about one second.
   [[nodiscard]] virtual std::chrono::nanoseconds row_period() const;
 
   // For managers.
 
   /// Prepares a start, before its order: drops the calls that waited when the task ended.
   void PrepareStart();
-  /// Makes the thread of the cycles obey; if there is none now, the calling thread does.
+  /// Gives an order, which the thread that makes the cycles obeys; without such a thread, the
+  /// calling thread obeys it.
   void GiveOrder(LifeRequest request, bool ends_start = false);
   void Pause() override { GiveOrder(LifeRequest::kSuspend); }
   Result<void> Resume() override;
   void Halt() override { GiveOrder(LifeRequest::kStop, is_starting()); }
-  /// Runs after `leader` from now on, not after its former leader. Both tasks must exist, and this
-  /// one must be at rest. Errors are those of LeaveLeader().
+  /// Makes the task run after `leader` instead of its former leader. Both tasks must exist, and
+  /// this one must be at rest. Errors are those of LeaveLeader().
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
@@ -120,7 +123,7 @@ class Task : public Component {
   void HearOfGoneClient(DisconnectedClient client) override;
 
  private:
-  friend TaskLife;  // the rest of its work; its names are not in an author's way
+  friend TaskLife;  // the rest of a task's work; see there
 
   void EndExpiredNow();
 
@@ -129,7 +132,7 @@ class Task : public Component {
   std::chrono::nanoseconds shortest_interval_{0};
   CycleMeter meter_;
   Wakeup<> wakeup_;
-  const char* doing_ = "Run";  // the author's function that runs in a cycle
+  const char* doing_ = "Run";  // the author's function that runs now
   bool rests_with_leader_ = false;
   SteadyTime cycle_end_{};
   Published<SteadyTime> last_begin_;
@@ -137,8 +140,8 @@ class Task : public Component {
 
   Published<TaskOrder> order_;
   std::uint32_t obeyed_ = 0;
-  Published<std::uint64_t> orders_;  // orders of all tasks in this thread, and faults from outside;
-                                     // counted in the first task
+  Published<std::uint64_t> orders_;  // number of orders and outside faults of all tasks in this
+                                     // thread; used in the first task
   std::uint64_t orders_seen_ = 0;
 
   Flag has_failed_outside_;

@@ -14,18 +14,17 @@ enum class SchedulingPolicy : std::int32_t {
   kRoundRobin,  ///< SCHED_RR: shares with threads of the same priority
 };
 
-/// How a task's own thread runs; applied at each start. Options that the machine refuses are left
-/// out, with one warning in the life of the process.
+/// Options of a task's own thread, applied at each start. Options that the machine refuses are
+/// ignored, with one warning per process.
 struct ThreadOptions {
   SchedulingPolicy policy = SchedulingPolicy::kNormal;
   std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, else 0
   std::vector<std::int32_t> cpus;  ///< the processors it may run on, 0 to 1023; empty: any
-  bool lock_memory = false;        ///< keeps the pages of the whole process in memory
-  std::uint64_t stack_bytes = 0;   ///< of the stack, touched before the first cycle; at most 4 MiB
-  /// How much later a sleep may end, to save power: 1 ns to 100 ms. It also delays the end of the
-  /// task.
+  bool lock_memory = false;        ///< locks the memory of the whole process
+  std::uint64_t stack_bytes = 0;   ///< stack to touch before the first cycle; at most 4 MiB
+  /// How late a sleep may end, to save power: 1 ns to 100 ms. It also delays the stop of the task.
   std::chrono::nanoseconds timer_slack{1};
-  /// Periodic tasks wake this much earlier, at most 1 s, and spin until the cycle is due.
+  /// Periodic tasks wake earlier by this time, at most 1 s, and spin until the cycle is due.
   std::chrono::nanoseconds spin{0};
 
   bool operator==(const ThreadOptions&) const = default;

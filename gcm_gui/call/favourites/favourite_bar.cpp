@@ -99,7 +99,7 @@ void FavouriteBar::show(const Button& one) {
 }
 
 void FavouriteBar::call(const Favourite& favourite) {
-  // The activity list shows the result.
+  // The result is shown in the activity list.
   calls_.callCommand(favourite.path.toStdString(), favourite.argument.toStdString(),
                      [](const auto& /*answer*/, double /*seconds*/) {});
 }

@@ -21,7 +21,7 @@ class FavouriteBar : public QToolBar {
                QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A sentence about why a button did nothing.
+  /// A sentence that says why a button did nothing.
   void notice(const QString& text);
   void pathChosen(const QString& path);
 

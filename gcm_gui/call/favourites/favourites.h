@@ -14,12 +14,12 @@ struct Favourite {
   bool operator==(const Favourite&) const = default;
 };
 
-/// The favourite commands by path, whether they exist now or not. Kept in a file, if there is one.
+/// The favourite commands by path, whether they exist now or not. Saved in a file, if one is given.
 class Favourites : public QObject {
   Q_OBJECT
 
  public:
-  /// With an empty file name nothing is kept.
+  /// With an empty file name, nothing is saved.
   explicit Favourites(const QString& file, QObject* parent = nullptr);
 
   [[nodiscard]] const QList<Favourite>& all() const { return all_; }

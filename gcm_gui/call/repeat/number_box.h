@@ -8,7 +8,8 @@
 namespace tendon::gui {
 
 /// A spin box that keeps the number as typed, in every locale, and keeps an invalid text until it
-/// is corrected: dropping letters or restoring the old value would silently give another number.
+/// is corrected, because dropping letters or restoring the old value would silently change the
+/// number.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -17,7 +18,7 @@ class NumberBox : public QDoubleSpinBox {
 
   explicit NumberBox(Numbers numbers, QWidget* parent = nullptr);
 
-  /// What is wrong with the text, and what to write; empty if it is valid.
+  /// The mistake in the text, and what to write; empty if it is valid.
   [[nodiscard]] QString refusal() const;
 
  Q_SIGNALS:

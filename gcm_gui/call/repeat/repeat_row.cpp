@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kHighestRate = 50;  // Hz; faster calls belong into a component
 constexpr int kMostTimes = 100000;
-constexpr double kCallsUntilItExpires = 2;  // one may be late
+constexpr double kCallsUntilItExpires = 2;  // one call may be late
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace tendon::gui {
 class NumberBox;
 
 /// The rate and number of repeated calls, and a button that starts and stops them. If a call can
-/// set something in motion, the calls go on only while the button is held down.
+/// set something in motion, calls are only made while the button is held down.
 class RepeatRow : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class RepeatRow : public QWidget {
   [[nodiscard]] const Repeater& repeater() const { return repeater_; }
 
  Q_SIGNALS:
-  /// "12 calls" and their outcome; `is_bad` if a refusal ended them.
+  /// "12 calls" and their outcome; `is_bad` is true if a refusal ended them.
   void told(const QString& text, bool is_bad);
 
  protected:
@@ -50,7 +50,7 @@ class RepeatRow : public QWidget {
   std::function<std::string()> argument_;
   QString path_;
   bool careful_ = false;
-  QTimer hold_;  // until the calls start, if the button must be held
+  QTimer hold_;  // delay before the calls start, if the button must be held
 
   bool is_callable_ = true;
   bool is_refused_ = false;  // a typed number is invalid

@@ -10,9 +10,9 @@
 
 namespace tendon::gui {
 
-/// Calls one command repeatedly, with at most one call under way: a call that is due before the
-/// last answer is skipped, even across a new start(). Ends after a number of calls, at the first
-/// refusal, or on stop(); a call under way is not taken back.
+/// Calls one command repeatedly, with at most one unanswered call: a call that is due before the
+/// last answer is skipped, even after a new start(). Ends after a number of calls, at the first
+/// refusal, or on stop(); a call that was sent is not cancelled.
 class Repeater : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class Repeater : public QObject {
 
  Q_SIGNALS:
   void progressed();
-  /// With the reason if a call was refused.
+  /// The calls have ended; `refusal` is the reason if a call was refused.
   void stopped(const QString& refusal);
 
  private:

@@ -58,7 +58,7 @@ void Emphasis::refresh() {
 
 void Emphasis::raise() {
   veil_->cover(scene_.contents().adjusted(-kAround, -kAround, kAround, kAround));
-  // Keeps the last part raised until the veil is gone; it would be dimmed otherwise.
+  // Keeps the last part raised until the veil is gone; otherwise it would be dimmed.
   if (!names().empty() || veil() == 0) raised_ = names();
   for (const auto& [path, item] : scene_.components()) {
     item->setRaised(raised_.components.contains(path));

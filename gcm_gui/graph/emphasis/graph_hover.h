@@ -14,8 +14,8 @@ class CardItem;
 class EdgeItem;
 class GraphScene;
 
-/// Highlights the item under the pointer with everything connected to it, and shows the health of a
-/// connection on a card. Inactive in connect mode, which has its own marks.
+/// Highlights the item under the pointer together with everything connected to it, and shows the
+/// health of a connection on a card. Inactive in connect mode, which has its own marks.
 class GraphHover : public QObject {
   Q_OBJECT
 

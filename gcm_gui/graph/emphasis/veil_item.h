@@ -10,14 +10,14 @@ class VeilItem : public QGraphicsItem {
  public:
   VeilItem();
 
-  /// The covered area, in scene coordinates.
+  /// Sets the covered area, in scene coordinates.
   void cover(const QRectF& rect);
-  /// 0 is invisible, 1 the strongest.
+  /// Sets the strength: 0 is invisible, 1 the strongest.
   void setStrength(double strength);
   [[nodiscard]] double strength() const { return strength_; }
 
   [[nodiscard]] QRectF boundingRect() const override { return rect_; }
-  /// Empty, so that it never takes a click.
+  /// Empty, so that the item never receives a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

@@ -8,8 +8,8 @@
 
 namespace tendon::gui {
 
-/// A small card about a point of the graph, such as a port that does not fit, with a thin line to
-/// that point.
+/// A small card with information about a point of the graph, such as a port that does not fit, and
+/// a thin line to that point.
 class CardItem : public QGraphicsItem {
  public:
   CardItem();
@@ -24,7 +24,7 @@ class CardItem : public QGraphicsItem {
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
   [[nodiscard]] QRectF boundingRect() const override;
-  /// Empty, so that it never takes a click.
+  /// Empty, so that the item never receives a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

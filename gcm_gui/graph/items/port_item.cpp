@@ -118,7 +118,7 @@ void PortItem::paintRings(QPainter& painter) const {
   painter.setPen(QPen(theme.color(Token::kAccent, 0.35), 1));
   painter.drawEllipse(QPointF(), kOuterRing, kOuterRing);
   if (number_ == 0) return;
-  // Outside the node, so as not to hide its name.
+  // Outside the node, so that its name is not hidden.
   const bool left = picture_.port.side == Side::kRequired;
   const QRectF badge(left ? -8 - kBadge : 8, -8 - kBadge - 2, kBadge, kBadge);
   painter.setPen(Qt::NoPen);

@@ -10,14 +10,14 @@
 namespace tendon::gui {
 namespace {
 
-/// With more matching providers, they say nothing about a client's place.
+/// With more matching providers, the match does not determine a client's position.
 constexpr std::size_t kMostProviders = 3;
 
 QString ComponentPath(const InterfaceName& name) {
   return ToQString(name.process + '/' + name.component);
 }
 
-/// An index of provided interfaces by member, which finds the few worth comparing.
+/// An index of provided interfaces by member, to find the few that must be compared.
 class ProviderIndex {
  public:
   void Add(const InterfaceName& name, const ProvidedDescription& provided) {
@@ -26,7 +26,8 @@ class ProviderIndex {
     for (const auto& event : provided.events) by_member_[Key(event)].push_back({name, &provided});
   }
 
-  /// The interfaces that fill `required`; none if it needs nothing, because everything would match.
+  /// The interfaces that fill `required`; none if it needs no members, because every interface
+  /// would match.
   [[nodiscard]] std::vector<InterfaceName> Fitting(const RequiredDescription& required) const {
     std::vector<InterfaceName> fitting;
     const MemberDescription* needed = FirstNeeded(required);

@@ -10,7 +10,7 @@ const QRectF* FreeRoom::InTheWayOf(const QRectF& rect) const {
 }
 
 QRectF FreeRoom::Beside(QRectF wanted) const {
-  // Ends, because each step moves right or down past one obstacle.
+  // The loop ends, because each step moves right or down past one obstacle.
   while (const QRectF* obstacle = InTheWayOf(wanted)) {
     const double right = obstacle->right() + between_.width() - wanted.left();
     const double down = obstacle->bottom() + between_.height() - wanted.top();

@@ -19,8 +19,8 @@ struct Arrangement {
 };
 
 /// Arranges processes in columns, and the components of each process in columns, except for those
-/// that the user has placed. Stable: an update moves only the items it concerns; a component placed
-/// by the user stays there, and others make room for it.
+/// that the user has placed. Stable: an update moves only the items that it affects; a component
+/// placed by the user stays there, and others make room for it.
 class GraphLayout {
  public:
   GraphLayout();
@@ -47,11 +47,11 @@ class GraphLayout {
   std::map<QString, graph::ColumnLayout> insides_;  // of each process
   graph::ColumnLayout processes_;
   std::map<QString, QPointF> places_;  // by hand
-  bool other_places_ = false;          // since the last update
+  bool other_places_ = false;          // places_ has changed since the last update
   Arrangement arrangement_;
   std::vector<Affinity> affinities_;                 // the last ones, sorted by process below
-  std::map<QString, std::vector<Affinity>> inside_;  // within one process
-  std::vector<Affinity> across_;                     // between two processes
+  std::map<QString, std::vector<Affinity>> inside_;  // affinities within one process
+  std::vector<Affinity> across_;                     // affinities between two processes
 };
 
 }  // namespace tendon::gui

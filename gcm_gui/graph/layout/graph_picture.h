@@ -49,7 +49,7 @@ struct ProcessPicture {
   double title_width = 0;  ///< the width its title needs in the theme's fonts
 };
 
-/// Data can flow from a provided interface of one component to a required one of another.
+/// A possible connection from a provided interface of one component to a required one of another.
 struct Affinity {
   QString provider;  ///< paths of components
   QString client;
@@ -64,7 +64,7 @@ struct Affinity {
 struct GraphPicture {
   std::vector<ProcessPicture> processes;
   std::vector<ConnectionDescription> edges;
-  /// For present and possible connections alike, so that connecting moves nothing. Sorted.
+  /// Of present and possible connections, so that making a connection does not move items. Sorted.
   std::vector<Affinity> affinities;
 };
 

@@ -26,12 +26,12 @@ class LayoutWorker : public QObject {
   ~LayoutWorker() override;
 
   /// Arranges the whole picture; `places` are those chosen by the user. arranged() follows. Of the
-  /// requests that arrive while the thread works, only the newest is done.
+  /// requests that arrive while the thread works, only the newest is executed.
   void arrange(const GraphPicture& picture, const Places& places);
-  /// The same if only `places` have changed since the last call; takes little time.
+  /// The same, faster, if only `places` have changed since the last call.
   void move(const GraphPicture& picture, const Places& places);
 
-  /// The latest result; items added since have no place in it.
+  /// The latest result; items that were added later are not in it.
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
   /// True while the last request is not finished.
   [[nodiscard]] bool isAtWork() const { return is_at_work_; }

@@ -34,7 +34,7 @@ NodePicture NodeOf(const ConnectionIndex& connections, const ProcessEntry& entry
   return node;
 }
 
-/// The position of the name in a list sorted by name, existing or to be inserted.
+/// The position of a name in a sorted list, or the position at which to insert it.
 template <typename Things>
 auto PlaceOf(Things& things, const std::string& name) {
   return std::lower_bound(things.begin(), things.end(), name,
@@ -114,7 +114,7 @@ bool PictureUpdater::takeInterfaces(const Catalogue& catalogue, const TouchedPar
     return entry == nullptr ? nullptr : catalogue.FindComponent(part.process, name);
   };
   bool changed = false;
-  // First the known interfaces, of which some may be gone; then the present ones.
+  // First the known interfaces, some of which may be gone; then the present ones.
   for (auto it = interfaces_.lower_bound(part);
        it != interfaces_.end() && it->first.process == part.process;) {
     if (!part.component.empty() && it->first.component != part.component) break;

@@ -11,8 +11,8 @@ namespace tendon::gui {
 
 class ConnectionIndex;
 
-/// Keeps the picture of a catalogue and rebuilds only the parts that a change has touched: to
-/// rebuild a picture of a thousand components would freeze the window too long.
+/// Keeps the picture of a catalogue and rebuilds only the parts that a change has touched:
+/// rebuilding the picture of a thousand components would block the window too long.
 class PictureUpdater {
  public:
   /// Returns the same picture as PictureOf(). `touched` must name all parts that have changed since
@@ -33,7 +33,7 @@ class PictureUpdater {
                   const TouchedPart& part);
   /// Stores the interfaces of a part; returns true if they have changed.
   bool takeInterfaces(const Catalogue& catalogue, const TouchedPart& part);
-  /// Returns true if the set of connections has changed; their states do not matter.
+  /// Returns true if the set of connections has changed; ignores their states.
   bool takeEdges(const Catalogue& catalogue);
 
   GraphPicture picture_;

@@ -14,7 +14,7 @@ QRectF Between(const QRectF& from, const QRectF& to, double part) {
           value(from.height(), to.height())};
 }
 
-/// `to`, where items that are also in `from` have moved by `part` of their way.
+/// The rectangles of `to`, but items that are also in `from` are at `part` of their way.
 QHash<QString, QRectF> AllBetween(const QHash<QString, QRectF>& from, QHash<QString, QRectF> to,
                                   double part) {
   for (auto it = to.begin(); it != to.end(); ++it) {

@@ -8,8 +8,8 @@
 namespace tendon::gui {
 
 /// Moves the items of the graph to their new positions in 150 ms, so that the eye can follow. New
-/// items appear at their position at once; if the application's property kStill is true, so do all.
-/// GUI thread.
+/// items appear at their position at once; if the application's property kStill is true, all items
+/// do. GUI thread.
 class Glide : public QObject {
   Q_OBJECT
 

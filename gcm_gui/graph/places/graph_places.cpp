@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostSteps = 50;
 constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
-constexpr double kFurthest = 1e6;           // farther away is a mistake in the file
+constexpr double kFurthest = 1e6;           // a larger distance is a mistake in the file
 
 QByteArray TextOf(const GraphPlaces::Map& places) {
   QJsonObject all;

@@ -8,11 +8,11 @@
 
 namespace tendon::gui {
 
-/// True for a plausible position; one farther away is a mistake in a file.
+/// True for a plausible position; a very distant one is a mistake in a file.
 [[nodiscard]] bool IsPlace(const QPointF& place);
 
 /// The positions that the user has given to components: the top left corner by path, in scene
-/// coordinates. Saved in a file, also for components that are gone; the last fifty steps can be
+/// coordinates. Saved in a file, even for components that are gone; the last fifty steps can be
 /// undone. GUI thread; the FileWriter writes the file.
 class GraphPlaces : public QObject {
   Q_OBJECT
@@ -32,13 +32,13 @@ class GraphPlaces : public QObject {
 
  public Q_SLOTS:
   /// Moves all of them in one step. The same `key` as in the previous step extends that step, so
-  /// that many small moves by keys are undone at once.
+  /// that many small moves by keys are undone together.
   void move(const std::map<QString, QPointF>& moved, const QString& key = {});
   /// Returns all components to their automatic positions.
   void reset();
   /// Undoes the last step.
   void undo();
-  /// The user has done something else since.
+  /// Called when the user has done something else.
   void grow() { is_newest_ = false; }
 
  Q_SIGNALS:

@@ -13,8 +13,8 @@ namespace tendon::gui {
 class GraphView;
 
 /// A search line over the upper edge of the graph. It highlights the components whose path or
-/// interface names contain all the words. Enter goes to the next one, Shift+Enter back, Escape ends
-/// it.
+/// interface names contain all the words. Enter goes to the next match, Shift+Enter to the previous
+/// one, Escape ends the search.
 class GraphSearch : public QFrame {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class GraphSearch : public QFrame {
   [[nodiscard]] QLineEdit& field() const { return *field_; }
   /// "2 of 14".
   [[nodiscard]] QString told() const;
-  /// Ends the search; returns false if there is none.
+  /// Ends the search; returns false if there was none.
   bool leave();
 
  public Q_SLOTS:

@@ -6,7 +6,7 @@ namespace tendon::gui {
 
 void ColumnArrivals::hear(const QString& column, const ColumnValues& values) {
   Arrival& arrival = all_[column];
-  // The subscription may have ended meanwhile, so that its rows are counted from 0 again.
+  // The subscription may have ended meanwhile; then its rows are counted from 0 again.
   if (isLeft(column, arrival)) arrival = {};
   arrival.rate.hear(values);
   arrival.written = values.time;

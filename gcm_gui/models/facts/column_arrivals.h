@@ -13,7 +13,7 @@
 
 namespace tendon::gui {
 
-/// Tracks how the rows of columns arrive. Forgets a silent column unless it is watched, because its
+/// Tracks the arrival of rows of columns. Drops a silent column that is not watched, because its
 /// subscription may have ended. GUI thread.
 class ColumnArrivals {
  public:
@@ -23,13 +23,13 @@ class ColumnArrivals {
   explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
   void hear(const QString& column, const ColumnValues& values);
-  /// Names the columns with a sure subscription; silence means something only for those.
+  /// Sets the columns with a certain subscription; only their silence counts as an interruption.
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
   /// Forgets silent columns that are not watched; returns the remaining ones.
   QStringList dropSilent();
 
-  /// Rows per second; nothing if unknown or if rows have stopped.
+  /// Rows per second; empty if unknown or if rows have stopped.
   [[nodiscard]] std::optional<double> rate(const QString& column) const;
   /// The last known rate in Hz, even if rows have stopped; 0 if unknown.
   [[nodiscard]] double usualRate(const QString& column) const;

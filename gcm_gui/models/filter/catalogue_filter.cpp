@@ -60,10 +60,10 @@ void CatalogueFilter::hearChange(const QModelIndex& first, const QModelIndex& la
                                  const QList<int>& roles) {
   if (!active()) return Q_EMIT dataChanged(mapFromSource(first), mapFromSource(last), roles);
   for (int row = first.row(); row <= last.row(); ++row) {
-    // Named roles mean a changed value, and no filter depends on values.
+    // A signal with roles means changed values, on which no filter depends.
     if (roles.isEmpty()) recheck(*model_.item(first.siblingAtRow(row).siblingAtColumn(0)));
   }
-  // One signal suffices, as in the model: the visible rows are adjacent.
+  // One signal is enough, as in the model, because the visible rows are adjacent.
   QModelIndex from;
   QModelIndex to;
   for (int row = first.row(); row <= last.row(); ++row) {
@@ -155,7 +155,7 @@ void CatalogueFilter::takeIn(const CatalogueItem& item) {
   endInsertRows();
 }
 
-/// Hides an item that goes, and its parents that are only shown for it.
+/// Hides a removed item, and parents that were only shown because of it.
 void CatalogueFilter::takeOut(const CatalogueItem& item) {
   if (!isShown(item)) return;
   const CatalogueItem* top = &item;
@@ -181,7 +181,7 @@ void CatalogueFilter::drop(const CatalogueItem& item) {
   for (const CatalogueItem* row : rows) drop(*row);
 }
 
-/// Checks an item again that may match differently now, with everything below it.
+/// Checks an item again, with everything below it, after a change that may affect the match.
 void CatalogueFilter::recheck(const CatalogueItem& item) {
   matches_.reset();
   Shown now;
@@ -263,7 +263,7 @@ QModelIndex CatalogueFilter::mapToSource(const QModelIndex& index) const {
 QModelIndex CatalogueFilter::mapFromSource(const QModelIndex& index) const {
   const CatalogueItem* here = model_.item(index);
   if (here == nullptr) return {};
-  // Only if all its parents are shown, too.
+  // Only if all its parents are shown as well.
   for (const CatalogueItem* above = here; above != nullptr; above = Above(*above)) {
     if (!isShown(*above)) return {};
   }

@@ -52,7 +52,7 @@ class CatalogueFilter : public QAbstractProxyModel {
   using Shown = std::unordered_map<const CatalogueItem*, Rows>;
 
   void connectModel();
-  /// Adds the shown rows at and below `item` to `shown`, and the number of matches to `meant`.
+  /// Adds the shown rows at and below `item` to `shown`, and adds the number of matches to `meant`.
   /// Returns false if there are none.
   bool collect(const CatalogueItem& item, Shown& shown, int& meant) const;
   void collectAll();

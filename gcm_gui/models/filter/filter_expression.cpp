@@ -20,7 +20,7 @@ bool IsOfType(const CatalogueItem& item, const QString& text) {
   return false;
 }
 
-/// Compares with the state of the nearest row upwards that has one.
+/// Compares with the state of this row, or of the nearest parent that has a state.
 bool IsInState(const CatalogueItem& item, const QString& text) {
   const CatalogueItem* it = &item;
   while (it != nullptr && it->state.isEmpty()) it = it->parent;

@@ -18,7 +18,7 @@ class FilterExpression {
   explicit FilterExpression(const QString& text);
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
-  /// True if the row itself matches, whatever its parents and children do.
+  /// True if the row itself matches, regardless of its parents and children.
   [[nodiscard]] bool Matches(const CatalogueItem& item) const;
 
  private:

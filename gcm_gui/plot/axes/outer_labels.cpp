@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSpacing = 8;  // from the canvas, or the previous column, to the labels
+constexpr int kSpacing = 8;  // gap between the canvas, or the previous column, and the labels
 
 }  // namespace
 

@@ -38,7 +38,7 @@ class OuterLabels {
   std::vector<Column> columns_;
 };
 
-/// The colour of the only curve of an axis if the plot has several axes; else dim.
+/// The colour of the only curve of an axis if the plot has several axes; otherwise dim.
 [[nodiscard]] QColor AxisColor(const std::vector<UnitAxis>& axes, std::size_t index);
 
 }  // namespace tendon::gui

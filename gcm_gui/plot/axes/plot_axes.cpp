@@ -85,7 +85,7 @@ void PlotAxes::showTime(const TimeWindow& window) {
 }
 
 void PlotAxes::showValues(const std::vector<UnitAxis>& axes, ValueScale scale) {
-  // The right axis keeps its room while it has no labels.
+  // The right axis occupies its room even without labels.
   plot_.axisScaleDraw(QwtAxis::YRight)
       ->enableComponent(QwtAbstractScaleDraw::Labels, axes.size() > 1);
   for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
@@ -117,7 +117,7 @@ void PlotAxes::setRoom(const SideRoom& least) {
   placeSides();
 }
 
-// The outer axes and unused room lie in the plot's margin.
+// Places the outer axes and unused room in the plot's margin.
 void PlotAxes::placeSides() {
   plot_.axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(std::max(kSide, least_.left));
   const SideRoom wanted = wantedRoom();

@@ -34,7 +34,7 @@ class PlotAxes {
   explicit PlotAxes(QwtPlot& plot);
 
   void takeTheme();
-  /// False hides the axes of a plot with nothing to show.
+  /// False hides the axes of an empty plot.
   void setVisible(bool visible);
   void showTime(const TimeWindow& window);
   void showValues(const std::vector<UnitAxis>& axes, ValueScale scale);

@@ -78,7 +78,7 @@ ValueTicks LogarithmicTicks(const AxisRange& wanted, int most) {
   return ticks;
 }
 
-// As many as fit. Shortens long names only if they stay different.
+// As many names as fit. Long names are shortened only if they stay different.
 ValueTicks NamedTicks(const UnitAxis& axis) {
   constexpr qsizetype kLongest = 20;  // characters
   ValueTicks ticks;

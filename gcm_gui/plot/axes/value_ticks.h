@@ -17,14 +17,14 @@ struct ValueTicks {
   bool operator==(const ValueTicks&) const = default;
 };
 
-/// About `most` labels at most. On a logarithmic axis at powers of ten, also at 2 and 5 times those
-/// if there is room, and at round values if it shows less than a decade.
+/// About `most` labels at most. On a logarithmic axis: at powers of ten; if there is room, also at
+/// 2 and 5 times these; at round values if it shows less than a decade.
 [[nodiscard]] ValueTicks TicksOf(const AxisRange& range, ValueScale scale, int most);
-/// The same for an axis with its frame: the names of values if they have names, else the distance
-/// from the axis' base.
+/// The same for an axis with its frame: the names of values if they have names, otherwise the
+/// distance from the axis' base.
 [[nodiscard]] ValueTicks TicksOf(const UnitAxis& axis, ValueScale scale, int most);
 
-/// Returns 0 for a tick that is only nearly 0, such as -0 or 1e-17; else `value`.
+/// Returns 0 for a tick that is nearly 0, such as -0 or 1e-17; otherwise `value`.
 [[nodiscard]] double Cleaned(double value, double step);
 
 /// Formats `value`, a multiple of `step`, with as many digits as its neighbours require. A long

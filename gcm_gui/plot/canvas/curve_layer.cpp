@@ -109,7 +109,7 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
 }
 
 // Dots grow with the distance between samples, starting with the width of the line. So no dot
-// appears or vanishes suddenly when one sample more is visible.
+// appears or disappears suddenly when one more sample is visible.
 double CurveLayer::DotRadius(double distance) {
   const double part = (distance - kNearest) / (kFar - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);

@@ -27,8 +27,8 @@ class CurveLayer final : public QwtPlotItem {
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
 
-  /// The row of a value at this `distance` from the base. A value without a place on the axis is at
-  /// the foot; one far outside is just off the canvas.
+  /// The row of a value at this `distance` from the base. A value without a position on the axis is
+  /// at the bottom; a value far outside is just off the canvas.
   [[nodiscard]] double rowOf(double distance, const AxisFrame& frame, const QwtScaleMap& map,
                              const QRectF& rect) const;
 

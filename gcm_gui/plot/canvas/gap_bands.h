@@ -9,7 +9,7 @@
 namespace tendon::gui {
 
 /// Marks missing rows: a tint over the whole height with the number of lost rows, another tint
-/// where a source was restarted, stood still or has become silent.
+/// where a source was restarted, did not run or has become silent.
 class GapBands final : public QwtPlotItem {
  public:
   /// Both arguments must outlive this item.

@@ -102,8 +102,8 @@ void SpanRaster::mapBands(const Envelope& envelope, const RowScale& rows) {
   }
 }
 
-// Draws a round pen along the bands. The new end of a band is the farthest that any neighbour
-// reaches there; a neighbour reaches less the farther away it is.
+// Draws a round pen along the bands. The new end of a band is the farthest point that the pen
+// reaches from any neighbouring band; the reach decreases with the distance of the neighbour.
 void SpanRaster::widenBands(double radius) {
   reach_.clear();
   for (std::size_t k = 0; k <= 2 * margin_; ++k) {
@@ -121,7 +121,7 @@ void SpanRaster::widenBands(double radius) {
 }
 
 // Each end of a band changes the coverage of the rows below it, in 64ths of a band. The running sum
-// from the top is the coverage of a pixel, of 256.
+// from the top is the coverage of a pixel, in 256ths.
 void SpanRaster::drawColumn(int x, std::uint32_t color) {
   const float* tops = wide_.tops.data() + static_cast<std::size_t>(x) * kSlices;
   const float* bottoms = wide_.bottoms.data() + static_cast<std::size_t>(x) * kSlices;

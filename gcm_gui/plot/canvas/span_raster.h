@@ -16,7 +16,8 @@ class QPainter;
 namespace tendon::gui {
 
 /// Maps a value to a pixel row: row = (place - low) * scale + offset. The place on the axis is
-/// value * factor, or its logarithm. A value without a place is drawn at the lowest row.
+/// value * factor, or its logarithm. A value without a place, 0 or less on a logarithmic axis, is
+/// drawn at the lowest row.
 ///
 /// The lower end of the axis is subtracted first: the row of place 0 may be so far away that a
 /// double cannot tell it from its neighbours.
@@ -32,7 +33,8 @@ struct RowScale {
 ///
 /// Qt's pen strokes cost per point, and much more if thick or antialiased; here a curve costs per
 /// pixel column. Each column has kSlicesPerColumn slices. A slice is the band between its lowest
-/// and highest value, widened by a round pen; the opacity of a pixel is the share that bands cover.
+/// and highest value, widened by a round pen; the opacity of a pixel is the fraction that bands
+/// cover.
 class SpanRaster {
  public:
   static constexpr std::size_t kSlicesPerColumn = 4;

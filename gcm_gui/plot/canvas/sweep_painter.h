@@ -15,7 +15,7 @@ namespace tendon::gui {
 inline constexpr int kPlacesItself = QwtPlotItem::Rtti_PlotUserItem + 1;
 
 /// Draws the items of `plot` for a sweeping `window`: the present sweep left of the head, the
-/// previous one right of it, and an empty bar between. `maps` are those of QwtPlot::drawItems().
+/// previous one right of it, and an empty bar in between. `maps` are those of QwtPlot::drawItems().
 void DrawSweep(const QwtPlot& plot, const TimeWindow& window, QPainter& painter,
                const QRectF& canvas_rect, const QwtScaleMap* maps);
 

@@ -32,7 +32,7 @@ struct CsvTable {
   [[nodiscard]] bool empty() const;
 };
 
-/// The samples of the visible curves in [from_ns, to_ns].
+/// Copies the samples of the visible curves in [from_ns, to_ns].
 [[nodiscard]] CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t to_ns,
                                   std::int64_t utc_offset_ns);
 
@@ -43,8 +43,8 @@ struct CsvFigures {
 
 /// Writes one line per time with a sample, in time order: seconds of the source's clock, UTC, the
 /// curves (empty without a sample at that time), and for each state table the number of rows lost
-/// just before, or "restart". Numbers are exact and unscaled; states are written by name. The head
-/// mentions the scaling in the plot. Returns nothing if the device fails.
+/// just before, or "restart". Numbers are exact and unscaled; states are written by name. The
+/// header of the file names the scaling in the plot. Returns no value if the device fails.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

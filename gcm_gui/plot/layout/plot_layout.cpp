@@ -55,13 +55,13 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   return plot;
 }
 
-/// `usual` if it is missing; nothing if it is not a number.
+/// The number; `usual` if it is missing; empty if it is not a number.
 std::optional<double> NumberOf(const QJsonValue& json, double usual) {
   if (json.isUndefined()) return usual;
   return json.isDouble() ? std::optional(json.toDouble()) : std::nullopt;
 }
 
-/// Returns what is wrong with a curve, else an empty text.
+/// Reads a curve. Returns the mistake in it, or an empty text.
 QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   curve.key = {json["path"].toString(), json["unit"].toString()};
   curve.is_hidden = json["hidden"].toBool();

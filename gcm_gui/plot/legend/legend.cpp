@@ -52,7 +52,8 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
   setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
   const QFontMetrics metrics(Theme::instance().small());
-  // "arm.position[0] · suspended · 5 s old": elide the middle, so that ends remain different.
+  // "arm.position[0] · suspended · 5 s old": elide the middle, so that the ends, which differ, stay
+  // visible.
   const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
   QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
   if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);

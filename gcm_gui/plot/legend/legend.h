@@ -22,10 +22,10 @@ struct LegendEntry {
   QString value;  ///< already formatted
   QString unit;
   int color_index = 0;
-  bool stale = false;  ///< waits for its source: grey, and `name` says for what
-  bool old = false;    ///< its component stands still: grey, and `name` says why
+  bool stale = false;  ///< waits for its source: grey; `name` contains the source
+  bool old = false;    ///< its component does not run: grey; `name` contains the reason
   bool shown = true;   ///< the curve is visible
-  QString figures;     ///< of the visible range, at the end; empty if not wanted
+  QString figures;     ///< statistics of the visible range, at the end; empty if not requested
 
   bool operator==(const LegendEntry&) const = default;
 };
@@ -33,7 +33,7 @@ struct LegendEntry {
 /// One curve: colour, name, value, unit, and a cross to remove it, visible under the mouse and with
 /// the focus. A click or Space hides and shows the curve, Delete removes it, Enter opens scale,
 /// offset and axis, and dragging moves the signal elsewhere. A curve that waits for its source
-/// offers "remap…" (R) in place of its value. A menu has all of this, too.
+/// offers "remap…" (R) in place of its value. A menu has all these functions too.
 class LegendRow : public QWidget {
   Q_OBJECT
 

@@ -11,7 +11,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kOneRow = 18;
-constexpr int kLeastPlot = 110;   // with its axis; a low plot gets a lower legend
+constexpr int kLeastPlot = 110;   // height of canvas and axis; reduces the legend of a low plot
 constexpr double kHighest = 0.4;  // fraction of the plot
 constexpr int kEdge = kInset;
 

@@ -20,7 +20,7 @@ struct TimeSpan {
 [[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
                                const CurveSet& curves);
 
-/// The legend of the curves: their values at `at_ns`, or their present ones; also the statistics of
+/// The legend of the curves: their values at `at_ns`, or their present ones; and the statistics of
 /// a time span, if requested. O(curves), and O(samples) of that span.
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,
                                                        std::optional<std::int64_t> at_ns,

@@ -5,7 +5,7 @@
 namespace tendon::gui {
 namespace {
 
-// Ignores units that no longer exist.
+// Restores the axes. Ignores units that no longer exist.
 void TakeOver(std::vector<UnitAxis>& axes, const std::vector<UnitAxis>& former) {
   for (UnitAxis& axis : axes) {
     for (const UnitAxis& there : former) {

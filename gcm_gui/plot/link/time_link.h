@@ -23,8 +23,8 @@ class TimeLink {
   static constexpr std::size_t kMostSteps = 64;
 
   enum class Gesture {
-    kOnce,      ///< a step of its own
-    kZoomTime,  ///< successive ones are a single step until another gesture or endRun()
+    kOnce,      ///< a separate step
+    kZoomTime,  ///< successive ones form a single step, until another gesture or endRun()
     kZoomValues,
     kMove,
   };
@@ -39,7 +39,7 @@ class TimeLink {
   [[nodiscard]] Cursors& cursors() { return cursors_; }
   [[nodiscard]] LiveClock& clock() { return clock_; }
   [[nodiscard]] std::optional<int> hover() const { return hover_; }
-  /// Returns true if it has changed.
+  /// Sets the column under the mouse. Returns true if it has changed.
   bool setHover(std::optional<int> column);
 
   void touch() { ++revision_; }

@@ -52,7 +52,7 @@ Token TokenOf(const Mark& mark) {
   return Token::kOk;
 }
 
-/// The mark that a flag of several shows: the first bad one, else the first.
+/// The mark that represents a flag with several marks: the first bad one, otherwise the first.
 const Mark& FaceOf(const MarkFlags::Flag& flag) {
   const auto bad = std::find_if(flag.marks.begin(), flag.marks.end(),
                                 [](const Mark* mark) { return mark->is_bad; });

@@ -15,7 +15,7 @@ struct Mark {
   Kind kind = Kind::kEvent;
   std::int64_t time_ns = 0;  ///< on this process's steady clock, like samples
   QString label;             ///< short, at the foot of the plot: "MoveTo"
-  QString text;              ///< the whole: "call robot/arm/Control.MoveTo {…}"
+  QString text;              ///< full text: "call robot/arm/Control.MoveTo {…}"
   bool is_bad = false;       ///< refused, faulted, lost
 
   bool operator==(const Mark&) const = default;

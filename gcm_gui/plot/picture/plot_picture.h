@@ -12,9 +12,10 @@ class PlotView;
 /// Copies the plot to the clipboard as it looks now.
 void CopyPicture(PlotView& view);
 
-/// Saves the plot as it looks now: as SVG with scalable curves if `file` ends so, else as an image
-/// at double resolution. Another thread encodes and writes it; then calls `told`, unless `context`
-/// is gone, with a sentence for the user: the saved file, or the reason of the failure.
+/// Saves the plot as it looks now: as SVG with scalable curves if the name of `file` ends in .svg,
+/// otherwise as an image at double resolution. Another thread encodes and writes it. Then `told` is
+/// called, if `context` still exists, with a sentence for the user: the saved file, or the reason
+/// of the failure.
 void SavePicture(PlotView& view, const QString& file, const QObject* context,
                  const std::function<void(const QString& sentence)>& told);
 

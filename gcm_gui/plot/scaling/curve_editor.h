@@ -37,7 +37,7 @@ class CurveEditor : public QFrame {
   void check();
   void accept();
   bool takesKey(int key);
-  /// Fills `look` with the input; returns why it is invalid, or an empty text.
+  /// Fills `look` with the input; returns the reason why it is invalid, or an empty text.
   [[nodiscard]] QString read(CurveLook& look) const;
 
   const QString unit_;

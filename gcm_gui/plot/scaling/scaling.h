@@ -34,10 +34,10 @@ inline constexpr qsizetype kLongestAxis = 40;  ///< characters
 /// "rad ×1000 +2": the unit of a scaled number.
 [[nodiscard]] QString UnitOf(const QString& unit, const Scaling& scaling);
 
-/// Why a plot cannot show this, as a sentence; nothing if it can.
+/// The reason why a plot cannot show this, as a sentence; empty if it can.
 [[nodiscard]] std::optional<QString> RefusalOf(const CurveLook& look);
 
-/// Parses input with a decimal point; nothing if it is not a number.
+/// Parses input with a decimal point; empty if it is not a number.
 [[nodiscard]] std::optional<double> NumberIn(const QString& text);
 
 }  // namespace tendon::gui

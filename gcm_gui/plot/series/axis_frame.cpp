@@ -12,8 +12,8 @@ constexpr double kFar = 2e4;                 // distance from 0 in spans at whic
 constexpr double kNear = kFar / 4;           // distance at which they are short again
 constexpr double kExact = 4503599627370496;  // 2^52: half the integers that a double distinguishes
 
-// A round number near the middle of the data, at the price of one more digit in the labels. A whole
-// base is not farther from 0 than the middle, because integers may end there.
+// A round number near the middle of the data; the labels may need one more digit for it. For
+// integers, it is not farther from 0 than the middle, because the range of integers may end there.
 double RoundBase(double middle, double span, NumberKind numbers) {
   const double digits = std::ceil(std::log10(span)) + 1;
   const double power = std::pow(10, std::abs(digits));
@@ -71,7 +71,7 @@ AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances, NumberK
   if (size >= kHuge || reach >= kHuge) return {.exponent = AxisFrame::kExponent};
   const double span = distances.span();
   if (IsFlat(distances, current.base, numbers)) {
-    // From afar integers look flat, but near a base they differ.
+    // For doubles far from the base, integers look equal; near a base they are different.
     if (numbers != NumberKind::kWhole || size < kExact) return {};
     return reach < kExact ? current : AxisFrame{.base = current.base + distances.low};
   }

@@ -7,8 +7,8 @@
 namespace tendon::gui {
 
 /// Maps values to places on an axis: place = (value - base) / 10^exponent; a logarithmic axis takes
-/// the logarithm of that. This keeps the range of an axis in ordinary numbers, even if its values
-/// are close together and far from 0, or near the largest doubles.
+/// the logarithm of that. So the range of an axis has ordinary numbers, even if the values are
+/// close together and far from 0, or near the largest doubles.
 struct AxisFrame {
   double base = 0;   ///< a round number near the values, shown beside the unit; else 0
   int exponent = 0;  ///< not 0 if the distances between values do not fit a double
@@ -29,8 +29,8 @@ struct AxisFrame {
 /// Converts the same values to another frame.
 [[nodiscard]] AxisRange Moved(const AxisRange& range, const AxisFrame& from, const AxisFrame& to);
 
-/// A frame for the values of `distances`, which count from the base of `current`. Keeps `current`
-/// as long as it is suitable.
+/// A frame for the values of `distances`, which are relative to the base of `current`. Keeps
+/// `current` as long as it is suitable.
 [[nodiscard]] AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances,
                                  NumberKind numbers);
 

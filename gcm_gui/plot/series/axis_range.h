@@ -19,11 +19,12 @@ struct AxisRange {
 /// The scale of a value axis.
 enum class ValueScale { kLinear, kLogarithmic };
 
-/// Whole numbers, and the labels of their axis, differ by at least 1.
+/// The kind of values on an axis. Whole numbers, and the labels of their axis, differ by at least
+/// 1.
 enum class NumberKind { kReal, kWhole };
 
-/// The place of a value on an axis: the value itself, or its decimal logarithm. Minus infinity if a
-/// logarithmic axis has no place for it, because it is 0 or less.
+/// The place of a value on an axis: the value itself, or its decimal logarithm. Minus infinity for
+/// a value of 0 or less on a logarithmic axis.
 [[nodiscard]] double PlaceOf(double value, ValueScale scale);
 
 /// The largest absolute value from base + low to base + high.
@@ -38,9 +39,10 @@ enum class NumberKind { kReal, kWhole };
 /// magnified. Real values very close to 0 count as equal to 0.
 [[nodiscard]] bool IsFlat(const AxisRange& data, double base, NumberKind numbers);
 
-/// An axis for `data`, with a margin and round ends. Keeps `current` while the data fits with its
-/// margin and fills half of it, so that a live axis is steady. The margin of flat data (IsFlat())
-/// is a tenth of its size. All are distances from `base`, finite and not huge.
+/// An axis for `data`, with a margin and round ends. Keeps `current` while the data fits into it
+/// with the margin and fills half of it, so that a live axis does not move all the time. The margin
+/// of flat data (IsFlat()) is a tenth of its size. All are distances from `base`, finite and not
+/// huge.
 [[nodiscard]] AxisRange FittedRange(const AxisRange& current, const AxisRange& data,
                                     NumberKind numbers = NumberKind::kReal, double base = 0);
 /// The same for logarithms.

@@ -11,7 +11,7 @@ enum class Cursor { kA, kB };
 inline constexpr std::array kCursors{Cursor::kA, Cursor::kB};
 
 /// Two times that the user has marked in a plot, to measure between them. They are times of the
-/// source, so they move with the samples while the window moves on.
+/// source, so they stay at the samples while the window moves.
 class Cursors {
  public:
   void set(Cursor cursor, std::int64_t time_ns) { at(cursor) = time_ns; }

@@ -17,8 +17,8 @@
 
 namespace tendon::gui {
 
-/// The pass of a sweeping window that a time span belongs to. Other windows have only the present
-/// one.
+/// The pass of a sweeping window to which a time span belongs. Other windows have only the present
+/// pass.
 enum class Pass { kPresent, kFormer };
 
 /// One signal in one plot: its samples, its look, and the state of its source. GUI thread.
@@ -32,7 +32,7 @@ class Curve {
   [[nodiscard]] int colorIndex() const { return color_index_; }
   void setColorIndex(int index) { color_index_ = index; }
 
-  /// Ends staleness.
+  /// Appends samples; the curve is not stale any more.
   void append(std::span<const Sample> samples);
   /// See SampleRing::beginEpoch().
   void beginEpoch() { samples_.beginEpoch(); }
@@ -44,20 +44,20 @@ class Curve {
   [[nodiscard]] bool isThinned() const;
   [[nodiscard]] const SampleRing& samples() const { return samples_; }
 
-  /// No samples come; `reason` says what the curve waits for. A new curve is stale.
+  /// Called when no samples come; `reason` says for what the curve waits. A new curve is stale.
   void setStale(const QString& reason) { stale_reason_ = reason; }
   [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
   [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
 
-  /// Why the source's component stands still; empty while it runs. The curve remains visible,
-  /// marked as old.
+  /// Sets the reason why the source's component does not run; empty while it runs. The curve
+  /// remains visible, marked as old.
   void setStandstill(const QString& why);
   [[nodiscard]] bool isStandingStill() const { return !standstill_.isEmpty(); }
   [[nodiscard]] const QString& standstill() const { return standstill_; }
-  /// True if the newest sample is not the present value.
+  /// True if the newest sample may not be the present value.
   [[nodiscard]] bool isSilent() const { return isStale() || isStandingStill(); }
 
-  /// The losses of the source before the curve was added.
+  /// Sets the losses of the source before the curve was added.
   void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
   [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
 
@@ -78,19 +78,20 @@ class Curve {
   }
   /// The unit with the scaling: "rad ×1000 +2".
   [[nodiscard]] QString shownUnit() const { return UnitOf(unit(), look_.scaling); }
-  /// The name of the chosen axis, else of the default one: the unit, or the type of named values.
+  /// The name of the chosen axis; otherwise of the default one: the unit, or the type of named
+  /// values.
   [[nodiscard]] QString axis() const {
     if (!look_.axis.isEmpty()) return look_.axis;
     return names() != nullptr ? names()->type : shownUnit();
   }
-  /// The base of its axis; distances count from it.
+  /// Sets the base of its axis, to which distances are relative.
   void setBase(double base);
 
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
 
   // Scaled values.
-  /// The value of the last sample at `time_ns` or before, unless a gap lies in between.
+  /// The value of the last sample at or before `time_ns`; empty if there is a gap in between.
   [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<double> latestValue() const;
   // The same as exact numbers: unscaled integers keep all digits.
@@ -98,7 +99,7 @@ class Curve {
   [[nodiscard]] std::optional<ExactNumber> latestNumber() const;
   /// The distance of a scaled sample from the base.
   [[nodiscard]] double distanceOf(std::uint64_t index) const;
-  /// The rate of arrived rows over the latest second of source time; 0 with less than two.
+  /// The rate of received rows over the latest second of source time; 0 with less than two rows.
   [[nodiscard]] double rate() const;
   /// The scaled curve in these slices, as distances from the base. Cached for each pass until the
   /// slices change or new samples arrive.

@@ -211,7 +211,7 @@ AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const
     data.low = std::min(data.low, PlaceOf(low, scale_));
     data.high = std::max(data.high, PlaceOf(high, scale_));
   }
-  // A line towards 0 or below has no lower limit on a logarithmic axis.
+  // On a logarithmic axis, a line towards 0 or below has no lower limit.
   if (!all_have_places) data.low = std::max(data.low, data.high - kDecadesAboveZero);
   return data;
 }
@@ -234,7 +234,7 @@ void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
 // if there is nothing.
 AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
-  // Distances are exact only near the base, so a new base may need another try.
+  // Distances are exact only near the base, so a new base may need another iteration.
   constexpr int kMostFrames = 3;
   for (int i = 0;; ++i) {
     const std::vector<Extremes> all = extremesOn(axis, seen);
@@ -260,7 +260,7 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
   }
 }
 
-// Includes the range that the axis must keep, also as distances.
+// Extends the data range by the range that the axis must keep, also as distances.
 AxisRange CurveSet::withGrown(const AxisRange& data, const UnitAxis& axis) const {
   if (fit_ != Fit::kGrow || !axis.has_grown) return data;
   const double factor = axis.frame.factor();

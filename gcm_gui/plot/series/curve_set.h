@@ -41,7 +41,7 @@ struct SeenSlices {
   std::size_t first = 0;
 };
 
-/// The arrival of one state table's rows.
+/// Figures about the received rows of one state table.
 struct SourceFigures {
   QString source;
   double rate = 0;  ///< Hz
@@ -53,7 +53,7 @@ struct SourceFigures {
 };
 
 /// The curves of one plot in order of addition, and an axis for each unit. Only the first four axes
-/// have labels, see PlotAxes; curves of further axes fill the height.
+/// have labels, see PlotAxes; curves of further axes use the whole height.
 class CurveSet {
  public:
   /// Returns the existing curve if there is one.
@@ -86,9 +86,9 @@ class CurveSet {
   /// The names of the curves with values of 0 or less in the slices, which have no place on a
   /// logarithmic axis. Empty on a linear one.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
-  /// Fits the axes that follow the data to the values in the slices. Leaves out a curve whose
-  /// values are more than a million times those of the others on its axis and beyond 1e12, because
-  /// it would flatten them; beyondAxes() names it.
+  /// Fits the axes that follow the data to the values in the slices. Ignores a curve whose values
+  /// are beyond 1e12 and more than a million times those of the others on its axis, because it
+  /// would flatten the others; beyondAxes() names it.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
   /// The time of the newest sample of all curves; INT64_MIN without any.

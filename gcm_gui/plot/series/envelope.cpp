@@ -14,8 +14,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
-// Converts words to values while drawing. The first reader serves almost all plots, and costs
-// nothing.
+// Converts words to values while drawing. Almost all plots use the first reader, which has no cost.
 struct Real {
   static constexpr bool kSteps = false;
   double operator()(std::uint64_t word) const { return std::bit_cast<double>(word); }
@@ -38,7 +37,7 @@ double FarBetween(double from, double to, double part) { return from * (1 - part
 
 }  // namespace
 
-// The end of the line so far, and the extremes in the present slice.
+// The state of drawing: the end of the line so far, and the extremes in the present slice.
 struct Envelope::Pen {
   bool down = false;
   std::int64_t time_ns = 0;
@@ -101,7 +100,7 @@ void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
 }
 
-// Shifts the drawn slices to the left. Returns false if everything must be drawn again.
+// Shifts the existing slices to the left. Returns false if everything must be computed again.
 bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
   constexpr std::int64_t kRoundingNs = 2;
   const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
@@ -112,7 +111,7 @@ bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
                        std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRoundingNs;
   const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRoundingNs;
   if (!as_wide || !by_whole_ones || by < 0 || by >= static_cast<double>(slices.count)) return false;
-  // The last line may have ended after the slices: draw it again.
+  // The last line may have ended after the slices, so it must be drawn again.
   if (next_ < ring.firstIndex() + 2) return false;
   const bool shown_samples_left = ring.firstIndex() != ring_first_ &&
                                   (ring.empty() || ring.time(ring.firstIndex()) > slices.from_ns);
@@ -222,7 +221,7 @@ void Envelope::moveTo(Pen& pen, std::int64_t time_ns, double value) {
   pen.value = value;
 }
 
-// Passes through all slices on the way; a border belongs to both its slices.
+// Extends the line through all slices up to the point; a border belongs to both its slices.
 void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   if (time_ns >= ends_[pen.slice]) {
     const auto span_ns = static_cast<double>(time_ns - pen.time_ns);
@@ -246,7 +245,8 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   pen.value = value;
 }
 
-// Horizontal through all slices on the way, then vertical in the last one.
+// Extends the line horizontally through all slices up to the point, then vertically in the last
+// one.
 void Envelope::stepTo(Pen& pen, std::int64_t time_ns, double value) {
   while (time_ns >= ends_[pen.slice]) {
     leave(pen);

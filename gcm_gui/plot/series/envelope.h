@@ -31,12 +31,12 @@ class Envelope {
   /// has changed.
   void build(const SampleRing& ring, const TimeSlices& slices, double base = 0);
 
-  /// Adds a known minimum and maximum of [from_ns, to_ns), whose samples are gone. Lasts at least
+  /// Adds a known minimum and maximum of [from_ns, to_ns), whose samples no longer exist. Valid
   /// until the next build(). O(slices in that span).
   void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
 
-  /// Becomes the scaled `plain`, which must have base 0; this one gets `base`. Never call build()
-  /// on it. A slice without a finite result is empty. O(slices).
+  /// Takes the content of `plain`, which must have base 0, scaled and relative to `base`. Never
+  /// call build() on this object. A slice without a finite result is empty. O(slices).
   void takeScaled(const Envelope& plain, const Scaling& scaling, double base);
 
   [[nodiscard]] std::span<const double> low() const { return shown(low_); }

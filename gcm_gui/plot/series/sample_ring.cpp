@@ -13,7 +13,7 @@ constexpr std::size_t kFirstCapacity = 1024;
 constexpr std::size_t kMostGaps = 16384;
 // The samples of a slow running source may be this far apart.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
-// A clock may be corrected by this much between two runs; the ring then waits for it.
+// A clock may be corrected by this much between two runs; then the ring waits for it.
 constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
@@ -38,7 +38,7 @@ bool SampleRing::takeKind(const Sample& sample) {
   const ExactNumber::Kind kind = sample.value.kind();
   if (kind == kind_) return true;
   if (!sample.value.isFinite() && kind_ != ExactNumber::Kind::kReal) {
-    // Its own tick is not lost, though earlier ones may be.
+    // The row of this tick is not lost, but earlier rows may be.
     if (!empty() && sample.tick > last_tick_) {
       lost_before_ += sample.tick - last_tick_ - 1;
       last_tick_ = sample.tick;
@@ -78,7 +78,7 @@ bool SampleRing::continues(const Sample& sample) {
   const std::uint64_t lost = std::exchange(lost_before_, 0) + (sample.tick - last_tick_ - 1);
   const bool is_standstill =
       stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs;
-  // The source runs again. A slow one may leave as much time before its next sample.
+  // The source runs again. A slow source may have as long a time before its next sample.
   if (is_standstill) stands_still_ = standstill_ends_ = false;
   if (lost > 0) {
     addGap(Gap::Cause::kLost, sample, lost);

@@ -23,7 +23,7 @@ struct Gap {
     kLost,
     kRestart,
     kStandstill,
-    kNoValue,  ///< rows came without this element
+    kNoValue,  ///< rows arrived without this element
   };
 
   Cause cause = Cause::kLost;
@@ -52,17 +52,20 @@ class SampleRing {
 
   explicit SampleRing(std::size_t limit = kDefaultLimit);
 
-  /// Amortised O(1) per sample. Skipped ticks make a gap; a tick that was there already is counted
-  /// as repeated and dropped; a lower tick at a later time means that the source was restarted. A
-  /// change of the number kind clears the ring. Among integers NaN means no value and makes a gap.
+  /// Amortised O(1) per sample. Skipped ticks make a gap; a tick that already exists is counted as
+  /// repeated and dropped; a lower tick at a later time means that the source was restarted. A
+  /// change of the number kind clears the ring. In a ring of integers, NaN means no value and makes
+  /// a gap.
   void append(std::span<const Sample> samples);
-  /// The source was restarted: its ticks start again with the next sample, after a gap. If its
-  /// clock was set back, the ring is cleared, because the old samples can no longer be placed.
+  /// Called when the source was restarted: its ticks start again with the next sample, after a gap.
+  /// If its clock was set back, the ring is cleared, because the times of old and new samples
+  /// cannot be compared.
   void beginEpoch() { epoch_begins_ = true; }
-  /// The source stands still, or did: the next sample comes after a gap even if no tick is missing.
-  /// A sample that follows at once makes no gap: it was already under way.
+  /// Called when the source does not run, or did not run for a while: the next sample comes after a
+  /// gap even if no tick is missing. A sample that follows at once makes no gap, because it was
+  /// sent before.
   void noteStandstill() { stands_still_ = true; }
-  /// The source runs again: samples from now on come after the gap.
+  /// Called when the source runs again: further samples come after the gap.
   void endStandstill() { standstill_ends_ = stands_still_; }
   /// The maximum number of samples, rounded down to a power of two; drops the oldest ones.
   void setLimit(std::size_t samples);
@@ -115,7 +118,7 @@ class SampleRing {
   bool stands_still_ = false;
   bool standstill_ends_ = false;
   bool has_no_value_ = false;      // a row without a value came after the newest sample
-  std::uint64_t lost_before_ = 0;  // rows lost since then, before rows without a value
+  std::uint64_t lost_before_ = 0;  // rows lost after the newest sample, before rows without a value
 };
 
 }  // namespace tendon::gui

@@ -24,7 +24,8 @@ struct CurveKey {
 
 /// The MIME type of dragged values: one per line, path and unit separated by a tab.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
-/// The MIME type of the source plot's id in digits, added when they are dragged out of a plot.
+/// The MIME type for the id of the source plot, in digits; added when values are dragged out of a
+/// plot.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
 /// Empty if there are none. Skips lines without a path.

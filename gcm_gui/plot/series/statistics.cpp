@@ -18,7 +18,7 @@ double UnitOfSize(double size) {
   return std::ldexp(1, -std::max(exponent, kLeastExponent));
 }
 
-// Prevents that rounding makes the result infinite.
+// The inverse; rounding cannot make the result infinite.
 double FromUnit(double distance, double unit) {
   constexpr double kMost = std::numeric_limits<double>::max();
   return std::clamp(distance / unit, -kMost, kMost);

@@ -26,15 +26,16 @@ struct Statistics {
   [[nodiscard]] ExactNumber span() const;
 };
 
-/// For the samples in [from_ns, to_ns]; nothing if there are none. O(samples in that span).
+/// For the samples in [from_ns, to_ns]; empty if there are none. O(samples in that span).
 [[nodiscard]] std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
                                                      std::int64_t to_ns);
 
-/// Samples per second in that span, also those that are not finite; 0 with less than two. O(log n).
+/// Samples per second in that span, including those that are not finite; 0 with less than two.
+/// O(log n).
 [[nodiscard]] double RateOf(const SampleRing& ring, std::int64_t from_ns, std::int64_t to_ns);
 
-/// Counts how often each value occurs among them, for states (signed integers). Counts at most the
-/// first 64 different values. O(samples in that span).
+/// Counts how often each value occurs in that span, for states (signed integers). Counts at most
+/// the first 64 different values. O(samples in that span).
 [[nodiscard]] std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring,
                                                                   std::int64_t from_ns,
                                                                   std::int64_t to_ns);

@@ -5,15 +5,15 @@
 
 namespace tendon::gui {
 
-/// The part of time that a plot shows. Live: the last seconds, with now at the right edge. Held: a
-/// part chosen by the user, while samples go on arriving.
+/// The part of time that a plot shows. Live: the last seconds, with the present at the right edge.
+/// Held: a part chosen by the user, while further samples arrive.
 ///
-/// Seconds count from origin(): now when live, the time of holding when held.
+/// Seconds are relative to origin(): the present when live, the time of holding when held.
 ///
-/// A sweeping window, as on an oscilloscope, has an axis at rest that begins at origin(), and a
-/// head that moves from left to right. Left of the head is the present pass; right of it the
-/// previous pass, until the head overwrites it. Zooming or moving returns to a window whose time
-/// runs from left to right.
+/// A sweeping window, as on an oscilloscope, has a fixed axis that begins at origin(), and a head
+/// that moves from left to right. Left of the head is the present pass; right of it the previous
+/// pass, until the head overwrites it. Zooming or moving returns to a window whose time runs from
+/// left to right.
 class TimeWindow {
  public:
   enum class Motion { kScroll, kSweep };
@@ -31,14 +31,14 @@ class TimeWindow {
   /// The axis position of a sweeping window's head.
   [[nodiscard]] double head() const { return secondsAt(head_ns_); }
 
-  /// Moves a live window by whole columns of a canvas that is `columns` wide, until now is at the
-  /// right edge: each column keeps its samples, so the curve does not flicker. Returns true if it
-  /// has moved. A held window stays.
+  /// Moves a live window by whole columns of a canvas that is `columns` wide, until the present is
+  /// at the right edge; each column keeps its samples, so the curve does not flicker. Returns true
+  /// if it has moved. A held window stays.
   bool follow(std::int64_t now_ns, double columns);
   void hold() { live_ = false; }
   void goLive();
 
-  // These hold the window. `at_s` keeps its place on the canvas.
+  // These hold the window. `at_s` keeps its position on the canvas.
   void zoom(double factor, double at_s);
   void pan(double by_s);
   void show(double from_s, double to_s);

@@ -24,7 +24,7 @@ struct ValueNames {
 
   /// The name of a number; its digits if it has no name.
   [[nodiscard]] QString textOf(const ExactNumber& number) const;
-  /// Nothing for a value without a name.
+  /// Empty for a value without a name.
   [[nodiscard]] std::optional<QString> nameOf(std::int64_t value) const;
 
   bool operator==(const ValueNames&) const = default;

@@ -10,9 +10,9 @@ namespace tendon::gui {
 
 class RowView;
 
-/// Chooses the visible columns of the catalogue. Name and value alone share one line without a
-/// header, and the name gets the room it needs; with further columns each has its own place under a
-/// header. GUI thread.
+/// Chooses the visible columns of the catalogue. If only name and value are visible, they share one
+/// line without a header, and the name gets the room that it needs; with further columns, each has
+/// its own place under a header. GUI thread.
 class CatalogueColumns : public QObject {
   Q_OBJECT
 

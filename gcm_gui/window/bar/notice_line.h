@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// One line above the graph: the instruction of the connect mode, else the latest notice.
+/// One line above the graph: the instruction of the connect mode, otherwise the latest notice.
 class NoticeLine : public QWidget {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class NoticeLine : public QWidget {
   const ConnectMode& mode_;
   QString notice_;
   QTimer fade_;
-  // The shown text: a path between two texts.
+  // The shown text consists of a path between two texts.
   QString before_;
   QString path_;
   QString after_;

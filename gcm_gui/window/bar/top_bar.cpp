@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kLogo = 20;
 
-/// Counts only what is present: the catalogue also remembers what is gone.
+/// Counts only present objects, because the catalogue also has objects that are gone.
 QString Counts(const Catalogue& catalogue) {
   std::int64_t processes = 0;
   std::int64_t components = 0;

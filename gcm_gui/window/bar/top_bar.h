@@ -11,8 +11,8 @@ namespace tendon::gui {
 
 class Pill;
 
-/// The top of the window: the state and knowledge of the GCM, the number of problems, and the
-/// window's own switches.
+/// The top of the window: the state of the GCM and the size of the system, the number of problems,
+/// and switches of the window.
 class TopBar : public QFrame {
   Q_OBJECT
 

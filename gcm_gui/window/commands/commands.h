@@ -14,7 +14,7 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// All commands of the window. Each is in a menu and in the palette, and both show its key.
+/// All commands of the window. Each command is in a menu and in the palette, and both show its key.
 class Commands : public QObject {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ bool IsScattered(const QString& folded, const QString& word) {
 
 enum class Likeness { kNone, kNearly, kWholly };
 
-/// kNearly: at least one word only matches by its letters.
+/// How well the words match; kNearly: at least one word matches only by its letters in order.
 Likeness LikenessOf(const QString& folded, const QStringList& words) {
   if (HasAll(folded, words)) return Likeness::kWholly;
   const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {

@@ -20,8 +20,8 @@ struct PaletteRow {
 };
 
 /// The matches of some typed words: commands first, then objects, best match first. If nothing
-/// contains the words, matches their letters in order, with few letters between. Without words all
-/// commands.
+/// contains the words, matches their letters in order, with few letters in between. Without words,
+/// all commands.
 class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 

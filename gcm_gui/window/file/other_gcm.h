@@ -12,7 +12,7 @@ namespace tendon::gui {
 class LinkState;
 
 /// Shows a GCM at another address in a new window that replaces this one. A window that hosts its
-/// GCM stays open, since others may use that GCM.
+/// GCM stays open, because others may use that GCM.
 class OtherGcm : public QObject {
   Q_OBJECT
 

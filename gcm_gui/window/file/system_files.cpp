@@ -155,7 +155,7 @@ void SystemFiles::importFile() {
   dialog->open();
 }
 
-/// Such a file describes one process without naming it.
+/// Asks for a process name, because a file to import describes one process without its name.
 void SystemFiles::askForProcess(const QString& file) {
   QStringList names;
   for (const auto& [name, entry] : document_.catalogue().processes()) {

@@ -64,7 +64,7 @@ class SystemFiles : public QObject {
   int page_;
   QString demo_;
   bool starts_demo_ = false;
-  bool brings_up_ = false;  // show the plan of the file as processes join
+  bool brings_up_ = false;  // show the plan of the file when processes join
 };
 
 }  // namespace tendon::gui

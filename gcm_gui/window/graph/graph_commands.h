@@ -33,7 +33,7 @@ class GraphCommands : public QObject {
   void keepPlaces(const WindowParts& parts, SystemDocument& document);
   /// The menu for a component under the mouse, which is also selected.
   void setComponentMenu(QMenu& menu, Selection& selection);
-  /// Undoes the last move of a component; false if there is none or the user has acted since.
+  /// Undoes the last move of a component; false if there is none or the user has acted since then.
   bool undoMove();
   [[nodiscard]] GraphMap& map() const { return *map_; }
   [[nodiscard]] GraphSearch& search() const { return *search_; }

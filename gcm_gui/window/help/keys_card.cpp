@@ -78,7 +78,7 @@ std::vector<Group> OfViews() {
            "consolePage"}};
 }
 
-/// How many levels above `widget` the group's widget is; nothing if it is not above.
+/// The number of levels from `widget` up to the group's widget; empty if that is not a parent.
 std::optional<int> StepsTo(const Group& group, const QWidget* widget) {
   if (group.part == nullptr) return std::nullopt;
   for (int steps = 0; widget != nullptr; widget = widget->parentWidget(), ++steps) {

@@ -15,7 +15,7 @@ TourStep Step(const QString& title, const QString& text, std::function<QWidget*(
   return {title, text, std::move(target)};
 }
 
-/// Opens the panel of the widget.
+/// Opens the panel of the widget, and returns the widget.
 QWidget* Revealed(MainWindow& window, QWidget& widget) {
   window.panels().reveal(widget);
   return &widget;

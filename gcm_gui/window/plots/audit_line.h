@@ -16,7 +16,7 @@ struct SentCommand {
   bool operator==(const SentCommand&) const = default;
 };
 
-/// Nothing for any other record.
+/// Empty for any other record.
 [[nodiscard]] std::optional<SentCommand> SentCommandOf(const message::LogRecord& record);
 
 }  // namespace tendon::gui

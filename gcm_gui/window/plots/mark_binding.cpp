@@ -76,7 +76,7 @@ void MarkBinding::follow() {
   if (!patterns.isEmpty() && !std::exchange(watches_log_, true)) reports_.watchLog();
 }
 
-// Events that only others listen to arrive here, too.
+// Events to which only other receivers listen arrive here too.
 void MarkBinding::markEvent(const ReceivedEvent& event) {
   if (!components_plotted_.contains(ComponentOf(event.path))) return;
   Marked& marked = events_[event.path];
@@ -104,7 +104,7 @@ void MarkBinding::markLog(const LogBatch& batch) {
     const auto sent = SentCommandOf(record);
     if (!sent || isRead(sent->path) || isOwnCall(sent->path)) continue;
     const std::int64_t now = WallClock();
-    // The clock of another host may be wrong.
+    // The clock of another host may be wrong, so the time must be plausible.
     const bool is_near = record.time <= now && now - record.time < kLatestLog;
     panel_.addMark({.kind = Mark::Kind::kCommand,
                     .time_ns = SteadyTimeOf(is_near ? record.time : now),
@@ -115,7 +115,7 @@ void MarkBinding::markLog(const LogBatch& batch) {
   }
 }
 
-// Reads change nothing and may be automatic: a form asks for initial values, a script for the arm's
+// Reads change nothing and may be automatic: a form requests initial values, a script the arm's
 // position.
 bool MarkBinding::isRead(const QString& path) const {
   const auto parsed = ParsePath(path.toStdString());

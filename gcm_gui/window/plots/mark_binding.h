@@ -22,8 +22,8 @@ class PlotPanel;
 /// programs except reads, refused requests, changes of state, connections made and broken, and
 /// processes lost and returned, whatever the cause. The first known state makes no mark.
 ///
-/// Also marks the events of plotted components. Listens to no other components, and to none while
-/// marks are hidden. GUI thread.
+/// Also marks the events of plotted components. Does not listen to other components, nor to any
+/// while marks are hidden. GUI thread.
 class MarkBinding : public QObject {
   Q_OBJECT
 

@@ -95,7 +95,7 @@ void SteerCommands::disableRefused() {
   }
 }
 
-/// So that their keys say why they are refused.
+/// Enables refused verbs, so that their keys show the reason of the refusal.
 void SteerCommands::enableRefused() {
   for (QAction* action : refused_) {
     action->setEnabled(true);
@@ -130,7 +130,7 @@ void SteerCommands::ask(LifeVerb verb) {
   card_->ask(verb, able, lines, effects);
 }
 
-/// If the component would go on, names it with the time that it has rested.
+/// The text for a component, with the time of its suspension if the verb would resume it.
 QString SteerCommands::lineOf(LifeVerb verb, const Path& one) const {
   const QString path = ToQString(ToString(one));
   const auto* component = store_.catalogue().FindComponent(one.process, one.component);

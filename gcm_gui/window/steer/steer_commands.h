@@ -36,7 +36,7 @@ class SteerCommands : public QObject {
   /// The menu for the selection.
   [[nodiscard]] QMenu& menu() const { return *menu_; }
   [[nodiscard]] SteerCard& card() const { return *card_; }
-  /// Asks for confirmation, or says why the verb is impossible.
+  /// Asks for confirmation, or shows the reason why the verb is impossible.
   void ask(LifeVerb verb);
 
  Q_SIGNALS:
@@ -46,7 +46,7 @@ class SteerCommands : public QObject {
  private:
   /// Without duplicates, in the order of selection.
   [[nodiscard]] std::vector<Path> selectedComponents() const;
-  /// Why all selected components would refuse the verb; empty if one would accept it.
+  /// The reason why all selected components would refuse the verb; empty if one would accept it.
   [[nodiscard]] QString refusalOf(LifeVerb verb) const;
   /// Disables refused verbs while a component's menu is open.
   void disableRefused();

@@ -22,7 +22,7 @@ class LogKeeper final : public GcmListener {
     is_current_ = batch.is_current;
   }
 
-  /// The records of a process, or of one of its sources if named.
+  /// The records of a process, or of one of its sources if `source` is given.
   [[nodiscard]] std::vector<message::LogRecord> Of(const std::string& process,
                                                    const std::string& source = "") const {
     const std::scoped_lock lock(mutex_);

@@ -8,14 +8,14 @@
 
 namespace tendon::test {
 
-/// Measures how long this machine ran no thread. Components then miss their deadlines, and a test
-/// must not blame them.
+/// Measures how long this machine ran no thread. Components then miss their deadlines, which a test
+/// must not count as failures.
 class StallMeter {
  public:
   using Time = std::chrono::milliseconds;
 
   [[nodiscard]] Time longest() const { return longest_; }
-  /// True if leases may have expired for this reason alone.
+  /// True if leases may have expired only for this reason.
   [[nodiscard]] bool has_stood_still() const { return longest() >= kMuch; }
 
  private:

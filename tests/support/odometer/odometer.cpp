@@ -46,7 +46,7 @@ inline constexpr auto tendon::kPayload<odometer::Edges> =
 
 namespace odometer {
 
-/// States, and numbers beyond the precision of a double: each row counts on from the last integer
+/// States, and numbers beyond the precision of a double: the counter starts at the largest integer
 /// up to which doubles are exact.
 class Odometer final : public tendon::PeriodicTask {
  public:

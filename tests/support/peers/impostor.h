@@ -28,7 +28,7 @@ class Impostor {
   }
 
   [[nodiscard]] std::string address() const { return listener_ ? listener_->address() : ""; }
-  /// The number of callers so far.
+  /// The number of links so far.
   [[nodiscard]] int links() const {
     const std::scoped_lock lock(heard_->mutex);
     return heard_->links;

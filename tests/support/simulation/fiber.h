@@ -9,7 +9,7 @@ namespace tendon {
 class Fiber {
  public:
   explicit Fiber(std::function<void()> body);
-  /// The body should have ended; otherwise the objects on its stack leak.
+  /// The body should have ended before; otherwise the objects on its stack leak.
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;

@@ -11,12 +11,12 @@
 namespace tendon {
 
 /// The memory of one simulated execution under the C++ memory model: each atomic keeps all its
-/// values, and a thread may read any that is not older than what it knows. A view is what a thread
-/// knows; release, acquire and fences pass views between threads. (Limit: a load never reads a
-/// store that comes later in the execution.)
+/// values. The view of a thread holds, for each atomic, the oldest value that the thread may still
+/// read; release, acquire and fences pass views between threads. (Limit: a load never reads a value
+/// that is stored later in the execution.)
 class MemoryModel {
  public:
-  static constexpr std::size_t kMaxThreads = 4;  // including the one that sets up
+  static constexpr std::size_t kMaxThreads = 4;  // including the thread that sets up the scenario
   using Thread = std::size_t;
   using Location = std::size_t;
 
@@ -25,7 +25,7 @@ class MemoryModel {
 
   /// The number of values that a load by `thread` may return, the newest first.
   [[nodiscard]] std::size_t Choices(Thread thread, Location location) const;
-  /// For a sequentially consistent load the fence must come before the choice.
+  /// For a sequentially consistent load, the fence must come before Choices().
   std::uint64_t Load(Thread thread, Location location, std::memory_order order, std::size_t choice);
   void Store(Thread thread, Location location, std::uint64_t value, std::memory_order order);
   /// Read-modify-write: reads the newest value and stores `value(old)` right after it.
@@ -68,8 +68,8 @@ class MemoryModel {
   };
   struct ThreadState {
     View current;
-    View read;      // from relaxed loads: known after an acquire fence
-    View released;  // at the last release fence: passed on by relaxed stores
+    View read;      // from relaxed loads; joins the view at an acquire fence
+    View released;  // view at the last release fence; relaxed stores pass it on
   };
   struct Plain {
     std::array<std::uint32_t, kMaxThreads> reads{};

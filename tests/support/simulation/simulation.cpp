@@ -12,8 +12,8 @@ namespace {
 
 using Location = MemoryModel::Location;
 
-/// The decisions of one execution, in order. The next execution repeats them up to the last one
-/// with an untried alternative, and takes that.
+/// The decisions of one execution, in order. The next execution repeats them up to the last
+/// decision with an untried alternative, and takes that alternative.
 class Decisions {
  public:
   std::size_t Take(std::size_t alternatives) {
@@ -41,7 +41,8 @@ class Decisions {
   std::size_t position_ = 0;
 };
 
-/// One execution. A thread runs alone until the next step at which another may take over.
+/// One execution. Only one thread runs at a time, until the next step at which another one may
+/// continue.
 class Execution {
  public:
   Execution(Decisions& decisions, const Limits& limits)
@@ -59,7 +60,7 @@ class Execution {
   void AwaitAnyStore();
   void Sleep(Location location, std::uint64_t expected);
   void Wake(Location location);
-  /// Others may run before the next operation of this thread.
+  /// Lets other threads run before the next operation of this thread.
   void Step();
 
   MemoryModel memory;
@@ -136,7 +137,7 @@ void Execution::RunAll() {
   }
 }
 
-/// After a failure: lets the threads end, so that their stacks are unwound.
+/// Called after a failure: lets the threads end, so that their stacks are unwound.
 void Execution::RunToTheEnd() {
   constexpr int kTurns = 10'000;
   for (int turn = 0; turn < kTurns; ++turn) {

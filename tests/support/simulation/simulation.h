@@ -11,20 +11,20 @@
 
 /// An interleaving simulator for lock-free code. It runs a scenario of two or three small threads
 /// repeatedly, each time in another order and with other values that the memory model allows, until
-/// all have been tried. Code under test uses SimulatedAtomics.
+/// all possibilities have been tried. Code under test uses SimulatedAtomics.
 namespace tendon::simulation {
 
 /// The limits of an exploration. Small limits find nearly every fault.
 struct Limits {
-  int preemptions = 2;                 ///< switches away from a thread that could go on
+  int preemptions = 2;                 ///< switches away from a thread that could continue
   int stale_reads = 2;                 ///< loads that do not return the newest value
-  std::size_t executions = 1'000'000;  ///< the exploration gives up after this number
+  std::size_t executions = 1'000'000;  ///< the exploration ends after this number
 };
 
 struct Report {
   std::size_t executions = 0;
   bool is_complete = false;  ///< all executions within the limits were tried
-  std::string failure;       ///< of the first failed execution, with its steps; else empty
+  std::string failure;       ///< message and steps of the first failed execution; otherwise empty
 };
 
 /// The threads of one execution. They own the shared objects, new for each execution.
@@ -41,7 +41,7 @@ class Scenario {
 /// Stops at the first failure: a Check(), a race on plain memory, or a deadlock.
 Report Explore(const std::function<void(Scenario&)>& build, Limits limits = {});
 
-/// In a thread of a scenario: fails the execution with `sentence` unless `condition` holds.
+/// Called in a thread of a scenario: fails the execution with `sentence` if `condition` is false.
 void Check(bool condition, std::string_view sentence);
 
 /// The thread that builds the scenario and runs `finally`; the others count from 1.
@@ -60,7 +60,7 @@ void Fence(std::memory_order order);
 void ProcessBarrier();
 void ReadPlain(MemoryModel::Location location);
 void WritePlain(MemoryModel::Location location);
-/// Waits until another thread has stored something new to this thread.
+/// Waits until another thread has stored a value that this thread has not seen.
 void AwaitAnyStore();
 void Sleep(MemoryModel::Location location, std::uint64_t expected);
 void Wake(MemoryModel::Location location);

@@ -7,7 +7,7 @@
 namespace tendon {
 
 /// SimulatedAtomics with one guarantee removed. A lock-free class that needs the guarantee must
-/// fail with it; otherwise its scenario proves nothing.
+/// fail without it; otherwise its scenario proves nothing.
 template <std::memory_order kOrder>
 struct WithoutFence : SimulatedAtomics {
   static void Fence(std::memory_order order) noexcept {

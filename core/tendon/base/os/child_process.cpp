@@ -19,7 +19,7 @@ using SteadyClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostOutput = 65536;
 
-/// The child receives every signal, whatever its parent blocks or ignores.
+/// The child receives every signal, even those that its parent blocks or ignores.
 class Attributes {
  public:
   explicit Attributes(int further_flags = 0) {
@@ -81,7 +81,7 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
   return reason;
 }
 
-/// Reads until the other end is closed; false if that takes too long.
+/// Reads until the other end is closed; false if the deadline passes first.
 bool ReadAll(int descriptor, SteadyClock::time_point deadline, std::string& out) {
   std::array<char, 4096> part{};
   while (true) {
@@ -173,7 +173,8 @@ void BackgroundProgram::Terminate() { Signal(SIGTERM); }
 
 void BackgroundProgram::Kill() { Signal(SIGKILL); }
 
-/// To no other process: the number belongs to the child until waitpid() has reported its end.
+/// Cannot hit another process: the kernel reuses the child's number only after waitpid() has
+/// reported its end.
 void BackgroundProgram::Signal(int signal) {
   if (!end_) kill(static_cast<pid_t>(pid_), signal);
 }

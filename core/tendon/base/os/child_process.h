@@ -15,19 +15,19 @@ namespace tendon::os {
 /// How a program ended.
 struct ProgramOutcome {
   std::string out;               ///< its standard output, at most 64 KiB
-  std::optional<int> exit_code;  ///< nothing if a signal ended it
+  std::optional<int> exit_code;  ///< empty if a signal ended it
   std::string signal;            ///< "SIGSEGV"; "" if it ended by itself
 };
 
-/// Runs a program as a process of its own, without input and without its error output, and waits
-/// for its end. Errors: kFailed if it cannot be run, kTimeout if it had to be killed.
+/// Runs a program as a separate process and waits for its end. It has no input, and its error
+/// output is discarded. Errors: kFailed if it cannot be run, kTimeout if it had to be killed.
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
                                   std::chrono::milliseconds patience);
 
-/// A program that runs as a process of its own, and goes on when this object, or this process,
-/// ends. It has its own session, so signals of our terminal do not reach it. It has no input and
-/// none of our files. Not thread-safe.
+/// A program that runs as a separate process and continues when this object, or this process, ends.
+/// It has its own session, so signals of our terminal do not reach it. It has no input and inherits
+/// none of our open files. Not thread-safe.
 class BackgroundProgram {
  public:
   /// Its output goes to `log`, a new file for this user alone. kFailed if it cannot be run.
@@ -38,11 +38,11 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   [[nodiscard]] std::int64_t pid() const noexcept { return pid_; }
-  /// Its outcome, without output; nothing while it runs.
+  /// Its outcome, without output; empty while it runs.
   std::optional<ProgramOutcome> Ended();
-  /// Asks it to end: SIGTERM.
+  /// Sends SIGTERM, which asks it to end.
   void Terminate();
-  /// Ends it: SIGKILL.
+  /// Sends SIGKILL, which ends it.
   void Kill();
 
  private:

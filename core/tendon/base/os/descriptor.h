@@ -2,7 +2,7 @@
 
 namespace tendon::os {
 
-/// Owns a file descriptor, which may be none (below 0), and closes it at the end.
+/// Owns a file descriptor and closes it in the destructor. A value below 0 means no descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int value) noexcept : value_(value) {}
@@ -11,7 +11,7 @@ class Descriptor {
   ~Descriptor() { Close(); }
 
   [[nodiscard]] int get() const noexcept { return value_; }
-  /// Closes it earlier; from then on there is none. A second call does nothing.
+  /// Closes the descriptor now. A second call does nothing.
   void Close() noexcept;
 
  private:

@@ -21,7 +21,7 @@ Error Failure(const fs::path& file) {
   return {ErrorCode::kFailed, "cannot write " + file.string() + ": " + reason.message()};
 }
 
-/// Writes all of it and waits for the disk. On failure, errno has the reason.
+/// Writes all of `text` and waits until it is on the disk. On failure, errno has the reason.
 bool WriteAll(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(descriptor, text.data(), text.size());
@@ -47,7 +47,7 @@ Result<fs::path> TargetOf(const fs::path& file) {
   return Failure(file);
 }
 
-/// A file with an unused name, in the folder of another file. It is removed at the end unless it
+/// A file with an unused name, in the folder of another file. The destructor removes it unless it
 /// has replaced that file.
 class NextFile {
  public:
@@ -70,7 +70,7 @@ class NextFile {
 
  private:
   int Make(const fs::path& target, mode_t mode) {
-    constexpr int kMostTries = 100;  // each process that was killed may have left one
+    constexpr int kMostTries = 100;  // killed processes may have left some
     const std::string begin = ".saving-" + std::to_string(getpid()) + "-";
     int made = -1;
     for (int i = 0; i < kMostTries && made < 0; ++i) {
@@ -81,11 +81,11 @@ class NextFile {
     return made;
   }
 
-  fs::path path_;  // before descriptor_, whose initialiser fills it
+  fs::path path_;  // declared before descriptor_, whose initialiser fills it
   const Descriptor descriptor_;
 };
 
-/// Takes mode and owner from the replaced file; a different owner only if that is allowed.
+/// Copies mode and owner of the replaced file; the owner only if the system allows it.
 bool TakeOver(int descriptor, const struct stat& before) {
   const bool keeps_group = fchown(descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
   const bool keeps_owner = fchown(descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
@@ -95,7 +95,7 @@ bool TakeOver(int descriptor, const struct stat& before) {
   return fchmod(descriptor, before.st_mode & kept) == 0;
 }
 
-/// Brings the name of a file to the disk; some file systems cannot.
+/// Writes the directory entry of a file to the disk; some file systems cannot do it.
 void Settle(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

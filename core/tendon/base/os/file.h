@@ -12,20 +12,20 @@ namespace tendon::os {
 /// Appends `text` to a file, which is created if missing, and waits until it is on the disk.
 Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text);
 
-/// Gives a file new content. Whatever happens meanwhile, it then has all of the old or all of the
-/// new content. An existing file keeps its mode and, if we may set it, its owner. A symbolic link
-/// stays a link, and its target is written; further hard links keep the old content. Waits for the
-/// disk. kFailed if we may not write the file, it is not regular, or its folder accepts no other
-/// file.
+/// Replaces the content of a file atomically: even after a crash, it has all of the old or all of
+/// the new content. An existing file keeps its mode and, if the system allows it, its owner. A
+/// symbolic link stays a link, and its target is written; further hard links keep the old content.
+/// Waits until the data is on the disk. kFailed if this user may not write the file, it is not
+/// regular, or its folder accepts no other file.
 Result<void> ReplaceDurably(const std::filesystem::path& file, std::string_view text);
 
-/// Checks if both calls above should succeed: the folder accepts another file of some bytes, which
-/// is then removed, and an existing file may be written. Waits for the disk; kFailed as above.
+/// Checks that both functions above can be expected to succeed: creates and removes a small file in
+/// the folder, and checks that an existing file may be written. Waits for the disk; kFailed as
+/// above.
 Result<void> CheckWritable(const std::filesystem::path& file);
 
-/// Returns the result of `read` for a file that does not change meanwhile. Reads again if somebody
-/// has written it, so that nobody gets half of the old and half of the new; kFailed if that goes
-/// on.
+/// Calls `read` and returns its result. Calls it again if the file was written meanwhile, so that
+/// the result is never half old and half new; kFailed if the file keeps changing.
 Result<std::string> ReadUnchanged(const std::filesystem::path& file,
                                   const std::function<Result<std::string>()>& read);
 

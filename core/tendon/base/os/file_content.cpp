@@ -39,14 +39,14 @@ FileStamp FileStampOf(const struct stat& status) {
           .changed = SinceEpoch(status.st_ctim)};
 }
 
-/// The stamp of an open file; nothing if it is not a regular file.
+/// The stamp of an open file; empty if it is not a regular file.
 std::optional<FileStamp> FileStampOf(int descriptor) {
   struct stat status {};
   if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return FileStampOf(status);
 }
 
-/// Nothing if there is no such file.
+/// Empty if there is no such file.
 std::optional<FileStamp> FileStampOf(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return std::nullopt;
@@ -54,15 +54,15 @@ std::optional<FileStamp> FileStampOf(const fs::path& file) {
 }
 
 /// True if the file was changed so long ago that the next change has a different time: the kernel's
-/// times advance in steps of some milliseconds.
+/// file times advance in steps of a few milliseconds.
 bool IsSettled(const FileStamp& stamp) {
   constexpr std::chrono::milliseconds kLongestStep(100);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::abs(now - std::chrono::nanoseconds(stamp.changed)) > kLongestStep;
 }
 
-/// The hash of the first `size` bytes, or of all if there are fewer: a file that grows as fast as
-/// it is read has no end.
+/// The hash of the first `size` bytes, or of all if there are fewer. The limit ends the loop for a
+/// file that grows as fast as it is read.
 Result<std::array<std::uint64_t, 2>> ReadBytes(
     int descriptor, std::uint64_t size,
     const std::function<Result<void>(std::span<const std::byte>)>& take) {

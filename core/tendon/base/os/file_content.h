@@ -30,8 +30,8 @@ struct FileContent {
 };
 
 /// Reads a regular file from begin to end and calls `take`, which may be null, with each part. If
-/// the file is written meanwhile, reads it again, so that nobody gets half of the old and half of
-/// the new; `begin` is called before each attempt. The error text continues after "PATH: ".
+/// the file is written meanwhile, reads it again, so that the content is never half old and half
+/// new; `begin` is called before each attempt. The error text continues after "PATH: ".
 Result<FileContent> ReadContent(
     const std::filesystem::path& file,
     const std::function<Result<void>(std::span<const std::byte>)>& take = nullptr,
@@ -41,18 +41,18 @@ Result<FileContent> ReadContent(
 class FileWatch {
  public:
   enum class State {
-    kSame,   ///< has the same bytes, even if somebody has touched or copied it
-    kOther,  ///< has other bytes, or cannot be read
+    kSame,   ///< the bytes are the same, even if the file was touched or copied
+    kOther,  ///< the bytes are different, or cannot be read
     kGone,
   };
 
   explicit FileWatch(FileContent content) : content_(std::move(content)), seen_(content_.stamp) {}
 
   [[nodiscard]] const FileContent& content() const { return content_; }
-  /// Costs a system call. Reads the bytes only if the stamp has changed since the last look, or is
-  /// so recent that a second write may not have changed it.
+  /// Costs a system call. Reads the bytes only if the stamp has changed since the last call, or is
+  /// so recent that a second write may have left it unchanged.
   State Look();
-  /// When the present file was written, ns since 1970; 0 if there was none at the last look.
+  /// When the present file was written, ns since 1970; 0 if the last Look() found no file.
   [[nodiscard]] std::int64_t written_now() const {
     return state_ == State::kGone ? 0 : seen_.written;
   }

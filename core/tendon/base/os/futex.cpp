@@ -21,11 +21,11 @@ const std::uint32_t* Address(const std::atomic<std::uint32_t>& word) {
   return reinterpret_cast<const std::uint32_t*>(&word);
 }
 
-/// When the library is loaded: later, with several threads, it takes 10 ms.
+/// Registered when the library is loaded: with several threads running, it would take 10 ms.
 const bool kBarrierRegistered =
     syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
 
-/// Only the first time; the program goes on without the barrier.
+/// Warns once; the program continues without the barrier.
 void WarnOfNoBarrier() noexcept {
   static std::atomic<bool> is_said = false;
   if (is_said.exchange(true, std::memory_order_relaxed)) return;

@@ -6,17 +6,17 @@
 
 namespace tendon::os {
 
-/// Sleeps while `word` holds `expected`, until woken or until `timeout` has passed. May wake
-/// without a reason. One system call.
+/// Sleeps while `word` holds `expected`, until woken or until `timeout` has passed. Spurious
+/// wake-ups are possible. One system call.
 void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
                std::chrono::nanoseconds timeout) noexcept;
 
 /// Wakes every thread that sleeps on `word`. One system call.
 void FutexWake(const std::atomic<std::uint32_t>& word) noexcept;
 
-/// A full memory barrier in every running thread of this process; costs threads on the fast side
-/// nothing. Falls back to a fence if the kernel refuses, which is logged once. Takes microseconds;
-/// not for a cycle.
+/// A full memory barrier in every running thread of this process; the other threads pay nothing for
+/// it. Falls back to a fence if the kernel refuses, which is logged once. Takes microseconds; not
+/// for a cycle.
 void ProcessBarrier() noexcept;
 
 }  // namespace tendon::os

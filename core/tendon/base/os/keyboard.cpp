@@ -13,7 +13,7 @@ namespace tendon::os {
 namespace {
 
 /// The pipe through which a handler reports the signals of a terminal: their numbers, as bytes. The
-/// first Keyboard makes it; it is kept, because a handler may run at any time.
+/// first Keyboard creates it. It is never closed, because a handler may run at any time.
 std::array<int, 2> signal_pipe = {-1, -1};
 
 constexpr std::array<int, 3> kSignals = {SIGTSTP, SIGCONT, SIGWINCH};

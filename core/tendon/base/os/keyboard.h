@@ -7,8 +7,8 @@
 namespace tendon::os {
 
 /// While it lives, reads the keys of the terminal at the standard input, each at once and without
-/// an echo. Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). For one thread,
-/// and one object at a time.
+/// an echo. Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). Used by one
+/// thread; only one object may exist at a time.
 class Keyboard {
  public:
   Keyboard();
@@ -16,13 +16,13 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
   ~Keyboard();
 
-  /// The next letter; nothing if none comes in time or there is no terminal. A change of the
-  /// terminal's size, the end of a pause and a request for one end the wait early.
+  /// The next letter; empty if no key is pressed in time or there is no terminal. A change of the
+  /// terminal's size, a request to pause and the end of a pause end the wait early.
   std::optional<char> NextKey(std::chrono::milliseconds patience) noexcept;
 
   /// True, once, if Ctrl-Z was pressed or a pause was requested in another way.
   [[nodiscard]] bool TakePause() noexcept;
-  /// Stops the process, with the terminal as it was before, until it is continued.
+  /// Restores the terminal and stops the process until it is continued.
   void Pause() noexcept;
 
  private:
@@ -31,7 +31,7 @@ class Keyboard {
   void GiveBack() noexcept;
   void TakeSignals() noexcept;
 
-  std::unique_ptr<Mode> former_;  // of the terminal; null if there is none
+  std::unique_ptr<Mode> former_;  // the terminal's former mode; null if there is no terminal
   bool is_pause_asked_ = false;
 };
 

@@ -27,7 +27,7 @@ Error CannotCopy() {
   return {ErrorCode::kFailed, "cannot be copied to be loaded: " + reason.message()};
 }
 
-/// True if only this user can put a file there that we execute.
+/// True if only this user can create files in this folder, so that we can trust and execute them.
 bool IsOurs(const fs::path& folder) {
   constexpr mode_t kOthers = S_IWGRP | S_IWOTH;
   struct stat status {};
@@ -45,14 +45,15 @@ bool IsMade(const fs::path& folder) {
   return mkdir(folder.c_str(), kOurs) == 0 || errno == EEXIST;
 }
 
-/// "4711-52": 4711 is this process, but processes that cannot see each other may share it.
+/// "4711-52": 4711 is the process number. A random number follows, because processes in different
+/// containers may have the same one.
 std::string NameOfFolder() {
   constexpr std::uint64_t kFew = 1000;
   return std::to_string(ProcessId()) + "-" + std::to_string(RandomNumber() % kFew);
 }
 
-/// The lock of a folder, which this process holds alone as long as it lives, even if others cannot
-/// see the process. Null if another process holds it, or the folder is gone.
+/// Locks a folder for the life of this process; the lock also works between containers. Null if
+/// another process holds the lock, or the folder is gone.
 std::unique_ptr<Descriptor> Lock(const fs::path& folder) {
   auto lock = std::make_unique<Descriptor>(
       open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
@@ -80,13 +81,13 @@ class ProcessFolder {
   }
   ProcessFolder(const ProcessFolder&) = delete;
   ProcessFolder& operator=(const ProcessFolder&) = delete;
-  /// A forked child shares it with us, and leaves it in place.
+  /// A forked child shares the folder, and must not remove it.
   ~ProcessFolder() {
     std::error_code ignored;
     if (!path_.empty() && process_ == ProcessId()) fs::remove_all(path_, ignored);
   }
 
-  /// A new folder in it, or an empty path.
+  /// Creates a folder in it; returns an empty path on failure.
   fs::path MakeFolder() {
     const std::scoped_lock lock(mutex_);
     const fs::path made = path_ / std::to_string(++made_);
@@ -94,7 +95,8 @@ class ProcessFolder {
   }
 
  private:
-  /// Does nothing if another process took it for an abandoned folder before it was locked.
+  /// Does nothing if another process has removed the folder as abandoned before this one could lock
+  /// it.
   void TakeFolder(const fs::path& folder) {
     if (mkdir(folder.c_str(), S_IRWXU) != 0) return;
     lock_ = Lock(folder);
@@ -132,7 +134,7 @@ Result<std::unique_ptr<LibraryCopy>> LibraryCopy::Make(const fs::path& original)
       copy->descriptor_.Close();
       return copy;
     }
-    copy.reset();  // its disk may be full: memory may have room
+    copy.reset();  // the disk may be full: try memory instead
   }
   copy = InMemory(original);
   if (!copy) return CannotCopy();
@@ -152,12 +154,12 @@ LibraryCopy::~LibraryCopy() {
 void LibraryCopy::Keep(std::unique_ptr<LibraryCopy> copy) {
   copy->folder_.clear();
   static std::mutex mutex;
-  static auto& kept = *new std::vector<std::unique_ptr<LibraryCopy>>();  // until the very end
+  static auto& kept = *new std::vector<std::unique_ptr<LibraryCopy>>();  // never destroyed
   const std::scoped_lock lock(mutex);
   kept.push_back(std::move(copy));
 }
 
-/// Null if there is no such folder.
+/// Null if there is no usable folder.
 std::unique_ptr<LibraryCopy> LibraryCopy::InFolder(const fs::path& original) {
   constexpr mode_t kOurs = S_IRUSR | S_IXUSR;
   const fs::path folder = OwnFolder().MakeFolder();

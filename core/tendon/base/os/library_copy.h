@@ -9,15 +9,15 @@
 
 namespace tendon::os {
 
-/// A copy of a shared library in a file of this process alone, which is loaded instead of the
-/// original. So a linker, `cp` or an installation may write the original without an effect on
-/// running programs. A mapped file that is overwritten in place would change, or end, a running
-/// program.
+/// A private copy of a shared library, which this process loads instead of the original. So a
+/// linker, `cp` or an installation can overwrite the original without an effect on running
+/// programs; overwriting a mapped file would change or crash them.
 ///
 /// The copy has the name of its original, so that backtraces, debuggers and profilers show a useful
 /// name: NAME.so in a folder of this process below RuntimeFolder(). The folder is removed when the
-/// process ends; that of a killed process, when the next process makes a copy. If files of that
-/// folder cannot be executed, or it is not ours, the copy is only in memory: /proc/PID/fd/NUMBER.
+/// process ends. If the process is killed, the next process that makes a copy removes it. If the
+/// folder does not allow execution or other users can write it, the copy is only in memory:
+/// /proc/PID/fd/NUMBER.
 class LibraryCopy {
  public:
   /// The error text continues after "PATH: ".
@@ -27,7 +27,7 @@ class LibraryCopy {
   /// Removes the file unless it is kept. A library loaded from it stays.
   ~LibraryCopy();
 
-  /// The file to load; other processes of this user can read it, too.
+  /// The file to load; other processes of this user can read it as well.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// The content that was copied.
   [[nodiscard]] const FileContent& content() const { return content_; }
@@ -43,7 +43,7 @@ class LibraryCopy {
 
   Descriptor descriptor_;
   std::filesystem::path path_;
-  std::filesystem::path folder_;  // of this copy alone; empty if it is in memory
+  std::filesystem::path folder_;  // private to this copy; empty if the copy is in memory
   FileContent content_;
 };
 

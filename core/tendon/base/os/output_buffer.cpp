@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kEnough = std::size_t{1} << 16U;  // bytes to write at a time
 
-/// A pipe reports room only if it has room for so many bytes. A file always has room.
+/// The size of one write. A pipe counts as writable only if it has room for this many bytes. A file
+/// always has room.
 std::size_t PieceFor(int descriptor) {
   struct stat status {};
   const bool is_file = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -69,11 +70,11 @@ bool OutputBuffer::WriteAll() {
 }
 
 bool OutputBuffer::WaitForRoom() const {
-  constexpr int kLook = 20;  // ms between looks for a request to end
+  constexpr int kLook = 20;  // ms between two checks for a request to terminate
   while (true) {
     pollfd wait{descriptor_, POLLOUT, 0};
     const int ready = poll(&wait, 1, 0);
-    if (ready > 0) return true;  // or broken, which the write reports
+    if (ready > 0) return true;  // also if the pipe is broken; the write reports it
     if (WasTerminationAsked()) return false;
     (void)poll(&wait, 1, kLook);
   }

@@ -12,15 +12,15 @@ namespace tendon::os {
 /// rest is not written, and the stream fails until the program goes on (HoldTerminationSignals()
 /// and clear() of the stream). After any other failure the stream fails for good.
 ///
-/// Writes to a terminal at once, elsewhere when it is flushed or has enough. Thread safety: one
-/// thread at a time.
+/// Writes to a terminal at once; elsewhere when the stream is flushed or has 64 KiB. Thread safety:
+/// one thread at a time.
 class OutputBuffer final : public std::streambuf {
  public:
   /// Does not own the descriptor.
   explicit OutputBuffer(int descriptor);
   OutputBuffer(const OutputBuffer&) = delete;
   OutputBuffer& operator=(const OutputBuffer&) = delete;
-  /// Writes the rest.
+  /// Writes the buffered rest.
   ~OutputBuffer() override;
 
  protected:
@@ -32,11 +32,11 @@ class OutputBuffer final : public std::streambuf {
  private:
   [[nodiscard]] bool Add(std::string_view text);
   [[nodiscard]] bool WriteAll();
-  /// False if the process is asked to end.
+  /// False if the process is asked to terminate.
   [[nodiscard]] bool WaitForRoom() const;
 
   const int descriptor_;
-  const std::size_t piece_;  // bytes that never have to wait once there is room
+  const std::size_t piece_;  // bytes that can be written without waiting once poll() reports room
   const bool is_terminal_;
   std::string waiting_;
   int failure_ = 0;  // errno

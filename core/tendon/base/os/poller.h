@@ -15,7 +15,7 @@ class Poller {
   /// A socket that is ready, by the key with which it was added.
   struct Event {
     std::uint64_t key = 0;
-    bool readable = false;  ///< or ended: a read will tell
+    bool readable = false;  ///< or closed by the peer; a read tells which
     bool writable = false;
   };
   enum class Watch { kNothing, kReads, kReadsAndWrites };
@@ -35,7 +35,7 @@ class Poller {
   void Wake();
 
  private:
-  Socket poll_;  // not sockets, but owned like them
+  Socket poll_;  // epoll and event descriptors; Socket closes them
   Socket wake_;
   std::vector<Event> events_;
 };

@@ -18,7 +18,7 @@ Error Denied(const std::filesystem::path& file, int reason) {
           file.string() + ": " + std::error_code(reason, std::generic_category()).message()};
 }
 
-/// Nothing if there is no such file.
+/// Empty if there is no such file.
 std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
   const Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (descriptor.get() < 0) {
@@ -44,7 +44,7 @@ Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,
                                           const std::string& content) {
   if (auto found = Read(file)) return *std::move(found);
 
-  // Written under another name and then linked, so that nobody ever reads half of it.
+  // Write under another name, then link: no reader ever sees a partial file.
   const std::filesystem::path draft = file.string() + "." + std::to_string(RandomNumber());
   {
     const Descriptor descriptor(open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));

@@ -99,7 +99,7 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  setenv("MALLOC_ARENA_MAX", "4", 0);  // each takes addresses that it may never need
+  setenv("MALLOC_ARENA_MAX", "4", 0);  // each arena reserves addresses that it may never use
   rlimit before{};
   const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;

@@ -18,16 +18,16 @@ struct Usage {
 /// Takes some microseconds.
 [[nodiscard]] Usage OwnUsage();
 
-/// True if this process may do anything on this machine.
+/// True if the effective user is root.
 [[nodiscard]] bool RunsAsRoot() noexcept;
 
 [[nodiscard]] std::string HostName();
 
-/// User and machine of this process: "anna@desk". From the kernel, not from the environment; the
-/// user's number if there is no name.
+/// User and machine of this process: "anna@desk". Taken from the kernel, not from the environment;
+/// the user's number if the user has no name.
 [[nodiscard]] std::string UserAtHost();
 
-/// 64 random bits from the kernel, which nobody can guess.
+/// 64 unpredictable random bits from the kernel.
 [[nodiscard]] std::uint64_t RandomNumber();
 
 /// The user's folder for sockets and cookies, mode 0700; created if missing.
@@ -39,8 +39,8 @@ struct Usage {
 /// The folder of this program.
 [[nodiscard]] std::filesystem::path ProgramFolder();
 
-/// Replaces this process by another program, found in $PATH, with at most `most_memory` bytes of
-/// addresses. Returns only if there is none.
+/// Replaces this process by another program, found in $PATH and limited to `most_memory` bytes of
+/// address space. Returns only if the program cannot be run.
 void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memory);
 
 }  // namespace tendon::os

@@ -12,15 +12,15 @@ namespace tendon::os {
 /// to 10.9.1.2:10705 (Network is unreachable)".
 [[nodiscard]] std::string WhyNotReached(const std::string& address, int failure);
 
-/// True if a text of WhyNotReached() says that a host has no route.
+/// True if `text`, from WhyNotReached(), says that a host has no route.
 [[nodiscard]] bool TellsOfNoRoute(std::string_view text);
 
-/// The first number of a host's name, as this system resolves it: "127.0.1.1" for its own name on
-/// many machines. Numbers and unknown names are returned unchanged.
+/// The first numeric address of a host, as this system resolves it: "127.0.1.1" for its own name on
+/// many machines. Numeric addresses and unknown names are returned unchanged.
 [[nodiscard]] std::string NumberOf(const std::string& host);
 
-/// The address of this host from which it reaches `host`, as the kernel chooses it now; for an
-/// address of its own, that address. Empty if there is no route. Nothing is sent.
+/// The local address that the kernel now chooses for traffic to `host`; if `host` is an address of
+/// this host, that address. Empty if there is no route. Nothing is sent.
 [[nodiscard]] std::string AddressTowards(const std::string& host, std::uint16_t port);
 
 }  // namespace tendon::os

@@ -40,7 +40,7 @@ std::string MachineName(unsigned machine) {
 
 struct FileHead {
   Header header{};
-  std::size_t size = 0;  // bytes of it that could be read
+  std::size_t size = 0;  // bytes read
 };
 
 FileHead ReadHead(std::ifstream& file) {
@@ -64,7 +64,7 @@ Error Expected(const std::string& found) {
                                   MachineName(OwnHeader().e_machine) + ", found " + found};
 }
 
-/// The end of the last part of the file that its own header names.
+/// The file size that the header implies: the end of the last part that it lists.
 std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
   std::uint64_t end = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
   file.seekg(static_cast<std::streamoff>(header.e_phoff));
@@ -77,13 +77,13 @@ std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
       end, header.e_phoff + std::uint64_t{header.e_phnum} * header.e_phentsize);
 }
 
-/// The libraries that a library needs, and where it looks for them.
+/// The libraries that a library needs, and the folders where it looks for them.
 struct Needs {
   std::vector<std::string> names;
-  std::string run_path;  // ':' between folders
+  std::string run_path;  // folders separated by ':'
 };
 
-/// Reads the parts of a file of this machine's own kind.
+/// Reads the sections of a library built for this machine.
 class LibraryReader {
  public:
   explicit LibraryReader(const std::filesystem::path& file) : file_(file, std::ios::binary) {
@@ -130,7 +130,7 @@ class LibraryReader {
     std::getline(file_, text, '\0');
     return text;
   }
-  /// The place in the file of the data that the loader puts at `address`.
+  /// The offset in the file of the data that is loaded at `address`.
   [[nodiscard]] std::uint64_t OffsetOf(std::uint64_t address) const {
     for (const Segment& one : segments_) {
       const bool is_in = address >= one.p_vaddr && address - one.p_vaddr < one.p_filesz;
@@ -158,9 +158,8 @@ std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& fi
   return folders;
 }
 
-/// Loads libraries that a copy of `original` could not find from the place of the original; then
-/// the loader knows them by name. A failure here comes again, with a reason, when the copy is
-/// loaded.
+/// Loads the libraries beside `original` that its copy could not find; afterwards the loader knows
+/// them by name. Ignores failures: loading the copy reports them with a reason.
 void LoadNeedsBeside(const std::filesystem::path& original, const std::filesystem::path& copy) {
   const Needs needs = LibraryReader(copy).needs();
   const auto folders = FoldersBeside(original, needs.run_path);
@@ -183,7 +182,7 @@ std::string Readable(const std::string& symbol) {
   return status == 0 ? name.get() : symbol;
 }
 
-/// Turns the loader's message into one of ours.
+/// Converts the loader's message to an Error.
 Error Explained(const std::string& words) {
   constexpr std::string_view kSymbol = "undefined symbol: ";
   constexpr std::string_view kMissing = ": cannot open shared object file";

@@ -7,13 +7,13 @@
 
 namespace tendon::os {
 
-/// Tells from the file alone if it can be a shared library of this machine; executes nothing of it.
+/// Checks that a file looks like a shared library for this machine, without executing any of it.
 /// The error text continues after "PATH: ": "expected a shared library for x86-64, found ...".
 Result<void> CheckSharedLibrary(const std::filesystem::path& file);
 
-/// Loads a shared library and keeps it for the life of the process. The file was copied from
-/// `original`: libraries that it needs from $ORIGIN, the folder of the file, are taken from the
-/// folder of `original`. The error text continues after "PATH: ", too.
+/// Loads a shared library and keeps it for the life of the process. `file` is a copy of `original`:
+/// the libraries that it needs from $ORIGIN are taken from the folder of `original`. The error text
+/// continues after "PATH: ".
 Result<void*> LoadSharedLibrary(const std::filesystem::path& file,
                                 const std::filesystem::path& original);
 

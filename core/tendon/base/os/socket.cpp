@@ -59,7 +59,7 @@ void Set(const Socket& socket, int level, int option, int value = 1) {
   setsockopt(socket.descriptor(), level, option, &value, sizeof(value));
 }
 
-/// 0, or the error number of the failed connection.
+/// Returns 0, or the error number of the failed connection.
 int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
                        const std::function<bool()>& is_over) {
   using std::chrono::milliseconds;
@@ -80,7 +80,7 @@ int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_poi
   }
 }
 
-/// 0 if there is none.
+/// Returns 0 if the kernel knows no address.
 template <typename Query>
 std::uint16_t PortOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -99,7 +99,7 @@ struct End {
   std::array<char, NI_MAXSERV> port{};
 };
 
-/// Nothing if the kernel no longer knows it.
+/// Empty if the kernel no longer knows it.
 template <typename Query>
 std::optional<End> EndOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -125,9 +125,9 @@ std::string AddressOf(int descriptor, Query query) {
   return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + end->port.data();
 }
 
-/// On one machine there is no line whose capacity must be shared. A congestion control that models
-/// the line, such as BBR, only makes large messages wait for a timer. Reno has no model: its pace,
-/// if any, is far above the traffic, and every kernel has it.
+/// Connections within one machine share no network link. A congestion control that models the link,
+/// such as BBR, only delays large messages by a timer. Reno has no such model: its pacing, if any,
+/// is far faster than the traffic, and every kernel has it.
 void DoNotPaceOnOneMachine(int descriptor) {
   constexpr std::string_view kWithoutPace = "reno";
   const auto local = EndOf(descriptor, getsockname);
@@ -136,8 +136,8 @@ void DoNotPaceOnOneMachine(int descriptor) {
   setsockopt(descriptor, IPPROTO_TCP, TCP_CONGESTION, kWithoutPace.data(), kWithoutPace.size());
 }
 
-/// Sets up a connection: it sends small messages at once, and notices within 4 s that a peer has
-/// vanished during silence.
+/// Sets up a connection: it sends small messages at once, and detects within 4 s that a peer has
+/// vanished while the connection is idle.
 void SetUp(const Socket& connection) {
   Set(connection, IPPROTO_TCP, TCP_NODELAY);
   Set(connection, SOL_SOCKET, SO_KEEPALIVE);
@@ -147,7 +147,7 @@ void SetUp(const Socket& connection) {
   DoNotPaceOnOneMachine(connection.descriptor());
 }
 
-/// A socket that listens, in a table of the kernel: the parts that we need, as text.
+/// A listening socket as listed in a kernel table: the fields that we need, as text.
 struct ListeningSocket {
   std::string user;
   std::string inode;
@@ -217,7 +217,7 @@ void ForEachDescriptor(Call call) {
   }
 }
 
-/// Calls with each descriptor of this program's connections between two ports.
+/// Calls `call` with the descriptor of each connection of this program between two ports.
 template <typename Call>
 void ForEachBetween(std::uint16_t local_port, std::uint16_t peer_port, Call call) {
   ForEachDescriptor([&](int descriptor) {
@@ -232,7 +232,7 @@ bool DropUnheardOf(int descriptor) {
   tcp_info info{};
   socklen_t size = sizeof(info);
   if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return false;
-  if (info.tcpi_unacked == 0 || info.tcpi_retransmits < 2) return false;  // one may be lost
+  if (info.tcpi_unacked == 0 || info.tcpi_retransmits < 2) return false;  // one loss is normal
   const linger at_once{.l_onoff = 1, .l_linger = 0};
   return setsockopt(descriptor, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once) == 0;
 }
@@ -334,9 +334,9 @@ bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port) {
 }
 
 bool HasVanished(const Socket& socket) {
-  // Not TCP_USER_TIMEOUT: that also cuts off a peer that answers but has stopped reading. The
-  // kernel repeats after about 0.2 s and doubles the wait each time: the third repetition goes out
-  // after 1.6 s.
+  // Not TCP_USER_TIMEOUT: it also disconnects a peer that acknowledges but has stopped reading. The
+  // kernel retransmits after about 0.2 s and doubles the wait each time: the third retransmission
+  // is sent after 1.6 s.
   constexpr unsigned kRepetitions = 3;
   tcp_info info{};
   socklen_t size = sizeof(info);

@@ -34,52 +34,53 @@ class Socket {
 /// holder of the port, kUnreachable for an unknown host, kDenied.
 Result<Socket> ListenAt(const std::string& host, std::uint16_t port);
 
-/// Blocks for at most `timeout`, apart from looking up a host's name. If `is_over` is given, ends
-/// soon after it returns true. Errors: kUnreachable, kTimeout.
+/// Blocks for at most `timeout`, apart from looking up a host's name. If `is_over` is given, the
+/// wait ends soon after it returns true. Errors: kUnreachable, kTimeout.
 Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
                          std::chrono::milliseconds timeout,
                          const std::function<bool()>& is_over = {});
 
-/// Takes the next connection that waits at a listening socket. kWouldBlock: there is none; kFailed:
+/// Accepts the next pending connection of a listening socket. kWouldBlock: there is none; kFailed:
 /// out of descriptors or memory.
 enum class Accepted { kOne, kWouldBlock, kFailed };
 Accepted Accept(const Socket& listening, Socket& connection);
 
-/// Sends as much as possible without waiting. Returns the number of bytes, or nothing if the
+/// Sends as much as possible without waiting. Returns the number of bytes, or no value if the
 /// connection is broken.
 std::optional<std::size_t> SendSome(const Socket& socket, std::span<const std::byte> bytes);
 
-/// Receives the available bytes. Returns their part of `buffer`, empty if there are none, or
-/// nothing if the connection has ended.
+/// Receives the available bytes. Returns the part of `buffer` that holds them, which is empty if
+/// there are none, or no value if the connection has ended.
 std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
                                                       std::span<std::byte> buffer);
 
-/// True if sent data was repeated for 1.5 s without an acknowledgement: the peer's machine, or the
-/// way to it, is gone. A peer that only does not read still acknowledges.
+/// True if sent data was retransmitted for 1.5 s without an acknowledgement: the peer's machine, or
+/// the network path to it, is down. A peer that has only stopped reading still acknowledges.
 [[nodiscard]] bool HasVanished(const Socket& socket);
 
-/// If the kernel repeats sent data because nobody acknowledges it, closing the socket from now on
-/// drops that data and tells the peer at once. Otherwise the close would wait behind the data, and
-/// a peer would not hear of it over a line that is cut one way. Returns true if it is so.
+/// Makes a later close reset the connection if sent data is being retransmitted without
+/// acknowledgement. The reset drops that data and reaches the peer at once; a normal close would
+/// wait behind the data and never reach a peer over a link that is cut in one direction. Returns
+/// true if such data exists.
 bool DropUnheard(const Socket& socket);
-/// The same for this program's connection between these two ports, whoever made it.
+/// The same for this program's connection between these two ports, for example one of a library.
 bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port);
 
 /// Tells the peer that nothing more will come.
 void ShutDownSending(const Socket& socket);
-/// Ends traffic in both directions; a thread that waits for it is told of the end.
+/// Ends traffic in both directions; a thread that waits for the socket wakes and sees the end.
 void ShutDown(int descriptor);
 /// The same for this program's connection between these addresses, as LocalAddress() and
 /// PeerAddress() print them. Another peer may have the same ports.
 void ShutDown(const std::string& local, const std::string& peer);
 
-/// As numbers, with brackets around IPv6; "unknown" if the kernel no longer knows.
+/// Numeric, with brackets around IPv6; "unknown" if the kernel no longer knows the address.
 [[nodiscard]] std::string LocalAddress(const Socket& socket);
 [[nodiscard]] std::string PeerAddress(const Socket& socket);
 
-/// For a socket of a library, between these ports of this end and of the peer (0 for the peer of a
-/// listening socket). From now on, programs that this one starts do not inherit it, and its data to
-/// this machine is not paced, as with Socket.
+/// Applies the settings of Socket to a socket of a library, given by its local port and the peer's
+/// port (0 for a listening socket): child processes do not inherit it, and its data to this machine
+/// is not paced.
 void AdoptSocket(std::uint16_t local_port, std::uint16_t peer_port);
 
 /// True if only programs of this user listen at a port of this machine.

@@ -12,7 +12,7 @@ namespace {
 
 thread_local Interruption* interruption = nullptr;  // of this thread, if it has one
 
-std::atomic<bool> was_told{false};  // a signal has asked for the end
+std::atomic<bool> was_told{false};  // a signal has asked the process to terminate
 
 sigset_t TerminationSignals() {
   sigset_t signals;
@@ -22,7 +22,7 @@ sigset_t TerminationSignals() {
   return signals;
 }
 
-/// True if they were held.
+/// Returns true if they were held.
 bool LetThrough() noexcept {
   const sigset_t signals = TerminationSignals();
   sigset_t before;

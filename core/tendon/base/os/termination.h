@@ -6,28 +6,28 @@
 
 namespace tendon::os {
 
-/// Keeps SIGINT and SIGTERM for WaitForTermination(), and makes writes to a closed pipe fail
-/// instead of killing the process. Call it first in main(), before any thread starts, and again if
-/// the program goes on after a request to end.
+/// Blocks SIGINT and SIGTERM, so that only the functions below receive them, and makes writes to a
+/// closed pipe fail instead of killing the process. Call it first in main(), before any thread
+/// starts, and again if the program continues after a termination request.
 void HoldTerminationSignals() noexcept;
 
-/// Waits until the process is asked to end; returns the signal's number. A second signal then ends
-/// the process at once.
+/// Waits until the process is asked to terminate; returns the signal's number. A second signal then
+/// ends the process at once.
 int WaitForTermination() noexcept;
 
-/// True if the process is asked to end; waits for at most `patience`. A second signal then ends the
-/// process at once.
+/// True if the process is asked to terminate; waits for at most `patience`. A second signal then
+/// ends the process at once.
 bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
 
-/// True if a signal has asked the process to end since HoldTerminationSignals(), even if
-/// TerminationAsked() or WaitForTermination() has already told so.
+/// True if a signal has asked the process to terminate since HoldTerminationSignals(), even if
+/// TerminationAsked() or WaitForTermination() has already reported it.
 [[nodiscard]] bool WasTerminationAsked() noexcept;
 
-/// Discards a SIGINT that was not asked for yet.
+/// Discards a pending SIGINT that no function above has reported yet.
 void ForgetInterrupt() noexcept;
 
-/// While it lives, SIGINT and SIGTERM end the process at once, even if they are held: for waits
-/// that cannot be cut short. On the stack of main()'s thread.
+/// While it lives, SIGINT and SIGTERM end the process at once, even if they are held. Use it around
+/// waits that cannot be interrupted, on the stack of main()'s thread.
 class TerminationUnblockScope {
  public:
   TerminationUnblockScope() noexcept;
@@ -39,9 +39,9 @@ class TerminationUnblockScope {
   const bool was_held_;
 };
 
-/// Replaces the signals in one thread of a program with a window: its user ends the work of that
-/// thread, not the program. While it lives, WaitForTermination() and TerminationAsked() in the
-/// thread that made it ask this object, and nothing there lets signals through.
+/// Replaces the termination signals in one thread of a program with a window, where the user stops
+/// the work of that thread, not the program. While it lives, WaitForTermination() and
+/// TerminationAsked() in its thread check this object, and signals stay held.
 class Interruption {
  public:
   Interruption() noexcept;
@@ -49,11 +49,11 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  /// From any thread: asks for the end once.
+  /// Requests the end of the work, once. Any thread.
   void Ask() noexcept;
-  /// True if it was asked for since the last call; waits for at most `patience`.
+  /// True if Ask() was called since the last call; waits for at most `patience`.
   bool Take(std::chrono::milliseconds patience) noexcept;
-  /// Discards a request that was not taken yet.
+  /// Discards a pending request.
   void Forget() noexcept;
 
  private:

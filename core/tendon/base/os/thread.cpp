@@ -61,7 +61,7 @@ void TouchStack(std::size_t bytes) noexcept {
   std::array<volatile char, kPage> page;
   page[0] = 0;
   if (bytes > kPage) TouchStack(bytes - kPage);
-  page[kPage - 1] = 0;  // after the call, so that the frame exists until then
+  page[kPage - 1] = 0;  // after the call, so that this frame is not released before it
 }
 
 std::chrono::nanoseconds ThreadCpuTime() noexcept {

@@ -16,11 +16,10 @@ void NameThisThread(const std::string& name) noexcept;
 /// Sleeps until an absolute time of the steady clock; returns at once if it has passed.
 void SleepUntil(SteadyTime time) noexcept;
 
-/// How much later than asked the kernel may end a sleep of this thread, in nanoseconds (50 µs if
-/// never set).
+/// Sets how late the kernel may end a sleep of this thread, in nanoseconds (50 µs by default).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
-/// Tells if the kernel has granted a request, and if not, the reason.
+/// Whether the kernel granted a request; if not, the reason.
 struct Permission {
   bool granted = true;
   std::string reason;
@@ -38,7 +37,8 @@ Permission RunOnProcessors(std::span<const std::int32_t> processors);
 /// Keeps all pages of the process in memory, including future ones.
 Permission LockMemory();
 
-/// Writes to `bytes` of the calling thread's stack, so that none of its pages is missing later.
+/// Writes to `bytes` of the calling thread's stack, so that none of its pages causes a page fault
+/// later.
 void TouchStack(std::size_t bytes) noexcept;
 
 /// Processor time of the calling thread; does not advance while it waits.

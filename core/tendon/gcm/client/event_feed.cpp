@@ -44,7 +44,7 @@ void EventFeed::Retry(const std::string& process) {
   }
 }
 
-/// Continues a subscription that is not active.
+/// Starts an attempt for a subscription that is not active.
 void EventFeed::Pursue(const SharedListening& listening) {
   std::unique_lock lock(mutex_);
   const std::uint32_t attempt = next_handle_;
@@ -67,7 +67,7 @@ void EventFeed::Pursue(const SharedListening& listening) {
                });
 }
 
-/// One for all subscriptions on the channel.
+/// All subscriptions on the channel share one clock.
 EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channel) {
   const std::scoped_lock lock(mutex_);
   std::erase_if(clocks_, [](const auto& one) { return one.second.expired(); });
@@ -102,7 +102,7 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
         if (!answer) {
           self->Take({channel.get(), attempt});
           self->Fail(listening, attempt, answer.error());
-          // A late subscription there ends with the channel.
+          // If the process subscribes late, closing the channel ends that subscription.
           if (answer.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }

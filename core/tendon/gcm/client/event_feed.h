@@ -17,12 +17,14 @@
 
 namespace tendon::client {
 
-/// Subscribes to events of any process on the channels of ProcessLinks, as a required interface
-/// with event handlers only. Lost subscriptions are requested again twice a second. Thread-safe.
+/// Subscribes to events of any process on the channels of ProcessLinks, in the form of a required
+/// interface that has only event handlers. Lost subscriptions are requested again twice a second.
+/// Thread-safe.
 class EventFeed final : public ChannelHandler, public std::enable_shared_from_this<EventFeed> {
  public:
   using Id = std::uint64_t;
-  /// The current descriptions of the events in the catalogue, in their order, or what is missing.
+  /// Returns the current descriptions of the events from the catalogue, in their order, or an error
+  /// that says what is missing.
   using LookUp = std::function<Result<std::vector<MemberDescription>>(const EventSubscription&)>;
 
   /// `name` appears in the logs of the other ends. The timer must never block.
@@ -30,9 +32,9 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
             std::string name, std::chrono::milliseconds timeout);
 
   Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
-  /// After it returns the sink is not called any more.
+  /// After the return, the sink is not called any more.
   void End(Id id);
-  /// The process has come back or moved: asks it again at once.
+  /// Asks a process again at once. Call it when the process has come back or moved.
   void Retry(const std::string& process);
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -41,7 +43,7 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
 
  private:
   using SharedListening = std::shared_ptr<Listening>;
-  /// By channel too, because each has its own numbers.
+  /// The key includes the channel, because each channel has its own numbers.
   using Key = std::pair<const Channel*, std::uint32_t>;
 
   void Pursue(const SharedListening& listening);
@@ -50,7 +52,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason);
-  /// The subscription of this number, or of one of its events, and its attempt.
+  /// Finds the subscription by its number or by that of one of its events; returns it with its
+  /// attempt.
   std::pair<SharedListening, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
   SharedListening Take(const Key& key);
 

@@ -16,8 +16,8 @@
 
 namespace tendon::client {
 
-/// One subscription to events of one interface. An attempt is known by its number; messages of
-/// earlier attempts are ignored. Thread-safe; after End() the sink is not called any more.
+/// One subscription to events of one interface. Each attempt to subscribe has a number; messages of
+/// earlier attempts are ignored. Thread-safe. After End(), the sink is not called any more.
 class Listening {
  public:
   Listening(EventSubscription wanted, std::shared_ptr<EventSink> sink)
@@ -25,25 +25,26 @@ class Listening {
 
   [[nodiscard]] const EventSubscription& wanted() const { return wanted_; }
 
-  /// Returns false if an attempt is under way or active, or the subscription has ended.
+  /// Begins an attempt. Returns false if another one is in progress or active, or the subscription
+  /// has ended.
   bool Try(std::uint32_t attempt);
-  /// The active attempt; the other end knows it by `handle`.
+  /// The active attempt; `handle` identifies it at the other end.
   struct Place {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
     std::shared_ptr<const SourceClock> clock;
   };
-  /// The other end has accepted. Returns false if the attempt is outdated.
+  /// Called when the other end has accepted. Returns false if the attempt is outdated.
   bool Stand(std::uint32_t attempt, Place place, const std::vector<MemberDescription>& events);
-  /// The attempt has failed or ended; reported once for each reason. Returns true if it is to be
-  /// tried again later, false if it is outdated or the subscription has ended.
+  /// Called when the attempt has failed or ended; reports each reason once. Returns true if another
+  /// attempt should follow later, false if this one is outdated or the subscription has ended.
   bool Fail(std::uint32_t attempt, const Error& reason);
   void End();
 
-  /// `there` is when the event was raised, on the other end's clock.
+  /// Passes an event to the sink. `there` is the time when it was raised, on the other end's clock.
   void Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value,
              SteadyTime there);
-  /// `events` has the totals since the attempt became active.
+  /// Reports lost events. `events` has the totals since the attempt became active.
   void Lose(std::uint32_t attempt, const message::EventsLost& events);
 
  private:
@@ -51,7 +52,7 @@ class Listening {
   std::mutex mutex_;
   std::shared_ptr<EventSink> sink_;  // null after End()
   std::uint32_t attempt_ = 0;        // 0: none
-  Place place_;                      // no channel: not active
+  Place place_;                      // without a channel: not active
   std::vector<std::uint64_t> lost_;
   std::optional<Error> interruption_;
 };

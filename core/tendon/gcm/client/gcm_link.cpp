@@ -11,12 +11,12 @@
 namespace tendon::client {
 namespace {
 
-constexpr std::chrono::milliseconds kPause(100);  // before reopening what was open
+constexpr std::chrono::milliseconds kPause(100);  // pause before a broken channel is opened again
 constexpr std::chrono::milliseconds kRetry(1000);
 constexpr std::chrono::milliseconds kRenewal(1000);
 constexpr std::chrono::milliseconds kTick(500);
 
-/// The address of each reachable process.
+/// Instance and address of each reachable process.
 using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
 
 Places PlacesOf(const Catalogue& catalogue) {
@@ -37,7 +37,7 @@ std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
   return moved;
 }
 
-/// Whether a retry is pointless.
+/// True if a retry is pointless.
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kInvalid;
@@ -120,7 +120,7 @@ Result<void> GcmLink::WaitUntilWatching() {
 void GcmLink::Open() {
   {
     const std::scoped_lock lock(mutex_);
-    if (channel_) return;  // a late attempt has opened it after all
+    if (channel_) return;  // an earlier attempt has succeeded late
   }
   const auto cookie = LoopbackCookie();
   if (!cookie) {
@@ -133,7 +133,7 @@ void GcmLink::Open() {
     const auto handler = std::make_shared<Handler>(weak_from_this(), options_.role);
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
-    if (channel) return;  // the handler continues
+    if (channel) return;  // the handler of the channel continues
     Lost(channel.error());
   }
   opener_.PostAfter(kRetry, [this] { Open(); });
@@ -265,7 +265,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records)
   TellLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
-/// `take` makes the batch, unless the channel is outdated.
+/// Calls `take`, which makes the batch, if the channel is not outdated.
 template <typename Take>
 void GcmLink::TellLog(const SharedChannel& channel, Take&& take) {
   {
@@ -292,7 +292,7 @@ void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   });
 }
 
-/// Notices when and for how long this program was suspended or got no processor.
+/// Detects when and for how long this program was suspended or got no processor.
 void GcmLink::Tick() {
   {
     const std::scoped_lock lock(mutex_);
@@ -308,15 +308,16 @@ void GcmLink::Tick() {
   });
 }
 
-/// With the lock held: the pause after which peers may just have given this program up.
+/// With the lock held: the length of a recent pause, after which peers may have closed their links
+/// to this program; zero if there was none.
 std::chrono::nanoseconds GcmLink::StoodStillFor() const {
   const SteadyTime now = SteadyClock().Now();
   if (now - last_tick_ >= kLongestPeerSilence) return now - last_tick_;
   return now - awake_since_ < 2 * kLongestPeerSilence ? last_pause_ : std::chrono::nanoseconds(0);
 }
 
-/// Reported once, not at each attempt. If this program had paused, the GCM may well be there: the
-/// pause is reported when the GCM has answered again.
+/// Reports a loss once, not at each attempt. After a pause of this program, the GCM is probably
+/// alive, so the pause is reported when the GCM has answered again.
 void GcmLink::Lost(const Error& reason) {
   std::optional<Error> news;
   {

@@ -23,37 +23,37 @@ namespace tendon::client {
 /// it updates. Thread-safe.
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
-  /// A process that has a new address, or is there again.
+  /// A process that has a new address, or has come back.
   struct Moved {
     std::string process;
-    std::uint64_t instance = 0;  ///< the present one
+    std::uint64_t instance = 0;  ///< the present instance
   };
   /// Called one at a time; not after Stop().
   struct Events {
     std::shared_ptr<GcmListener> listener;  ///< may be null
     std::function<void(const std::vector<Moved>& processes)> on_moved;
   };
-  /// The middleware outlives Stop(). The timer enforces deadlines.
+  /// The middleware outlives Stop(). The timer provides the timeouts.
   GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
           std::shared_ptr<Worker> timer);
 
   void Start();
-  /// Waits for a call under way. Must not be called from one.
+  /// Waits for a running call of the events. Must not be called from such a call.
   void Stop();
 
   Result<void> WaitUntilWatching();
-  /// The listener gets the log from now on.
+  /// From now on, the listener gets the log.
   void WatchLog();
   void Resync();
 
-  /// Calls `read(catalogue)` with the lock held: be short.
+  /// Calls `read(catalogue)` with the lock held, so it must be short.
   template <typename Read>
   auto WithCatalog(Read&& read) const {
     const std::scoped_lock lock(mutex_);
     return read(catalogue_);
   }
 
-  /// The answer may take `orders` times the usual timeout.
+  /// Sends a request whose answer may take `orders` times the usual timeout.
   template <Payload Answer, Message T>
   void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
                int orders = 1);
@@ -86,12 +86,12 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   const Events events_;
   const std::shared_ptr<Worker> timer_;
 
-  std::mutex telling_;  // held during calls of others; taken before mutex_
+  std::mutex telling_;  // held during calls of the events; locked before mutex_
   bool stopped_ = false;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  SharedChannel channel_;   // while it is open
-  bool is_waiting_ = true;  // for a snapshot; changes are ignored
+  SharedChannel channel_;   // set while the channel is open
+  bool is_waiting_ = true;  // waits for a snapshot, and ignores changes
   bool wants_log_ = false;
   Catalogue catalogue_;
   DescriptionPool pool_;
@@ -99,7 +99,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   SteadyTime last_tick_ = SteadyClock().Now();
   SteadyTime awake_since_{};                 // since the last pause of this program
   std::chrono::nanoseconds last_pause_{};    // its length
-  std::chrono::nanoseconds untold_pause_{};  // that has cost the link
+  std::chrono::nanoseconds untold_pause_{};  // pause that broke the link, not reported yet
   LogFeed log_;
   Worker opener_{"client-gcm"};
 };

@@ -12,7 +12,7 @@
 namespace tendon::client {
 namespace {
 
-/// Walks over valid JSON and keeps the text of its values: a number that is parsed and printed
+/// Walks over valid JSON and keeps the text of values, because a number that is parsed and printed
 /// again may have other digits.
 class JsonWalk {
  public:
@@ -79,7 +79,7 @@ class JsonWalk {
   std::string_view rest_;
 };
 
-/// The element with the index in "[3", or nothing.
+/// The element with the index in "[3"; empty if there is none.
 std::optional<std::string_view> Element(std::string_view list, std::string_view step) {
   std::size_t index = 0;
   const auto read = std::from_chars(step.data() + 1, step.data() + step.size(), index);
@@ -93,7 +93,7 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
   return std::nullopt;
 }
 
-/// The value of a key, or nothing; collects the existing keys.
+/// The value of a key; empty if there is none. Collects the existing keys.
 std::optional<std::string_view> Member(std::string_view object, const std::string& key,
                                        std::vector<std::string>& keys) {
   JsonWalk walk(object);

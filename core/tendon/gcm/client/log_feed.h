@@ -9,12 +9,12 @@
 namespace tendon::client {
 
 /// A viewer's position in the log of its GCM: continues after a broken link, starts again with
-/// another GCM, and notices gaps. Thread-safe.
+/// another GCM, and detects gaps. Thread-safe.
 class LogFeed {
  public:
-  /// The request for a new channel.
+  /// The request to send on a new channel.
   [[nodiscard]] message::WatchLog Wanted() const;
-  /// The answer to it.
+  /// Handles the answer to the request.
   LogBatch Begin(const message::WatchLogReply& watched);
   /// The next records, without those that were delivered before.
   LogBatch Take(message::LogRecords batch);

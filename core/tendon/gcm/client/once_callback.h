@@ -33,7 +33,8 @@ class Outstanding {
   std::size_t count_ = 0;
 };
 
-/// A handler that is called exactly once: with an error if the last copy is destroyed uncalled.
+/// A handler that is called exactly once. If the last copy is destroyed before that, the handler is
+/// called with an error.
 template <typename T>
 class Once {
  public:
@@ -56,7 +57,7 @@ class Once {
 
  private:
   const std::shared_ptr<Outstanding> outstanding_;
-  Handler handler_;  // empty once called
+  Handler handler_;  // empty after the call
 };
 
 /// The same as a function.

@@ -54,7 +54,7 @@ void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
   std::unique_lock lock(mutex_);
   const auto found = places_.find(process);
   if (found == places_.end() || !found->second.channel) return;
-  // This program may have reconnected before the news came, and be in the middle of a request.
+  // This program may already have reconnected, and may be in the middle of a request.
   if (found->second.channel->peer().instance == instance) return;
   const SharedChannel channel = std::exchange(found->second.channel, nullptr);
   lock.unlock();

@@ -23,11 +23,11 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   using SharedChannel = std::shared_ptr<Channel>;
   /// Must not block.
   using Use = std::function<void(Result<SharedChannel>)>;
-  /// The current description of a process, or why it cannot be reached.
+  /// Returns the current description of a process, or the reason why it cannot be reached.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// Our name and highest role towards processes, and how long one that does not answer may delay
-  /// the others.
+  /// Our name and highest role on these channels, and how long a process that does not answer may
+  /// delay requests to others.
   struct Options {
     std::string name;
     Role role = Role::kOperator;
@@ -37,12 +37,13 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// The middleware outlives Stop().
   ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
-  /// Call it before the first With(). The listener hears notices on all channels, and their ends.
+  /// Call it before the first With(). The listener gets the notices of all channels, and their
+  /// OnClosed().
   void HearNotices(std::weak_ptr<ChannelHandler> listener) { listener_ = std::move(listener); }
   /// Calls `use` with an open channel, or the reason why there is none: at once, or in the thread
   /// that opens it.
   void With(const std::string& process, Use use);
-  /// The process is this instance now: closes a channel to another one.
+  /// Closes a channel to another instance of the process than `instance`.
   void Drop(const std::string& process, std::uint64_t instance);
   void Stop();
 
@@ -50,7 +51,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   class Handler;
   struct Place {
     SharedChannel channel;     // null while opening
-    std::vector<Use> waiting;  // for the channel
+    std::vector<Use> waiting;  // requests that wait for the channel
   };
 
   void Open(const std::string& process);

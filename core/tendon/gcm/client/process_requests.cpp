@@ -35,7 +35,7 @@ Error Refusal(const std::string& command, Status status) {
   }
 }
 
-/// Whether there is an argument if and only if the command takes one.
+/// Checks that an argument is given if and only if the command takes one.
 Result<void> CheckArgument(const std::string& command, const MemberDescription& description,
                            const std::string& argument) {
   const bool is_given = !argument.empty() && argument != "null";
@@ -94,7 +94,7 @@ void Caller::GetVersion(const std::string& process, Handler<message::ProgramVers
           return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
                                               self->timeout_, handler);
         }
-        // An older program answers kDenied; the failure to open a link must not look like that.
+        // An older program answers kDenied, so a failure to open a link must have another code.
         const Error& why = channel.error();
         handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
       });
@@ -138,7 +138,7 @@ void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Hand
   }
 }
 
-/// Asks the process for those that are not known yet.
+/// Asks the process for the schemas that are not known yet.
 void Caller::FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
                           Handler<void> handler) {
   std::erase_if(fingerprints,
@@ -182,7 +182,7 @@ std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
   return found == schemas_.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// All schemas are known.
+/// Called when all schemas are known.
 void Caller::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
   message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};

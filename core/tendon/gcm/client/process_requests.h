@@ -27,7 +27,7 @@ class Caller final : public std::enable_shared_from_this<Caller> {
   template <typename T>
   using Handler = std::function<void(Result<T>)>;
 
-  /// `timer` enforces deadlines.
+  /// `timer` provides the timeouts.
   Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
          std::chrono::milliseconds timeout);
 
@@ -39,7 +39,7 @@ class Caller final : public std::enable_shared_from_this<Caller> {
   void GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
-  /// Fetches types from the processes that know them, for FindSchema(). Does not wait long for a
+  /// Fetches types for FindSchema() from the processes that know them. Does not wait long for a
   /// process that does not answer.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
 

@@ -23,7 +23,7 @@ void SourceClock::WhenKnown(Known known) {
   known(shared_from_this());
 }
 
-/// The request keeps this object alive until the answer; then the handlers do.
+/// The pending request keeps this object alive until the answer; afterwards the handlers do.
 void SourceClock::Ask() {
   tendon::Ask<message::Pong>(
       *timer_, channel_, message::kPing, None{}, timeout_,

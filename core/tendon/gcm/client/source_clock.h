@@ -23,11 +23,11 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
               std::chrono::milliseconds timeout);
 
-  /// Calls `known` once, with this object when the first answer has come, or with an error: at
-  /// once, or in a thread of the middleware or the timer.
+  /// Calls `known` once: with this object after the first answer, or with an error. The call is
+  /// made at once, or in a thread of the middleware or the timer.
   void WhenKnown(Known known);
 
-  /// The time of an event that was raised at `there` on the other clock.
+  /// Converts the time `there`, on the other clock, at which an event was raised.
   [[nodiscard]] EventTime Here(SteadyTime there) const;
 
  private:
@@ -37,7 +37,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   const std::shared_ptr<Worker> timer_;
   const std::shared_ptr<Channel> channel_;
   const std::chrono::milliseconds timeout_;
-  mutable std::mutex mutex_;  // for all that follows
+  mutable std::mutex mutex_;  // guards the members below
   ClockOffset offset_;
   bool is_known_ = false;
   std::vector<Known> waiting_;

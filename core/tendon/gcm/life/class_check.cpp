@@ -15,7 +15,7 @@
 namespace tendon {
 namespace {
 
-/// Whether it is already as in the file, so that nothing must be created.
+/// True if the component is already as in the file, so that it need not be created.
 bool IsMadeAs(const SystemFile::Component* running, const SystemFile::Component& wanted) {
   return running != nullptr && running->class_name == wanted.class_name &&
          (wanted.library.empty() || running->library == wanted.library) &&
@@ -27,7 +27,7 @@ bool IsLoaded(const message::Classes& known, const std::string& library) {
          known.classes.end();
 }
 
-/// Whether creating the process's components loads plug-ins, whose classes are not known yet.
+/// True if creating the components of the process loads plug-ins whose classes are not known yet.
 bool LoadsMore(const message::Classes& known, const SystemFile::Process& process) {
   return std::ranges::any_of(process.components, [&known](const auto& component) {
     return !component.library.empty() && !IsLoaded(known, component.library);
@@ -41,7 +41,8 @@ std::string LibraryOf(const SystemFile::Component& component, const ProcessEntry
   return now == process.components.end() ? std::string() : now->second.library;
 }
 
-/// The process as in the file, with the running components kept where the file's cannot be created.
+/// The process as in the file, but with the running component wherever the file's component cannot
+/// be created.
 SystemFile::Process Feasible(const SystemFile::Process& process, const SystemIndex& running,
                              const message::Classes& known, std::vector<std::string>& obstacles) {
   SystemFile::Process feasible = process;

@@ -11,20 +11,22 @@
 
 namespace tendon {
 
-// Checks an order as a process would, from the classes and plug-ins that it reported, before
-// anything is done.
+// Checks an order as the process would check it, from the classes and plug-ins that the process
+// reported, before anything is changed.
 
-/// Whether the process could load the plug-in. kNotFound suggests similar names.
+/// Checks that the process could load the plug-in. kNotFound suggests similar names.
 Result<void> CheckPlugIn(const message::Classes& known, const std::string& library);
 
-/// Whether the process has the class of an order to create, and that accepts the configuration.
-/// Accepts all for a plug-in that is not loaded, because its classes are unknown.
+/// Checks an order to create a component: that the process has the class, and that the class
+/// accepts the configuration. Accepts everything for a plug-in that is not loaded, because its
+/// classes are unknown.
 Result<void> CheckCreation(const message::Classes& known, const message::LifeOrder& order);
 
-/// Whether the class would accept this configuration, JSON or empty. kInvalid says what is wrong.
+/// Checks that the class would accept this configuration, which is JSON or empty. The error,
+/// kInvalid, says what is wrong.
 Result<void> CheckConfiguration(const ClassDescription& of, const std::string& configuration);
 
-/// By process.
+/// The reported classes, by process.
 using KnownClasses = std::map<std::string, message::Classes>;
 
 /// The processes to ask for their classes before a plan is made: those that are present and have
@@ -32,9 +34,9 @@ using KnownClasses = std::map<std::string, message::Classes>;
 [[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalogue& catalogue,
                                                       const SystemFile& wanted);
 
-/// As MakePlan(), but what CheckCreation() refuses stays as it is and becomes an obstacle, so that
-/// a mistake in the file is found before anything is stopped. Checks against the code that
-/// processes run; a note tells if the file of a plug-in has changed since.
+/// Like MakePlan(), but components that CheckCreation() refuses stay unchanged and become
+/// obstacles, so that a mistake in the file is found before anything is stopped. Checks with the
+/// code that is loaded; notes report plug-ins whose file has changed since.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -18,13 +18,13 @@ struct Follower {
   bool was_suspended = false;
 };
 
-/// The journal may have been edited.
+/// Reads a text; the history file may have been edited.
 std::string TextAt(const ordered_json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Each follower after its leader.
+/// The followers, each after its leader.
 std::vector<Follower> Read(const LifeStep& stop) {
   std::vector<Follower> all;
   const ordered_json list = JsonOrText(stop.former);
@@ -93,7 +93,7 @@ std::vector<LifeOrder> OrdersToRunAgain(const LifeStep& stop, const LifeOrder& o
     orders.back().component = component;
   };
   for (const Follower& one : all) add(LifeVerb::kStart, one.component);
-  std::set<std::string> suspended;  // their followers rest with them
+  std::set<std::string> suspended;  // their followers do not run either
   for (const Follower& one : all) {
     if (!one.was_suspended) continue;
     const bool rests_already = suspended.contains(one.leader);

@@ -10,19 +10,19 @@
 /// LifeStep::former, so that an undo can start them again.
 namespace tendon {
 
-/// The components that run after this one, directly or not, as text for LifeStep::former; empty if
-/// there are none.
+/// The components that run after this one, directly or indirectly, as text for LifeStep::former;
+/// empty if there are none.
 [[nodiscard]] std::string FollowersText(const Catalogue& catalogue, const std::string& process,
                                         const std::string& component);
 
-/// The components that stopped with that of the step.
+/// The components that stopped together with the component of the step.
 [[nodiscard]] std::vector<std::string> FollowersOf(const message::LifeStep& stop);
 
-/// Whether they are still as the stop left them.
+/// Checks that these components are still as the stop left them.
 Result<void> CheckFollowers(const Catalogue& catalogue, const message::LifeStep& stop);
 
-/// The orders that let the stopped component of `order` and its followers run as before: the
-/// starts, each after that of its leader, then the suspends.
+/// The orders that restore the stopped component of `order` and its followers: first the starts,
+/// leaders before followers, then the suspends.
 [[nodiscard]] std::vector<message::LifeOrder> OrdersToRunAgain(const message::LifeStep& stop,
                                                                const message::LifeOrder& order);
 

@@ -17,8 +17,8 @@ using message::LifeOutcome;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// An undo sends its orders within this many times the duration of one. The requester waits for one
-/// more (GcmClient::kOrdersOfAnUndo), which is for stopping what must not run.
+/// An undo sends its orders within this many times the duration of one order. The requester waits
+/// for one more (GcmClient::kOrdersOfAnUndo), which is for stopping components that must not run.
 constexpr int kOrdersOfAChain = 5;
 
 std::string PathOf(const LifeOrder& order) {
@@ -45,7 +45,7 @@ Error Unknown(const LifeOrder& order, const Error& why) {
                                    "; see: gcm show " + PathOf(order)};
 }
 
-/// The components that the undo of a step starts besides its own.
+/// The components that the undo of a step starts in addition to the step's own component.
 std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
   const bool is_stop = step.verb == ToString(LifeVerb::kStop);
   return is_stop ? FollowersOf(step.life) : std::vector<std::string>();
@@ -78,8 +78,8 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
   });
 }
 
-/// Whether the configuration is still the one that the order was made from; the error names who
-/// changed it. The process checks again, because its state is newer.
+/// Checks that the configuration is still the one on which the order is based; the error names the
+/// program that changed it. The process checks again, because its state is newer.
 Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
   const auto* now = parts_.registry.catalogue().FindComponent(order.process, order.component);
   if (order.verb != LifeVerb::kConfigure || now == nullptr) return {};
@@ -102,7 +102,7 @@ Result<void> LifeOrders::CheckConfiguration(const LifeOrder& order) const {
   return CheckBase(order, now->configuration, by);
 }
 
-/// Records what was done, or may have been; answers after it is recorded.
+/// Records a step that was, or may have been, executed; then answers.
 void LifeOrders::Record(message::HistoryEntry entry, const Result<LifeOutcome>& outcome,
                         const Done<None>& done) {
   Result<None> answer = outcome ? Result<None>(None{}) : outcome.error();
@@ -166,9 +166,9 @@ void LifeOrders::Answer(Done<T> done, Result<T> result) {
   parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
-/// Wraps `done` to release the component afterwards; null if it has an order under way.
+/// Wraps `done` to release the component afterwards; null if the component has a pending order.
 LifeOrders::Done<None> LifeOrders::Claim(const Path& path, Done<None> done) {
-  if (path.second.empty()) return done;  // the process serializes these
+  if (path.second.empty()) return done;  // the process executes these one at a time
   if (!busy_.emplace(path, false).second) {
     Answer(std::move(done),
            Result<None>(Error{ErrorCode::kFailed, path.first + "/" + path.second +
@@ -182,7 +182,7 @@ LifeOrders::Done<None> LifeOrders::Claim(const Path& path, Done<None> done) {
   };
 }
 
-/// Voids orders under way that could start the component.
+/// Cancels pending orders that could start the component.
 void LifeOrders::PassOnStop(const Path& path) {
   const auto claim = busy_.find(path);
   if (claim != busy_.end()) claim->second = true;
@@ -214,7 +214,7 @@ void LifeOrders::GiveOrder(LifeOrder order, LifeDone done) {
   order.id = ++last_id_;
   given_[order.id] = {.path = {order.process, order.component}, .verb = order.verb};
   const auto heard = [locked = locked_, order, done = std::move(done)](Result<LifeOutcome> obeyed) {
-    bool is_begun = true;  // as far as is known
+    bool is_begun = true;  // as far as the GCM knows
     locked([&](LifeOrders& self) { is_begun = self.given_.extract(order.id).mapped().is_begun; });
     if (!obeyed && IsSilence(obeyed.error())) {
       obeyed = is_begun ? Unknown(order, obeyed.error()) : Void(order);
@@ -229,14 +229,14 @@ nanoseconds LifeOrders::PatienceOf(nanoseconds asked) const {
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
-/// How long to wait for the answer to an order: less than its requester, who waits twice the
-/// patience.
+/// How long to wait for the answer to an order. Shorter than the requester waits, which is twice
+/// the patience.
 milliseconds LifeOrders::Longest(nanoseconds patience) const {
   const auto most = std::chrono::ceil<milliseconds>(patience);
   return most + std::min(timeout_, most / 2);
 }
 
-/// One after the other, up to the first that fails or has no time left.
+/// Gives the orders one after the other, up to the first one that fails or has no time left.
 void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
   LifeOrder first = orders.front();

@@ -17,20 +17,20 @@
 
 namespace tendon::server {
 
-/// Orders for the life cycle of components. Passes each on to its LCM, one at a time for each
-/// component, and records it in the history. A stop is always passed on; orders that it overtakes
-/// do not start the component any more.
+/// Orders for the life cycle of components. Forwards each order to its LCM, one at a time for each
+/// component, and records it in the history. A stop is always forwarded; earlier orders that are
+/// still pending do not start the component any more.
 ///
-/// An LCM asks before it executes an order (Begin()). An order that was not begun in time is void
-/// and is never executed. An order that was begun, and whose outcome does not arrive in time, is
-/// recorded as unknown.
+/// An LCM asks before it executes an order (Begin()). An order that was not begun in time is
+/// cancelled and never executed. An order that was begun, but whose outcome does not arrive in
+/// time, is recorded with an unknown outcome.
 ///
 /// No thread waits. All functions are called under the owner's lock; `done` is called once, without
 /// it.
 class LifeOrders {
  public:
-  /// Calls its argument under the owner's lock, with the LifeOrders; not at all once the owner is
-  /// gone. Then sends what the argument added to the outbox.
+  /// Calls its argument with the LifeOrders, under the owner's lock, and then flushes the outbox.
+  /// Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(LifeOrders&)>&)>;
   template <typename T>
   using Done = std::function<void(Result<T>)>;
@@ -39,20 +39,20 @@ class LifeOrders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;  ///< enforces deadlines
+    Worker& worker;  ///< provides timeouts
   };
-  /// `timeout` is for the answer to an order, in addition to its patience.
+  /// `timeout` is the time for the answer to an order, in addition to its patience.
   LifeOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// `who` has asked for it.
+  /// Gives an order that `who` has requested.
   void Steer(const message::LifeOrder& order, const std::string& who, Done<None> done);
   /// Makes connections, then calls its argument, perhaps under the lock.
   using Connect = std::function<void(Done<None>)>;
-  /// Undoes a step. Calls `connect`, without the lock, before anything is started. Not recorded in
-  /// the history.
+  /// Undoes a step. Calls `connect`, without the lock, before components are started. Not recorded
+  /// in the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Connect connect,
             Done<None> done);
-  /// Process `by` is about to execute an order; an error forbids it.
+  /// Called when process `by` is about to execute an order; an error cancels the order.
   [[nodiscard]] Result<void> Begin(std::uint64_t order, const std::string& by);
   void ListClasses(const std::string& process, Done<message::Classes> done);
 
@@ -60,7 +60,7 @@ class LifeOrders {
   using Path = std::pair<std::string, std::string>;
   using LifeDone = Done<message::LifeOutcome>;
 
-  /// An order that was sent and is not answered yet.
+  /// An order that was sent and not answered yet.
   struct Given {
     Path path;
     LifeVerb verb;
@@ -87,7 +87,7 @@ class LifeOrders {
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::map<Path, bool> busy_;  // components with an order under way; whether a stop has come
+  std::map<Path, bool> busy_;  // components with a pending order; true if a stop was requested
   std::map<std::uint64_t, Given> given_;
   std::uint64_t last_id_ = 0;
 };

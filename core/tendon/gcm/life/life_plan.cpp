@@ -42,7 +42,7 @@ std::optional<ComponentState> StateAfter(std::string_view verb) {
   return std::nullopt;
 }
 
-/// Brings a stopped component into the state that it had.
+/// Adds the orders that bring a stopped component to the state that it had.
 void AddOrdersInto(ComponentState state, const LifeOrder& order, std::vector<LifeOrder>& orders) {
   if (!IsRunning(state)) return;
   orders.push_back(order);
@@ -190,7 +190,7 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   if (is_other) return Changed(life, "is of class " + now->class_name + " since");
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
-    // A stopped component that was created anew by an undone step has not run since.
+    // A stopped component that an undo has created again has not run since.
     const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                        now->state != ComponentState::kFaulted;
     if (now->state != *after && !rests) return Changed(life, "is " + state + " since");

@@ -20,8 +20,8 @@ using Ordered = nlohmann::ordered_json;
 /// The complete configuration of a component, and its type.
 struct Whole {
   Schema schema;
-  Ordered told;   // without fields that keep their default
-  Ordered value;  // with the defaults
+  Ordered told;   // the configuration, without fields that keep their default
+  Ordered value;  // the configuration with the defaults
 };
 
 Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
@@ -137,7 +137,8 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Copies the part into the configuration for the class: only that part, but lists as a whole.
+/// Copies the changed part into the configuration that is sent to the class: only that part, but
+/// lists always completely.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   Ordered* told = &whole.told;
   const Ordered* value = &whole.value;
@@ -194,7 +195,7 @@ Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const st
   for (const Parameter& one : *all) {
     if (one.name == name || one.name.starts_with(name + ".")) found.push_back(one);
     if (!name.starts_with(one.name + "[")) continue;
-    found.push_back(one);  // an element of it is wanted
+    found.push_back(one);  // the name refers to an element of this parameter
     found.back().name = name;
     found.back().type = part->schema.TypeName();
     found.back().value = part->value->dump();

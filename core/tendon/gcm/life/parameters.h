@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The configuration of a component by fields, which users call its parameters.
+/// The fields of a component's configuration, which users call its parameters.
 namespace tendon {
 
 /// A field of a configuration that is not itself a structure.
@@ -27,16 +27,16 @@ struct ChangedParameter {
 };
 
 /// All parameters of a component of that class, in the order of the type. `told` is the component's
-/// configuration; it may omit fields that keep their default.
+/// configuration, which may omit fields that keep their default.
 Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told);
 
-/// Those at `name` and below it: "home", "gain". kNotFound suggests similar names.
+/// The parameters at `name` and below it: "home", "gain". kNotFound suggests similar names.
 Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const std::string& told,
                                             const std::string& name);
 
-/// Replaces the part that `name` names, "gain.x" or "home[2]", by `value`: JSON, in which a text or
-/// the name of an enumerator needs no quotes. kNotFound says where the name leaves the
-/// configuration; kInvalid what was expected of the value and what was found.
+/// Replaces the part with this name, "gain.x" or "home[2]", by `value`: JSON, in which a string or
+/// an enumerator needs no quotes. kNotFound: the error says which part of the name does not exist.
+/// kInvalid: it says what was expected of the value and what was found.
 Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::string& told,
                                          const std::string& name, const std::string& value);
 

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Whether the ends are still as the step left them, and can be restored.
+/// Checks that the ends are still as the step left them, and can be restored.
 Result<void> CheckWire(const Catalogue& catalogue, const message::History& history,
                        const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::chrono::milliseconds kShortestPause(200);
 constexpr std::chrono::milliseconds kLongestPause(5000);
 
-/// Whether a retry is pointless. kExists: the process has connected by itself.
+/// True if a retry is pointless. kExists: the process has connected by itself.
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
          error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;

@@ -11,25 +11,26 @@
 
 namespace tendon::server {
 
-/// The connections of processes that are gone. A process gets them back when it returns and both
-/// ends are there. Each is kept until it is made or finally refused. Not thread-safe.
+/// The connections of processes that are gone. When a process returns, and both ends exist, its
+/// connections are restored. Each is kept until it is made or finally refused. Not thread-safe.
 class ConnectionRestorer {
  public:
-  /// Keeps the present connections of the process, in addition to those not handed back yet.
+  /// Keeps the present connections of the process, in addition to those that were not restored yet.
   void Keep(const Catalogue& catalogue, const std::string& process);
   void Drop(const std::string& process);
 
-  /// The connections to order now. None is returned again before Settle() has its outcome. Silently
-  /// forgets one whose end returned with another class, or whose required interface was connected
-  /// meanwhile.
+  /// The connections to order now. A connection is not returned again before Settle() was called
+  /// for it. Silently drops a connection if one end returned with another class, or if the required
+  /// interface was connected meanwhile.
   std::vector<message::Wire> TakeDue(const Catalogue& catalogue, SteadyTime now);
 
   enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
-  /// Reports the outcome of an order. A temporary failure is retried after a growing pause:
-  /// kTryAgain the first time, then kStillTrying.
+  /// Reports the outcome of an order. A temporary failure is retried after a growing pause; the
+  /// verdict is kTryAgain the first time, then kStillTrying.
   Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
 
-  /// Whether a pause is over: TakeDue() may return something without a change of the catalogue.
+  /// True if a pause is over, so that TakeDue() may return connections without a change of the
+  /// catalogue.
   [[nodiscard]] bool IsPauseOver(SteadyTime now) const;
 
  private:
@@ -37,9 +38,9 @@ class ConnectionRestorer {
   struct Kept {
     message::Wire wire;
     std::string required_class;
-    std::string provided_class;  ///< empty: was not known
+    std::string provided_class;  ///< empty: not known
     bool is_ordered = false;
-    std::chrono::milliseconds pause{0};  ///< after the last failure
+    std::chrono::milliseconds pause{0};  ///< pause after the last failure
     SteadyTime not_before{};
   };
 

@@ -6,15 +6,16 @@
 
 namespace tendon::server {
 
-/// The actions of a locked section for after the lock is released: answering, sending, logging.
-/// Runs them in the order of Add(), one at a time, in a thread that calls Flush(), without a lock.
-/// Thread-safe.
+/// Actions that a locked section adds, to be run after the lock is released: answering, sending,
+/// logging. Runs them in the order of Add(), one at a time, in a thread that calls Flush(), without
+/// a lock. Thread-safe.
 class Outbox {
  public:
   using Action = std::function<void()>;
 
   void Add(Action action);
-  /// Runs all waiting actions. Returns at once if another thread is doing so; that runs ours too.
+  /// Runs all waiting actions. Returns at once if another thread is running them, which then also
+  /// runs the new ones.
   void Flush();
 
  private:

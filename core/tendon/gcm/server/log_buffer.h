@@ -14,29 +14,29 @@
 
 namespace tendon::server {
 
-/// The newest records of all processes, and their watchers. A watcher is a position in the book: a
-/// slow one delays nobody and costs nothing; records that left the book before it read them are a
-/// gap that it sees. Not thread-safe; never blocks.
+/// The newest records of all processes, and their watchers. A watcher is a position in the buffer:
+/// a slow one delays nobody and costs nothing. If records are dropped before a watcher has read
+/// them, the watcher sees a gap. Not thread-safe; never blocks.
 class LogBuffer {
  public:
   static constexpr std::size_t kKept = 4096;
 
-  /// Adds records from a process; the GCM knows its name and instance. If records before them were
-  /// lost with a broken link, a record says so.
+  /// Adds records from a process; the GCM knows its name and instance. If earlier records were lost
+  /// with a broken link, adds a record that says so.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
-  /// A record of the GCM's own program, as of a process kGcmName.
+  /// Adds a record of the GCM's own program, under the process name kGcmName.
   void AddOwn(message::LogRecord record);
-  /// The process is gone for good.
+  /// Called when a process is removed from the catalogue.
   void Forget(const std::string& process) { senders_.erase(process); }
 
   /// Adds a watcher that starts at record number `after`: its last position in the log of this GCM,
-  /// or 0 for all that is kept. Pump() sends the records.
+  /// or 0 for all kept records. Pump() sends the records.
   message::WatchLogReply Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 
-  /// Sends records to the watchers whose links had room so far.
+  /// Sends records to the watchers whose links had room at the last attempt.
   void Pump();
-  /// Also tries the other watchers.
+  /// The same, but also tries the other watchers.
   void PumpAll();
 
  private:
@@ -61,8 +61,8 @@ class LogBuffer {
   [[nodiscard]] Batch BatchFrom(std::uint64_t number) const;
 
   std::deque<message::LogRecord> records_;
-  std::uint64_t first_ = 0;  // number of the oldest
-  std::uint64_t end_ = 0;    // number of the next to be written
+  std::uint64_t first_ = 0;  // number of the oldest record
+  std::uint64_t end_ = 0;    // number of the next record to be added
   std::map<std::string, Sender> senders_;
   std::map<const Channel*, Watcher> watchers_;
 };

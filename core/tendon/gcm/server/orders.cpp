@@ -19,14 +19,14 @@ void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
   const bool is_told = verdict == ConnectionRestorer::Verdict::kStillTrying;
-  if (is_told || outcome.error().code == ErrorCode::kExists) return;  // the process did it itself
+  if (is_told || outcome.error().code == ErrorCode::kExists) return;  // the process itself did it
   const bool is_over = verdict == ConnectionRestorer::Verdict::kGivenUp;
   Log(LogLevel::kWarning, "gcm",
       "cannot connect again " + what + ": " + outcome.error().message +
           (is_over ? "" : "; trying again"));
 }
 
-/// Whether the process may still execute the order, or has done so.
+/// True if the process may still execute the order, or may have executed it.
 bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
@@ -112,7 +112,7 @@ void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
   const auto* now = catalogue.FindConnection(required);
   if (step.verb == "connect") {
     Break(required, done);
-  } else if (step.verb == "disconnect" && now != nullptr) {  // a late process has undone it
+  } else if (step.verb == "disconnect" && now != nullptr) {  // a slow process has undone it
     Answer(done, Result(*now));
   } else if (WasPending(catalogue, parts_.history.steps(), step)) {
     MakePending(former, done);
@@ -163,7 +163,8 @@ void Orders::Answer(Done<T> done, Result<T> result) {
   parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
-/// Wraps `done` to release the interface afterwards; null if it has a change under way.
+/// Wraps `done` to release the interface afterwards; null if a change of the interface is in
+/// progress.
 template <typename T>
 Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
@@ -221,7 +222,7 @@ void Orders::Make(const message::Wire& wire, ConnectDone done) {
   });
 }
 
-/// Makes a connection to an absent provider, after disconnecting the interface if need be.
+/// Makes a connection to an absent provider, after disconnecting the interface if necessary.
 void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto claimed = Claim(wire.required, done);
   if (!claimed) return;
@@ -273,7 +274,8 @@ void Orders::MakeInstead(const Exchange& exchange, const Result<None>& broken) {
            });
 }
 
-/// An active connection is replaced only by an active one.
+/// Decides whether the new connection stays: an active connection is only replaced by an active
+/// one.
 void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>& made) {
   if (!made) return Restore(exchange, made.error());
   constexpr ConnectionState kActive = ConnectionState::kActive;
@@ -284,8 +286,8 @@ void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>
                      ToString(made->provided) + " was not reached: " + made->reason});
 }
 
-/// Removes the new connection, if there is one, and restores the old one. A late process executes
-/// both orders too, and ends up with the old one.
+/// Removes the new connection, if there is one, and restores the old one. A slow process executes
+/// both orders as well, and ends up with the old connection.
 void Orders::Restore(const Exchange& exchange, const Error& why) {
   const message::Wire former{exchange.wire.required, exchange.former.provided};
   GiveBreak(former.required, [](const auto& /*there may be none*/) {});
@@ -296,7 +298,7 @@ void Orders::Restore(const Exchange& exchange, const Error& why) {
       });
 }
 
-/// A failed swap that left the interface disconnected is recorded, so that it can be undone.
+/// Records a failed replacement that left the interface disconnected, so that it can be undone.
 void Orders::Settle(const Exchange& exchange, Error why,
                     const Result<ConnectionDescription>& restored) {
   const message::Wire former{exchange.wire.required, exchange.former.provided};
@@ -334,7 +336,8 @@ void Orders::Give(MessageType type, const InterfaceName& required, const Body& b
       });
 }
 
-/// Without an answer, the state that the process has reported counts.
+/// Gives the order to make a connection. Without an answer, uses the state that the process has
+/// reported.
 void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
   const auto heard = [locked = locked_, wire = wiring.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {

@@ -18,13 +18,13 @@
 namespace tendon::server {
 
 /// Connects and disconnects: checks a request against the catalogue, sends the order to the
-/// required side's LCM, and records the change in the history. No thread waits. A failure changes
-/// nothing, as far as the LCM allows; otherwise the history has the change. All functions are
-/// called under the owner's lock; `done` is called once, without it.
+/// required side's LCM, and records the change in the history. No thread waits. A failed request
+/// changes nothing, as far as the LCM allows; any remaining change is in the history. All functions
+/// are called under the owner's lock; `done` is called once, without it.
 class Orders {
  public:
-  /// Calls its argument under the owner's lock, with the Orders; not at all once the owner is gone.
-  /// Then sends what the argument added to the outbox.
+  /// Calls its argument with the Orders, under the owner's lock, and then flushes the outbox. Does
+  /// nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(Orders&)>&)>;
   template <typename T>
   using Done = std::function<void(Result<T>)>;
@@ -34,21 +34,21 @@ class Orders {
     Registry& registry;
     History& history;
     Outbox& outbox;
-    Worker& worker;          ///< enforces deadlines
+    Worker& worker;          ///< provides timeouts
     LifeOrders& life;        ///< undoes its own steps
-    Supervisor& supervisor;  ///< likewise
+    Supervisor& supervisor;  ///< undoes its own steps
   };
   Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// `who` has asked for it.
+  /// Makes a connection that `who` has requested.
   void Connect(const message::Wire& wire, const std::string& who, ConnectDone done);
-  /// As Connect() if the interface is not connected.
+  /// Replaces the connection of an interface; like Connect() if there is none.
   void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
-  /// Marks the newest step as not to be undone, so that earlier ones can be. Refused if its process
-  /// is away and may come back, or if the step can be undone and is not named.
+  /// Skips the newest step, so that earlier ones can be undone. Refused if its process is gone and
+  /// may come back, or if the step can be undone and `which` does not name it.
   void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
@@ -106,7 +106,7 @@ class Orders {
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::set<InterfaceName> busy_;  // required interfaces with a change under way
+  std::set<InterfaceName> busy_;  // required interfaces with a change in progress
 };
 
 }  // namespace tendon::server

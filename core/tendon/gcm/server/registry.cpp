@@ -18,15 +18,15 @@ std::string Milliseconds(std::chrono::nanoseconds time) {
          " ms";
 }
 
-/// The cores that a process kept busy between two reports, on its own clock; below 0 if they make
-/// no sense.
+/// The number of cores that a process kept busy between two reports, by its own clock; negative if
+/// the reports are inconsistent.
 double CoresBetween(const message::Health& before, const message::Health& after) {
   const double passed = static_cast<double>(after.time) - static_cast<double>(before.time);
   const double used = static_cast<double>(after.cpu_time) - static_cast<double>(before.cpu_time);
   return passed > 0.0 && used >= 0.0 ? used / passed : -1.0;
 }
 
-/// Whether the catalogue has this already; then there is no new revision.
+/// True if the catalogue already has this; then there is no new revision.
 bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
   switch (change.kind) {
@@ -50,7 +50,7 @@ bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   return false;
 }
 
-/// What the process no longer has after it joined with `join`.
+/// The removals for everything that the process no longer has after it joined with `join`.
 std::vector<CatalogueChange> Removals(const ProcessEntry& before, const message::Join& join) {
   std::vector<CatalogueChange> changes;
   for (const auto& [id, connection] : before.connections) {
@@ -104,14 +104,15 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
   return admission;
 }
 
-/// Replaces the entry of a process with what it reports.
+/// Replaces the entry of a process by the data that it reports.
 void Registry::Enter(const message::Join& join, const std::string& link, std::int64_t now) {
   const std::string& name = join.process.name;
   ProcessDescription process = join.process;
   process.state = ProcessState::kAlive;
   process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
-  // A process that never stopped has its connections; a new one gets those of the old one back.
+  // A process that kept running still has its connections; for a new instance, those of the old one
+  // are restored.
   const ProcessEntry* before = catalogue_.FindProcess(name);
   if (before != nullptr && before->process.instance == process.instance) hand_backs_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
@@ -279,7 +280,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   return channels;
 }
 
-/// Extends the leases after a pause of this process, because renewals wait to be read.
+/// Extends the leases after a pause of this process, because there may be unread renewals.
 void Registry::Forgive(SteadyTime now) {
   constexpr std::chrono::milliseconds kUsual(250);
   const auto pause = now - std::exchange(last_tick_, now);
@@ -374,7 +375,7 @@ void Registry::SetState(const std::string& process, ProcessState state, const st
   Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
 }
 
-/// The connections of a tombstone become pending.
+/// Makes the connections of a process that is gone pending.
 void Registry::SuspendConnections(const std::string& process) {
   const auto connections = catalogue_.FindProcess(process)->connections;
   for (auto [id, connection] : connections) {

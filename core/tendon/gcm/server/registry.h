@@ -22,8 +22,8 @@ class Channel;
 
 namespace tendon::server {
 
-/// When a member that does not renew its lease becomes suspect and lost, and when a tombstone is
-/// removed.
+/// Time limits: when a member that does not renew its lease becomes suspect and then lost, and when
+/// a process that is gone is removed.
 struct Leases {
   std::chrono::milliseconds suspect_after{750};
   std::chrono::milliseconds lost_after{1500};
@@ -33,49 +33,53 @@ struct Leases {
 /// The token of a membership.
 using Session = std::uint64_t;
 
-/// The members with their names, and the catalogue that follows from their reports. A name has at
-/// most one member. Its session, a random number, proves the membership. Only decides: the caller
-/// sends and closes. Not thread-safe.
+/// The members, and the catalogue that results from their reports. A name has at most one member,
+/// whose session, a random number, proves the membership. Makes only decisions: the caller sends
+/// messages and closes channels. Not thread-safe.
 class Registry {
  public:
   Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
 
   struct Admission {
     Session session = 0;
-    std::shared_ptr<Channel> replaced;  ///< of the process's last membership; may be null
+    std::shared_ptr<Channel> replaced;  ///< channel of the process's last membership; may be null
   };
   /// Errors: kInvalid; kExists, with the holder of the name. `held` is the session of an earlier
   /// membership of the same process, which the new one continues.
   Result<Admission> Join(message::Join join, Session held, std::shared_ptr<Channel> channel);
 
-  /// Skips invalid changes; the error names the first.
+  /// Applies a report. Skips invalid changes; the error names the first one.
   Result<void> Report(Session session, message::Report report);
-  /// kDenied if the membership is over.
+  /// Renews a lease. kDenied if the membership has ended.
   Result<void> Renew(Session session);
-  /// Changes nothing in the catalogue. kDenied if the membership is over.
+  /// Stores the health of a process, which is not part of the catalogue. kDenied if the membership
+  /// has ended.
   Result<void> TakeHealth(Session session, const message::Health& health);
-  /// The process becomes a tombstone. Does nothing if the membership is over.
+  /// Ends a membership; the catalogue keeps the process as lost or left. Does nothing if the
+  /// membership has already ended.
   void End(Session session, ProcessState state, const std::string& reason);
-  /// The program of a process is being started; with `pid`, it was started. Until it joins, the
-  /// catalogue shows it as starting, with its former components. Does nothing if there is a member
-  /// of that name.
+  /// Called when the program of a process is being started; `pid` is set when it was started. Until
+  /// the process joins, the catalogue shows it as starting, with its former components. Does
+  /// nothing if there is a member with that name.
   void Expect(const std::string& process, std::int64_t pid);
-  /// It will not join: restores the former entry of the catalogue, if any. Does nothing if the
-  /// process is not expected.
+  /// Called when an expected process will not join: restores its former entry in the catalogue, if
+  /// any. Does nothing if the process is not expected.
   void GiveUp(const std::string& process);
-  /// Adds to the reason why a process is gone; returns false if it has no tombstone.
+  /// Adds a text to the reason why a process is gone; returns false if the catalogue has no process
+  /// that is gone with this name.
   bool Explain(const std::string& process, const std::string& reason);
-  /// Removes a tombstone. kNotFound; kFailed for a present process.
+  /// Removes a process that is lost or has left. kNotFound for an unknown process; kFailed for a
+  /// present one.
   Result<void> Forget(const std::string& process);
 
-  /// Checks the leases; call it often. Returns the channels of lost members, which are to be
-  /// closed.
+  /// Checks the leases; call it often. Returns the channels of lost members, which the caller must
+  /// close.
   std::vector<std::shared_ptr<Channel>> Tick();
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
-  /// A member's entry in the catalogue; null if the membership is over.
+  /// A member's entry in the catalogue; null if the membership has ended.
   [[nodiscard]] const ProcessDescription* FindMember(Session session) const;
-  /// The channel of a member, else null.
+  /// The channel of a member; null if there is no such member.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
   [[nodiscard]] message::PeerList peers() const;
@@ -83,7 +87,7 @@ class Registry {
 
   /// The changes since the last call.
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
-  /// The connections to make again now. Report each outcome to SettleHandBack().
+  /// The connections to make again now. Call SettleHandBack() with each outcome.
   [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
   ConnectionRestorer::Verdict SettleHandBack(const message::Wire& wire,
                                              const Result<void>& outcome);
@@ -98,7 +102,7 @@ class Registry {
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
     std::optional<message::Health> health;
-    SteadyTime told;    // when it reported its health
+    SteadyTime told;    // time of its last health report
     double cpu = -1.0;  // as in ProcessHealth
   };
 
@@ -118,8 +122,8 @@ class Registry {
   Catalogue catalogue_;
   DescriptionPool pool_;
   std::map<Session, Member> members_;
-  std::map<std::string, SteadyTime> tombstones_;  // since when
-  /// Starting processes, with their former entries.
+  std::map<std::string, SteadyTime> tombstones_;  // processes that are gone, and since when
+  /// Processes that are being started, with their former entries.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
   ConnectionRestorer hand_backs_;
   bool look_for_hand_backs_ = false;

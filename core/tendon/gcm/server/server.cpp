@@ -58,7 +58,7 @@ class Server::Peer final : public GuardedHandler {
     return AuditObject(header.type, body);
   }
 
-  Session session = 0;  // under the server's lock; 0: not a member
+  Session session = 0;  // guarded by the server's lock; 0: not a member
 
  private:
   const std::shared_ptr<Server> server_;
@@ -143,8 +143,8 @@ void Server::Publish() {
   for (const message::Wire& wire : registry_.TakeDueHandBacks()) orders_->HandBack(wire);
 }
 
-/// At once, but at most once a tick: otherwise many processes that join or are late together would
-/// keep the GCM and each other too busy to renew their leases.
+/// Sends the list of processes at once, but at most once per tick. Otherwise many processes that
+/// join together would keep the GCM and each other too busy to renew their leases.
 void Server::TellPeers() {
   if (SteadyClock().Now() - peers_told_ < kTick) {
     peers_owed_ = true;
@@ -230,7 +230,8 @@ void Server::Join(const Request& request) {
   });
 }
 
-/// Renews a lease; from a viewer it is only a ping. The answer must not wait behind a large one.
+/// Renews a lease; from a viewer it is only a ping. The answer has its own lane, so that it does
+/// not wait behind a large one.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const Session session = request.peer.session;
@@ -241,7 +242,7 @@ void Server::Renew(const Request& request) {
   });
 }
 
-/// The answer overtakes all others, because it carries the time.
+/// The answer contains the time, so it must not wait behind other answers.
 void Server::TakeHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);

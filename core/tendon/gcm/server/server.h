@@ -28,8 +28,8 @@
 namespace tendon::server {
 
 /// The GCM's server for channels of LCMs and viewers. One mutex guards the state; with it held,
-/// code only decides. The outbox sends, answers and logs afterwards; the history writes files in
-/// its own thread. Thread-safe.
+/// code only makes decisions. Sending, answering and logging follow in the outbox; the history
+/// writes files in its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -45,11 +45,11 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   /// Call it once, first.
   void Start();
-  /// Waits until the history is on disk. Afterwards none of its threads runs, and nothing is
+  /// Waits until the history is on the disk. Afterwards none of its threads runs, and no request is
   /// answered.
   void Stop();
 
-  /// For one channel.
+  /// Makes the handler of one channel.
   std::shared_ptr<ChannelHandler> MakeHandler();
   [[nodiscard]] Catalogue catalogue() const;
   void Tick();
@@ -70,7 +70,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::shared_ptr<Responder> responder;  ///< shared, because std::function must be copyable
   };
 
-  /// Decides with the lock held, then publishes and sends the results.
+  /// Calls `action` with the lock held, then publishes and sends the results.
   template <typename Action>
   void Locked(Action&& action);
   template <typename Part>
@@ -115,7 +115,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void TakeLog(const Session& session, std::span<const std::byte> body);
   void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
-  /// With the lock held.
+  /// Called with the lock held.
   template <typename T>
   void Answer(const Request& request, Result<T> result);
 
@@ -123,7 +123,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   History history_;
   RateLimitedWarning not_understood_{"gcm"};
   Outbox outbox_;
-  Watchers watchers_;   // only in actions of the outbox
+  Watchers watchers_;   // used only in actions of the outbox
   LogBuffer log_book_;  // likewise
   AuditLog audit_;
   LogQueue own_log_;

@@ -8,11 +8,12 @@
 
 #include <utility>
 
-/// The server's handling of other processes' logs and of its own.
+/// The part of the server that handles the logs of other processes and its own.
 namespace tendon::server {
 namespace {
 
-/// Whether its records are in the book already: a window that hosts a GCM is also a process.
+/// True if this program is the process, so that its records are already in the buffer: a window
+/// that hosts a GCM is also a process.
 bool IsOwn(const ProcessDescription& process) {
   return process.name == kGcmName && process.pid == os::ProcessId() &&
          process.host == os::HostName();
@@ -20,7 +21,7 @@ bool IsOwn(const ProcessDescription& process) {
 
 }  // namespace
 
-/// In an action of the outbox; also retries watchers whose links were full.
+/// Called in an action of the outbox; also retries watchers whose links were full.
 void Server::WriteOwnLog() {
   auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
   for (message::LogRecord& record : records) log_book_.AddOwn(std::move(record));

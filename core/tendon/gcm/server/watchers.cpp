@@ -30,8 +30,8 @@ void Watchers::Pump() {
   DropSent();
 }
 
-/// A full link refuses an encoded batch, again and again while its viewer does not read. So the
-/// batch shrinks, down to one change.
+/// A full link refuses encoded batches as long as its viewer does not read. To save work, the batch
+/// shrinks, down to one change.
 void Watchers::Pump(Watcher& watcher, Batch& batch) const {
   while (watcher.revision < newest_) {
     const bool is_too_much = batch.last - batch.after > watcher.most;

@@ -12,12 +12,13 @@
 
 namespace tendon::server {
 
-/// Sends every change to every watcher, in order. A watcher is a position in one shared log: a slow
-/// one delays nobody and costs nothing. If it falls behind the log, it gets only the newest change,
-/// sees the gap, and asks for a snapshot. Not thread-safe; never blocks.
+/// Sends every change to every watcher, in order. A watcher is a position in one shared log, so a
+/// slow watcher delays nobody and costs nothing. If the log no longer has its position, the watcher
+/// gets only the newest change, sees the gap, and asks for a snapshot. Not thread-safe; never
+/// blocks.
 class Watchers {
  public:
-  /// Adds a watcher that has everything up to `revision`; restarts one that is there already.
+  /// Adds a watcher that has everything up to `revision`; restarts a watcher that already exists.
   void Add(const std::shared_ptr<Channel>& channel, std::uint64_t revision);
   void Remove(const Channel* channel);
 
@@ -32,8 +33,8 @@ class Watchers {
 
   struct Watcher {
     std::shared_ptr<Channel> channel;
-    std::uint64_t revision = 0;       ///< sent up to here
-    std::size_t most = kMostInBatch;  ///< changes in one batch; fewer while its link is full
+    std::uint64_t revision = 0;       ///< changes up to this revision were sent
+    std::size_t most = kMostInBatch;  ///< most changes in one batch; fewer while its link is full
   };
   /// A frame for several watchers.
   struct Batch {
@@ -46,7 +47,7 @@ class Watchers {
   void Fill(Batch& batch, const Watcher& watcher) const;
   void DropSent();
 
-  std::deque<CatalogueChange> log_;  // changes that some watcher lacks
+  std::deque<CatalogueChange> log_;  // changes that some watchers do not have yet
   std::uint64_t newest_ = 0;
   std::map<const Channel*, Watcher> watchers_;
 };

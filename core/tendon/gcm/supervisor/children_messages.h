@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-/// The processes that a GCM has started, which the catalogue does not contain.
+/// Messages about the processes that a GCM has started; the catalogue does not have this
+/// information.
 namespace tendon::message {
 
-// From a viewer. A GCM older than this message refuses it.
+// From a viewer. A GCM that is older than this message refuses it.
 inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // request: None -> Children
 
 /// A process that the GCM has started, and can end or restart.

@@ -10,9 +10,9 @@ namespace tendon {
 
 /// How a GCM starts processes on its own host.
 struct Launch {
-  std::filesystem::path program;  ///< an `lcm`; empty: it starts none
-  /// More arguments of its command line. The request contributes only the process name, which is
-  /// valid.
+  std::filesystem::path program;  ///< path of `lcm`; empty: no processes can be started
+  /// Further arguments of its command line. Only the process name comes from the request, and was
+  /// checked.
   std::function<std::vector<std::string>(const std::string& process)> options =
       [](const std::string& /*process*/) { return std::vector<std::string>(); };
   /// The size in bytes at which the log of a process is rotated.

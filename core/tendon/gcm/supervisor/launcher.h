@@ -17,41 +17,41 @@ struct ProcessEnd {
   std::string how;         ///< "ended with exit code 3", "was ended by SIGKILL"
 };
 
-/// A started process; it runs on when this object is destroyed.
+/// A started process, which continues when this object is destroyed.
 class StartedProcess {
  public:
   virtual ~StartedProcess() = default;
   [[nodiscard]] virtual std::int64_t pid() const = 0;
-  /// Nothing while it runs.
+  /// Empty while it runs.
   virtual std::optional<ProcessEnd> Ended() = 0;
-  /// Asks it to end in order.
+  /// Asks the process to end in order.
   virtual void Terminate() = 0;
-  /// Ends it at once.
+  /// Ends the process at once.
   virtual void Kill() = 0;
 };
 
-/// The output of a process.
+/// The log of a process.
 struct Traces {
-  std::string last_words;  ///< the end of its log, on one line
+  std::string last_words;  ///< the last lines of its log, on one line
   std::string log;         ///< the path of its log
 };
 
-/// Starts processes on this host. Its functions wait for the disk; call them from one thread.
+/// Starts processes on this host. Its functions may wait for the disk; only one thread calls them.
 class Launcher {
  public:
   /// The process to start.
   struct Order {
     std::string process;
-    std::chrono::milliseconds patience{0};  ///< for finding the GCM
-    std::optional<SystemFile> system{};     ///< the components that it gets
+    std::chrono::milliseconds patience{0};  ///< time limit for finding the GCM
+    std::optional<SystemFile> system{};     ///< the components to create
   };
 
   virtual ~Launcher() = default;
   virtual Result<std::shared_ptr<StartedProcess>> Start(const Order& order) = 0;
-  /// For the process that was last started under that name.
+  /// The log of the process that was last started under that name.
   virtual Traces TracesOf(const std::string& process) = 0;
-  /// Bounds the log of a running process; call it often. Logs a failure once, and again after it
-  /// worked in between.
+  /// Limits the size of the log of a running process; call it often. Logs a failure once, and again
+  /// only after a success.
   virtual void ShortenLog(const std::string& process) = 0;
 };
 

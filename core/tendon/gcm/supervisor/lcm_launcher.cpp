@@ -113,8 +113,8 @@ Traces LcmLauncher::TracesOf(const std::string& process) {
   return {words, log.string()};
 }
 
-/// The process appends to its file, so truncation is safe. A log that cannot be copied is truncated
-/// too, also if the disk is full, because it would grow for ever.
+/// The process appends to its file, so truncation is safe. A log that cannot be copied, for example
+/// because the disk is full, is truncated as well; otherwise it would grow for ever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");

@@ -11,8 +11,8 @@
 namespace tendon::server {
 
 /// Starts `lcm` programs in sessions of their own, so that a terminal's signals do not reach them.
-/// The folder has, for each, a log (NAME.log), the earlier log of it or its predecessor
-/// (NAME.log.1), and, if it was started with components, their system file (NAME.json).
+/// For each process, the folder has a log (NAME.log), the earlier log of the process or its
+/// predecessor (NAME.log.1), and a system file (NAME.json) if it was started with components.
 class LcmLauncher final : public Launcher {
  public:
   /// `gcm` is the address of the GCM; `folder` is private to this user.
@@ -20,7 +20,7 @@ class LcmLauncher final : public Launcher {
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
   Traces TracesOf(const std::string& process) override;
-  /// Loses what is written between the copy and the truncation.
+  /// Output that is written between the copy and the truncation is lost.
   void ShortenLog(const std::string& process) override;
 
  private:
@@ -31,7 +31,7 @@ class LcmLauncher final : public Launcher {
   const Launch launch_;
   const std::string gcm_;
   const std::filesystem::path folder_;
-  std::set<std::string> shortened_;                // those whose earlier log is their own
+  std::set<std::string> shortened_;                // whose NAME.log.1 is from the present run
   std::map<std::string, std::string> complaints_;  // last complaint about each process; "": none
 };
 

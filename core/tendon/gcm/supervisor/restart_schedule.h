@@ -8,9 +8,9 @@
 
 namespace tendon::server {
 
-/// When a process that fails again and again is restarted: after 0.5 s, then after twice the last
-/// pause, up to 10 s; from 0.5 s again once it has run for a minute. Given up after five failures
-/// within a minute.
+/// The times of restarts of a process that fails again and again: after 0.5 s, then after twice the
+/// last pause, up to 10 s. After a run of a minute, the pauses start again at 0.5 s. After five
+/// failures within a minute, the process is not restarted.
 class RestartSchedule {
  public:
   static constexpr std::chrono::milliseconds kFirstPause{500};
@@ -18,11 +18,12 @@ class RestartSchedule {
   static constexpr std::chrono::minutes kLongEnough{1};
   static constexpr std::size_t kMostFailures = 5;
 
-  /// The process ran since `begin` and has failed `now`. Returns the pause; nothing: give up.
+  /// The process has run since `begin` and failed at `now`. Returns the pause before the restart;
+  /// empty if the process should not be restarted.
   std::optional<std::chrono::milliseconds> PauseAfter(SteadyTime begin, SteadyTime now);
 
  private:
-  std::deque<SteadyTime> failures_;  // those of the last minute
+  std::deque<SteadyTime> failures_;  // failures of the last minute
   std::chrono::milliseconds pause_{kFirstPause};
 };
 

@@ -26,7 +26,7 @@ milliseconds PatienceOf(std::chrono::nanoseconds asked) {
   return std::chrono::ceil<milliseconds>(std::min<std::chrono::nanoseconds>(asked, kLongest));
 }
 
-/// Files and memory may throw.
+/// Calls `action` and converts exceptions, of files and memory, to errors.
 template <typename T, typename Action>
 Result<T> Guarded(const Action& action) {
   try {
@@ -56,7 +56,7 @@ void Supervisor::Obey(const message::ProcessOrder& order, const std::string& who
 }
 
 void Supervisor::Tick() {
-  std::vector<std::string> names;  // a copy: LookAfter() may drop one
+  std::vector<std::string> names;  // a copy: LookAfter() may remove entries
   for (const auto& [process, child] : children_) names.push_back(process);
   for (const std::string& process : names) LookAfter(process, children_.at(process));
   ShortenLogs();
@@ -109,7 +109,8 @@ void Supervisor::Start(const message::ProcessOrder& order, const std::string& wh
   Launch(order.process, child);
 }
 
-/// A process that waits for its restart is started at once, as a new one.
+/// Checks that a process can be started. A process that waits for its restart may be started at
+/// once, as a new one.
 Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (process == kGcmName) {
     return Error{ErrorCode::kInvalid,
@@ -202,7 +203,7 @@ void Supervisor::LookAfter(const std::string& process, Child& child) {
     if (const auto end = child.program->Ended()) {
       child.end = *end;
       child.phase = Phase::kEnded;
-      parts_.registry.GiveUp(process);  // if it has not joined
+      parts_.registry.GiveUp(process);  // only has an effect if it has not joined
     }
   }
   const bool is_over = parts_.clock.Now() >= child.until;
@@ -300,9 +301,9 @@ void Supervisor::Drop(const std::string& process, const std::string& how) {
   children_.erase(process);
 }
 
-/// Tells the log and the viewers of the process.
+/// Reports a text about the process to the log and to viewers.
 void Supervisor::Tell(const std::string& process, const std::string& what) {
-  if (parts_.registry.Explain(process, what)) return;  // the registry's change is logged
+  if (parts_.registry.Explain(process, what)) return;  // the change of the catalogue is logged
   parts_.outbox.Add(
       [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
 }
@@ -313,7 +314,7 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
          entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
 }
 
-/// The last known state of the process; nothing if there is none.
+/// The last known components of the process, for its restart; empty if there are none.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
   const SystemFile system = SystemOf(parts_.registry.catalogue(), process, Gone::kIncluded).file;
   for (const SystemFile::Process& one : system.processes) {

@@ -20,17 +20,17 @@
 
 namespace tendon::server {
 
-/// Starts processes on the GCM's host and ends those that it has started. Restarts a failed one, if
-/// wanted, with the components and states that it had; the GCM hands its connections back. A
-/// process that was told to end, or ended with exit code 0, is not restarted. When the GCM ends,
-/// its processes run on, and the next GCM does not know that a GCM started them.
+/// Starts processes on the GCM's host and ends those that it has started. If requested, restarts a
+/// failed process with its former components and states; the GCM restores its connections. A
+/// process that was ended by request, or with exit code 0, is not restarted. When the GCM ends, its
+/// processes continue, and the next GCM does not know that a GCM has started them.
 ///
-/// No thread waits. All functions but Stop() are called under the owner's lock; `done` is called
+/// No thread waits. All functions except Stop() are called under the owner's lock; `done` is called
 /// once, without it.
 class Supervisor {
  public:
-  /// Calls its argument under the owner's lock, with the Supervisor; not at all once the owner is
-  /// gone. Then sends what the argument added to the outbox.
+  /// Calls its argument with the Supervisor, under the owner's lock, and then flushes the outbox.
+  /// Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 
@@ -43,20 +43,21 @@ class Supervisor {
   };
   Supervisor(Parts parts, Locked locked);
 
-  /// `who` has asked for it. A start is recorded in the history.
+  /// Executes an order that `who` has requested. A start is recorded in the history.
   void Obey(const message::ProcessOrder& order, const std::string& who, Done done);
-  /// Checks the processes; call it often.
+  /// Checks all processes; call it often.
   void Tick();
-  /// Starts nothing any more; running processes stay.
+  /// Starts no more processes; running processes continue.
   void Stop() { worker_.Stop(); }
 
-  /// A component of the process may have changed; a restart is to restore it.
+  /// Called when a component of the process may have changed, so that a restart can restore it.
   void NoteChange(const std::string& process);
 
-  /// The processes that were not told to end.
+  /// The started processes, except those that were asked to end.
   [[nodiscard]] message::Children children() const;
 
-  /// Whether the process that a step has started is still ours and has no components.
+  /// Checks that the process started by a step is still controlled by this GCM and has no
+  /// components.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
   /// Undoes a step. Not recorded in the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Done done);
@@ -67,27 +68,27 @@ class Supervisor {
     kJoining,
     kRunning,
     kEnding,     ///< was asked to end
-    kEnded,      ///< until the catalogue knows it
+    kEnded,      ///< until the catalogue shows its end
     kExamining,  ///< its log is being read
-    kPausing,    ///< until it is restarted
+    kPausing,    ///< waits until it is restarted
   };
 
   struct Child {
     RestartPolicy restart = RestartPolicy::kNever;
-    std::chrono::milliseconds patience{0};  ///< until it has joined
+    std::chrono::milliseconds patience{0};  ///< time limit for joining
     std::string who{};
-    Done done{};  ///< waits for it to join or to end
+    Done done{};  ///< called when it has joined or ended
     Phase phase = Phase::kStarting;
-    SteadyTime begin{};  ///< of its present run
-    SteadyTime until{};  ///< of a phase with a time limit
+    SteadyTime begin{};  ///< start of its present run
+    SteadyTime until{};  ///< end of a phase with a time limit
     std::shared_ptr<StartedProcess> program{};
     ProcessEnd end{};
     bool is_known = false;     ///< has joined, in this run or an earlier one
-    bool is_unwanted = false;  ///< was told to end
-    bool is_changed = false;   ///< since it was started
+    bool is_unwanted = false;  ///< was asked to end
+    bool is_changed = false;   ///< its components changed since it was started
     std::string reproach{};    ///< why it had to be ended
     RestartSchedule schedule{};
-    std::optional<SystemFile> system{};  ///< with which it was started
+    std::optional<SystemFile> system{};  ///< the components with which it was started
   };
 
   void Start(const message::ProcessOrder& order, const std::string& who, Done done);

@@ -10,13 +10,13 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// Waits a little longer than the client, whose error is more precise.
+/// Time to wait longer than the client, whose error is more precise.
 constexpr std::chrono::milliseconds kLonger(500);
 
-/// Between two looks at the catalogue.
+/// Time between two checks of the catalogue.
 constexpr std::chrono::milliseconds kLook(20);
 
-/// Whether the interfaces of `wire` are connected; else why not.
+/// Checks that the interfaces of `wire` are connected; the error says why not.
 Result<void> CheckConnected(const Catalogue& catalogue, const message::Wire& wire) {
   const auto refuse = [&](const std::string& why) {
     return Error{ErrorCode::kFailed, "not started, for " + ToString(wire.required) +
@@ -33,7 +33,7 @@ bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
 
-/// Whether the component is already in the state after `verb`, whatever the cause.
+/// True if the component is already in the state after `verb`, whatever the cause.
 bool IsSo(const Catalogue& catalogue, LifeVerb verb, const PlanStep& step) {
   const auto* now = catalogue.FindComponent(step.process, step.component.name);
   if (now == nullptr) return verb == LifeVerb::kRemove;
@@ -63,7 +63,7 @@ Result<void> ClientExecutor::Begin() {
   if (begun) return begun;
   const ErrorCode code = begun.error().code;
   if (code == ErrorCode::kDenied) return {};
-  if (code != ErrorCode::kFailed) client_.GivePlanTurnBack();  // it may have been granted
+  if (code != ErrorCode::kFailed) client_.GivePlanTurnBack();  // the lock may have been granted
   return begun;
 }
 
@@ -72,7 +72,7 @@ void ClientExecutor::End() {
   has_turn_ = false;
 }
 
-/// The GCM frees the turn of a broken link, so it is requested before each step.
+/// Requests the lock before each step, because the GCM releases it if the link breaks.
 Result<void> ClientExecutor::KeepTurn() {
   if (!has_turn_) return {};
   const auto kept = AskForTurn();
@@ -123,7 +123,7 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
                                        "make another one"};
 }
 
-/// A connection that was just requested may still be under way.
+/// Waits for connections: one that was just requested may not be active yet.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
     const auto check = [&](const Catalogue& now) { return CheckConnected(now, wire); };
@@ -152,7 +152,8 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
   return made.error();
 }
 
-/// The GCM itself may be restoring the connections of a component that has returned.
+/// True if the connection exists: the GCM itself may restore the connections of a component that
+/// has returned.
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
@@ -197,7 +198,7 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 
-/// If it cannot be suspended, stops it, because it must not run.
+/// Starts and suspends a component. If it cannot be suspended, stops it, because it must not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto started = Steer(LifeVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;

@@ -8,20 +8,20 @@
 
 namespace tendon {
 
-/// Executes steps through a GCM. Refuses a step of a process that was restarted since planning, of
-/// a configuration that was changed since, and the start of a component that lacks a connection
-/// that it needs.
+/// Executes steps through a GCM. Refuses a step if its process was restarted, or its configuration
+/// changed, after the planning; also refuses to start a component without a connection that it
+/// needs.
 class ClientExecutor final : public PlanExecutor {
  public:
-  /// The client outlives the executor, and ends each request after `timeout` by itself. A start
-  /// waits this long for the connections that it needs.
+  /// The client must outlive the executor, and ends each request after `timeout`. A start waits
+  /// this long for the connections that the component needs.
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// kDenied from a GCM without plan turns, or for a viewer, counts as success: there is no turn to
-  /// wait for.
+  /// kDenied, from a GCM without this lock or for a viewer, counts as success, because there is no
+  /// lock to wait for.
   Result<void> Begin() override;
-  /// Also refuses if the turn was lost with the link to the GCM, and another viewer has it now.
+  /// Also refuses if the lock was lost with the link to the GCM, and another viewer has it now.
   Result<void> Execute(const PlanStep& step) override;
   void End() override;
 

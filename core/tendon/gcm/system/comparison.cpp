@@ -170,7 +170,7 @@ bool IsSameThread(const SystemFile::Component& one, const SystemFile::Component&
 
 bool IsSameJson(const std::string& one, const std::string& other) {
   if (one == other) return true;
-  const auto parsed = ParseStrictJson(one);  // limits nesting, so that == does not recurse too deep
+  const auto parsed = ParseStrictJson(one);  // limits nesting and so the recursion of ==
   const auto other_parsed = ParseStrictJson(other);
   return parsed && other_parsed && *parsed == *other_parsed;
 }

@@ -29,14 +29,15 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether the second of two systems knows how its processes start.
+/// Whether the second system has information about the start of processes.
 enum class Starts {
-  kKnown,            ///< it is a file
-  kUnknownInSecond,  ///< it is a running system; not compared
+  kKnown,            ///< yes: a file
+  kUnknownInSecond,  ///< no: a running system; starts are not compared
 };
 
-/// Compares everything but comments, layout and names. States in which nothing runs count as equal.
-/// A period, library or thread that only one of the two mentions is no difference.
+/// Compares everything except comments, layout and names of systems. States in which the component
+/// does not run count as equal. A period, library or thread that only one of the two has is not a
+/// difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
                                               Starts starts);
 
@@ -44,22 +45,23 @@ enum class Starts {
 [[nodiscard]] std::string ChangesOf(const SystemFile::Component& first,
                                     const SystemFile::Component& second);
 
-/// Whether both have the same library, or one does not say.
+/// True if both have the same library, or one has no library.
 [[nodiscard]] bool IsSameLibrary(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// Whether both run after the same component, or none, or one does not say how it runs.
+/// True if both run after the same component, or after none, or if one has no information about its
+/// thread.
 [[nodiscard]] bool HasSameLeader(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// The same, and with the same thread options.
+/// The same, and the thread options are equal.
 [[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
                                 const SystemFile::Component& other);
 
-/// Whether a component in one state satisfies a wish for the other.
+/// True if a component in one state satisfies a request for the other state.
 [[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);
 
-/// Whether both are the same JSON or the same text.
+/// True if both are equal as JSON or as text.
 [[nodiscard]] bool IsSameJson(const std::string& one, const std::string& other);
 
 }  // namespace tendon

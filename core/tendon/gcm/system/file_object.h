@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-/// Readers for files that people write. A mistake in a file is thrown as a FileMistake, which is
-/// caught within the reader.
+/// Readers for files that people write. A mistake in a file is thrown as a FileMistake, which
+/// ReadWith() or the reader catches.
 namespace tendon::file {
 
-/// A mistake and the path of its place: "processes[0].name".
+/// A mistake in a file, and the path of its place: "processes[0].name".
 struct FileMistake {
   std::string place;
   std::string text;  ///< begins with a path
@@ -25,10 +25,10 @@ struct FileMistake {
 /// "string 'fast'", "number", "a list".
 [[nodiscard]] std::string Shown(const Json& value);
 
-/// One object of a file, and its path there.
+/// One JSON object in a file, and its path.
 class FileObject {
  public:
-  /// Refuses a value that is no object, or an object with a key that is not in `keys`.
+  /// Refuses a value that is not an object, or an object with a key that is not in `keys`.
   FileObject(const Json& object, std::string place, const std::vector<std::string>& keys);
 
   /// The path of a member.
@@ -37,7 +37,7 @@ class FileObject {
   [[nodiscard]] const Json* Find(const std::string& key) const;
   void Require(const std::string& key) const;
 
-  // For a member that must exist.
+  // Readers of a required member.
 
   [[nodiscard]] const Json& Get(const std::string& key) const;
   [[nodiscard]] std::string Text(const std::string& key) const;
@@ -45,11 +45,11 @@ class FileObject {
   [[nodiscard]] std::string Name(const std::string& key, const std::string& what) const;
   [[nodiscard]] InterfaceName Interface(const std::string& key) const;
 
-  // For a member that may be missing.
+  // Readers of an optional member.
 
   /// Empty if it is missing; escapes control characters.
   [[nodiscard]] std::string Comment() const;
-  /// `unit` is for the error: "seconds".
+  /// `unit` appears in the error: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,
                               double otherwise) const;
   /// False if it is missing.
@@ -89,14 +89,14 @@ class NewNames {
 /// A member with the class name of a component.
 [[nodiscard]] std::string ReadClassName(const FileObject& object, const std::string& key);
 
-/// A configuration as a component keeps it, on one line of ASCII. Refuses a value that is no object
-/// or is too long.
+/// A configuration as a component keeps it, on one line of ASCII. Refuses a value that is not an
+/// object or is too long.
 [[nodiscard]] std::string ConfigurationText(const Json& configuration, const std::string& place);
 
-/// Refuses anything but a plug-in name without a path.
+/// Refuses anything except a plug-in name without a path.
 void CheckLibrary(const std::string& library, const std::string& place);
 
-/// The error for a mistake in a text of this source.
+/// The error for a mistake in the text of `source`.
 [[nodiscard]] Error ErrorOf(const FileMistake& mistake, std::string_view text,
                             const std::string& source);
 

@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-using Leaders = std::map<std::string, std::string>;  // of one process, by follower
+using Leaders = std::map<std::string, std::string>;  // leaders of one process, by follower
 
 Leaders LeadersOf(const std::vector<SystemFile::Component>& components) {
   Leaders leaders;
@@ -38,7 +38,7 @@ std::string RingText(const std::vector<std::string>& chain, const std::string& f
 
 void PutLeadersFirst(std::vector<ComponentPath>& order,
                      const std::function<std::string(const ComponentPath& component)>& leader_of) {
-  std::set<ComponentPath> behind(order.begin(), order.end());  // those not placed yet
+  std::set<ComponentPath> behind(order.begin(), order.end());  // components not placed yet
   std::map<ComponentPath, std::vector<ComponentPath>> followers;
   std::vector<ComponentPath> ordered;
   for (const ComponentPath& path : order) {
@@ -48,7 +48,7 @@ void PutLeadersFirst(std::vector<ComponentPath>& order,
       continue;
     }
     std::vector<ComponentPath> next = {path};
-    while (!next.empty()) {  // no recursion: a chain may be as long as the file
+    while (!next.empty()) {  // no recursion, because a chain may be as long as the file
       const ComponentPath one = std::move(next.back());
       next.pop_back();
       ordered.push_back(one);
@@ -84,7 +84,7 @@ void PutLeadersFirst(std::vector<SystemFile::Component>& components) {
 
 std::string FindRingIn(const std::vector<SystemFile::Component>& components) {
   const Leaders leaders = LeadersOf(components);
-  std::set<std::string> fine;  // not part of a ring, nor behind one
+  std::set<std::string> fine;  // neither in a cycle nor behind one
   for (const auto& [follower, leader] : leaders) {
     std::vector<std::string> chain;
     std::set<std::string> in_chain;

@@ -8,17 +8,17 @@
 
 namespace tendon {
 
-/// Moves each component behind its leader, the one after which it runs, and so behind the leader's
-/// leader; otherwise keeps the order. `leader_of` returns a leader's name, or an empty one.
-/// Components in a ring, or that run after one in a ring, come last.
+/// Moves each component behind its leader, the component after which it runs; otherwise keeps the
+/// order. `leader_of` returns the leader's name, or an empty text. Components in a cycle, or behind
+/// one, come last.
 void PutLeadersFirst(std::vector<ComponentPath>& order,
                      const std::function<std::string(const ComponentPath& component)>& leader_of);
 
 /// For the components of one process in a file.
 void PutLeadersFirst(std::vector<SystemFile::Component>& components);
 
-/// "'a' runs after 'b', which runs after 'a'" for the first ring among the components of a process;
-/// empty if there is none.
+/// "'a' runs after 'b', which runs after 'a'" for the first cycle among the components of a
+/// process; empty if there is none.
 [[nodiscard]] std::string FindRingIn(const std::vector<SystemFile::Component>& components);
 
 }  // namespace tendon

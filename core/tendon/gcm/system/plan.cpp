@@ -22,7 +22,7 @@ bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
 }
 
-/// Whether nothing but its state must change.
+/// True if only the state must change.
 bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Component& now) {
   return wanted.class_name == now.class_name && IsSameLibrary(wanted, now) &&
          IsSameThread(wanted, now) && IsSameJson(wanted.configuration, now.configuration);
@@ -107,8 +107,8 @@ class Planner {
     }
   }
 
-  /// Finds components that must be created anew because they run after one that is removed or
-  /// created anew: that is not possible while it has followers.
+  /// Finds components that must be created again because their leader is removed or created again,
+  /// which is not possible while it has followers.
   void FindUnsettled(const SystemFile::Process& process) {
     const auto* running = catalogue_.FindProcess(process.name);
     if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
@@ -131,7 +131,7 @@ class Planner {
     }
   }
 
-  /// The GCM starts it; the process's former components do not count.
+  /// Plans the start of a process by the GCM; its former components are ignored.
   void PlanBirth(const SystemFile::Process& process) {
     born_.insert(process.name);
     births_.push_back(
@@ -179,7 +179,7 @@ class Planner {
     return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
   }
 
-  /// 0, any instance, for a process that the plan starts.
+  /// The instance for steps of a process; 0, any, for a process that the plan starts.
   [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
     return born_.contains(process) ? 0 : InstanceOf(catalogue_, process);
   }
@@ -253,7 +253,7 @@ class Planner {
     makings_.back().based_on = BaseOf(told->configuration);
   }
 
-  /// As in the file, or as at present if the file does not say.
+  /// The leader in the file, or the present one if the file has no information.
   [[nodiscard]] std::string LeaderOf(const ComponentPath& path) const {
     const auto* wanted = wanted_index_.FindComponent(path.first, path.second);
     if (wanted != nullptr && wanted->tells_thread()) return wanted->runs_after;
@@ -261,7 +261,7 @@ class Planner {
     return now == nullptr ? std::string() : now->runs_after;
   }
 
-  /// As in the file, with its present thread if the file does not say.
+  /// The component as in the file, with its present thread if the file has no information.
   [[nodiscard]] SystemFile::Component WithThreadOf(const ComponentPath& path,
                                                    const SystemFile::Component& now,
                                                    SystemFile::Component component) const {
@@ -332,7 +332,7 @@ class Planner {
     connects_.back().takes_away = replaces;
   }
 
-  /// Sets the common kind of all obstacles so far, if there is one.
+  /// Sets the error code that all obstacles have in common, if there is one.
   void Judge() {
     if (refusals_.empty() || refusals_.size() < plan_.obstacles.size()) return;
     const ErrorCode first = refusals_.front();
@@ -344,7 +344,8 @@ class Planner {
     lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
   }
 
-  /// Notes connections that the file lacks, for a component whose interfaces are known.
+  /// Notes needed connections that are missing in the file, for a component whose interfaces are
+  /// known.
   void FindUnmetNeeds(const ComponentPath& path) {
     const auto* component = catalogue_.FindComponent(path.first, path.second);
     const bool is_known = component != nullptr && !born_.contains(path.first) &&
@@ -402,23 +403,23 @@ class Planner {
   const RunningSystem running_;
   const SystemIndex wanted_index_{wanted_};
   const SystemIndex running_index_{running_.file};
-  std::map<InterfaceName, const ConnectionDescription*> connections_;  // of the whole catalogue
+  std::map<InterfaceName, const ConnectionDescription*> connections_;  // all in the catalogue
   Plan plan_;
   std::map<ComponentPath, PlanStep> rests_;
   std::vector<PlanStep> disconnects_;
   std::vector<PlanStep> removals_;
-  std::vector<PlanStep> births_;  // of processes
+  std::vector<PlanStep> births_;  // starts of processes
   std::vector<PlanStep> makings_;
   std::vector<PlanStep> connects_;
   std::map<ComponentPath, PlanStep> starts_;
   std::set<std::string> born_;                  // processes that the plan starts
-  std::set<ComponentPath> leads_;               // others run after them
-  std::set<ComponentPath> unsettled_;           // because of their leaders
-  std::set<ComponentPath> removed_;             // some are created again
-  std::set<ComponentPath> made_;                // or configured anew
-  std::set<ComponentPath> missing_;             // absent, made by their own programs
-  std::map<ComponentPath, std::string> lacks_;  // why not to start it
-  std::vector<ErrorCode> refusals_;             // of connections
+  std::set<ComponentPath> leads_;               // components after which others run
+  std::set<ComponentPath> unsettled_;           // created again because of their leaders
+  std::set<ComponentPath> removed_;             // removed, perhaps to be created again
+  std::set<ComponentPath> made_;                // created or configured
+  std::set<ComponentPath> missing_;             // missing, and created only by their own programs
+  std::map<ComponentPath, std::string> lacks_;  // why the component must not start
+  std::vector<ErrorCode> refusals_;             // error codes of refused connections
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ ComponentPath PathOf(const std::string& process) { return {process, ""}; }
 /// The failures on which later steps depend.
 class Failures {
  public:
-  /// Notes a step that was not done; `cause` is the original failure.
+  /// Notes a step that was not executed; `cause` is the original failure.
   void Note(const PlanStep& step, const std::string& cause) {
     if (IsOfConnection(step)) {
       lacking_.emplace(OwnerOf(step.wire.required), cause);
@@ -60,7 +60,7 @@ class Failures {
   Steps lacking_;  // components without a planned connection
 };
 
-/// Gives the reason with the first step.
+/// The outcome of a plan that was not executed; the first step has the reason.
 PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& progress) {
   std::string reason = why.message;
   std::size_t number = 0;

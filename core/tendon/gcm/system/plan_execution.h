@@ -27,11 +27,11 @@ struct StepOutcome {
   enum class Fate {
     kDone,
     kFailed,
-    kLeft,  ///< not tried
+    kLeft,  ///< not executed
   };
 
   Fate fate = Fate::kDone;
-  std::string reason;  ///< why not done; also empty for steps after the plan was stopped
+  std::string reason;  ///< why it was not executed; empty for steps after the end of the plan
 
   bool operator==(const StepOutcome&) const = default;
 };
@@ -41,7 +41,7 @@ struct PlanOutcome {
   std::size_t done = 0;
   std::size_t failed = 0;
   std::size_t left = 0;
-  std::optional<Error> error;  ///< the first
+  std::optional<Error> error;  ///< the first error
   bool is_interrupted = false;
 
   bool operator==(const PlanOutcome&) const = default;
@@ -51,12 +51,12 @@ struct PlanOutcome {
 using PlanProgress =
     std::function<void(std::size_t number, const PlanStep& step, const StepOutcome& outcome)>;
 
-/// Returns true to cancel the rest; called before each step.
+/// Called before each step; returns true to cancel the rest.
 using PlanInterrupt = std::function<bool()>;
 
-/// With kStop, executes the plan up to the first failure. With kGoOn it goes on, but leaves out
-/// steps that depend on a failure: a component with a failed step is not changed or connected to
-/// any more, and one that lacks a connection is not started.
+/// With kStop, executes the plan up to the first failure. With kGoOn, continues, but skips steps
+/// that depend on a failure: a component with a failed step is not changed or connected any more,
+/// and a component without a planned connection is not started.
 PlanOutcome ExecutePlan(
     const Plan& plan, PlanExecutor& executor, AfterError after_error, const PlanProgress& progress,
     const PlanInterrupt& interrupt = [] { return false; });

@@ -32,8 +32,8 @@ std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   return end == text.npos ? begin : end + 2;
 }
 
-/// Replaces comments, which only this format allows, by blanks, so that the rest keeps its line and
-/// column.
+/// Replaces comments, which are allowed only in this format, by blanks, so that the rest keeps its
+/// line and column.
 std::string WithoutComments(std::string_view text) {
   std::string plain(text);
   std::size_t at = plain.find_first_of("\"/");
@@ -128,7 +128,7 @@ class ReferenceReader {
     return component;
   }
 
-  /// It may have keys that only the class knows.
+  /// Reads a constructor argument, which may have keys that only the class knows.
   FileObject ReadArgument(const Json& json, const FileObject& object) {
     std::vector<std::string> keys = {"Name", "Period", "IsHardRealTime", "NewThread",
                                      "StateTableSize"};
@@ -188,7 +188,7 @@ class ReferenceReader {
 
   const std::string process_;
   ImportedSystem imported_;
-  std::map<std::string, std::size_t> places_;  // of the processes, by name
+  std::map<std::string, std::size_t> places_;  // index of each process, by name
   file::NewNames names_{"component"};
   std::set<ComponentPath> known_;
   std::map<InterfaceName, InterfaceName> connected_;

@@ -8,16 +8,16 @@
 
 namespace tendon {
 
-/// A file of the cisst component manager, as a system file.
+/// A file of the cisst component manager, converted to a system file.
 struct ImportedSystem {
   SystemFile file;
   std::vector<std::string> left_out;  ///< a sentence for each part without a counterpart
 };
 
-/// Reads a file of a cisst component manager (1.1): "components" and "connections", alone or within
-/// "component-manager", as in a file for the console of a dVRK; ignores comments. Everything
-/// without a process goes to `process`. A component that is connected but not created by the file
-/// belongs to its program. Errors as of ParseSystemFile().
+/// Reads a file of a cisst component manager (1.1): "components" and "connections", at the top
+/// level or within "component-manager", as in a file for the console of a dVRK; ignores comments.
+/// Components without a process are put into `process`. A component that the file connects but does
+/// not create must be created by its own program. Errors are those of ParseSystemFile().
 Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const std::string& source,
                                                  const std::string& process);
 

@@ -9,30 +9,30 @@
 
 namespace tendon {
 
-/// The running system, as a file that recreates it.
+/// The running system, as a file that can restore it.
 struct RunningSystem {
-  SystemFile file;  ///< in the order of names
+  SystemFile file;  ///< sorted by name
   /// Connections to absent components, which a file cannot contain.
   std::vector<SystemFile::Connection> loose;
 
-  /// A sentence for each thing that the file cannot contain.
+  /// A sentence for each part that the file cannot contain.
   [[nodiscard]] std::vector<std::string> LeftOut() const;
 };
 
 /// Whether to include processes that are gone.
 enum class Gone { kLeftOut, kIncluded };
 
-/// The present processes, with their components in their present states; without a window that is
-/// the GCM itself.
+/// The present processes, with their components in their present states; without a window that
+/// hosts the GCM itself.
 [[nodiscard]] RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
                                      Gone gone = Gone::kLeftOut);
 
 /// Marks the processes that the GCM has started, so that it can start them again.
 void SetStarts(const message::Children& children, SystemFile& file);
 
-/// Copies from the saved file `former` what a running system does not tell: comments, layout, how
-/// processes start, and absent processes with their connections. Returns a sentence for each of
-/// those processes.
+/// Copies from the saved file `former` everything that a running system does not show: comments,
+/// layout, how processes start, and absent processes with their connections. Returns a sentence for
+/// each absent process.
 std::vector<std::string> KeepFrom(const SystemFile& former, RunningSystem& saved);
 
 }  // namespace tendon

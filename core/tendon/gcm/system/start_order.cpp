@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// The first of a pair comes after the second.
+/// Pairs of names; the first one comes after the second one.
 template <typename Name>
 using Pairs = std::vector<std::pair<Name, Name>>;
 

@@ -7,13 +7,12 @@
 
 namespace tendon {
 
-/// The components of a system, each behind the one after which it runs and behind its servers, so
-/// that servers start before their clients and stop after them. Ignores order within rings.
-/// Otherwise keeps the order of the file.
+/// The components of a system in the order of starts: each after its leader and after its servers.
+/// Within cycles, and otherwise, keeps the order of the file.
 [[nodiscard]] std::vector<ComponentPath> StartOrder(const SystemFile& system);
 
-/// The order in which components end: each behind its clients and its followers. Ignores order
-/// within rings. Otherwise keeps the order of the file.
+/// The order in which components end: each after its clients and its followers. Within cycles, and
+/// otherwise, keeps the order of the file.
 [[nodiscard]] std::vector<ComponentPath> EndOrder(const SystemFile& system);
 /// The same for whole processes.
 [[nodiscard]] std::vector<std::string> ProcessEndOrder(const SystemFile& system);

@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// The object of a request to a GCM, for the audit log: "start robot/arm". The body is untrusted
-/// and may be malformed; empty if there is nothing to say.
+/// and may be malformed; empty if there is no text.
 [[nodiscard]] std::string AuditObject(MessageType type, std::span<const std::byte> body);
 
 }  // namespace tendon

@@ -7,18 +7,18 @@
 
 namespace tendon {
 
-/// The highest age of a figure that is shown as current: members report every second.
+/// The largest age of a value that is shown as current; members report every second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
 /// The last report of a process in the catalogue, of any age; null if there is none.
 [[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-/// The same if it is current; null if the process is not alive or has not reported lately.
+/// The same if it is current; null if the process is not alive or has not reported recently.
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-// Each returns "-" for null, or if the value is not known yet.
+// These return "-" for null, or if the value is not known yet.
 
 /// "12.5 %" of one core.
 [[nodiscard]] std::string CpuText(const message::ProcessHealth* health);

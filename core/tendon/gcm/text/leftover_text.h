@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// Whether the required interface's process still tries to make the inactive connection.
+/// True if the process of the required interface still tries to make the inactive connection.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
 /// What is left of an inactive connection, one line for each process that was asked: "left over:

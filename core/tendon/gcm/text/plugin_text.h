@@ -7,11 +7,11 @@
 
 namespace tendon {
 
-/// The loaded version of a plug-in: "/opt/robot/arm.so of 2025-11-21 15:40:03".
+/// Describes the loaded version of a plug-in: "/opt/robot/arm.so of 2025-11-21 15:40:03".
 [[nodiscard]] std::string PluginText(const PluginDescription& plugin);
 
-/// The change of its file since: "written again at 2025-11-21 15:50:10", "gone"; empty if the file
-/// is unchanged.
+/// Describes the change of its file since then: "written again at 2025-11-21 15:50:10", "gone";
+/// empty if the file is unchanged.
 [[nodiscard]] std::string PluginChangeText(const PluginDescription& plugin);
 
 /// A plug-in whose file has changed.

@@ -10,7 +10,8 @@ namespace tendon {
 /// "version 0.4.0, protocol 10".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
-/// The version that a program reported, or that it reported none; and whether it is `own`.
+/// A text about the version that a program reported, or about its absence, and whether it equals
+/// `own`.
 struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 10, which is not that of this program"
   bool is_own = false;

@@ -5,7 +5,8 @@
 
 namespace tendon {
 
-/// Nanoseconds since 1970, for display only; may jump. For decisions use a Clock.
+/// The time in nanoseconds since 1970. It may jump, so use it for display only; for decisions, use
+/// a Clock.
 [[nodiscard]] std::int64_t WallTime();
 
 /// "2025-11-21 15:40:03", in local time.

@@ -10,12 +10,12 @@ namespace tendon::ice {
 /// The name of the broker, IceStorm, in its certificate.
 inline constexpr const char* kBrokerName = "fan-out";
 
-/// The common name of the broker's objects. With TLS it is public. Without, it is derived from the
-/// user's cookie, so that other users on this machine do not find topics: IceStorm itself does not
-/// authenticate.
+/// The common name of the broker's objects. With TLS it is public. Without TLS it is derived from
+/// the user's cookie, so that other users on this machine cannot find topics, because IceStorm
+/// itself does not authenticate.
 Result<std::string> BrokerInstance(bool is_certified);
 
-/// kNotFound, with what to install, if icebox would not find IceStorm.
+/// Fails with kNotFound, and a text that says what to install, if icebox would not find IceStorm.
 Result<void> CheckBrokerIsInstalled();
 
 /// Settings for icebox(1) that make it a broker at `address`, for this machine only.

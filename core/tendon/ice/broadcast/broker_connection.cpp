@@ -23,7 +23,7 @@ Result<std::shared_ptr<IceStorm::TopicManagerPrx>> BrokerConnection::Open(
 
 Result<std::shared_ptr<Ice::ObjectPrx>> BrokerConnection::Reach(
     const std::shared_ptr<Ice::ObjectPrx>& object) const {
-  constexpr int kLongest = 3000;  // ms, for an answer
+  constexpr int kLongest = 3000;  // ms to wait for an answer
   const auto connection = object->ice_connectionId("fan-out")->ice_getConnection();
   if (auto good = Judge(*connection); !good) return good.error();
   AdoptSocket(*connection);

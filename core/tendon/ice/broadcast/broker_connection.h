@@ -9,9 +9,9 @@
 
 namespace tendon::ice {
 
-/// Connects to a broker, which must be ours: by its certificate, or without TLS because this user
-/// owns the socket. The returned proxies use that connection only, so that a later process on the
-/// port gets nothing. Thread-safe; functions block, and throw exceptions of Ice.
+/// Connects to a broker and checks that it is ours: by its certificate, or without TLS by the user
+/// who owns the socket. The returned proxies use only this connection, so that a later process on
+/// the port gets no messages. Thread-safe; functions block, and throw exceptions of Ice.
 class BrokerConnection {
  public:
   BrokerConnection(std::shared_ptr<Ice::Communicator> communicator, bool is_certified)
@@ -19,7 +19,7 @@ class BrokerConnection {
 
   Result<std::shared_ptr<IceStorm::TopicManagerPrx>> Open(const std::string& broker) const;
 
-  /// An object that the topic manager named, over a connection checked in the same way.
+  /// A proxy for an object named by the topic manager, over a connection checked in the same way.
   Result<std::shared_ptr<Ice::ObjectPrx>> Reach(
       const std::shared_ptr<Ice::ObjectPrx>& object) const;
 

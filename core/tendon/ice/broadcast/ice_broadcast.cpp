@@ -17,7 +17,7 @@ namespace tendon::ice {
 namespace {
 
 /// Passes messages of a topic to its listener. Its name is a random number that only the broker
-/// knows; with TLS it accepts messages of the broker only.
+/// knows; with TLS, it accepts only messages from the broker.
 class ListeningServant final : public Ice::BlobjectArray {
  public:
   ListeningServant(FanOut::Hear hear, bool is_certified)
@@ -41,7 +41,7 @@ class ListeningServant final : public Ice::BlobjectArray {
   }
 
  private:
-  /// Checks each connection once.
+  /// True if the connection comes from the broker; checks each connection once.
   bool IsOfBroker(const std::shared_ptr<Ice::Connection>& connection) {
     if (connection == good_.lock()) return true;
     const auto certificate = CertificateOf(*connection);
@@ -56,7 +56,7 @@ class ListeningServant final : public Ice::BlobjectArray {
   std::weak_ptr<Ice::Connection> good_;
 };
 
-/// A subscription to a topic, until it is destroyed.
+/// A subscription to a topic, which its destructor ends.
 class IceReception final : public FanOut::Reception {
  public:
   IceReception(std::shared_ptr<Ice::ObjectAdapter> adapter,
@@ -78,7 +78,7 @@ class IceReception final : public FanOut::Reception {
   const std::shared_ptr<Ice::ObjectPrx> listener_;
 };
 
-/// Nothing if there is none yet.
+/// Finds the topic; null if it does not exist yet.
 std::shared_ptr<IceStorm::TopicPrx> Find(IceStorm::TopicManagerPrx& manager,
                                          const std::string& name) {
   try {
@@ -161,7 +161,7 @@ std::shared_ptr<Ice::ObjectAdapter> IceBroadcast::AdapterAt(const std::string& h
   if (!adapter) {
     const std::string transport = door_.is_certified() ? "ssl" : "tcp";
     const std::string name = "listeners-" + host;
-    // A separate thread, because code of viewers runs in it.
+    // Uses a separate thread, because code of viewers runs in it.
     communicator_->getProperties()->setProperty(name + ".ThreadPool.Size", "1");
     communicator_->getProperties()->setProperty(name + ".ThreadPool.SizeMax", "1");
     const auto made =

@@ -24,14 +24,15 @@ class IceBroadcast final : public FanOut {
                                             Hear hear, std::chrono::milliseconds timeout) override;
 
  private:
-  /// The adapter on which the broker reaches listeners: our address towards it, any port.
+  /// The adapter through which the broker reaches listeners: our address on the route to the
+  /// broker, any port.
   std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
 
   const std::shared_ptr<Ice::Communicator> communicator_;
   const BrokerConnection door_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Ice::ObjectAdapter>> adapters_;  // by host
-  std::shared_ptr<Worker> worker_;                                       // for publishers
+  std::shared_ptr<Worker> worker_;                                       // serves publishers
 };
 
 }  // namespace tendon::ice

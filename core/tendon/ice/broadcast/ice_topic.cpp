@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks(1000);
 
-/// The state of a topic that callbacks, the worker and its end share.
+/// The state of a topic, shared by callbacks, the worker and the publisher's end.
 class Outlet final : public std::enable_shared_from_this<Outlet> {
  public:
   Outlet(const BrokerConnection& door, std::string broker, std::string name)
@@ -51,7 +51,7 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     return Status::kQueued;
   }
 
-  /// On the worker.
+  /// On the worker: checks the topic, and creates it if it is missing.
   void Look(const std::weak_ptr<Worker>& worker) {
     {
       const std::scoped_lock lock(mutex_);
@@ -88,7 +88,7 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     }
   }
 
-  /// Creates the topic unless the broker has it; a restarted broker does not.
+  /// Creates the topic if the broker does not have it, as after a restart of the broker.
   void Make() {
     const auto manager = door_.Open(broker_);
     if (!manager) return Complain(manager.error().message);
@@ -129,7 +129,7 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     publisher_ = nullptr;
   }
 
-  /// Ignores failures of an earlier publisher.
+  /// Called after a failure of `publisher`; ignored if `publisher` is not the present one.
   void Lose(const std::shared_ptr<Ice::ObjectPrx>& publisher) {
     const std::scoped_lock lock(mutex_);
     if (publisher_ == publisher) publisher_ = nullptr;
@@ -140,15 +140,15 @@ class Outlet final : public std::enable_shared_from_this<Outlet> {
     if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "fan-out", reason);
   }
 
-  const BrokerConnection& door_;  // only on the worker
+  const BrokerConnection& door_;  // used only on the worker
   const std::string broker_;
   const std::string name_;
-  std::string complaint_;  // only on the worker
+  std::string complaint_;  // used only on the worker
   std::mutex mutex_;
   bool has_ended_ = false;
   std::shared_ptr<IceStorm::TopicPrx> topic_;
-  std::shared_ptr<Ice::ObjectPrx> publisher_;  // while connected
-  std::size_t unsent_ = 0;                     // bytes
+  std::shared_ptr<Ice::ObjectPrx> publisher_;  // set while connected
+  std::size_t unsent_ = 0;                     // bytes not sent yet
 };
 
 class IceTopic final : public FanOut::Topic {

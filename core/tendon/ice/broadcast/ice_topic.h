@@ -9,7 +9,7 @@
 
 namespace tendon::ice {
 
-/// The operation of a topic's message, with one sequence of bytes.
+/// The operation that carries a topic's messages; its parameter is one sequence of bytes.
 inline constexpr const char* kTopicOperation = "message";
 
 /// The publisher's end of a topic. The worker creates the topic, and checks every second that it

@@ -8,7 +8,7 @@
 namespace tendon {
 
 /// Receives the encoded reply of one call. A large reply is written directly to its destination,
-/// without a copy. Used by one thread, which calls either function at most once.
+/// without a copy. Used by one thread, which calls each function at most once.
 class AnswerSink {
  public:
   AnswerSink() = default;
@@ -16,10 +16,11 @@ class AnswerSink {
   AnswerSink& operator=(const AnswerSink&) = delete;
   virtual ~AnswerSink() = default;
 
-  /// Room for a reply of `size` bytes, all of which the caller writes; empty if there is not enough
-  /// room. May throw std::bad_alloc.
+  /// Memory for a reply of `size` bytes, all of which the caller must write; empty if there is not
+  /// enough. May throw std::bad_alloc.
   virtual std::span<std::byte> Room(std::size_t size) = 0;
-  /// Instead of Room(): takes a reply that stays valid during the call. The default copies it.
+  /// An alternative to Room(): takes a reply that is already encoded and stays valid during the
+  /// call. The default copies it.
   virtual void Take(std::span<const std::byte> answer) {
     const std::span<std::byte> room = Room(answer.size());
     if (!room.empty()) std::ranges::copy(answer, room.begin());

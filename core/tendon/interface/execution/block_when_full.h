@@ -7,8 +7,8 @@
 namespace tendon {
 
 /// While it lives, calls and events of its thread wait for room in a full mailbox instead of being
-/// refused, at most kPatience altogether. For Cleanup(): it is not part of a cycle, and its last
-/// command, such as a stop, must get through.
+/// refused, at most kPatience in total. Used during Cleanup(), which is not part of a cycle, and
+/// whose last command, such as a stop, must not be refused.
 class BlockWhenFull {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};
@@ -18,7 +18,8 @@ class BlockWhenFull {
   BlockWhenFull& operator=(const BlockWhenFull&) = delete;
   ~BlockWhenFull();
 
-  /// The time until which the calling thread waits for room; in the past if it does not wait.
+  /// The time until which the calling thread waits for room in a mailbox; in the past if it does
+  /// not wait.
   [[nodiscard]] static SteadyTime deadline() noexcept;
 
  private:

@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The completion records of one mailbox, one per slot. A call whose caller waits takes a record
-/// and holds it until the caller has read the reply, perhaps longer than its slot.
+/// The completion records of one mailbox, one per slot. A call with a waiting caller takes a record
+/// and keeps it until the caller has read the reply, which may be after its slot is reused.
 class CompletionPool {
  public:
   explicit CompletionPool(std::size_t slots)
@@ -19,7 +19,7 @@ class CompletionPool {
         records_(std::make_unique<Completion<>[]>(slots)),
         of_slot_(std::make_unique<std::uint32_t[]>(slots)) {}
 
-  /// Returns the number of a record for the caller; nothing if all are in use. Lock-free.
+  /// Returns the number of a record for the caller; empty if all are in use. Lock-free.
   [[nodiscard]] std::optional<std::size_t> Take() noexcept {
     for (std::size_t record = 0; record < size_; ++record) {
       if (records_[record].TryTake()) return record;

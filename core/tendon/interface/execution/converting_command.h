@@ -42,7 +42,7 @@ class ConvertingCommand final : public Command<In, Out> {
   /// Decodes a reply in place.
   class Decoder final : public AnswerSink {
    public:
-    /// A reply without storage of its own is written to `room`.
+    /// `room` is the buffer for a reply that has no storage.
     Decoder(std::vector<std::byte>& room, Out& out) : room_(room), out_(out) {}
 
     std::span<std::byte> Room(std::size_t size) override {

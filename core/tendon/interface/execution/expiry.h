@@ -10,12 +10,13 @@
 
 namespace tendon {
 
-/// Belongs to a command that must be renewed: runs `end` if the next call does not come in time.
+/// The time limit of a command that must be renewed: runs `end` if the next call does not arrive in
+/// time.
 ///
 /// Thread safety: only the thread that executes the calls of the component uses it.
 class Expiry {
  public:
-  /// `end` runs when the command was not executed for `after`.
+  /// `end` runs if the command was not executed for `after`.
   Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
       : command_(std::move(command)),
         message_("command '" + command_ + "' was not renewed within " + Milliseconds(after) +
@@ -27,12 +28,12 @@ class Expiry {
   /// The text for the log.
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// The command is now executed for the connection of this number.
+  /// Restarts the limit: the command is executed now, for the connection with this number.
   void Renew(std::uint64_t connection) noexcept {
     due_ = SteadyClock().Now() + after_;
     connection_ = connection;
   }
-  /// There is no effect that has to end.
+  /// Stops the limit: no effect has to end.
   void Disarm() noexcept { due_ = SteadyTime::max(); }
   /// When `end` is due; the largest time if there is nothing to end.
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// A pointer that callers use while a manager replaces it. The manager learns when nobody uses the
-/// old object any more. Made for one calling thread or for many.
+/// A pointer that callers use while a manager replaces it. The manager can wait until no caller
+/// uses the old object. For one calling thread or for many.
 ///
 /// Thread safety: Enter(), also nested, by the threads that SetCallers() allows; Exchange() and
 /// Get() by managers, one at a time, never from inside a call.
@@ -46,7 +46,7 @@ class Gate {
     }
   }
   /// Sets the first object, for all further calls. Called in the calling thread, between two of its
-  /// calls, while nobody replaces the object.
+  /// calls, while no manager replaces the object.
   void SetByCaller(T* object) noexcept {
     if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(object);

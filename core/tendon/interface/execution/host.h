@@ -22,18 +22,18 @@ struct DisconnectedClient {
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
 };
 
-/// The component behind an interface, for other threads that call it or run its code.
+/// The state of a component that other threads need when they call it or run its code.
 ///
 /// Thread safety: the component sets the flags; any thread may do the rest.
 class Host {
  public:
   /// Callbacks of the component; all but the first are optional.
   struct Listeners {
-    /// Gets the reason, in the thread in which the component's code threw.
+    /// Called with the reason, in the thread in which the component's code threw.
     std::function<void(const std::string& reason)> on_exception;
-    /// In a manager's thread: the interface has another peer, or none.
+    /// Called in a manager's thread: the interface has another peer, or none.
     std::function<void(RequiredInterface&)> on_peer_changed{};
-    /// In a manager's thread: no further call of the client will be executed.
+    /// Called in a manager's thread: no further call of the client will be executed.
     std::function<void(DisconnectedClient)> on_client_gone{};
   };
 
@@ -41,7 +41,7 @@ class Host {
   explicit Host(std::function<void(const std::string& reason)> on_exception)
       : Host(Listeners{.on_exception = std::move(on_exception)}) {}
 
-  /// True if the component is told of its peers and its clients.
+  /// True if the component has callbacks for its peers and clients.
   [[nodiscard]] bool hears_of_connections() const {
     return static_cast<bool>(listeners_.on_peer_changed);
   }

@@ -8,9 +8,10 @@
 
 namespace tendon {
 
-/// A queued command whose new call replaces an older one that still waits. So it is never refused
-/// because the mailbox is full. At most one token waits in the mailbox while another is executed;
-/// two slots are reserved for them. A call whose caller waits takes a slot of its own.
+/// A queued command that keeps only the latest call: a new call replaces an older one that still
+/// waits, and is never refused because of a full mailbox. At most one token is in the mailbox while
+/// another one is executed; two slots are reserved for them. A call with a waiting caller uses a
+/// slot of its own.
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:

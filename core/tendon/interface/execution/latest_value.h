@@ -18,13 +18,13 @@ class LatestValue {
  public:
   explicit LatestValue(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// Any thread; never waits. `make` returns the value, for one caller at a time; if it throws,
-  /// nothing has happened. The server executes `token`, which then calls Take().
+  /// Any thread; never waits. `make` returns the value and is called by one thread at a time; if it
+  /// throws, nothing has changed. The server later executes `token`, which calls Take().
   template <typename Make>
   Status Post(Mailbox::Entry& token, Make&& make) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
     const TryLock<>::Hold writing(writing_);
-    if (!writing) {  // the call that writes right now is the newer one
+    if (!writing) {  // another thread writes a value now, which counts as the newer one
       mailbox_.CountReplaced();
       return Status::kQueued;
     }

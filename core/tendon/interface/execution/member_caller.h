@@ -16,7 +16,7 @@ struct BoundMember {
   const Flag* enabled = nullptr;
   const Host* server = nullptr;  ///< null if faults are not reported, as for state tables
 
-  /// True if a call would reach a server now.
+  /// True if a call now would reach a server.
   [[nodiscard]] bool is_reached() const noexcept {
     return command != nullptr && !is_server_faulted();
   }
@@ -25,11 +25,13 @@ struct BoundMember {
   }
 };
 
-/// Leads to the members of a connected interface, in the order of the functions. It points to the
-/// first of them, so that a call needs one pointer less. All change at once; null if not connected.
+/// Points to the first member of a connected interface; the members are in the order of the
+/// functions. A pointer to the first one saves an indirection per call. All members change at once;
+/// null if not connected.
 using BindingGate = Gate<const BoundMember>;
 
-/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, else says why not.
+/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, otherwise returns the
+/// reason as a Status.
 template <typename Call>
 Status CallMember(BindingGate& gate, std::size_t index, Call call) {
   return gate.Enter([&](const BoundMember* members) -> Status {
@@ -56,7 +58,7 @@ class Caller {
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Adapt(CommandBase& command) const = 0;
 };
 
-/// Adapts by layout: equal layouts are called directly, others through the codec.
+/// Calls directly if the layouts are equal, otherwise through the codec.
 template <Payload In, Payload Out>
 std::unique_ptr<CommandBase> AdaptByLayout(CommandBase& command) {
   if (command.Is<In, Out>()) return nullptr;

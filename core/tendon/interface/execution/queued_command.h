@@ -15,15 +15,15 @@
 
 namespace tendon {
 
-/// Types that are stored directly in a mailbox slot. Others go through a pool of objects, which are
-/// assigned and so keep their memory.
+/// Types that are stored directly in a mailbox slot. Values of other types are assigned to pooled
+/// objects, which keep their memory.
 template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
 /// Passes the call to the thread that empties the mailbox, which runs `handler(in, out)`. Without a
 /// mailbox (a component without a thread) it runs in the caller's thread, while `host` accepts
-/// calls. To get the reply, the caller must wait. Replies are stored in a pool, because a caller
-/// may give up before its call ends.
+/// calls. To get the reply, the caller must wait. Replies are stored in a pool, because the caller
+/// may stop waiting before its call ends.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
@@ -107,7 +107,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   }
 
   /// kQueued: the argument is in a claimed slot, which must be published. Otherwise nothing has
-  /// happened: the mailbox refused, or the copy threw (kFailed).
+  /// changed: the mailbox refused the call, or the copy threw (kFailed).
   Status Claim(const In& in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();
@@ -190,8 +190,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   const Host* host_;
   Expiry* expiry_;
   Awaited awaited_{*this};
-  std::unique_ptr<In[]> arguments_;  // by slot
-  std::unique_ptr<Out[]> answers_;   // by completion record
+  std::unique_ptr<In[]> arguments_;  // one per slot
+  std::unique_ptr<Out[]> answers_;   // one per completion record
 };
 
 }  // namespace tendon

@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// An object that the calls of one command use one after another, so that it keeps its memory. A
-/// call that finds it in use gets an object of its own. A copy starts with a new object.
+/// A buffer that the calls of one command reuse one after another, so that it keeps its memory. A
+/// call that finds it in use gets a temporary object. A copied Scratch starts with a new object.
 template <typename T>
 class Scratch {
  public:

@@ -10,10 +10,10 @@
 
 namespace tendon {
 
-/// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread, for a value that nobody
-/// changes any more. An encoded read encodes it in place, without a copy. Null gives kNoSample, an
-/// exception kFailed. The last holder frees the value, perhaps in the caller's thread: do not read
-/// a large value in a real-time cycle.
+/// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread, for a value that is never
+/// changed again. An encoded read encodes it in place, without a copy. Null gives kNoSample, an
+/// exception kFailed. The last holder frees the value, perhaps in the caller's thread, so a
+/// real-time cycle should not read a large value.
 template <Payload Out, typename Body>
 class SharedReadCommand final : public Command<None, Out> {
  public:
@@ -25,7 +25,7 @@ class SharedReadCommand final : public Command<None, Out> {
       return Status::kDone;
     });
   }
-  /// kFailed if the value has changed after all, as far as its size shows it.
+  /// kFailed if the size of the value shows that it was changed nevertheless.
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
     return With([&out](const Out& value) -> Status {
       const std::span<std::byte> room = out.Room(EncodedSize(value));

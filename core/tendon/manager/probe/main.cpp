@@ -6,7 +6,7 @@
 #include <string>
 
 /// tendon-probe FILE [ORIGINAL]: loads a plug-in like the other programs, prints "loaded" or the
-/// error, and ends with 0 or 1. FILE is a copy of ORIGINAL. A plug-in can harm only this process.
+/// error, and exits with 0 or 1. FILE is a copy of ORIGINAL. A plug-in can harm only this process.
 namespace {
 
 std::string plugin;  // for the terminate handler, which takes no argument
@@ -14,7 +14,7 @@ std::string plugin;  // for the terminate handler, which takes no argument
 [[noreturn]] void End(int code, const std::string& last_words) {
   std::printf("\n%s\n", last_words.c_str());
   std::fflush(stdout);
-  std::_Exit(code);  // without the plug-in's destructors
+  std::_Exit(code);  // skips the plug-in's destructors
 }
 
 [[noreturn]] void OnTerminate() {

@@ -47,7 +47,7 @@ class Courier {
     changed_.notify_all();
   }
 
-  /// Waits until all that was posted before is done.
+  /// Waits until all errands posted before are done.
   void Flush() {
     assert(std::this_thread::get_id() != thread_.get_id());
     std::unique_lock lock(mutex_);
@@ -68,16 +68,16 @@ class Courier {
     return ends_;
   }
 
-  /// Whether links are no longer accepted.
+  /// True if no more links are accepted.
   [[nodiscard]] bool is_closing() const { return is_closing_.Get(); }
 
-  /// Closes every end. Their handlers have heard OnClosed() when it returns.
+  /// Closes every end. After the return, all their handlers have got OnClosed().
   void Stop();
   /// See LoopbackMiddleware.
   void Crash();
 
  private:
-  /// With the mutex held. Moves what is due to the errands.
+  /// With the mutex held: moves delayed errands that are due to the queue.
   void TakeDue() {
     const SteadyTime now = SteadyClock().Now();
     while (!later_.empty() && later_.begin()->first <= now) {
@@ -125,7 +125,7 @@ class Courier {
   bool busy_ = false;
   bool stopped_ = false;
   Flag is_closing_{false};
-  std::thread thread_;  // last, because it uses the others
+  std::thread thread_;  // last, because it uses the other members
 };
 
 }  // namespace tendon::loopback

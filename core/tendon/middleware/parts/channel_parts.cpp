@@ -30,14 +30,15 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   HandleLarge(std::move(frame));
 }
 
-/// A request is refused. A notice has no answer, so its link ends instead of losing it silently.
+/// Refuses a request. A notice has no answer, so the link ends; otherwise the notice would be lost
+/// silently.
 void Channel::OnTooMuch(const FrameHeader& header) {
   constexpr const char* kWhy = "512 MiB of unfinished messages are kept already";
   if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
   CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
 
-/// Called before anything of a large frame is kept, so that a peer need not send 64 MiB to be
+/// Called before any part of a large frame is stored, so that a peer need not send 64 MiB to be
 /// refused.
 bool Channel::IsWanted(const FrameHeader& header) {
   if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
@@ -49,15 +50,15 @@ bool Channel::IsWanted(const FrameHeader& header) {
   return !refusal;
 }
 
-/// A peer may pause between parts while it handles a large message. We may not hear its parts while
-/// we handle one.
+/// The peer may pause between parts while it handles a large message, and this end does not read
+/// parts while it handles one.
 bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
   return now >=
          std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);
 }
 
-/// Handling may take a while, and this thread does not read meanwhile. So the peer is told again
-/// and again how much was taken. A reply is moved to its requester, not copied.
+/// Handling may take long, and this thread does not read meanwhile. So a ProgressSender repeatedly
+/// sends the number of received bytes to the peer. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
   std::optional<LargeMessageInProgress> mark;
   std::optional<ProgressSender> sign;
@@ -82,14 +83,14 @@ void Channel::TellTaken() {
 }
 
 void Channel::SendTaken() {
-  const std::scoped_lock lock(telling_);  // the numbers must arrive in order
+  const std::scoped_lock lock(telling_);  // keeps the numbers in order
   const std::uint64_t taken = taken_.Get();
   const Bytes body = EncodeBody(taken);
   const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
   if (SendPiece(header, body)) told_taken_.Set(taken);
 }
 
-/// Called whenever something is sent or arrives, and regularly: the link may have room again.
+/// Called after each send and arrival, and regularly, because the link may have room again.
 void Channel::Resume() {
   TellTaken();
   parts_.Resume(*link_);

@@ -8,12 +8,12 @@
 namespace tendon {
 namespace {
 
-/// Since when one thread has something large in hand; read by all threads.
+/// The time since when one thread handles a large message; read by all threads.
 using Since = Published<SteadyTime>;
 
 constexpr SteadyTime kNothing{};
 
-/// One for the process, since a thread of a middleware may serve many links.
+/// One object per process, because a thread of a middleware may serve many links.
 struct Hands {
   std::mutex mutex;
   std::vector<const Since*> all;
@@ -46,7 +46,7 @@ Since& SinceOfThisThread() {
   return hand.since;
 }
 
-/// Until when it excuses silence; kNothing if it is too short.
+/// The end of the time in which this work excuses silence; kNothing if the work is too short.
 SteadyTime ExcusedBy(SteadyTime since, SteadyTime now) {
   const bool excuses = since != kNothing && now - since >= LargeMessageInProgress::kShort;
   return excuses ? std::min(now, since + LargeMessageInProgress::kAtMost) : kNothing;

@@ -7,10 +7,10 @@
 
 namespace tendon {
 
-/// Marks a thread of the middleware that handles or makes something large, which may take seconds.
-/// That thread does not hear its peers meanwhile, so nobody must take their silence for a failure.
-/// Destroy it in its thread, nested ones first. Locks and allocates only for the first one of a
-/// thread and for one that takes longer than kShort.
+/// Marks the time in which a thread of the middleware handles or makes a large message, which may
+/// take seconds. The thread does not read from its peers meanwhile, so their silence is not a
+/// failure. Destroy the object in its thread, nested ones first. Locks and allocates only for the
+/// first object of a thread, and for one that lives longer than kShort.
 class LargeMessageInProgress {
  public:
   LargeMessageInProgress();
@@ -18,20 +18,20 @@ class LargeMessageInProgress {
   LargeMessageInProgress& operator=(const LargeMessageInProgress&) = delete;
   ~LargeMessageInProgress();
 
-  /// Fewer bytes than this are known to be handled soon.
+  /// Smaller messages are always handled quickly.
   static constexpr std::size_t kLeast = std::size_t{4} << 20U;
-  /// A shorter one delays nobody, so it excuses no silence.
+  /// Work shorter than this delays nobody, so it excuses no silence.
   static constexpr std::chrono::milliseconds kShort{250};
-  /// The longest silence that it excuses. A thread that takes longer hangs.
+  /// The longest silence that it excuses. A thread that takes longer counts as hanging.
   static constexpr std::chrono::seconds kAtMost{30};
 
-  /// When one that takes longer than kShort was last under way: `now` if one is, but for at most
+  /// The last time at which work longer than kShort was in progress: `now` if it still is, up to
   /// kAtMost after its start. Any thread.
   [[nodiscard]] static SteadyTime Last(SteadyTime now);
 
  private:
   const SteadyTime since_;
-  const SteadyTime outer_since_;  // of the enclosing one, if any
+  const SteadyTime outer_since_;  // start of the enclosing object, if any
 };
 
 }  // namespace tendon

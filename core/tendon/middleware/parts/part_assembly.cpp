@@ -27,13 +27,13 @@ bool MayBeLarge(MessageType type) {
   }
 }
 
-/// Replies do not count for the budget: the requester knows how much it asks for.
+/// Replies do not count for the budget, because this end asked for them.
 bool IsAnswer(MessageType type) {
   return type == MessageType::kReply || type == MessageType::kRefusal;
 }
 
-/// Makes room for `more` bytes of a body of `size`. Copies seldom. A peer that claims much gets 1
-/// MiB, or eight times what it has sent.
+/// Makes room for `more` bytes of a body of `size`. Copies seldom. Reserves at most 1 MiB, or eight
+/// times the bytes that have arrived, even if the peer claims more.
 void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
   constexpr std::size_t kAtFirst = std::size_t{1} << 20U;
   const std::size_t needed = body.size() + more;
@@ -59,7 +59,7 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
   const std::size_t left = begun.header.size - begun.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
   const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
-  // Only the last part may be smaller than the least, to bound the work for each byte.
+  // Only the last part may be smaller than `least`, which bounds the work per byte.
   if (more.size() > left || more.size() < least) return Progress::kNonsense;
   taken_ += part.size();
   begun.last_part = clock_.Now();
@@ -103,12 +103,13 @@ void PartAssembly::GiveBack(Begun& begun) {
   kept_ -= std::exchange(begun.kept, 0);
 }
 
-/// A PartSender has at most one huge frame under way, and kSendWindow bytes of others.
+/// The counter for a frame of this size: a PartSender has at most one huge frame in progress, and
+/// kSendWindow bytes of others.
 std::size_t& PartAssembly::ClaimsFor(std::size_t size) {
   return size > kSendWindow ? claimed_.of_huge : claimed_.of_others;
 }
 
-/// Begins the frame of that number with its first part; end() if the peer may not send it.
+/// Begins the frame with this number at its first part; returns end() if the peer may not send it.
 PartAssembly::Frames::iterator PartAssembly::Begin(std::uint32_t number,
                                                    std::span<const std::byte> part) {
   const auto header = ReadFrameHeader(part, kMaxWholeSize);

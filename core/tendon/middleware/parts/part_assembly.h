@@ -15,17 +15,17 @@
 
 namespace tendon {
 
-/// Assembles the frames that a peer sends in parts (parts/part_sender.h). Accepts no more at a time
-/// than a PartSender sends; a peer that claims more breaks the protocol. Allocates memory for what
-/// has arrived, not for what is claimed. Not thread-safe.
+/// Assembles the frames that a peer sends in parts (parts/part_sender.h). Accepts as much at a time
+/// as a PartSender sends; a peer that claims more violates the protocol. Allocates memory for bytes
+/// that have arrived, not for bytes that are only claimed. Not thread-safe.
 class PartAssembly {
  public:
-  /// Called with the header of a frame that needs more than one part. If it returns false, nothing
-  /// of the frame is kept or reported.
+  /// Called with the header of a frame that needs more than one part. If it returns false, the
+  /// frame is discarded silently.
   using IsWanted = std::function<bool(const FrameHeader&)>;
 
-  /// Bounds the bytes of unfinished messages, replies excepted, on all links of the process: 512
-  /// MiB.
+  /// Limits the total bytes of unfinished messages, except replies, on all links of the process:
+  /// 512 MiB.
   [[nodiscard]] static Budget<>& BudgetOfProcess();
 
   /// `budget` and `clock` must outlive this object.
@@ -39,31 +39,31 @@ class PartAssembly {
   /// The result of a part. On kNonsense and kOutOfMemory the caller closes the link.
   enum class Progress {
     kMoreToCome,
-    kWhole,        ///< a frame is whole
-    kNonsense,     ///< not a part of a frame that the peer may send
+    kWhole,        ///< a frame is complete
+    kNonsense,     ///< not a part that the peer may send
     kOutOfMemory,  ///< no memory for the frame
-    kTooMuch       ///< the budget is used up: nothing of the frame is kept
+    kTooMuch       ///< the budget is used up: the frame is discarded
   };
   /// An assembled frame; the caller owns it.
   struct Frame {
     FrameHeader header;
     Bytes body;
   };
-  /// `number` identifies the frame among those under way. Sets `frame` if it is whole, and its
-  /// header if there is no room.
+  /// `number` identifies the frame among the unfinished ones. Sets `frame` if it is complete; on
+  /// kTooMuch, sets only its header.
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
-  /// How long to wait for a part: its sender may first be busy with something large for
-  /// LargeMessageInProgress::kAtMost. It sends its frames in turn, each part in
+  /// How long to wait for a part. The sender may first handle a large message for
+  /// LargeMessageInProgress::kAtMost; then it sends its frames in turn, each part in
   /// PartSender::kPartTime.
   static constexpr std::chrono::seconds kPatience =
       LargeMessageInProgress::kAtMost + std::chrono::seconds(10);
-  /// When the frame that waits longest for its next part times out; max() if there is none.
+  /// The time at which the next unfinished frame times out; max() if there is none.
   [[nodiscard]] SteadyTime given_up() const;
 
   /// Bytes that have arrived since the link was opened.
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
-  /// Bytes of the frames under way, counted at their full size.
+  /// Bytes of the unfinished frames, counted at their full size.
   [[nodiscard]] std::size_t claimed() const { return claimed_.of_huge + claimed_.of_others; }
   /// Frees the unfinished frames.
   void Clear();

@@ -21,13 +21,13 @@ Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
                        std::span<const std::byte> body) {
   const std::size_t size = FrameHeader::kSize + body.size();
   Frame frame;
-  frame.bytes.reserve(FrameHeader::kSize + size);  // before it counts: memory may be short
+  frame.bytes.reserve(FrameHeader::kSize + size);  // before it is counted: memory may be short
   if (const Status reserved = Reserve(size); !reserved) return reserved;
-  frame.Write(header, body);  // without the lock, since it may be large
+  frame.Write(header, body);  // without the lock, because it may be large
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
-  // NewLane() counts up from 1; lanes of single messages count down from the other end.
+  // NewLane() counts up from 1; lanes of single messages count down from the largest number.
   if (lane == kOwnLane) lane = kOwnLane - frame.number;
   Enter(lane, std::move(frame));
   is_busy_.Set(true);
@@ -44,7 +44,7 @@ Status PartSender::Reserve(std::size_t size) {
   return Status::kQueued;
 }
 
-/// If memory is short, undoes the reservation.
+/// Without memory, undoes the reservation.
 void PartSender::Enter(Lane lane, Frame frame) {
   const std::size_t size = frame.size();
   try {
@@ -70,7 +70,7 @@ bool PartSender::OnTaken(Link& link, std::uint64_t bytes) {
   return true;
 }
 
-/// An unfinished probe can only make the parts smaller.
+/// Adapts the part size to the probe; an unfinished probe can only make parts smaller.
 void PartSender::Judge() {
   if (!probe_) return;
   using Seconds = std::chrono::duration<double>;

@@ -26,17 +26,17 @@ inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHe
 /// if the line is quick.
 inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
 
-/// Sends large frames in parts, one part of each lane in turn. Stays at most four parts ahead of
-/// the peer, which acknowledges them (kPartsTaken). So other messages wait behind at most four
-/// parts, and no caller waits for the link. Thread-safe.
+/// Sends large frames in parts, one part of each lane in turn. At most four parts are sent that the
+/// peer has not acknowledged (kPartsTaken). So other messages wait behind at most four parts, and
+/// no caller waits for the link. Thread-safe.
 ///
-/// A part is as large as the line carries in kPartTime, as far as known, and small at first: it is
-/// a sign of life at both ends, so it must not take longer than a peer may be silent.
+/// Parts are small at first, and then as large as the link can transmit in kPartTime. Each part is
+/// a sign of life for both ends, so it must not take longer than a peer may be silent.
 class PartSender {
  public:
   static constexpr std::size_t kPartsAhead = 4;
   static constexpr std::chrono::milliseconds kPartTime{250};
-  /// How long the speed that a probe has measured counts.
+  /// How long a speed measured by a probe is valid.
   static constexpr std::chrono::milliseconds kQuickFor{1000};
 
   /// `clock` must outlive this object.
@@ -46,29 +46,30 @@ class PartSender {
   /// such a frame waiting. Other frames go to the link directly.
   [[nodiscard]] bool MustTake(Lane lane, std::size_t size);
 
-  /// Takes a copy. Fails as Link::Send() does. Waiting frames share kSendWindow, apart from one
+  /// Copies the frame. Fails as Link::Send() does. Waiting frames share kSendWindow, except one
   /// larger frame at a time. A large frame gets kQueueFull only because of other large frames.
   Status Add(Link& link, Lane lane, const FrameHeader& header, std::span<const std::byte> body);
 
-  /// The peer has taken so many bytes since the link was opened. False if that is impossible.
+  /// The peer reports that it has received `bytes` in total since the link was opened. Returns
+  /// false if that is impossible.
   bool OnTaken(Link& link, std::uint64_t bytes);
-  /// Continues after the link was full. Call it whenever something is sent or arrives, and
-  /// regularly: a link does not report that it has room again.
+  /// Continues after the link was full. Call it after each send and arrival, and regularly, because
+  /// a link does not report that it has room again.
   void Resume(Link& link);
 
   /// Frees all frames and accepts no more: the link has ended.
   void Close();
 
-  /// Bytes that wait here or are on their way.
+  /// Bytes that wait here, or are sent and not yet acknowledged.
   [[nodiscard]] std::size_t waiting() const;
   /// Bytes of the next part, unless it is the last of its frame.
   [[nodiscard]] std::size_t part_size() const { return part_size_.Get(); }
-  /// Whether the line has recently carried kMaxReturned in kPartTime.
+  /// True if the link has recently transmitted kMaxReturned bytes within kPartTime.
   [[nodiscard]] bool is_quick() const { return clock_.Now() < quick_until_.Get(); }
 
  private:
-  /// A frame, with room for one more header in front. Each part is sent from where it lies; its
-  /// header overwrites the end of the part before.
+  /// A frame, with room for one more header in front. Each part is sent without a copy; its header
+  /// overwrites the end of the part before.
   struct Frame {
     std::uint32_t number = 0;
     Bytes bytes;
@@ -77,14 +78,15 @@ class PartSender {
     void Write(const FrameHeader& header, std::span<const std::byte> body);
     [[nodiscard]] std::size_t size() const { return bytes.size() - FrameHeader::kSize; }
   };
-  /// A frame that was sent completely. It counts until the peer has taken all bytes up to `end`.
+  /// A frame that was sent completely. It counts as waiting until the peer has received all bytes
+  /// up to `end`.
   struct Sent {
     std::uint64_t end = 0;
     std::size_t size = 0;
   };
 
-  /// Measures the line: one part, and the bytes that the peer had not taken when it was sent, the
-  /// part included. The time until they are taken gives the speed.
+  /// Measures the speed of the link with one part: `bytes` were not acknowledged when it was sent,
+  /// including the part; the time until they are acknowledged gives the speed.
   struct Probe {
     std::uint64_t end = 0;
     std::size_t bytes = 0;
@@ -109,8 +111,8 @@ class PartSender {
   Lane last_lane_ = kCommonLane;
   std::map<Lane, std::deque<Frame>> lanes_;
   std::deque<Sent> on_way_;
-  std::size_t waiting_ = 0;       // bytes of frames no larger than the window
-  std::size_t huge_waiting_ = 0;  // bytes of the larger one
+  std::size_t waiting_ = 0;       // bytes of frames that are not larger than the window
+  std::size_t huge_waiting_ = 0;  // bytes of the one larger frame
   std::uint64_t sent_ = 0;        // bytes since the link was opened
   std::uint64_t taken_ = 0;
   std::optional<Probe> probe_;

@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// The most bytes of an encoded value: an argument, a result, an event. A larger one is refused at
-/// the sender; the connection stays.
+/// The most bytes of an encoded value: an argument, a result, an event. The sender refuses a larger
+/// value; the connection stays open.
 inline constexpr std::size_t kMaxPayload = std::size_t{64} << 20U;
 /// The most bytes of a body: a payload and the fields of its message.
 inline constexpr std::size_t kMaxBodySize = kMaxPayload + (std::size_t{64} << 10U);

@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost: a
-/// sign of life for the peer while the middleware's thread handles something large. If no thread
-/// can be started, gives no sign and logs that.
+/// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost,
+/// as a sign of life for the peer while the middleware's thread handles a large message. If no
+/// thread can be started, only logs that.
 class ProgressSender {
  public:
   ProgressSender(const std::string& peer, std::function<void()> give);

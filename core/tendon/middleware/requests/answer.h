@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// The body of an answer, in memory of its own or in memory that another object owns, so that a
-/// large answer need not be copied.
+/// The body of an answer, in its own memory or in memory of another object, so that a large answer
+/// need not be copied.
 class Answer {
  public:
   explicit Answer(Bytes own) : own_(std::move(own)) {}
@@ -24,7 +24,7 @@ class Answer {
   [[nodiscard]] std::span<const std::byte> body() const {
     return owner_ ? lent_ : std::span<const std::byte>(own_);
   }
-  /// Copies the body if it is not in memory of its own.
+  /// Copies the body if it is in memory of another object.
   [[nodiscard]] Bytes TakeBytes() && {
     return owner_ ? Bytes(lent_.begin(), lent_.end()) : std::move(own_);
   }

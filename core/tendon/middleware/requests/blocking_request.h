@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// A request whose caller waits for the answer. Needs no handler, and so no allocation for each
-/// request. One thread; must not outlive the PendingRequests.
+/// request. Used by one thread; must not outlive the PendingRequests.
 class BlockingRequest {
  public:
   explicit BlockingRequest(PendingRequests& requests)
@@ -20,10 +20,10 @@ class BlockingRequest {
   BlockingRequest& operator=(const BlockingRequest&) = delete;
   ~BlockingRequest() { (void)Leave(); }
 
-  /// The number of the request; 0 if no requests are sent any more.
+  /// The number of the request; 0 if no more requests can be sent.
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
-  /// Returns the outcome, or nothing once `deadline` has passed. Call it once: a later answer
+  /// Returns the outcome, or no value once `deadline` has passed. Call it once: a later answer
   /// counts as late.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (place_ == nullptr) return std::nullopt;

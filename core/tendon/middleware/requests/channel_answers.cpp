@@ -7,14 +7,15 @@
 
 namespace tendon {
 
-/// A reply that returns with its request is not sent in parts: it must be small, or the line quick.
+/// True if a reply of this size may be the response to Link::Ask(). Such a reply is not sent in
+/// parts, so it must be small, or the link fast.
 bool Channel::MayReturn(std::size_t size) {
   if (!parts_.MustTake(kOwnLane, size)) return true;
   return size <= kMaxReturned && parts_.is_quick();
 }
 
-/// Where a reply of `size` bytes can be written to return with its request: `later`, or the place
-/// for the request that this thread handles. Null if it must be sent.
+/// The slot for a reply of `size` bytes as the response to its request: `later`, or the slot of the
+/// request that this thread handles. Null if the reply must be sent as a message.
 ReplySlot* Channel::WayBack(std::uint64_t request, std::size_t size, ReplySlot* later) {
   ReplySlot* const answer = later != nullptr ? later : Asked::AnswerTo(request, *this);
   return answer != nullptr && MayReturn(FrameHeader::kSize + size) ? answer : nullptr;
@@ -33,7 +34,7 @@ void Channel::EndReply(std::uint64_t request, ReplySlot* later) {
   if (answer != nullptr) answer->End();
 }
 
-/// Returns false if the reply must be sent.
+/// Returns false if the reply must be sent as a message.
 bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, ReplySlot* later) {
   ReplySlot* const answer = WayBack(request, body.size(), later);
   if (answer == nullptr) return false;
@@ -44,7 +45,7 @@ bool Channel::Return(std::uint64_t request, std::span<const std::byte> body, Rep
   return true;
 }
 
-/// Returns false if the reply was not sent. `later` is its place if it was deferred.
+/// Returns false if the reply was not sent. `later` is the slot of a deferred reply.
 bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
                         ReplySlot* later) {
   const bool is_alone = lane == kOwnLane;
@@ -63,7 +64,7 @@ bool Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> b
   return false;
 }
 
-/// If the link has no room for all, some may still fit.
+/// If the link has no room for all replies, sends them one by one, because some may fit.
 void Channel::SendReplies(const ReplyBatch& batch) {
   bool is_sent = false;
   if (batch.replies() > 1) {
@@ -78,7 +79,7 @@ void Channel::SendReplies(const ReplyBatch& batch) {
 }
 
 void Channel::SendRefusal(std::uint64_t request, const Error& error) {
-  // If even this does not fit into the window, the peer's request times out.
+  // If this does not fit either, the peer's request times out.
   (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 

@@ -8,8 +8,8 @@ namespace tendon {
 
 class Channel;
 
-/// While it lives, this thread handles `request`, whose reply may return by `answer`
-/// (LinkHandler::OnAsked()). One at a time in a thread.
+/// While it lives, this thread handles `request`, whose reply may be written to `answer`
+/// (LinkHandler::OnAsked()). One object at a time in a thread.
 class Asked {
  public:
   Asked(const Channel& channel, std::uint64_t request, ReplySlot& answer);
@@ -17,9 +17,10 @@ class Asked {
   Asked& operator=(const Asked&) = delete;
   ~Asked();
 
-  /// Where this thread may write the reply to `request`; null if it must be sent.
+  /// The slot in which this thread may write the reply to `request`; null if the reply must be sent
+  /// as a message.
   [[nodiscard]] static ReplySlot* AnswerTo(std::uint64_t request, const Channel& channel);
-  /// The same if the reply was begun there; else null.
+  /// The same slot if the reply was begun there; otherwise null.
   [[nodiscard]] static ReplySlot* Begun(std::uint64_t request, const Channel& channel);
 
  private:

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Takes a place with a new number. At most half of the entries are used, so a number with a free
-/// entry is found soon.
+/// Takes a place and gives it a new number. At most half of the entries are used, so a number with
+/// a free entry is found soon.
 PendingRequests::Place& PendingRequests::Take() {
   constexpr std::size_t kFirst = 16;
   if (free_.empty()) {
@@ -67,7 +67,7 @@ PendingRequests::Place* PendingRequests::AddAwaited() {
   return &place;
 }
 
-/// The caller waits no longer. Returns the outcome, if there is one.
+/// Ends the wait of a caller. Returns the outcome, if there is one.
 std::optional<Result<Answer>> PendingRequests::Leave(Place& place) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(place.request);
@@ -91,7 +91,7 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   return FinishLocked(lock, request, std::move(outcome));
 }
 
-/// Unlocks unless it returns false.
+/// Releases the lock if it returns true.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                                    Result<Answer> outcome) {
   Place* const place = Remove(request);

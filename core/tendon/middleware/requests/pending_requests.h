@@ -19,26 +19,28 @@
 
 namespace tendon {
 
-/// The requests of one channel that wait for an answer. Calls each handler exactly once, without a
-/// lock held, and logs what it throws. Thread-safe. Apart from handlers, allocates only if more
-/// requests wait than ever before.
+/// The requests of one channel that wait for an answer. Calls each handler exactly once, without
+/// holding a lock, and logs its exceptions. Thread-safe. Apart from handlers, allocates only if
+/// more requests wait than ever before.
 class PendingRequests {
  public:
   using Handler = std::function<void(Result<Bytes>)>;
 
-  /// Returns the number of the request. After FinishAll() returns 0 and leaves the handler alone.
+  /// Returns the number of the request. After FinishAll(), returns 0 and does not touch the
+  /// handler.
   std::uint64_t Add(std::chrono::milliseconds timeout, Handler& handler);
 
   /// Removes a request that was never sent; its handler is not called.
   void Withdraw(std::uint64_t request);
 
-  /// Calls the handler of `request` or wakes its caller. Returns false if that was done before.
+  /// Calls the handler of `request` or wakes its caller. Returns false if the request had already
+  /// ended.
   bool Finish(std::uint64_t request, Result<Answer> outcome);
 
   /// Finish() for an answer of the peer; counts late ones.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
-  /// Whether the request still waits for its answer; if not, counts a late one.
+  /// Returns true if the request still waits for its answer; otherwise counts a late answer.
   bool IsAwaited(std::uint64_t request);
 
   /// Finishes timed-out requests; the error names `peer`. A waiting caller times out by itself.
@@ -52,8 +54,8 @@ class PendingRequests {
  private:
   friend class BlockingRequest;
 
-  /// The place of one request at a time. Its address never changes, since a thread may still be
-  /// about to wake the caller of an earlier request.
+  /// Holds one request at a time. Its address never changes, because a thread may still be about to
+  /// wake the caller of an earlier request.
   struct Place {
     std::uint64_t request = 0;
     SteadyTime deadline{};
@@ -91,7 +93,7 @@ class PendingRequests {
 /// Logs the exception that is being handled.
 void LogFailure(const std::string& peer);
 
-/// Calls foreign code in a thread of the middleware; logs what it throws.
+/// Calls foreign code in a thread of the middleware and logs its exceptions.
 template <typename Function>
 void CallGuarded(const std::string& peer, Function function) {
   try {

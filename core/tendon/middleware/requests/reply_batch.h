@@ -10,17 +10,17 @@
 namespace tendon {
 
 /// Answers to several requests in the body of one frame (MessageType::kReplies), to save messages.
-/// For each answer: u64 request, u32 size, the bytes; little-endian, without padding. Bounded, for
-/// the reader's sake too. Not thread-safe.
+/// For each answer: u64 request, u32 size, the bytes; little-endian, without padding. Limited in
+/// size, so that readers are limited as well. Not thread-safe.
 class ReplyBatch {
  public:
   static constexpr std::size_t kMostReplies = 256;
-  /// Of the body; with its header it always fits into one piece.
+  /// The largest body; with its header it always fits into one piece.
   static constexpr std::size_t kMostBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
-  /// Bytes of an answer beside its body.
+  /// Bytes of an answer in addition to its body.
   static constexpr std::size_t kOverhead = 12;
 
-  /// Appends an answer. Returns false without an effect if there is no room, as for any answer
+  /// Appends an answer. Returns false without an effect if there is no room, which is always so
   /// above kMostBytes - kOverhead.
   bool Add(std::uint64_t request, std::span<const std::byte> answer);
   /// Keeps the capacity.
@@ -40,11 +40,12 @@ struct BatchedReply {
   std::span<const std::byte> answer;
 };
 
-/// Takes the first answer off `body`, which is untrusted. Returns nothing if it is not whole.
+/// Removes the first answer from `body`, which is untrusted, and returns it. Returns no value if it
+/// is incomplete.
 std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
-/// Whether untrusted bytes are the body of a batch: at least one answer, within the bounds, and
-/// nothing left over.
+/// True if untrusted bytes are the body of a batch: at least one answer, within the limits, and no
+/// bytes left over.
 [[nodiscard]] bool IsReplyBatch(std::span<const std::byte> body);
 
 }  // namespace tendon

@@ -10,10 +10,11 @@ namespace tendon {
 
 class Channel;
 
-/// While it lives, collects the replies that this thread gives in kOwnLane and sends them in order,
-/// many in one message: when it ends, when a message is full, or before a reply to another peer. A
-/// single reply is sent alone. For code that finds several calls ended; it must not outlive that
-/// loop, since no timer sends the replies. One at a time in a thread.
+/// While it lives, collects the replies that this thread gives in kOwnLane, and sends them in
+/// order, many in one message: when it is destroyed, when a message is full, or before a reply to
+/// another peer. A single reply is sent without a batch. For loops that find several ended calls;
+/// it must not outlive the loop, because no timer sends the replies. One object at a time in a
+/// thread.
 class ReplyBatcher {
  public:
   ReplyBatcher();

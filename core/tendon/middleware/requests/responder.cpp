@@ -28,7 +28,7 @@ bool Responder::TryReply(std::span<const std::byte> body, Lane lane) {
   const auto channel = channel_.lock();
   if (!channel) return false;
   const bool is_sent = channel->SendReply(request_, body, lane, later_.get());
-  channel_.reset();  // not if that throws: then the destructor refuses
+  channel_.reset();  // not if TryReply() throws: then the destructor refuses
   return is_sent;
 }
 

@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// Answers one request, once, from any thread, now or later. Refuses if it is destroyed unanswered.
-/// Ignores a second answer.
+/// Answers one request, once, from any thread, now or later. If it is destroyed without an answer,
+/// the request is refused. A second answer is ignored.
 class Responder {
  public:
   Responder(std::weak_ptr<Channel> channel, std::uint64_t request);
@@ -30,14 +30,14 @@ class Responder {
   }
   /// Returns false if the answer cannot be sent; a peer that is still there then gets a refusal.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
-  /// Returns room for a reply in kOwnLane of `size` bytes, at least one, in the memory that the
-  /// link sends. Write all bytes in this thread and call EndReply(); unless deferred, before
-  /// returning to the channel. Returns an empty span, without an effect, if there is no such
-  /// memory. Throws as Reply() does.
+  /// Returns memory of the link for a reply of `size` bytes, at least one, in kOwnLane. Write all
+  /// bytes in this thread, then call EndReply(); if the reply is not deferred, before returning to
+  /// the channel. Returns an empty span, without an effect, if there is no such memory. Throws as
+  /// Reply() does.
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
-  /// Call it in the thread that handles the request, before it returns to the channel. A later
-  /// Reply() in kOwnLane, from any thread, can then still take the shorter way of Link::Ask().
+  /// Lets a later Reply() in kOwnLane, from any thread, still use the shorter way back of
+  /// Link::Ask(). Call it in the thread that handles the request, before it returns to the channel.
   /// Returns false if the link has no such way.
   bool Defer();
   void Refuse(const Error& error);
@@ -56,7 +56,7 @@ class Responder {
  private:
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
-  std::unique_ptr<ReplySlot> later_;  // the place for the reply, if it is deferred
+  std::unique_ptr<ReplySlot> later_;  // the slot for the reply, if it is deferred
 };
 
 }  // namespace tendon

@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-/// Walks over JSON text from value to value. In text that is not JSON it never leaves the text.
+/// Walks over JSON text from value to value. Never reads beyond the text, even if it is not JSON.
 class JsonWalk {
  public:
   explicit JsonWalk(std::string_view text) : text_(text) { SkipSpace(); }

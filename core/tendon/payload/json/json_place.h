@@ -5,12 +5,12 @@
 
 namespace tendon {
 
-/// Tells where the member or element that `path` names begins in JSON text: "line 12, column 5" for
-/// "processes[0].name". If it does not exist, tells this for the deepest part of the path that
+/// The place in JSON text where the member or element named by `path` begins: "line 12, column 5"
+/// for "processes[0].name". If it does not exist, the place of the deepest part of the path that
 /// exists. The text must be JSON only up to there.
 [[nodiscard]] std::string PlaceInJson(std::string_view text, std::string_view path);
 
-/// The same for the second member of that name in its object.
+/// The same for the second member with the same name in an object.
 [[nodiscard]] std::string PlaceOfSecondInJson(std::string_view text, std::string_view path);
 
 /// "line 12, column 5" for an offset in bytes.

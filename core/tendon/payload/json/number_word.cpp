@@ -121,7 +121,7 @@ char InAscii(char32_t letter) {
   }
 }
 
-/// The word in ASCII, as far as its letters have an equivalent there.
+/// The word with all letters replaced that have an ASCII equivalent.
 std::string AsciiOf(std::string_view text) {
   std::string ascii;
   for (std::size_t at = 0; at < text.size();) {
@@ -140,7 +140,7 @@ std::string Trimmed(std::string_view text) {
   return std::string(end == text.npos ? "" : text.substr(begin, end + 1 - begin));
 }
 
-/// "inf" for "+Infinity"; empty if it is no such word.
+/// The JSON word for infinity or not-a-number: "inf" for "+Infinity"; empty for any other text.
 std::string NotFinite(const std::string& text) {
   const std::string lower = InLowerCase(text);
   const bool is_signed = lower.starts_with('+') || lower.starts_with('-');
@@ -150,8 +150,8 @@ std::string NotFinite(const std::string& text) {
   return lower.starts_with('-') ? "-inf" : "inf";
 }
 
-/// True if one to three digits without a leading zero come first, and groups of three digits follow
-/// at each `sign`.
+/// True if `whole` has digits grouped by `sign`: one to three digits without a leading zero, then
+/// groups of three.
 bool IsGrouped(std::string_view whole, char sign) {
   if (whole.starts_with('0')) return false;
   std::size_t digits = 0;
@@ -173,7 +173,8 @@ std::string Without(std::string text, char sign) {
   return text;
 }
 
-/// The number with its point at `decimal`, which may be npos, and without the `group` signs.
+/// The number as JSON, without the `group` signs and with a point at `decimal`, which may be npos.
+/// Empty if the groups are malformed.
 std::optional<std::string> Ungrouped(std::string text, std::size_t decimal, char group) {
   std::string front = text.substr(0, decimal);
   const std::string behind = decimal == text.npos ? "" : text.substr(decimal + 1);
@@ -233,7 +234,7 @@ std::optional<std::string> DecimalOfHex(std::string_view text) {
   return (is_negative ? "-" : "") + std::to_string(number);
 }
 
-/// The text after a number, as "deg" in "5 deg"; empty if there is none, or no number.
+/// The text after a number, as "deg" in "5 deg"; empty if there is no such text, or no number.
 std::string RestBehindNumber(std::string_view text) {
   const std::size_t end = text.find_first_not_of("+-0123456789.,_' ");
   if (end == text.npos || text.substr(0, end).find_first_of(kDigits) == text.npos) return "";
@@ -321,7 +322,7 @@ NumberWord OfKind(Kind kind, const Spelling& number) {
 
 bool HasInfinity(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kFloat64; }
 
-/// Rounded; nothing from `limit` on.
+/// Rounded; empty if `limit` or more.
 std::optional<std::int64_t> Nanoseconds(const Spelling& seconds, std::int64_t limit) {
   constexpr int kPlaces = 9;
   const std::string digits = seconds.whole + seconds.fraction;

@@ -167,7 +167,7 @@ class Builder {
   bool BuildString(const Json& value, const Numbers& numbers) {
     if (!value.is_string()) return Expected("a string", numbers.unit, value);
     const auto& text = value.get_ref<const std::string&>();
-    // In DDS and ROS a string ends there; it would arrive as a different string.
+    // In DDS and ROS a zero ends a string, so the receiver would get a different string.
     if (text.find('\0') != text.npos) return Expected("a string without \\u0000", "", value);
     body_.WriteString(text);
     return true;
@@ -199,8 +199,8 @@ class Builder {
             static_cast<std::uint32_t>((time - whole).count())};
   }
 
-  /// For a duration whose nanoseconds a double cannot hold: a number, or its digits as a string if
-  /// it has passed through a program that keeps doubles.
+  /// For a duration whose nanoseconds a double cannot hold: accepts a number, or its digits as a
+  /// string, as programs that store numbers as doubles send it.
   std::optional<std::chrono::nanoseconds> FineDuration(const Json& value) {
     if (const auto fine = fine_.find(path_); value.is_number_float() && fine != fine_.end()) {
       return NanosecondsIn(fine->second);

@@ -32,7 +32,7 @@ char* NumberTo(Number number, char* to) {
   if constexpr (std::is_same_v<Number, bool>) {
     return CopyTo(number ? "true" : "false", to);
   } else if (std::is_floating_point_v<Number> && number == 0 && std::signbit(number)) {
-    return CopyTo("-0.0", to);  // readers take -0 for an integer, which has no sign
+    return CopyTo("-0.0", to);  // readers take -0 for the integer 0, which loses the sign
   } else {
     return std::to_chars(to, to + kLongestNumber, number).ptr;
   }
@@ -109,8 +109,8 @@ class Printer {
     return true;
   }
 
-  /// Lists of numbers may be images of millions: the type is looked up once, and room is made for
-  /// many numbers at a time.
+  /// A list may be an image with millions of numbers: the type is looked up once, and memory is
+  /// reserved for many numbers at a time.
   bool PrintNumbers(const Schema& element, std::uint32_t count) {
     return payload::WithNumber(element.kind(), [&](auto number) {
       constexpr std::size_t kAtOneGo = 4096;

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxDepth = 64;
 
 std::string TooDeep() { return "nesting deeper than " + std::to_string(kMaxDepth); }
 
-/// Checked before anything is built from the text.
+/// Called before the text is parsed.
 bool IsTooDeep(std::string_view text) {
   std::size_t depth = 0;
   bool is_in_string = false;
@@ -37,7 +37,7 @@ bool IsTooDeep(std::string_view text) {
   return false;
 }
 
-/// The parser's text without its codes and places: "unexpected ','; expected string literal".
+/// The parser's message without its codes and positions: "unexpected ','; expected string literal".
 std::string Words(const std::string& what) {
   std::string words = what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2);
   if (words.starts_with("parse error at ")) words = words.substr(words.find(": ") + 2);
@@ -46,8 +46,8 @@ std::string Words(const std::string& what) {
   return Printable(words, 200);
 }
 
-/// Bytes from the beginning of the mistake to the parser's position. `last_token` ends there, but
-/// begins too early unless it is a string.
+/// Bytes from the start of the mistake to the parser's position. `last_token` ends at that
+/// position, but starts too early unless it is a string.
 std::size_t OffendingLength(const std::string& words, const std::string& last_token) {
   if (words.starts_with("unexpected end")) return 0;
   if (words.starts_with("unexpected string")) return last_token.size();
@@ -60,7 +60,7 @@ std::size_t OffendingLength(const std::string& words, const std::string& last_to
   return static_cast<std::size_t>(begin - last_token.rbegin());
 }
 
-/// The library passes a number with the decimal sign of the program's locale.
+/// Replaces the locale's decimal sign, with which the library passes numbers, by a point.
 std::string WithPoint(std::string number) {
   const std::size_t sign = number.find_first_not_of("+-0123456789eE.");
   if (sign == number.npos) return number;
@@ -74,7 +74,7 @@ enum class Integers { kAsWritten, kAreExact };
 /// Builds the value and refuses mistakes that the grammar allows.
 class StrictReader final : public nlohmann::json_sax<Json> {
  public:
-  /// Keeps the digits of numbers in `fine`, unless that is null.
+  /// Stores the digits of fine numbers in `fine`, unless it is null.
   StrictReader(std::string_view text, Integers integers, FineNumbers* fine)
       : text_(text), integers_(integers), fine_(fine) {}
 
@@ -187,7 +187,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
   const Integers integers_;
   FineNumbers* const fine_;
   Json root_;
-  std::vector<Open> open_;  // from the root to where values are added now
+  std::vector<Open> open_;  // from the root to the innermost open one
   std::string key_;
   std::string error_;
 };
@@ -217,7 +217,7 @@ Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {
   if (IsTooDeep(text)) return Error{ErrorCode::kInvalid, TooDeep()};
   auto value = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!value.is_discarded()) return value;
-  const auto strict = ParseStrictJson(text);  // names the place
+  const auto strict = ParseStrictJson(text);  // its error names the place
   return strict ? Error{ErrorCode::kInvalid, "is no JSON"} : strict.error();
 }
 

@@ -20,14 +20,14 @@ using FineNumbers = std::map<std::string, std::string>;
 /// and empty text. The program's locale has no influence.
 Result<Json> ParseStrictJson(std::string_view text);
 
-/// The same for values of a known type. A number with an integer value becomes an integer however
-/// it is written (2.0, 1e3); no other number does, so 1.00000000000000000001 is not taken for 1.
-/// Numbers that, as seconds, are IsFinerThanDouble() are kept in `fine`, unless that is null.
+/// The same for values of a known type. A number with an integer value becomes an integer, however
+/// it is written (2.0, 1e3); any other number does not, not even 1.00000000000000000001. If `fine`
+/// is not null, it receives the digits of the numbers that are IsFinerThanDouble() as seconds.
 Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine);
 
-/// Reads JSON that a program wrote, perhaps another process; members keep their order. Errors and
-/// the limit of nesting are those of ParseStrictJson(): code that walks over the value needs a
-/// stack for it.
+/// Reads JSON that a program wrote, perhaps another process; members keep their order. Errors are
+/// those of ParseStrictJson(), including the limit of nesting, because recursive code that reads
+/// the value needs stack for each level.
 Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text);
 
 /// The same, but text that is not JSON, or is nested deeper, becomes a string.

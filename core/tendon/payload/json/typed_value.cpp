@@ -25,8 +25,8 @@ Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::stri
   return Error{ErrorCode::kInvalid, ExpectedOf(schema, name, "", typed) + "; " + FlawText(word)};
 }
 
-/// Checks the typed text, not the parser's result: of a duplicate key that has only the second
-/// value, and for 1.00000000000000000001 it has the integer 1.
+/// Checks the typed text, not the parser's result, which loses two mistakes: of a duplicate key it
+/// has only the second value, and 1.00000000000000000001 becomes the integer 1.
 Result<void> CheckTyped(const Schema& schema, const std::string& name, const std::string& typed,
                         const nlohmann::ordered_json& value) {
   if (!FromJson(schema, value.dump())) return {};  // reported later, with its unit
@@ -35,7 +35,8 @@ Result<void> CheckTyped(const Schema& schema, const std::string& name, const std
   return Error{ErrorCode::kInvalid, name + ": " + body.error().message};
 }
 
-/// `place` of `value`, as FineNumbers has it.
+/// Puts the exact digits from `fine` into the durations of `value`. `place` is the key of `value`
+/// in `fine`.
 void KeepDigits(const Schema& schema, const FineNumbers& fine, const std::string& place,
                 nlohmann::ordered_json& value) {
   if (schema.kind() == Schema::Kind::kDuration && value.is_number()) {

@@ -3,7 +3,7 @@
 #include <tendon/payload/payload.h>
 
 /// Types that travel between the parts of a robot, under their usual names. README.md in this
-/// folder tells which CRTK command takes which type, and which ROS 2 message each one is.
+/// folder lists the types of CRTK commands and the equivalent ROS 2 messages.
 ///
 /// Lengths are in metres, angles in radians, forces in newtons; axes are right-handed. All types of
 /// this header have a fixed size and need no allocation. eigen.h converts them to Eigen's types.
@@ -18,7 +18,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// A direction and a length; the field that holds it names the quantity.
+/// A direction and a length; the name of the field says which quantity it is.
 struct Vector3 {
   double x = 0;
   double y = 0;

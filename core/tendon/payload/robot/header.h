@@ -9,7 +9,7 @@
 namespace tendon::robot {
 
 /// The time of a measurement and the frame of its coordinates. Rows of a state table and events
-/// have a time of their own; a header is for a measurement at a different time.
+/// already have a time; a header is for measurements taken at a different time.
 struct Header {
   std::chrono::sys_time<std::chrono::nanoseconds> stamp;
   std::string frame_id;

@@ -10,8 +10,8 @@
 
 namespace tendon::robot {
 
-/// The revolute joints of an arm: where they are (measured_js) or should be (setpoint_js). For
-/// control loops: fixed size, no allocation.
+/// The revolute joints of an arm: measured (measured_js) or wanted (setpoint_js). For control
+/// loops: fixed size, no allocation.
 template <std::size_t kJoints>
 struct JointState {
   std::array<double, kJoints> position{};  ///< rad
@@ -21,11 +21,12 @@ struct JointState {
   bool operator==(const JointState&) const = default;
 };
 
-/// The quantity that the joint drives control: servo_jp, servo_jv and servo_jf.
+/// The quantity that the joint drives regulate: servo_jp, servo_jv and servo_jf.
 enum class JointControl : std::int32_t { kPosition, kVelocity, kEffort };
 
-/// Moves revolute joints, once a cycle. Quantities after the controlled one are fed forward:
-/// velocity and effort to a position, effort to a velocity. Those before it are ignored.
+/// Moves revolute joints, once a cycle. The members below the controlled one are feed-forward:
+/// velocity and effort in position control, effort in velocity control. The members above it are
+/// ignored.
 template <std::size_t kJoints>
 struct JointCommand {
   JointControl control = JointControl::kPosition;
@@ -36,8 +37,8 @@ struct JointCommand {
   bool operator==(const JointCommand&) const = default;
 };
 
-/// Joints of any kind and number, by name. Each list has as many items as `name`, or none if
-/// nothing is known. A revolute joint has rad, rad/s and N m; a prismatic one has m, m/s and N.
+/// Joints of any kind and number, by name. Each list has as many items as `name`, or none if the
+/// values are unknown. A revolute joint has rad, rad/s and N m; a prismatic one has m, m/s and N.
 struct NamedJointState {
   Header header;
   std::vector<std::string> name;

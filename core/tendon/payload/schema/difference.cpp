@@ -10,7 +10,7 @@ std::string Differ(const std::string& where, const std::string& needed,
   return (where.empty() ? "" : where + ": ") + needed + " needed, " + offered + " offered";
 }
 
-/// True if two types are equal, apart from their fields and elements.
+/// True if two types are equal without regard to their fields and elements.
 bool SameShell(const Schema& needed, const Schema& offered) {
   return needed.kind() == offered.kind() && needed.name() == offered.name() &&
          needed.length() == offered.length();
@@ -35,7 +35,7 @@ std::string WithUnit(const Schema::Field& field) {
   return field.schema.TypeName() + (field.unit.empty() ? " without unit" : " in " + field.unit);
 }
 
-/// `where` names the place of both, as the innermost structure calls it.
+/// `where` names both values as the innermost structure does.
 std::optional<std::string> Difference(const Schema& needed, const Schema& offered,
                                       const std::string& where);
 
@@ -71,7 +71,8 @@ std::optional<std::string> Difference(const Schema& needed, const Schema& offere
       return StructureDifference(needed, offered);
     case Schema::Kind::kArray:
     case Schema::Kind::kSequence:
-      // The whole shape reads better than its innermost part: float64[3][4], float64[3][5].
+      // Names whole types, which is easier to read than the innermost difference: float64[3][4],
+      // float64[3][5].
       if (needed.TypeName() != offered.TypeName()) {
         return Differ(where, needed.TypeName(), offered.TypeName());
       }

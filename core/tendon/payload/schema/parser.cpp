@@ -18,7 +18,7 @@ struct Parsed {
   int height = 1;
 };
 
-/// Recursive descent; keeps the first mistake and stops there.
+/// A recursive-descent parser; stops at the first mistake.
 class Parser {
  public:
   explicit Parser(std::string_view text) : text_(text) {}
@@ -108,7 +108,7 @@ class Parser {
     return {Schema::Enum(std::move(name), std::move(enumerators)), 1};
   }
 
-  /// " in rad" up to the end of the line, or nothing.
+  /// Reads " in rad" up to the end of the line; empty if there is no unit.
   std::string_view Unit() {
     const auto unit = LineAfter(" in ");
     if (!unit) return {};
@@ -117,7 +117,7 @@ class Parser {
     return *unit;
   }
 
-  /// "# Of the fastest joint." or nothing.
+  /// Reads "# Of the fastest joint."; empty if there is no help line.
   std::string_view Help() {
     if (!Accept('#')) return {};
     const auto help = LineAfter(" ");
@@ -126,7 +126,7 @@ class Parser {
     return help.value_or(std::string_view());
   }
 
-  /// "@ 0 to 2.5" or nothing.
+  /// Reads "@ 0 to 2.5"; empty if there is no range line.
   std::optional<Range> FieldRange() {
     if (!Accept('@')) return std::nullopt;
     auto rest = LineAfter(" ");
@@ -138,7 +138,7 @@ class Parser {
     return range;
   }
 
-  /// The text on this line after `start`; nothing if `start` does not come next.
+  /// The text on this line after `start`; empty if `start` does not come next.
   [[nodiscard]] std::optional<std::string_view> LineAfter(std::string_view start) const {
     const std::string_view rest = text_.substr(position_);
     const std::string_view line = rest.substr(0, rest.find('\n'));

@@ -10,8 +10,8 @@ namespace tendon::payload {
 
 [[nodiscard]] std::string ToString(const Range& range);
 
-/// Removes a range, as ToString() prints it, from the front of `text`. False if there is none; then
-/// a part of it may be removed.
+/// Removes a range, as ToString() prints it, from the front of `text`. False if there is no range;
+/// then a part of `text` may be removed.
 [[nodiscard]] bool ReadRange(std::string_view& text, Range& range);
 
 }  // namespace tendon::payload

@@ -80,7 +80,7 @@ class MessagePrinter {
   }
 
   /// The type of a field. ROS has no lists of lists: nested arrays become one longer array; any
-  /// other list in a list becomes a separate message `wrapper`, equal on the wire.
+  /// other inner list becomes a separate message `wrapper`, with the same bytes on the wire.
   std::string Type(const Schema& schema, const std::string& wrapper) {
     switch (schema.kind()) {
       case Schema::Kind::kArray: {

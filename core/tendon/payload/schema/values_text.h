@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// Values of the field, for people: "0 to 2.5", "off, on"; empty if its type tells enough.
+/// Values of the field, for people: "0 to 2.5", "off, on"; empty if the type says enough.
 [[nodiscard]] std::string ValuesText(const Schema::Field& field);
 
 }  // namespace tendon

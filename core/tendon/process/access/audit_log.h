@@ -11,9 +11,10 @@
 
 namespace tendon {
 
-/// Records changes and refusals, with the program that asked: the source "audit" of this process's
-/// log. No log level hides these lines, so that nobody can hide an action by setting one. Above ten
-/// lines a second from one program it writes only their count. Thread-safe.
+/// Records changes and refusals, with the program that asked, as the source "audit" in this
+/// process's log. These lines are written at every log level, so that nobody can hide an action by
+/// changing the level. For more than ten lines a second from one program, writes only their count.
+/// Thread-safe.
 class AuditLog {
  public:
   AuditLog();
@@ -21,7 +22,7 @@ class AuditLog {
   AuditLog& operator=(const AuditLog&) = delete;
   ~AuditLog();
 
-  /// `who` separates the programs if the log covers several.
+  /// `who` identifies the program whose lines are counted.
   void Write(const std::string& who, LogLevel level, const std::string& line);
 
  private:

@@ -25,7 +25,7 @@ void GuardedHandler::OnNotice(const std::shared_ptr<Channel>& channel, const Fra
                               std::span<const std::byte> body) {
   if (header.type == message::kLowerRole) {
     const auto wanted = DecodeBody<std::uint8_t>(body);
-    // An unknown role becomes the lowest one.
+    // An unknown role counts as the lowest one.
     const bool is_operator = wanted && *wanted == static_cast<std::uint8_t>(Role::kOperator);
     role_ = std::min(role_, is_operator ? Role::kOperator : Role::kViewer);
     return;
@@ -50,7 +50,7 @@ std::optional<Error> GuardedHandler::WhyNotTaken(const Channel& channel,
                                         std::to_string(header.size)};
 }
 
-/// Returns nothing if the message is allowed.
+/// Returns the refusal; empty if the message is allowed.
 std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const FrameHeader& header,
                                              std::span<const std::byte> body) {
   const Right* right = FindRight(static_cast<std::uint16_t>(header.type));

@@ -12,20 +12,20 @@
 namespace tendon {
 namespace message {
 
-/// Notice from the opener of a channel: a Role, as std::uint8_t. Limits it to that role from now
-/// on; it cannot raise its role.
+/// Notice from the opener of a channel: a Role, as std::uint8_t. Limits the opener to that role
+/// from now on; the role cannot be raised.
 inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 
 }  // namespace message
 
 /// Decides what the program at the other end of a channel may do. Every process that serves others,
-/// LCM or GCM, uses it for every message. What kRights does not allow to the peer's role never
-/// reaches the functions below.
+/// LCM or GCM, checks every message with it. Messages that kRights does not allow for the peer's
+/// role never reach the functions below.
 ///
-/// Messages from viewers are small: one above 1 MiB is refused, from any role.
+/// Messages from viewers are small, so a message above 1 MiB is refused, whatever the role.
 ///
 /// Under TLS a program has the role of its certificate. A peer on this machine without TLS knows
-/// the user's cookie, and is an operator. Either may lower its role. The audit log has a line for
+/// the user's cookie, and is an operator. A peer may lower its role. The audit log has a line for
 /// each refusal and for each request that changes something.
 class GuardedHandler : public ChannelHandler {
  public:

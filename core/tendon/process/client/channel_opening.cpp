@@ -14,7 +14,7 @@ OpenedChannel Open(Middleware& middleware, const ChannelRequest& wanted) {
   }
 }
 
-/// An opened channel on its way to the worker, which may have stopped.
+/// Passes an opened channel to the worker, which may have stopped.
 class Delivery {
  public:
   Delivery(Middleware& middleware, const ChannelRequest& wanted)

@@ -10,19 +10,20 @@
 
 namespace tendon {
 
-/// A channel to another process that is to be opened.
+/// A request to open a channel to another process.
 struct ChannelRequest {
   std::shared_ptr<Worker> opener;
   std::string address;
   Hello hello;
   std::shared_ptr<ChannelHandler> handler;
-  std::chrono::milliseconds timeout{0};  ///< counted from its turn
+  std::chrono::milliseconds timeout{0};  ///< counted from the start of the attempt
 };
 
 using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
-/// Opens the channel in its opener, after those posted before, so that a peer that hangs delays
-/// only these. Calls `done` on the worker. If the worker has stopped, closes the channel instead.
+/// Opens the channel in the opener's thread, after earlier requests. So a hanging peer delays only
+/// requests of the same opener. Calls `done` on the worker; if the worker has stopped, closes the
+/// channel instead.
 void OpenChannel(const ProcessContext& context, const ChannelRequest& wanted,
                  std::function<void(const OpenedChannel&)> done);
 

@@ -10,17 +10,17 @@
 
 namespace tendon {
 
-/// The provided interface of another process, as a required interface here needs it.
+/// A request for the provided interface of another process that a required interface here needs.
 struct InterfaceRequest {
   message::OpenInterface open;
   std::chrono::milliseconds read_deadline{0};
   std::vector<std::string> mirrored{};     ///< functions that read local copies
-  std::shared_ptr<SerialExecutor> line{};  ///< for its events, if it needs one
+  std::shared_ptr<SerialExecutor> line{};  ///< line for its events, if needed
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 
-/// Asks the peer for the interface and makes its proxy, which the link then knows by
+/// Asks the peer for the interface and makes its proxy, which is registered at the link under
 /// `wanted.open.handle`. Calls `done` in a thread of the middleware, before anything that the peer
 /// sends to the proxy.
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,

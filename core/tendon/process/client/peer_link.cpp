@@ -21,7 +21,7 @@ void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
                         .handler = link,
                         .timeout = kOpenTimeout};
   wanted.hello.wanted = process;
-  wanted.hello.session = 0;  // the session is for the GCM only
+  wanted.hello.session = 0;  // the session is only for the GCM
   OpenChannel(context, wanted,
               [link, process, address, opened = std::move(opened)](const OpenedChannel& channel) {
                 if (channel) {
@@ -100,7 +100,7 @@ Result<PeerLink::Mirrored> PeerLink::Receive(const message::MirrorReply& mirrore
   return values;
 }
 
-/// Unsubscribes from copies that nobody reads: without new rows the process would not notice.
+/// Unsubscribes from copies that nobody reads; OnRows() would not notice it without new rows.
 void PeerLink::EndUnread() {
   std::erase_if(mirrored_, [this](const auto& one) {
     if (!one.second.expired()) return false;
@@ -136,7 +136,8 @@ void PeerLink::OnMirrorTurned(std::uint32_t handle, std::span<const std::byte> b
   if (value && is_enabled) value->SetEnabled(*is_enabled);
 }
 
-/// The process sends no more rows until it hears this, so tries again if the link is full.
+/// The process sends no more rows until this notice arrives, so it is sent again if the link is
+/// full.
 void PeerLink::TellTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
   const Status told = channel->Notify(message::kRowTaken, handle, Bytes());

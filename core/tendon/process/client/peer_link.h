@@ -30,17 +30,18 @@ class PeerListener {
   /// The provided interface of one connection is gone; `handle` is our number for it.
   virtual void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                  const Error& reason) = 0;
-  /// A remote component has become faulted, or was started again.
+  /// A remote component has faulted, or was restarted.
   virtual void OnServerChanged() = 0;
 };
 
 /// The channel to one other process, opened by this one and shared by all connections to that
-/// process. Closes by itself when the peer hangs.
+/// process. Closes itself if the peer hangs.
 class PeerLink final : public ChannelHandler, public std::enable_shared_from_this<PeerLink> {
  public:
   using Opened = std::function<void(const Result<std::shared_ptr<PeerLink>>&)>;
 
-  /// As OpenChannel(), within a second. kUnreachable if another process answers there.
+  /// Like OpenChannel(), within a second. kUnreachable if a different process answers at the
+  /// address.
   static void Open(const ProcessContext& context, PeerListener& listener,
                    const std::string& process, const std::string& address, Opened opened);
 
@@ -51,12 +52,13 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
   /// The last measured round trip; below 0 before the first answer. Any thread.
   [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
-  /// How long the peer has been silent, though it is pinged twice a second.
+  /// The time since the peer last answered; it is pinged twice a second.
   [[nodiscard]] std::chrono::nanoseconds silence() const {
     return SteadyClock().Now() - last_heard_.Get();
   }
-  /// Makes copies of remote values, in the order of `mirrored`, and updates them while another
-  /// object holds them. Call it in a thread of the middleware, before the first value arrives.
+  /// Makes copies of remote values, in the order of `mirrored`, and updates each one as long as
+  /// another object holds it. Call it in a thread of the middleware, before the first value
+  /// arrives.
   using Mirrored = std::vector<std::shared_ptr<MirroredValue>>;
   Result<Mirrored> Receive(const message::MirrorReply& mirrored);
   /// Our numbers for connections and event handlers.
@@ -79,15 +81,15 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   void Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body);
 
   const std::shared_ptr<Worker> worker_;
-  PeerListener& listener_;  // only on the worker
+  PeerListener& listener_;  // used only on the worker
   std::shared_ptr<Channel> channel_;
   Published<std::chrono::nanoseconds> round_trip_{std::chrono::nanoseconds(-1)};
   Published<SteadyTime> last_heard_;
   HandleTable<ProvidedInterfaceProxy> handles_;
 
-  std::mutex mutex_;                                                // for all that follows
-  ClockOffset clock_;                                               // of the peer
-  std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's numbers
+  std::mutex mutex_;                                                // guards the members below
+  ClockOffset clock_;                                               // the peer's clock
+  std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's handles
 };
 
 }  // namespace tendon

@@ -16,7 +16,7 @@ std::int64_t Rounded(std::chrono::nanoseconds time) {
   return std::chrono::duration_cast<std::chrono::milliseconds>(time).count();
 }
 
-/// True if more than one ping is unanswered, and no large message explains it.
+/// True if more than one ping is unanswered, and no large message can be the reason.
 bool IsSilent(const PeerLink& link) {
   constexpr std::chrono::milliseconds kMoreThanOneQuestion(750);
   return link.silence() > kMoreThanOneQuestion &&
@@ -90,7 +90,7 @@ void Peers::Finish(const std::string& process, const Place& tried,
   if (silent_.empty() || silent_.front() != process) return;
   silent_.pop_front();
   if (silent_.empty()) return;
-  const std::string next = silent_.front();  // a copy: the entry may go before Open() returns
+  const std::string next = silent_.front();  // a copy: Open() may remove the entry
   Open(next);
 }
 
@@ -113,7 +113,7 @@ void Peers::CloseOutdated() {
     const auto instance = InstanceOf(process);
     if (instance && link->instance() != *instance) link->channel()->Close();
     if (instance || !link->channel()->is_open()) continue;
-    if (!IsSilent(*link)) continue;  // only the GCM has lost the process
+    if (!IsSilent(*link)) continue;  // the process answers; only the GCM has lost it
     link->channel()->CutOff("has not answered for " + std::to_string(Rounded(link->silence())) +
                             " ms, and its GCM has lost it");
   }

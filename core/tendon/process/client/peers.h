@@ -14,27 +14,28 @@
 
 namespace tendon {
 
-/// The other processes, and the links to those that are needed. Only on the worker.
+/// The other processes, and links to the processes that are needed. Used only on the worker.
 class Peers {
  public:
   Peers(ProcessContext& context, PeerListener& listener) : context_(context), listener_(listener) {}
 
-  /// Sets the present processes, as the GCM reports them. Keeps links: the GCM may lag behind.
+  /// Sets the present processes, as the GCM reports them. Closes no links, because the GCM's report
+  /// may be outdated.
   void Update(const std::vector<ProcessDescription>& processes);
   /// Adds or updates one process.
   void Learn(const std::string& process, const std::string& address, std::uint64_t instance);
 
   [[nodiscard]] std::vector<std::string> names() const;
-  /// The present instance of a process; nothing if it is absent.
+  /// The present instance of a process; empty if the process is absent.
   [[nodiscard]] std::optional<std::uint64_t> InstanceOf(const std::string& process) const;
 
   using Done = PeerLink::Opened;
 
-  /// Calls `done` with the link to the process; at once if nothing must be opened. Processes that
-  /// did not answer last time are opened one at a time.
+  /// Calls `done` with the link to the process, at once if the link is already open. Links to
+  /// processes that did not answer last time are opened one at a time.
   void LinkTo(const std::string& process, Done done);
-  /// Closes links to outdated instances, and links to processes that the GCM has lost and that are
-  /// silent here too.
+  /// Closes links to outdated instances, and links to processes that the GCM has lost and that do
+  /// not answer here either.
   void CloseOutdated();
   void CloseAll();
 
@@ -46,8 +47,8 @@ class Peers {
     bool operator==(const Place&) const = default;
   };
 
-  /// A process that accepts connections but does not answer. It rests for a while, because it would
-  /// delay others.
+  /// A process that accepts connections but does not answer. Not tried again for a while, because
+  /// an attempt delays others.
   struct Silence {
     Place place;
     Error error;
@@ -65,7 +66,7 @@ class Peers {
   PeerListener& listener_;
   std::map<std::string, Place> places_;
   std::map<std::string, std::shared_ptr<PeerLink>> links_;
-  std::map<std::string, std::vector<Done>> openings_;  // with the functions that wait for each
+  std::map<std::string, std::vector<Done>> openings_;  // the functions that wait for each
   std::map<std::string, Silence> silences_;
   std::deque<std::string> silent_;  // to be opened one at a time; the first one is being opened
 };

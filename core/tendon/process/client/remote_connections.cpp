@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kOpenTimeout(1000);
 constexpr std::chrono::milliseconds kShortestPause(100);
 constexpr std::chrono::milliseconds kLongestPause(2000);
 
-/// Whether a retry with the same process is pointless.
+/// True if a retry with the same process is pointless.
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
          error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
@@ -117,7 +117,7 @@ void RemoteConnections::Try(ConnectionId id) {
   context_.worker->PostAfter(kOpenTimeout, [this, id, attempt] { TellWaiting(id, attempt); });
 }
 
-/// The caller should not wait behind other links that hang.
+/// Reports "pending" now, because the attempt may have to wait for other links that hang.
 void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
   Done done;
   ConnectionDescription description;
@@ -132,7 +132,7 @@ void RemoteConnections::TellWaiting(ConnectionId id, std::uint64_t attempt) {
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
-  constexpr std::size_t kMostEvents = 4096;  // in a line: as many as fit into some messages
+  constexpr std::size_t kMostEvents = 4096;  // in a line: the events of a few messages
   constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
   InterfaceRequest wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
@@ -160,7 +160,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;
   }
-  // An answer after GiveUp() still counts: it says what must be closed there.
+  // The answer is also needed after GiveUp(): it says what the peer must close.
   OpenProvided(context_.network, link, wanted,
                [this, worker = context_.worker, attempt](const OpenedInterface& opened) {
                  worker->Post([this, attempt, opened] { Finish(attempt, opened); });
@@ -214,7 +214,7 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                      const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
   ConnectionDescription& description = entry.description;
   const auto required = context_.host.LookUpRequired(description.required);
-  // Before Make(), which waits for a caller that calls at once, until it is served.
+  // Before Make(): a component may call at once, and Make() waits until the call is served.
   context_.proxies.Add(description.provided, proxy);
   auto connection =
       required ? Connection::Make(**required, proxy->interface(), ToString(description.required),
@@ -296,7 +296,7 @@ void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t ha
   context_.host.StructureChanged();
 }
 
-/// The connection is still wanted, and tried again later.
+/// Makes the connection pending; it is tried again later.
 void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
   if (entry.connection) {
     Tell(LogLevel::kWarning, entry.description, "is lost, and will be made again: " + reason);
@@ -336,8 +336,8 @@ void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.link.reset();
 }
 
-/// On the lane of the calls, so it arrives after them. The peer keeps the connection until it hears
-/// this, so tries again if the link is full.
+/// Sent on the lane of the calls, so that it arrives after them. The peer keeps the connection
+/// until this notice arrives, so it is sent again if the link is full.
 void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle,
                                    Lane lane) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
@@ -365,7 +365,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.host.StructureChanged();
-  if (done) {  // on the worker like every outcome: this may be any thread, with the lock held
+  if (done) {  // on the worker, like every outcome: this thread may be any, and holds the lock
     context_.worker->Post([done, required] {
       done(Error{ErrorCode::kFailed, ToString(required) + " was disconnected meanwhile"});
     });

@@ -25,26 +25,27 @@ class RemoteConnections final : private PeerListener {
 
   explicit RemoteConnections(ProcessContext& context) : context_(context), peers_(context, *this) {}
 
-  /// Keeps the connection from now on; calls `done` once it is active or pending. Not kept after an
-  /// error: kNotFound for our end, kExists, kIncompatible. All names include the process.
+  /// Adds the connection, and calls `done` when it is active or pending. It is not added on an
+  /// error: kNotFound for the end in this process, kExists, kIncompatible. All names include the
+  /// process.
   void Connect(const message::Wire& wire, Done done);
 
-  /// Sets the present processes, and makes the connections that are now possible.
+  /// Sets the present processes, and opens the connections that are now possible.
   void UpdatePeers(const std::vector<ProcessDescription>& processes);
   void LearnPeer(const std::string& process, const std::string& address, std::uint64_t instance);
 
   // Any thread.
 
   [[nodiscard]] bool Has(const InterfaceName& required) const;
-  /// Ends and forgets the connection, after sending accepted calls.
+  /// Removes the connection, after sending accepted calls.
   Result<void> Disconnect(const InterfaceName& required);
   /// Call it before the component is removed.
   void RemoveComponent(const std::string& component);
   [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
-  /// kFailed if the connection is not active, with the reason and since when.
+  /// kFailed, with the reason and the time, if the connection is not active.
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
-  /// Whether servers may still execute accepted calls of the component.
+  /// True if servers may still execute accepted calls of the component.
   [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
 
   /// Ends all connections, once the worker has stopped; sends accepted calls until `deadline`.
@@ -53,20 +54,20 @@ class RemoteConnections final : private PeerListener {
  private:
   struct Entry {
     ConnectionDescription description;
-    SteadyTime since{};                  // when it is not active
-    Done done;                           // from Connect(), until the first outcome
-    std::uint64_t attempt = 0;           // the newest; outcomes of earlier ones are ignored
+    SteadyTime since{};                  // the time since when it is not active
+    Done done;                           // callback of Connect(); empty after the first outcome
+    std::uint64_t attempt = 0;           // the newest attempt; outcomes of earlier ones are ignored
     bool is_opening = false;             // an attempt has no outcome yet
     std::uint64_t refused_by = 0;        // the instance of the process that refused it
-    std::chrono::milliseconds pause{0};  // before the next attempt
+    std::chrono::milliseconds pause{0};  // pause before the next attempt
     std::shared_ptr<PeerLink> link;
-    std::uint32_t handle = 0;  // our number on the link
+    std::uint32_t handle = 0;  // the number that this end has issued
     std::shared_ptr<ProvidedInterfaceProxy> proxy;
     std::unique_ptr<Connection> connection;
   };
   using Entries = std::map<ConnectionId, Entry>;
 
-  /// A request that was sent.
+  /// An attempt whose request was sent.
   struct Attempt {
     ConnectionId id = 0;
     std::uint64_t number = 0;

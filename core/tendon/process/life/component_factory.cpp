@@ -11,7 +11,7 @@ namespace {
 
 using message::LifeOrder;
 
-/// Valid JSON as one line of ASCII, as in catalogues and files.
+/// Converts valid JSON to one line of ASCII, as used in catalogues and files.
 std::string Compact(const std::string& json) {
   if (json.empty()) return json;
   const auto parsed = ParseStrictJson(json);
@@ -41,7 +41,7 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
   if (auto begun = begin(); !begun) return begun;
-  loader_->files()->Look();  // updates the state of a plug-in that is loaded already
+  loader_->files()->Look();  // updates the state of a plug-in that was loaded before
   return loader_->Load(library);
 }
 

@@ -16,15 +16,15 @@ namespace tendon {
 /// thread-safe. Thread-safe.
 class ComponentFactory {
  public:
-  /// Called when the order's turn has come; returns whether it is still to be executed.
+  /// Called just before the order is executed; an error cancels the order.
   using Begin = std::function<Result<void>()>;
-  /// A component that is not in its process yet.
+  /// A new component that was not added to its process yet.
   struct Made {
     std::unique_ptr<Component> component;
     ComponentOrigin origin;
   };
 
-  /// Do not use `loader` elsewhere afterwards. Null: every order is refused.
+  /// `loader` must not be used elsewhere afterwards. If it is null, every order is refused.
   ComponentFactory(std::string process, std::shared_ptr<ComponentLoader> loader)
       : process_(std::move(process)), loader_(std::move(loader)) {}
 
@@ -40,7 +40,7 @@ class ComponentFactory {
 
   const std::string process_;
   const std::shared_ptr<ComponentLoader> loader_;
-  std::mutex mutex_;  // for the loader
+  std::mutex mutex_;  // guards the loader
 };
 
 }  // namespace tendon

@@ -16,7 +16,7 @@ using message::LifeOrder;
 
 constexpr Patience kLongestPatience = std::chrono::hours(1);
 
-/// At least 1 ms: kNoWait would count a change that has only begun as done.
+/// At least 1 ms, because kNoWait would report success before the change has happened.
 Patience Left(SteadyTime deadline) {
   return std::max<Patience>(std::chrono::milliseconds(1), deadline - SteadyClock().Now());
 }
@@ -26,7 +26,7 @@ std::string WordsFor(const LifeOrder& order) {
   return std::string(ToString(order.verb)) + " '" + object + "'";
 }
 
-/// For an order to a component that existed before.
+/// The outcome of an order for a component that existed before.
 message::LifeOutcome OutcomeAfter(const ComponentDescription& before) {
   return {.state = before.state, .class_name = before.class_name, .library = before.library};
 }
@@ -39,7 +39,7 @@ bool IsAmong(const std::vector<ConnectionDescription>& all, const ConnectionDesc
 
 }  // namespace
 
-/// Reserves a component for one order, and passes a stop on to that.
+/// Reserves a component for one order, and tells that order about a stop.
 class LifeCycle::Claim {
  public:
   Claim(LifeCycle& life, std::string component) : life_(life), component_(std::move(component)) {
@@ -120,7 +120,7 @@ void LifeCycle::Stop() {
   for (ThreadPerTask* const errands : {&errands_, &stops_, &looks_}) errands->Stop();
 }
 
-/// A plug-in may throw anything.
+/// Catches all exceptions, because a plug-in may throw anything.
 LifeCycle::Outcome LifeCycle::ExecuteGuarded(const Given& given) {
   try {
     return Execute(given);
@@ -192,7 +192,7 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
   return follows.error();
 }
 
-/// Creates the new component first: if its class refuses, the old one stays as it is.
+/// Creates the new component first, so that the old one stays unchanged if this fails.
 LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   const std::string& component = given.order.component;
   const auto before = FindOfClass(component, "configured anew");
@@ -244,7 +244,7 @@ LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
   return OutcomeAfter(*before);
 }
 
-/// A stop waits neither for claims nor for the GCM's consent if that is slow or gone. It first
+/// A stop does not wait for claims, nor for the GCM's consent if the GCM is slow or gone. First
 /// marks the claim of the order that it interrupts.
 LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
   const std::string& component = given.order.component;
@@ -277,7 +277,7 @@ LifeCycle::Outcome LifeCycle::Restart(const Given& given, const Claim& claim) {
   return OutcomeAfter(*before);
 }
 
-/// An earlier stop is found in the claim; a later stop finds the component starting.
+/// The claim shows an earlier stop; a later stop finds a starting component.
 Result<void> LifeCycle::StartUnlessStopped(const Given& given, const Claim& claim) {
   return parts_.manager.Start(given.order.component, Left(given.deadline),
                               [&claim] { return !claim.is_to_stop(); });
@@ -298,7 +298,7 @@ LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
   return outcome;
 }
 
-/// Ends the connections only when it is known that the component can be removed.
+/// First checks that the component can be removed, then ends its connections.
 Result<void> LifeCycle::TakeOut(const std::string& component, SteadyTime deadline) {
   const auto connections = ConnectionsOf(component);
   const auto stopped = parts_.manager.Stop(component, Left(deadline));
@@ -327,12 +327,12 @@ Result<void> LifeCycle::Add(ComponentFactory::Made made) {
   try {
     parts_.manager.Add(std::move(made.component), std::move(made.origin));
     return {};
-  } catch (const ConfigurationError& error) {  // the program has added one of this name
+  } catch (const ConfigurationError& error) {  // the program has added a component with this name
     return Error{ErrorCode::kExists, error.what()};
   }
 }
 
-/// Tries all connections; the error names the first that is still missing.
+/// Tries to make all connections; the error names the first one that failed.
 Result<void> LifeCycle::Reconnect(const std::vector<ConnectionDescription>& connections) {
   Result<void> outcome;
   for (const ConnectionDescription& one : connections) {

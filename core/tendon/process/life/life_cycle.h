@@ -19,28 +19,30 @@ namespace tendon {
 /// Executes orders from the GCM in a process: loads plug-ins, creates components of their classes,
 /// configures, starts, suspends, stops and removes them. Each order has a thread of its own,
 /// because plug-ins and components may take long; orders wait for each other only if both need a
-/// plug-in. A component takes one order at a time, but always a stop, which keeps the interrupted
-/// order from starting the component again. Stops never lack room. Thread-safe.
+/// plug-in. A component executes one order at a time, but accepts a stop at any time; then the
+/// interrupted order does not start the component again. The limit on the number of orders does not
+/// apply to stops. Thread-safe.
 ///
 /// A component that the program itself created can be started and stopped, but only the program
 /// removes it.
 class LifeCycle {
  public:
-  /// The process in which orders are executed. `manager` and `loader` outlive Stop().
+  /// The parts of the process in which orders are executed. `manager` and `loader` must live until
+  /// Stop() returns.
   struct Parts {
     LocalManager& manager;
-    std::string process;                      ///< its name
-    std::shared_ptr<ComponentLoader> loader;  ///< do not use it elsewhere; null: there is none
+    std::string process;                      ///< name of the process
+    std::shared_ptr<ComponentLoader> loader;  ///< must not be used elsewhere; may be null
   };
   template <typename T>
   using Done = std::function<void(const Result<T>&)>;
-  /// Asks whether the order still holds. Called at most once, just before execution.
+  /// Called at most once, just before execution; an error cancels the order.
   using Begin = ComponentFactory::Begin;
 
   explicit LifeCycle(Parts parts) : parts_(std::move(parts)) {}
 
-  /// Calls `done` in a thread for orders. An order that has not begun when its patience ends is
-  /// refused and not executed later.
+  /// Executes an order, and calls `done` in the order's thread. An order that has not begun when
+  /// its time limit ends is refused and not executed later.
   void Obey(const message::LifeOrder& order, Begin begin, Done<message::LifeOutcome> done);
   void ListClasses(Done<message::Classes> done);
 
@@ -50,10 +52,10 @@ class LifeCycle {
   /// The loaded plug-ins and the state of their files.
   [[nodiscard]] std::vector<PluginDescription> plugins() const;
 
-  /// Refuses new orders; those under way start no more components.
+  /// Refuses new orders; running orders start no more components.
   void Close();
-  /// Calls Close() and waits for orders under way, which may take long; tells the components to
-  /// stop first.
+  /// Calls Close(), requests the components to stop, and waits for running orders, which may take
+  /// long.
   void Stop();
 
  private:
@@ -71,14 +73,14 @@ class LifeCycle {
   Outcome Execute(const Given& given);
   Outcome Load(const Given& given);
   Outcome StopIt(const Given& given);
-  // These need the component's claim.
+  // The caller of these functions must hold the component's claim.
   Outcome Create(const Given& given);
   Outcome Configure(const Given& given);
   Outcome Steer(const Given& given, const Claim& claim);
   Outcome Restart(const Given& given, const Claim& claim);
   Outcome Remove(const Given& given);
 
-  /// Whether the order still holds. If so, it counts as begun.
+  /// Checks that the order is still valid; if so, marks it as begun.
   [[nodiscard]] Result<void> BeginNow(const Given& given) const;
   Result<void> StartUnlessStopped(const Given& given, const Claim& claim);
 
@@ -87,8 +89,8 @@ class LifeCycle {
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;
   Result<void> Reconnect(const std::vector<ConnectionDescription>& connections);
-  /// Finds a component that was created from a class and that no other runs after; else says why it
-  /// cannot be replaced or removed.
+  /// Finds a component that can be replaced or removed: created from a class, and no other
+  /// component runs after it. Otherwise the error says why not.
   [[nodiscard]] Result<ComponentDescription> FindOfClass(const std::string& component,
                                                          const std::string& what) const;
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;
@@ -96,7 +98,7 @@ class LifeCycle {
   const Parts parts_;
   ComponentFactory maker_{parts_.process, parts_.loader};
   std::mutex claims_mutex_;
-  std::map<std::string, bool> claims_;  // components with an order, and whether a stop has come
+  std::map<std::string, bool> claims_;  // components with an order; true: a stop has come
   bool is_ending_ = false;
   ThreadPerTask errands_{parts_.process, 64};
   ThreadPerTask stops_{parts_.process, 64};

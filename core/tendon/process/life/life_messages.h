@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// What an order does with a process or its components.
+/// The kinds of orders for a process or its components.
 enum class LifeVerb : std::int32_t {
   kLoad,       ///< loads a plug-in
   kCreate,     ///< creates a component of a class
@@ -23,7 +23,7 @@ enum class LifeVerb : std::int32_t {
   kStart,
   kSuspend,
   kStop,
-  kRestart,  ///< stops it if it runs, then starts it
+  kRestart,  ///< stops the component if it runs, then starts it
   kRemove,
 };
 
@@ -41,7 +41,7 @@ inline constexpr auto kPayload<LifeVerb> = DescribeEnum(
 struct ClassDescription {
   std::string name;
   std::string library;
-  std::string configuration;  ///< Schema::TextWithHelp(); of None if it takes no configuration
+  std::string configuration;  ///< Schema::TextWithHelp(); that of None: no configuration
   std::string defaults;       ///< the default configuration, as JSON
 
   bool operator==(const ClassDescription&) const = default;
@@ -53,50 +53,50 @@ struct ClassDescription {
 /// Each struct is the body of a frame; all are requests.
 namespace tendon::message {
 
-// LifeOrder -> LifeOutcome; the LCM reports the changes before it answers
+// LifeOrder -> LifeOutcome; the LCM reports the changes before it replies
 inline constexpr auto kLife = static_cast<MessageType>(0x317);
 inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
 // From an LCM to its GCM, BeginOrder -> None, before it executes an order. A refusal cancels the
-// order, because nobody waits for it any more: a process that was stopped or busy for a while does
-// not execute it late.
+// order if nobody waits for it any more. So a process that was suspended or busy does not execute
+// an outdated order.
 inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
 
 /// The longest configuration, in bytes.
 inline constexpr std::size_t kLongestConfiguration = std::size_t{1} << 16U;
 
-/// One verb, for one component or library. Fields that the verb does not use are empty.
+/// One order, for one component or library. Fields that its verb does not use are empty.
 struct LifeOrder {
   std::uint64_t id = 0;  ///< issued by the GCM
   LifeVerb verb = LifeVerb::kStart;
   std::string process;
-  std::uint64_t instance = 0;  ///< of the intended process; 0: any instance
+  std::uint64_t instance = 0;  ///< instance of the target process; 0: any
   std::string component;       ///< all but load
   std::string class_name;      ///< create
-  /// Load; create, where empty means the only loaded library with this class.
+  /// For load, and for create, where empty means the only loaded library with this class.
   std::string library;
   std::string configuration;  ///< create, configure: JSON; empty for the defaults
-  /// Configure: BaseOf() the configuration that this one was made from. Refused if the component
-  /// has another one by now. Zeros: replaces any configuration.
+  /// For configure: BaseOf() of the configuration that this one is based on. The order is refused
+  /// if the component has another one by now. Zeros: replaces any configuration.
   Fingerprint based_on;
   std::string thread;  ///< create: ThreadOptions as JSON; empty for those of the class
-  std::string leader;  ///< create: the component that it runs after, or empty
+  std::string leader;  ///< create: the component after which it runs, or empty
   /// Start: refuses if a required interface that the component needs is not connected.
   bool is_strict = false;
-  /// The time limit; 0: the forwarding program chooses. An order that has not begun by then is not
-  /// executed.
+  /// The time limit; 0: chosen by the program that forwards the order. An order that has not begun
+  /// by then is not executed.
   std::chrono::nanoseconds patience{0};
 };
 
-/// The state before an executed order.
+/// The result of an executed order, and the state before it.
 struct LifeOutcome {
   ComponentState state = ComponentState::kConstructed;  ///< all but load and create
   std::string class_name;                               ///< all but load
   std::string library;                                  ///< all but load
   std::string former;                                   ///< configure, remove: the old one
-  std::string configuration;                            ///< create, configure: as understood
+  std::string configuration;                            ///< create, configure: the complete one
   std::string thread;                                   ///< remove: as in LifeOrder
   std::string leader;                                   ///< remove: as in LifeOrder
-  std::string warning;  ///< what differs from the order, though it was executed
+  std::string warning;  ///< how the result differs from the order, if it does
 };
 
 /// The order that an LCM is about to execute.
@@ -111,9 +111,9 @@ struct GetClasses {
 
 /// The answer to GetClasses.
 struct Classes {
-  std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, by library and name
-  std::vector<std::string> plugins;         ///< all in the plug-in folders of the process
-  std::vector<PluginDescription> loaded{};  ///< the loaded ones
+  std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, sorted by library and name
+  std::vector<std::string> plugins;         ///< all libraries in the plug-in folders of the process
+  std::vector<PluginDescription> loaded{};  ///< the loaded plug-ins
 };
 
 }  // namespace tendon::message

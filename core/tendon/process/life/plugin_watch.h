@@ -11,7 +11,7 @@
 namespace tendon {
 
 /// Checks the files of the loaded plug-ins of a process once a second, in a thread of its own, so
-/// that a slow disk delays only orders that load.
+/// that a slow disk delays nothing except orders that load.
 class PluginWatch {
  public:
   /// Calls `changed` in that thread after each change.

@@ -57,7 +57,7 @@ void ThreadPerTask::Run(const std::function<void()>& task, Threads::iterator sel
   changed_.notify_all();
 }
 
-/// With the lock held; these threads do not need it any more.
+/// Called with the lock held, which the ended threads do not need any more.
 void ThreadPerTask::JoinEnded() {
   for (std::thread& thread : ended_) thread.join();
   ended_.clear();

@@ -14,8 +14,8 @@
 
 namespace tendon {
 
-/// Executes each task in a thread of its own, so that none waits for another: code of component
-/// authors may take long, or never return. Thread-safe.
+/// Executes each task in a thread of its own, so that no task waits for another one: code of
+/// component authors may take long, or never return. Thread-safe.
 class ThreadPerTask {
  public:
   /// `most` tasks may run at a time. `owner` is the process named in errors and in the log.
@@ -25,14 +25,14 @@ class ThreadPerTask {
   /// Stop().
   ~ThreadPerTask() { Stop(); }
 
-  /// An error if too many tasks run, no thread can be started, or Stop() was called; then the task
-  /// is not executed.
+  /// Executes `task`. Fails, without executing it, if too many tasks run, no thread can be started,
+  /// or Stop() was called.
   Result<void> Do(std::function<void()> task);
   /// Starts no tasks from now on.
   void Close();
-  /// Returns whether all tasks have ended within `patience`.
+  /// Returns true if all tasks have ended within `patience`.
   [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds patience);
-  /// Waits for running tasks; starts no more. Must not be called from a task.
+  /// Calls Close() and waits for running tasks. Must not be called from a task.
   void Stop();
 
  private:

@@ -40,8 +40,8 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
   return false;
 }
 
-/// With the lock held, and a channel. Reports suppressed records only once in a call: otherwise a
-/// source that logs without pause would keep this loop running.
+/// Called with the lock held, and a channel. Reports suppressed records only once per call;
+/// otherwise a source that logs without pause would keep this loop running.
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {

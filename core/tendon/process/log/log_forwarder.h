@@ -14,18 +14,18 @@ namespace tendon {
 
 /// Sends the log records of this process to its GCM. The logging thread puts records into a queue,
 /// which the network thread sends every 20 ms. Without a GCM, or while the link is full, the queue
-/// keeps the newest. Logs nothing itself, which would cause endless records.
+/// keeps the newest records. Logs nothing itself, because that would create new records endlessly.
 class LogForwarder final : private NetworkJob {
  public:
   static constexpr std::chrono::milliseconds kBetweenBatches{20};
-  static constexpr std::size_t kMostInBatch = 256;  ///< plus one that counts the lost
+  static constexpr std::size_t kMostInBatch = 256;  ///< plus one that reports lost records
 
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;
 
-  /// Any thread: the channel to the joined GCM; null while there is none.
+  /// Any thread: the channel to the joined GCM; null while there is no GCM.
   void SetChannel(std::shared_ptr<Channel> channel);
-  /// Any thread: sends all queued records that the link accepts, and nothing afterwards.
+  /// Any thread: sends the queued records that the link accepts; nothing is sent afterwards.
   void Finish();
 
  private:
@@ -38,7 +38,7 @@ class LogForwarder final : private NetworkJob {
   std::mutex mutex_;
   std::shared_ptr<Channel> channel_;
   Bytes unsent_;            // a batch that the link refused
-  std::uint64_t sent_ = 0;  // records, including those in `unsent_`
+  std::uint64_t sent_ = 0;  // number of records, including those in `unsent_`
   SteadyTime next_batch_{};
 
   ScopedLogSink tap_;  // last, because it uses the others

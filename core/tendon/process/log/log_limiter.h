@@ -14,17 +14,18 @@
 
 namespace tendon {
 
-/// Limits how many log records of each source are sent, so that a flood does not displace other
-/// sources. A token bucket for each, as the generic cell rate algorithm (ITU-T I.371, virtual
-/// scheduling), which stores one time. Counts and reports what it suppresses. Not thread-safe.
+/// Limits how many log records of each source are sent, so that a flood from one source does not
+/// displace others. Each source has a token bucket in the form of the generic cell rate algorithm
+/// (ITU-T I.371, virtual scheduling), which stores only one time. Counts and reports what it
+/// suppresses. Not thread-safe.
 class LogLimiter {
  public:
-  /// `burst` records at once after a silence, then one in each `interval`.
+  /// After a silence, allows `burst` records at once, then one in each `interval`.
   struct Rate {
     int burst = 200;
     std::chrono::nanoseconds interval = std::chrono::milliseconds(10);
   };
-  /// Further sources share the bucket of kOthers, until one of these has been silent.
+  /// Further sources share the bucket kOthers, until a bucket becomes free by silence.
   static constexpr std::size_t kMostSources = 256;
   static constexpr std::string_view kOthers = "others";
   /// Source names are compared up to this many bytes.
@@ -35,20 +36,20 @@ class LogLimiter {
   LogLimiter() : LogLimiter(Rate{}) {}
   explicit LogLimiter(Rate rate) : rate_(rate) {}
 
-  /// Whether a record of this source may be sent now; if not, counts it.
+  /// Returns true if a record of this source may be sent now; otherwise counts it as suppressed.
   bool Admit(std::string_view source, LogLevel level, SteadyTime now);
 
   /// Suppressed records of one source.
   struct Suppressed {
     std::string source;
-    LogLevel level = LogLevel::kDebug;  ///< the highest of them
+    LogLevel level = LogLevel::kDebug;  ///< the highest level among them
     std::uint64_t count = 0;
 
     bool operator==(const Suppressed&) const = default;
   };
   /// Returns and removes the counts that are due; all of them for SteadyTime::max().
   std::vector<Suppressed> TakeSuppressed(SteadyTime now);
-  /// Whether there are suppressed records to report, now or later.
+  /// True if there are suppressed records to report, now or later.
   [[nodiscard]] bool owes() const { return owing_ > 0; }
 
  private:
@@ -56,7 +57,7 @@ class LogLimiter {
     SteadyTime due{};  // when the next record would be due at an even rate
     std::uint64_t suppressed = 0;
     LogLevel level = LogLevel::kDebug;
-    SteadyTime since{};  // of the first suppressed record
+    SteadyTime since{};  // time of the first suppressed record
   };
 
   Bucket& BucketOf(std::string_view source, SteadyTime now);

@@ -23,8 +23,8 @@ inline constexpr auto kPayload<LogLevel> = DescribeEnum("tendon.LogLevel",
 
 }  // namespace tendon
 
-/// Log records of processes, on their way to a GCM and from there to its viewers. Each struct is
-/// the body of a frame.
+/// Messages that carry log records from processes to a GCM, and from there to its viewers. Each
+/// struct is the body of a frame.
 namespace tendon::message {
 
 // notice, from an LCM to its GCM and from there to a viewer that watches the log: LogRecords
@@ -48,12 +48,13 @@ struct LogRecord {
 
 /// The next records, oldest first.
 struct LogRecords {
-  /// Records that the sender sent before; from a GCM, that it received before. A gap is a loss.
+  /// Number of records before these: sent by an LCM, or received by a GCM. A gap means lost
+  /// records.
   std::uint64_t before = 0;
   std::vector<LogRecord> records;
 };
 
-/// Drops records below `level` in the whole process, until it is set again.
+/// Drops records below `level` in the whole process, until the level is set again.
 struct SetLogLevel {
   std::string process;
   LogLevel level = LogLevel::kInfo;

@@ -16,11 +16,11 @@
 
 namespace tendon {
 
-/// Log records of this process that wait to be sent: as many of each source as LogLimiter admits,
-/// and the newest of those. A record reports how many were suppressed, or were lost because the
-/// queue was full.
+/// Log records of this process that wait to be sent. LogLimiter limits the records of each source;
+/// if the queue is full, the newest are kept. Extra records report how many were suppressed or
+/// lost.
 ///
-/// Thread-safe. A thread waits for another at most while that copies a record.
+/// Thread-safe. A thread waits for another one at most as long as it copies a record.
 class LogQueue {
  public:
   static constexpr std::size_t kCapacity = 1024;
@@ -29,18 +29,18 @@ class LogQueue {
 
   explicit LogQueue(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Returns whether the queue had no news before. Allocates.
+  /// Returns true if the queue had no news before. Allocates.
   bool Add(LogLevel level, std::string_view source, std::string_view text);
 
-  /// The oldest records, at most `most`, and one about lost ones. Reports suppressed records that
-  /// are due at `now`; pass SteadyTime::max() in the last call.
+  /// Removes and returns the oldest records, at most `most`, plus one about lost records. Reports
+  /// suppressed records that are due at `now`; pass SteadyTime::max() in the last call.
   std::vector<message::LogRecord> Take(std::size_t most, SteadyTime now);
 
-  /// Whether Take() will return records, now or within LogLimiter::kUntilTold. Wait-free.
+  /// True if Take() will return records, now or within LogLimiter::kUntilTold. Wait-free.
   [[nodiscard]] bool has_news() const noexcept { return has_news_.Get(); }
 
  private:
-  /// A record, and the number of logged records that are lost if it is.
+  /// A record, and the number of logged records that are lost if it is dropped.
   struct Waiting {
     message::LogRecord record;
     std::uint64_t stands_for = 1;
@@ -51,7 +51,7 @@ class LogQueue {
   std::mutex mutex_;
   LogLimiter limiter_;
   std::deque<Waiting> records_;
-  std::uint64_t lost_ = 0;  // records not reported yet
+  std::uint64_t lost_ = 0;  // lost records that were not reported yet
   Flag has_news_{false};
 };
 

@@ -8,11 +8,11 @@
 namespace tendon {
 namespace {
 
-/// The one sink that serves all taps.
+/// The single log sink, which passes records to all ScopedLogSinks.
 class Taps {
  public:
   static Taps& All() {
-    static Taps& taps = *new Taps;  // never destroyed, as the log
+    static Taps& taps = *new Taps;  // never destroyed, like the log
     return taps;
   }
 

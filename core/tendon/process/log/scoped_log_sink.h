@@ -4,14 +4,14 @@
 
 namespace tendon {
 
-/// A log sink that can be removed, unlike those of AddLogSink(): it hears what the program logs
-/// while the tap lives. The sink must not log, and must not create or destroy a tap.
+/// A log sink that is removed by its destructor, unlike those of AddLogSink(). The sink must not
+/// log, and must not create or destroy a ScopedLogSink.
 class ScopedLogSink {
  public:
   explicit ScopedLogSink(LogSink sink);
   ScopedLogSink(const ScopedLogSink&) = delete;
   ScopedLogSink& operator=(const ScopedLogSink&) = delete;
-  /// Waits for a call under way; the sink is not called afterwards.
+  /// Waits for a running call of the sink; afterwards the sink is not called any more.
   ~ScopedLogSink();
 };
 

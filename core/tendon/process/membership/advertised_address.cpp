@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Nothing if the address is not a host and a port, as with some middlewares.
+/// Empty if the address is not a host and a port, as with some middlewares.
 std::optional<HostPort> HostPortOf(const std::string& address) {
   auto place = ParseAddress(address, 0);
   return place ? std::optional(*std::move(place)) : std::nullopt;
@@ -33,7 +33,7 @@ std::string OutOfReach(const std::string& address, const std::string& host) {
          AnyPortOf(host);
 }
 
-/// For a process that listens at every address and reaches its GCM by loopback.
+/// The warning for a process that listens at every address and reaches its GCM by loopback.
 std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
   return "listens at " + listens + ", but reaches its GCM by loopback, and tells others " + told +
          ", which leads nowhere from other hosts; where those are to reach it, start it with "

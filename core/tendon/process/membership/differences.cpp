@@ -52,7 +52,7 @@ std::vector<CatalogueChange> Differences(const ProcessContent& before,
         there.push_back(ChangeOf(ChangeKind::kComponent));
         there.back().components = {component};
       });
-  std::vector<CatalogueChange> changes;  // connections: removed before components, added after
+  std::vector<CatalogueChange> changes;  // removed connections before components, added ones after
   Compare(
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),

@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// What a process reports to a GCM about itself.
+/// The data that a process reports to a GCM.
 struct ProcessContent {
   std::vector<ComponentDescription> components;
   std::vector<ConnectionDescription> connections;
@@ -15,8 +15,8 @@ struct ProcessContent {
   bool operator==(const ProcessContent&) const = default;
 };
 
-/// The changes from one to the other, without those of the process itself, in a valid order;
-/// revisions and process names are left empty. Components must have unique names, connections
+/// The changes from `before` to `after`, without changes of the process itself, in a valid order.
+/// Revisions and process names are left empty. Components must have unique names, connections
 /// unique ids.
 [[nodiscard]] std::vector<CatalogueChange> Differences(const ProcessContent& before,
                                                        const ProcessContent& after);

@@ -10,10 +10,11 @@
 namespace tendon {
 
 /// Reports to a GCM every second which resources this process uses, and estimates the GCM's clock
-/// from the answers. One thread, apart from the answers.
+/// from the answers. Used by one thread; answers arrive in threads of the middleware.
 class HealthReporter {
  public:
-  /// Reports if a second has passed or the channel is another one. Lowers `next` to the next time.
+  /// Sends a report if a second has passed or the channel has changed. Lowers `next` to the time of
+  /// the next report.
   void Tell(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
 
  private:

@@ -23,11 +23,11 @@ constexpr std::chrono::milliseconds kLeaveTimeout(300);
 constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
-constexpr std::chrono::milliseconds kSilence(1500);  // until a GCM counts as lost
+constexpr std::chrono::milliseconds kSilence(1500);  // after this silence, the GCM is lost
 constexpr std::chrono::milliseconds kShortestGcmPause(100);
 constexpr std::chrono::milliseconds kLongestGcmPause(2000);
 
-/// Whether a GCM has refused, so that an early retry is pointless.
+/// True if a GCM has refused, so that an early retry is pointless.
 bool IsRefusal(const Error& error) {
   return error.code == ErrorCode::kExists || error.code == ErrorCode::kDenied ||
          error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid;
@@ -50,7 +50,7 @@ class Membership::GcmHandler final : public ChannelHandler {
       if (!wiring) return shared->Refuse(wiring.error());
       worker_->Post([&membership = membership_, wiring = *wiring, shared] {
         membership.delegate_.MakeConnection(wiring, [&membership, shared](const auto& made) {
-          membership.Report();  // the GCM must know before its viewers get the answer
+          membership.Report();  // the GCM must have the report before its viewers get the answer
           shared->Answer(made);
         });
       });
@@ -108,7 +108,7 @@ class Membership::GcmHandler final : public ChannelHandler {
   }
 
   const std::shared_ptr<Worker> worker_;
-  Membership& membership_;  // only on the worker
+  Membership& membership_;  // used only on the worker
 };
 
 Membership::Membership(ProcessContext& context, MembershipDelegate& delegate, Options options)
@@ -169,7 +169,7 @@ Error Membership::WhyNotThere(const Error& error) const {
   return is_away ? NoGcm(options_.gcm, error.message) : error;
 }
 
-/// Before the GCM shows this process to viewers, which then ask for rows.
+/// Called before the GCM shows this process to viewers, which may ask for rows at once.
 void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
   Ask<message::BroadcastAddress>(
       *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
@@ -197,8 +197,8 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
       });
 }
 
-/// `gcm` is a numeric address, since resolving a name may take long. Called for each attempt: the
-/// GCM or this host may have moved.
+/// `gcm` is a numeric address, because resolving a name may take long. Called for each attempt,
+/// because the addresses of the GCM and of this host may change.
 ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
   const auto place = ParseAddress(gcm, 1);
   const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();
@@ -293,7 +293,7 @@ void Membership::Report() {
     is_report_due_ = false;
     channel = channel_;
   }
-  if (!channel) return;  // joining reports everything
+  if (!channel) return;  // the next join reports everything
   ProcessContent content = delegate_.content();
   message::Report report{.changes = Differences(reported_, content)};
   if (content.plugins != reported_.plugins) {
@@ -348,7 +348,7 @@ void Membership::Renew(const std::shared_ptr<Channel>& channel) {
       kOwnLane);
 }
 
-/// Logs a line unless it repeats the last one. Text in brackets, as a time, is not compared.
+/// Logs a line if it differs from the last one. Text in brackets, such as a time, is not compared.
 void Membership::Log(const std::string& text) {
   const std::string line = text.substr(0, text.find(" ("));
   if (line == logged_) return;
@@ -356,7 +356,7 @@ void Membership::Log(const std::string& text) {
   tendon::Log(LogLevel::kInfo, context_.name, text);
 }
 
-/// Warns unless the text repeats the last one.
+/// Logs a warning if it differs from the last one.
 void Membership::Warn(const std::string& text) {
   if (std::exchange(warned_, text) == text || text.empty()) return;
   tendon::Log(LogLevel::kWarning, context_.name, "process '" + context_.name + "' " + text);

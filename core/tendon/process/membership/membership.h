@@ -25,7 +25,7 @@ class MembershipDelegate {
  public:
   virtual ~MembershipDelegate() = default;
   [[nodiscard]] virtual ProcessContent content() const = 0;
-  /// The address that others will be told.
+  /// The address that this process announces.
   virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
   /// The address of the multicast broker for rows; empty if there is none.
@@ -34,8 +34,8 @@ class MembershipDelegate {
   virtual void MakeConnection(const message::Wiring& wiring,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
-  /// `begin` is called in a thread that may wait, and returns whether the order still holds. `done`
-  /// is called on the worker.
+  /// `begin` is called in a thread that may block; an error cancels the order. `done` is called on
+  /// the worker.
   virtual void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
                     std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
@@ -43,7 +43,7 @@ class MembershipDelegate {
 
 /// The membership of the process in a GCM: joins, reports changes, log and health, and renews the
 /// lease four times a second. Joins again if the GCM was lost, was restarted or has ended the
-/// membership. Without a GCM, or if the name is taken, the process runs on, and joining is tried
+/// membership. Without a GCM, or if the name is taken, the process continues, and joining is tried
 /// again.
 class Membership final : private NetworkJob {
  public:
@@ -59,14 +59,14 @@ class Membership final : private NetworkJob {
   ~Membership() override;
 
   void Begin();
-  /// Tells the GCM that the process leaves. Call it after the worker has stopped.
+  /// Leaves the GCM. Call it after the worker has stopped.
   void Leave();
 
-  /// Waits for the membership. Returns a refusal at once, the last error after `timeout`.
+  /// Waits for the membership. Returns a refusal at once, or the last error after `timeout`.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
-  /// Any thread: something has changed; it is reported soon.
+  /// Any thread: call it after a change, which is reported soon.
   void ReportSoon();
   /// On the worker: reports the changes since the last report.
   void Report();
@@ -95,25 +95,26 @@ class Membership final : private NetworkJob {
   MembershipDelegate& delegate_;
   Options options_;
   LogForwarder log_;
-  HealthReporter health_;  // only in the lease's thread
+  HealthReporter health_;  // used only in the lease's thread
 
-  // Only on the worker.
-  std::shared_ptr<Channel> candidate_;  // was asked to let us join
+  // Used only on the worker.
+  std::shared_ptr<Channel> candidate_;  // channel of a join request without an answer
   ProcessContent reported_;
   std::chrono::milliseconds pause_{0};
   std::string logged_;
   std::string warned_;
 
-  mutable std::mutex mutex_;  // for all that follows
+  mutable std::mutex mutex_;  // guards the members below
   mutable std::condition_variable changed_;
-  std::shared_ptr<Channel> channel_;  // while the process is a member
-  std::optional<Error> failure_;      // of the last attempt
+  std::shared_ptr<Channel> channel_;  // set while the process is a member
+  std::optional<Error> failure_;      // error of the last attempt
   bool is_report_due_ = false;
   SteadyTime next_renewal_{};
   const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
       std::make_shared<Published<SteadyTime>>();
 
-  /// Renews the lease while the network thread copies large messages. Last: it uses the others.
+  /// Renews the lease while the network thread copies large messages. Last member, because it uses
+  /// the others.
   NetworkThread lease_thread_{"lease"};
 };
 

@@ -5,7 +5,8 @@
 namespace tendon {
 namespace {
 
-/// From "nobody answers at 127.0.0.1:10705 (Connection refused)", the text in brackets.
+/// The text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705 (Connection
+/// refused)".
 std::string Briefly(const std::string& reason) {
   const std::size_t open = reason.find(" (");
   if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;

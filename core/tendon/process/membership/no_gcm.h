@@ -10,7 +10,7 @@ namespace tendon {
 [[nodiscard]] std::string GcmWords(const std::string& address);
 
 /// kUnreachable: "no GCM at 127.0.0.1:10705 (connection refused); start one with: gcm serve".
-/// `reason` says why it cannot be reached, and may repeat the address.
+/// `reason` says why the GCM cannot be reached, and may repeat the address.
 [[nodiscard]] Error NoGcm(const std::string& address, const std::string& reason);
 
 }  // namespace tendon

@@ -10,7 +10,7 @@ namespace tendon {
 class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                             private ExecutingCalls::Owner {
  public:
-  /// `line` executes its calls; null if none runs component code.
+  /// `line` executes its calls; null if no call runs component code in the caller's thread.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
          std::shared_ptr<SerialExecutor> line)
       : description_(offer.description()),
@@ -49,9 +49,9 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     begun_.Answer(now, next);
   }
 
-  /// Afterwards the component is not used any more.
+  /// After the return, the component is not used any more.
   void Close() {
-    is_closed_.Set(true);  // also for threads that wait for mutex_
+    is_closed_.Set(true);  // also stops threads that wait for mutex_
     const std::scoped_lock lock(mutex_);
     {
       const std::scoped_lock begun_lock(begun_mutex_);
@@ -62,7 +62,8 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   }
 
  private:
-  /// Answers, or leaves that to Answer() and notifies the network thread.
+  /// Executes the call and replies, or leaves the reply to Answer() and notifies the network
+  /// thread.
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
     if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
@@ -105,7 +106,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     responder.Reply(EncodeBody(called), kOwnLane);
   }
 
-  /// Sets `command` if the caller waits for the component.
+  /// Begins the call. Sets `command` if the caller must wait for the component.
   Status Begin(std::span<const std::byte> argument, Bytes& result, NetworkThread& network,
                CommandBase*& command, std::size_t& call) {
     if (read_) {
@@ -127,7 +128,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   RequiredInterface required_;
   std::unique_ptr<FunctionProxy> function_;
   std::unique_ptr<Connection> connection_;
-  std::mutex begun_mutex_;  // taken after mutex_, which is held while component code runs
+  std::mutex begun_mutex_;  // locked after mutex_, which is held while component code runs
   ExecutingCalls begun_{*this};
 };
 

@@ -23,13 +23,13 @@ class MemberCalls final : private NetworkJob {
   explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
   ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// In a thread of the middleware. Answers at once; later at a member's first call, if the caller
+  /// In a thread of the middleware. Answers at once, except at a member's first call, if the caller
   /// waits for the component, or if the call runs component code. Refusals: kNotFound with a
   /// suggestion, kFailed if too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 
-  /// Any thread: call it before the component is removed.
+  /// Call it before the component is removed. Any thread.
   void RemoveComponent(const std::string& component);
 
  private:
@@ -47,7 +47,7 @@ class MemberCalls final : private NetworkJob {
 
   ProcessContext& context_;
   std::map<std::pair<std::string, std::string>, std::shared_ptr<SerialExecutor>>
-      commands_;  // worker
+      commands_;  // used on the worker
   std::mutex mutex_;
   std::map<Key, std::shared_ptr<Target>> targets_;
 };

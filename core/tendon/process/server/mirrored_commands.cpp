@@ -15,7 +15,7 @@ void MirroredCommands::Remove(const std::string& component) {
   std::erase_if(known_, [&](const Known& one) { return one.command.component == component; });
 }
 
-/// Tries again at the next call if the link is full.
+/// Sends the changes; if the link is full, the next call tries again.
 void MirroredCommands::Tell() {
   std::erase_if(known_, [](const Known& one) { return !one.command.channel->is_open(); });
   for (Known& one : known_) {

@@ -10,23 +10,23 @@
 
 namespace tendon {
 
-/// The read commands that other processes mirror. Reports to them which are disabled, since their
-/// copies must not answer then. Not thread-safe.
+/// The read commands that other processes mirror. Reports to these processes which commands are
+/// disabled, because their copies must not answer then. Not thread-safe.
 class MirroredCommands {
  public:
   /// A mirrored command and its channel.
   struct Command {
     std::string component;
-    const Flag* enabled = nullptr;  ///< lives until Remove(component)
+    const Flag* enabled = nullptr;  ///< valid until Remove(component)
     std::shared_ptr<Channel> channel;
-    std::uint32_t handle = 0;  ///< for its copies
-    Lane lane = kCommonLane;   ///< for its copies
+    std::uint32_t handle = 0;  ///< handle of its copies
+    Lane lane = kCommonLane;   ///< lane of its copies
   };
 
   void Add(Command command) { known_.push_back({.command = std::move(command)}); }
   void Remove(const Channel& channel, std::uint32_t handle);
   void Remove(const std::string& component);
-  /// Call it regularly: reports changes.
+  /// Reports changes; call it regularly.
   void Tell();
 
  private:

@@ -59,7 +59,7 @@ void PeerSession::OnAllowedNotice(const SharedChannel& channel, const FrameHeade
     });
   } else if (header.type == message::kUnsubscribe) {
     const auto place = backlog_->Enter(0);
-    if (!place) return;  // a viewer that still gets rows unsubscribes again
+    if (!place) return;  // if the viewer still gets rows, it unsubscribes again
     services_.context.worker->Post([place, &services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
@@ -144,7 +144,7 @@ void PeerSession::Post(
        answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
 }
 
-/// A notice cannot be refused, so the peer is cut off.
+/// A notice cannot be refused, so the channel is closed if the quota is used up.
 void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
   const auto place = backlog_->Enter(0);
   if (!place) return channel->CutOff("sends more than this process comes to");

@@ -24,7 +24,7 @@ struct Services {
 };
 
 /// Serves one channel that another process or a viewer has opened. Executes commands and reads in
-/// the middleware's thread; posts everything that might wait to the worker.
+/// the middleware's thread; posts all other work, which might block, to the worker.
 class PeerSession final : public GuardedHandler {
  public:
   explicit PeerSession(Services& services) : services_(services) {}
@@ -50,7 +50,7 @@ class PeerSession final : public GuardedHandler {
   void GetCounts(Body body, Responder responder);
   void GetFill(Body body, Responder responder);
   void CallMember(Body body, Responder responder);
-  /// Directly, or through a topic, as `type` says.
+  /// Subscribes directly or through a topic, depending on `type`.
   void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
   void Mirror(const SharedChannel& channel, Body body, Responder responder);
 

@@ -9,8 +9,8 @@
 namespace tendon {
 
 /// Refuses a connection to the incompatible interface `provided`, and names the first difference.
-/// Asks the opener for types that only it knows. If it does not answer, which `timer` detects,
-/// refuses with `why`.
+/// Asks the opener for types that only the opener knows. If there is no answer in time, for which
+/// `timer` is needed, refuses with `why`.
 void RefuseMisfit(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::OpenInterface& open, const ProvidedDescription& provided,
                   const Error& why, const std::shared_ptr<Responder>& responder);

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Bounds the requests of one peer that wait for a thread: a peer may send faster than it is
-/// served, and its requests take memory. Thread-safe.
+/// Limits how many requests of one peer wait for a thread, because waiting requests need memory and
+/// a peer may send faster than it is served. Thread-safe.
 class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
  public:
   /// Four times the subscriptions that a viewer may have.
@@ -30,7 +30,7 @@ class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
     const std::size_t bytes_;
   };
 
-  /// Null if that would exceed the bounds.
+  /// Null if the request would exceed the limits.
   [[nodiscard]] std::shared_ptr<Place> Enter(std::size_t bytes);
 
  private:

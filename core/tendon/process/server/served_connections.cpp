@@ -97,7 +97,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
                  .connection = *std::move(connection)};
   } catch (const ConfigurationError& error) {
     return Error{ErrorCode::kInvalid, error.what()};
-  } catch (const std::exception& failure) {  // such as a lack of memory
+  } catch (const std::exception& failure) {  // for example, no memory
     return Error{ErrorCode::kFailed, "process '" + context_.name + "' cannot serve " +
                                          ToString(open.required) + ": " + failure.what()};
   }
@@ -133,7 +133,7 @@ void ServedConnections::RemoveComponent(const std::string& component) {
     Channel& channel = *entry.client->channel;
     const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
                                        entry.proxy->lane());
-    // A client that does not know would send calls in vain; it opens the channel again.
+    // The client must learn of this, so the channel is closed; the client opens it again.
     if (told == Status(Status::kQueueFull)) channel.Close();
   }
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
@@ -158,7 +158,7 @@ void ServedConnections::CloseWhere(Predicate predicate) {
     if (predicate(*entry)) {
       TakeOff(*entry);
       if (!entry->proxy->Drain(deadline)) {
-        entry->proxy->DropCommands();  // too late once its next connection sends commands
+        entry->proxy->DropCommands();  // too late when its next connection sends commands
         hanging_.splice(hanging_.end(), entries_, entry);
       }
     }
@@ -183,7 +183,7 @@ void ServedConnections::LookAfterHanging() {
 template <typename Predicate>
 void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
                                       SteadyTime deadline) {
-  for (Entry& entry : entries) {  // first all, so that none waits for reads that others start
+  for (Entry& entry : entries) {  // all first, so that none waits for the reads of others
     if (predicate(entry)) TakeOff(entry);
   }
   for (auto entry = entries.begin(); entry != entries.end();) {
@@ -196,7 +196,7 @@ void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predi
   }
 }
 
-/// Ignores all later messages from its client.
+/// Removes the entry's handle, so that later messages for it are ignored.
 void ServedConnections::TakeOff(Entry& entry) {
   entry.client->handles.Remove(entry.handle);
   entry.proxy->DropReads();

@@ -16,10 +16,10 @@
 
 namespace tendon {
 
-/// Another process that has opened a channel to this one, and the numbers issued to it.
+/// Another process that has opened a channel to this one, and the handles issued to it.
 struct Client {
   std::shared_ptr<Channel> channel;
-  AuditLog audit;  ///< for its connections
+  AuditLog audit;  ///< audit log for its connections
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
@@ -27,7 +27,8 @@ struct Client {
 [[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
 
 /// The connections from required interfaces of other processes to provided interfaces here. The
-/// audit log has the opening and closing of each that may bring commands, and how many came.
+/// audit log records opening and closing of each connection that may bring commands, and the number
+/// of commands.
 ///
 /// Functions are called on the worker unless noted.
 class ServedConnections {
@@ -45,16 +46,18 @@ class ServedConnections {
   /// large, kFailed for too many listeners.
   void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
             const std::shared_ptr<Responder>& responder);
-  /// Executes what has arrived, then closes; `handle` is our number for the connection. If a call
-  /// hangs in component code, the connection is freed when that returns, and no thread waits.
+  /// Executes the calls that have arrived, then closes the connection; `handle` is the number that
+  /// this end has issued. If a call hangs in component code, the connection is freed when that call
+  /// returns, and no thread waits.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
   /// Closes all connections of a client that is gone, in the same way.
   void CloseAll(const std::shared_ptr<Client>& client);
 
-  /// Any thread: call it before the component is removed. Tells clients; waits for hanging calls.
+  /// Any thread: call it before the component is removed. Notifies clients and waits for hanging
+  /// calls.
   void RemoveComponent(const std::string& component);
   /// Call it after the worker has stopped and all channels are closed. Waits for running calls
-  /// until `deadline`; longer only for calls that must not be abandoned.
+  /// until `deadline`; waits longer only for calls that must not be abandoned.
   void Close(SteadyTime deadline);
 
  private:
@@ -86,8 +89,8 @@ class ServedConnections {
   void CloseWhere(Predicate predicate);
 
   ProcessContext& context_;
-  std::list<Entry> entries_;  // under the manager's lock
-  std::list<Entry> hanging_;  // likewise: closed, but a call has not returned
+  std::list<Entry> entries_;  // guarded by the manager's lock
+  std::list<Entry> hanging_;  // likewise; closed, but a call has not returned
 };
 
 }  // namespace tendon

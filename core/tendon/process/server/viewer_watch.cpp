@@ -29,12 +29,12 @@ void ViewerWatch::Look(SteadyTime due) {
   const auto channel = channel_.lock();
   if (!channel || !channel->is_open()) return;
   const SteadyTime heard = heard_.Get();
-  if (heard == SteadyTime{}) return LookAfter(kBetweenLooks);  // the peer does not ping
+  if (heard == SteadyTime{}) return LookAfter(kBetweenLooks);  // the peer has not pinged yet
   const SteadyTime now = SteadyClock().Now();
   const SteadyTime end = heard + kLongestPeerSilence;
   if (now < end) return LookAfter(std::min(kBetweenLooks, TimeUntil(end)));
-  // A late check may mean that this process was suspended and has unread pings. The checks are so
-  // frequent that a shorter pause cannot hide three pings.
+  // A late check may mean that this process was suspended and has unread pings. Checks are frequent
+  // enough that a shorter pause cannot hide three pings.
   const bool is_late = now - due > kBetweenLooks;
   if (is_late || MayBeHeldUp(*channel, now, kLongestPeerSilence)) return LookAfter(kBetweenLooks);
   channel->Close();

@@ -12,16 +12,17 @@
 namespace tendon {
 
 /// Closes the channel of a viewer that hangs. A viewer pings twice a second; after its first ping,
-/// a silence of 1.5 s closes the channel and ends its subscriptions. Otherwise a viewer that hangs
-/// would be sent rows for ever. A viewer that was only slow opens the channel again and counts what
-/// it missed.
+/// a silence of 1.5 s closes the channel and ends its subscriptions. Otherwise the process would
+/// send rows to a hanging viewer for ever. A viewer that was only slow opens the channel again and
+/// counts the rows that it missed.
 class ViewerWatch final : public std::enable_shared_from_this<ViewerWatch> {
  public:
   explicit ViewerWatch(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}
 
   /// Notes a ping. Any thread; wait-free.
   void Hear() noexcept { heard_.Set(SteadyClock().Now()); }
-  /// Starts checking on the worker while the channel is open. Further calls do nothing; one thread.
+  /// Starts checking on the worker while the channel is open. Further calls do nothing. Called by
+  /// one thread.
   void Begin(const std::shared_ptr<Channel>& channel);
 
  private:
@@ -29,7 +30,7 @@ class ViewerWatch final : public std::enable_shared_from_this<ViewerWatch> {
   void Look(SteadyTime due);
 
   const std::weak_ptr<Worker> worker_;
-  std::weak_ptr<Channel> channel_;  // only on the worker, once it has begun
+  std::weak_ptr<Channel> channel_;  // used only on the worker after Begin()
   bool has_begun_ = false;
   Published<SteadyTime> heard_;
 };

@@ -4,13 +4,13 @@
 
 #include <string>
 
-/// How viewers get rows through a broker: the process sends them once for all viewers.
+/// Messages for rows through a broker: the process sends each row once for all viewers.
 namespace tendon::message {
 
-// From a viewer to a process: as kSubscribe, but the rows come through a topic. kUnsubscribe and
-// kRowsEnded work as usual with the handle. A message of the topic is the body of kRows, and
-// `rows_before` counts all rows ever sent to the topic. At least one message comes each second,
-// perhaps without rows, so that losses are noticed.
+// From a viewer to a process: like kSubscribe, but the rows are published in a topic. kUnsubscribe
+// and kRowsEnded work as usual with the handle. A message of the topic is the body of kRows, and
+// `rows_before` counts all rows ever sent to the topic. At least one message is published each
+// second, perhaps without rows, so that losses are noticed.
 inline constexpr auto kJoinTopic =
     static_cast<MessageType>(0x20a);  // request: Subscribe -> JoinTopicReply
 // From a viewer or a process to a GCM.

@@ -8,17 +8,18 @@
 
 namespace tendon {
 
-/// Estimates how far the steady clock of another process is ahead of ours, from requests that it
-/// answers with its time; by the clock filter of NTP (RFC 5905, section 10):
+/// Estimates how far the steady clock of another process is ahead of ours. The other process
+/// answers requests with its time; the clock filter of NTP (RFC 5905, section 10) evaluates the
+/// answers:
 ///
 ///  - The answer was given between request and arrival. So the error is at most half the round
-///    trip, even if the two ways differ. Of the last eight answers the best one counts. Its bound
-///    grows with age, because two clocks may drift apart by 100 ppm.
+///    trip, even if the two ways differ. Of the last eight answers, the one with the smallest error
+///    bound is used. The bound grows with age, because two clocks may drift apart by 100 ppm.
 ///  - If zero is within the bound, the offset is zero: processes of one host share one clock.
-///  - If two answers contradict each other, a clock has jumped. The older ones are forgotten.
+///  - If two answers contradict each other, a clock has jumped. The older answers are discarded.
 ///
 /// The correction of rows follows the estimate smoothly, by at most 500 ppm, but jumps if it is
-/// over 128 ms away, because that would take minutes.
+/// more than 128 ms away, because a smooth correction would take minutes.
 ///
 /// Not thread-safe; a copy is cheap.
 class ClockOffset {
@@ -31,18 +32,18 @@ class ClockOffset {
   /// The uncertainty before the first answer.
   static constexpr std::chrono::nanoseconds kUnknown = std::chrono::nanoseconds::max();
 
-  /// Limits a time that another process claims to 0 to 50 years, so that sums and differences do
-  /// not overflow.
+  /// Limits a time from another process to 0 to 50 years, so that sums and differences do not
+  /// overflow.
   [[nodiscard]] static SteadyTime Sensible(SteadyTime time);
 
-  /// Adds a measurement: when a request was sent and its answer arrived, on our clock, and `there`
-  /// on the other clock in between. Ignores impossible answers.
+  /// Adds a measurement: `sent` and `arrived` are the times of request and answer on our clock,
+  /// `there` is the other clock's time in between. Ignores impossible answers.
   void Add(SteadyTime sent, SteadyTime there, SteadyTime arrived);
 
   /// `now` is on our clock.
   [[nodiscard]] Estimate At(SteadyTime now) const;
-  /// The correction for a row: subtract it from the time `there`, on the other clock. Continuous,
-  /// except for the jumps described above.
+  /// The correction for a row: subtract it from the row's time `there`, which is on the other
+  /// clock. Continuous, except for the jumps described above.
   [[nodiscard]] std::chrono::nanoseconds SlewedAt(SteadyTime there) const;
 
  private:

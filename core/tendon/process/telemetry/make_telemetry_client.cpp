@@ -66,7 +66,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   const RowSource::Access access_;
   const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("telemetry");
   const std::shared_ptr<Worker> pulse_ = std::make_shared<Worker>("pulse", "telemetry");
-  std::map<std::string, std::shared_ptr<RowSource>> sources_;  // only on the worker
+  std::map<std::string, std::shared_ptr<RowSource>> sources_;  // used only on the worker
   mutable std::mutex mutex_;
   std::map<Id, std::shared_ptr<RowSubscription>> subscriptions_;
   Id last_id_ = 0;

@@ -12,19 +12,21 @@
 
 namespace tendon {
 
-/// By channel: the subscriptions whose viewer has acknowledged the last row.
+/// For each channel, the subscriptions whose last row was acknowledged.
 using RowAcknowledgements = std::map<std::shared_ptr<Channel>, std::set<std::uint32_t>>;
 
 [[nodiscard]] bool Includes(const RowAcknowledgements& receipts,
                             const std::shared_ptr<Channel>& channel, std::uint32_t handle);
 
-/// Collects acknowledgements until the next gathering, so that each costs little. Thread-safe.
+/// Collects acknowledgements until the network thread next sends rows, so that each one costs
+/// little. Thread-safe.
 class AcknowledgementQueue {
  public:
-  /// The most that wait for one viewer: twice its subscriptions, some of which may just have ended.
+  /// The largest number of waiting acknowledgements of one viewer: twice its subscriptions, some of
+  /// which may just have ended.
   static constexpr std::size_t kMostOfOneViewer = 4096;
 
-  /// Cuts off a viewer that exceeds this.
+  /// Adds one. Closes the channel of a viewer that exceeds the limit.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   /// Wait-free if there are none.
   [[nodiscard]] RowAcknowledgements TakeAll();

@@ -17,7 +17,7 @@ static_assert(kEncodedSize<message::RowsHeader> == kHeaderSize);
 
 constexpr std::size_t Padded(std::size_t size) { return payload::AlignUp(size, 8); }
 
-/// Bytes of a cell in its row.
+/// Bytes that a cell occupies in its row.
 constexpr std::size_t PlaceSize(std::uint32_t size) {
   return size != 0 ? Padded(size) : kReferenceSize;
 }

@@ -11,7 +11,8 @@
 
 namespace tendon {
 
-/// Builds the body of kRows. Reused for all batches; allocates nothing once warm.
+/// Builds the body of kRows. Reused for all batches; allocates nothing once its buffers are large
+/// enough.
 class RowBatchWriter {
  public:
   /// `sizes`: bytes of a cell of each column, 0 if they differ from row to row.
@@ -19,14 +20,14 @@ class RowBatchWriter {
 
   void Clear();
   void BeginRow(std::uint64_t tick, std::int64_t time);
-  /// Adds the next cell of the row, of the column's size; of any size if that is 0.
+  /// Adds the next cell of the row. It must have the column's size, or any size if that is 0.
   void AddCell(std::span<const std::byte> cell);
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// Bytes of the finished body.
   [[nodiscard]] std::size_t size() const { return body_.size() + loose_.size(); }
-  /// Returns the body. Fills in `rows` and `columns` of the header; the rest may differ between
-  /// viewers.
+  /// Returns the body. Fills in `rows` and `columns` of the header; the caller sets the other
+  /// fields, which may differ between viewers.
   std::span<const std::byte> Finish(message::RowsHeader header);
 
  private:
@@ -37,7 +38,7 @@ class RowBatchWriter {
   std::size_t row_size_ = 0;
   std::size_t rows_ = 0;
   std::size_t column_ = 0;
-  std::size_t position_ = 0;  // of the next cell
+  std::size_t position_ = 0;  // position of the next cell
   bool is_joined_ = false;
   Bytes body_;
   Bytes loose_;  // cells of variable size, until they are appended to the rows
@@ -46,7 +47,7 @@ class RowBatchWriter {
 /// Reads the body of kRows, which is untrusted.
 class RowBatchReader {
  public:
-  /// Returns nothing if the layout of the body is invalid. The body must outlive the reader.
+  /// Returns no reader if the layout of the body is invalid. The body must outlive the reader.
   static std::optional<RowBatchReader> Open(std::span<const std::byte> body);
 
   [[nodiscard]] const message::RowsHeader& header() const { return header_; }
@@ -63,7 +64,7 @@ class RowBatchReader {
   [[nodiscard]] T At(std::size_t position) const;
 
   struct ColumnPlace {
-    std::size_t offset = 0;  // in a row
+    std::size_t offset = 0;  // offset in a row
     std::uint32_t size = 0;
   };
 

@@ -7,10 +7,10 @@
 
 namespace tendon {
 
-/// What happens to rows that a viewer is not ready for.
+/// The treatment of rows that a viewer cannot receive yet.
 enum class RowDelivery : std::uint8_t {
-  kAll,    ///< wait on the link while it has room; others are lost, and counted
-  kNewest  ///< a newer row replaces an unsent one: nothing waits, nothing counts as lost
+  kAll,    ///< rows wait on the link while it has room; the rest is lost and counted
+  kNewest  ///< a newer row replaces an unsent one; no row waits or counts as lost
 };
 
 /// Which rows of a state table a viewer wants.

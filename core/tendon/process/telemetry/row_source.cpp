@@ -12,10 +12,10 @@ namespace {
 constexpr std::chrono::milliseconds kSourceOpenTimeout(1000);
 constexpr std::chrono::milliseconds kSourceAnswerTimeout(2000);
 constexpr std::chrono::milliseconds kListenTimeout(5000);
-constexpr std::chrono::seconds kBrokerRest(30);  // after a failed subscription
+constexpr std::chrono::seconds kBrokerRest(30);  // pause after a failed subscription
 constexpr std::chrono::milliseconds kShortestSourcePause(100);
 constexpr std::chrono::milliseconds kLongestSourcePause(1000);
-constexpr std::chrono::seconds kLongestSilence(5);  // of a topic, which sends twice a second
+constexpr std::chrono::seconds kLongestSilence(5);  // normally, a topic sends twice a second
 
 message::Subscribe RequestFor(const TableSubscription& wanted) {
   return {.component = wanted.component,
@@ -49,7 +49,7 @@ void RowSource::Close() {
   if (const auto channel = std::exchange(channel_, nullptr)) channel->Close();
 }
 
-/// Continues all subscriptions that are not active.
+/// Continues with all subscriptions that are not active.
 void RowSource::Pursue() {
   if (items_.empty()) return;
   if (const auto opened = Open(); !opened) {
@@ -74,7 +74,7 @@ Result<void> RowSource::Open() {
   {
     const std::scoped_lock lock(mutex_);
     standing_.clear();  // subscriptions of the old channel are requested again
-    clock_ = {};        // a process that has moved has another clock
+    clock_ = {};        // a process that has moved may have another clock
   }
   for (Item& item : items_) {
     item.stage = Stage::kWanted;
@@ -163,10 +163,11 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
   }
 }
 
-/// Ignores messages until the subscription has begun; it starts with the next one.
+/// Subscribes at the broker. Messages are ignored until the subscription has begun; it starts with
+/// the next message.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::JoinTopicReply& joined) {
-  if (MustRest(broker)) {  // another subscription failed there meanwhile
+  if (MustRest(broker)) {  // another subscription at this broker has failed meanwhile
     return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
   }
   const auto line = std::make_shared<TopicState>();
@@ -280,7 +281,7 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   const auto found = standing_.find({&channel, handle});
-  if (found == standing_.end()) {  // it has ended, or the answer came after its timeout
+  if (found == standing_.end()) {  // it has ended, or the answer came too late
     lock.unlock();
     (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
     return;
@@ -289,7 +290,8 @@ void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const s
   const ClockOffset clock = clock_;
   lock.unlock();
   standing.subscription->Deliver(standing.beginning, body, clock);
-  // The process sends no more rows until it hears this. A new channel subscribes again.
+  // The process sends no more rows until this acknowledgement arrives. A new channel subscribes
+  // again.
   const bool must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
   if (must_tell && !channel.Notify(message::kRowTaken, handle, Bytes())) channel.Close();
 }

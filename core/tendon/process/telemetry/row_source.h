@@ -20,19 +20,20 @@
 
 namespace tendon {
 
-/// The viewer's channel to one process, and its subscriptions there. Open while there are
-/// subscriptions. Lost ones are requested again, with growing pauses of at most a second.
+/// The viewer's channel to one process, and its subscriptions there. The channel is open while
+/// there are subscriptions. Lost subscriptions are requested again, with growing pauses of at most
+/// a second.
 ///
 /// Functions are called on the worker unless noted.
 class RowSource final : public ChannelHandler, public std::enable_shared_from_this<RowSource> {
  public:
-  /// What is needed to open channels; outlives the worker.
+  /// The data for opening channels; must outlive the worker.
   struct Access {
     std::shared_ptr<Middleware> middleware;
     ResolveAddress resolve;
     Hello hello;
     FindFanOut find_fan_out{};
-    // When a subscription at a broker last failed, by address; only on the worker.
+    // The time of the last failed subscription at a broker, by address; used only on the worker.
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();
   };
@@ -45,9 +46,9 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
         process_(std::move(process)) {}
 
   void Add(const std::shared_ptr<RowSubscription>& subscription);
-  /// Ends the subscription at the process; it must have been ended here before.
+  /// Ends the subscription at the process. It must already have ended at this end.
   void Remove(const std::shared_ptr<RowSubscription>& subscription);
-  /// Tries again at once.
+  /// Tries to restore lost subscriptions at once.
   void Retry();
   /// Call it after the worker has stopped.
   void Close();
@@ -58,15 +59,15 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
-    bool is_direct = false;            // the broker has failed it on this channel
-    std::shared_ptr<TopicState> line;  // if the rows come through a topic, as the next
+    bool is_direct = false;            // the broker has failed on this channel: rows come directly
+    std::shared_ptr<TopicState> line;  // set if the rows come through a topic, like the next member
     std::unique_ptr<FanOut::Reception> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct Standing {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
-    std::shared_ptr<TopicState> line{};  // if the rows come through a topic
+    std::shared_ptr<TopicState> line{};  // set if the rows come through a topic
   };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -78,9 +79,9 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void MeasureClock();
   void Ask(Item& item);
   void AskDirectly(Item& item);
-  /// The broker, if there is one and it supports this subscription; else empty.
+  /// The address of the broker, if it exists and supports this subscription; otherwise empty.
   [[nodiscard]] std::string BrokerFor(const Item& item) const;
-  /// Whether a subscription at the broker has failed recently.
+  /// True if a subscription at the broker has failed recently.
   [[nodiscard]] bool MustRest(const std::string& broker) const;
   void AskForTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
@@ -103,7 +104,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
-  const Access& access_;  // only on the worker: a channel that closes later may outlive it
+  const Access& access_;  // only on the worker, because a channel may outlive it
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;
@@ -111,12 +112,13 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   std::vector<Item> items_;
   std::chrono::milliseconds pause_{0};
   bool is_retry_due_ = false;
-  std::string fallen_back_;  // the reason, as it was logged
+  std::string fallen_back_;  // the logged reason for direct rows
 
-  std::mutex mutex_;  // for what the middleware's thread uses
-  // By channel too: the end of an old channel may come after the next has opened.
+  std::mutex mutex_;  // guards the members that the middleware's thread uses
+  // The key includes the channel, because the end of an old channel may be reported after the next
+  // one has opened.
   std::map<std::pair<const Channel*, std::uint32_t>, Standing> standing_;
-  ClockOffset clock_;  // of the peer
+  ClockOffset clock_;  // the peer's clock
 };
 
 }  // namespace tendon

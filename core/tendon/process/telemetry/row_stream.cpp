@@ -76,14 +76,14 @@ void RowStream::Take(std::uint64_t tick, std::int64_t time, std::span<const std:
   newest_tick_ = tick;
 }
 
-/// The very first row, and the first row of each new period.
+/// True for the very first row, and for the first row of each new period.
 bool RowStream::Wants(std::int64_t time) {
   if (rows_.period.count() == 0) return true;
   return std::exchange(stretch_, time / rows_.period.count()) != time / rows_.period.count();
 }
 
 bool RowStream::is_full() const {
-  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;  // plus one row: one piece
+  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;  // plus one row fits into one piece
   return rows_.delivery == RowDelivery::kAll && batch_.size() >= kMostBytes;
 }
 
@@ -121,7 +121,8 @@ void RowStream::End(const Error& reason) {
   for (const Viewer& viewer : viewers_) {
     const Status told =
         viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-    // Without this it would wait for rows for ever. It opens the channel again, and learns why.
+    // Otherwise the viewer would wait for rows for ever. It opens the channel again, and gets the
+    // reason then.
     if (told == Status(Status::kQueueFull)) viewer.channel->Close();
   }
   viewers_.clear();

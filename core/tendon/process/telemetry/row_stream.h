@@ -19,9 +19,9 @@
 
 namespace tendon {
 
-/// Rows with certain columns of a table, built once for all viewers that want the same. A slow
-/// viewer loses rows that it can count, or skips outdated ones, as it has chosen; other viewers are
-/// not affected.
+/// Rows with chosen columns of a table, built once for all viewers with the same choice. A slow
+/// viewer loses rows, which it can count, or skips outdated rows, as it has chosen; other viewers
+/// are not affected.
 ///
 /// One thread at a time. The table must outlive the stream.
 class RowStream {
@@ -32,11 +32,11 @@ class RowStream {
     return columns_ == columns && rows_ == rows;
   }
 
-  /// Cells read for each row: at least one, for the row itself.
+  /// Number of cells read for each row; counts as at least one.
   [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
-  /// `lane` is for these rows only, so that nothing else waits for them.
+  /// `lane` is used for these rows only, so that no other message waits for them.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
   /// Calls `make` if there is no topic yet. Returns the topic's name.
   const std::string& AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
@@ -47,14 +47,15 @@ class RowStream {
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 
-  /// Adds the next row of the table if it is wanted; `row` is as copied by CopyRow().
+  /// Adds the next row of the table if the viewers chose it; `row` is a copy made by CopyRow().
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);
-  /// The batch has its full size: call Send().
+  /// True if the batch is full, so that Send() must be called.
   [[nodiscard]] bool is_full() const;
-  /// Sends the rows taken since the last call. `lost` rows of the table were overwritten in or just
-  /// before this batch; the next row will be `next_tick`.
+  /// Sends the rows taken since the last call. `lost` is the number of rows that were overwritten
+  /// in or just before this batch; `next_tick` is the tick of the next row.
   void Send(std::uint64_t lost, std::uint64_t next_tick);
-  /// Reports the end to all viewers; closes the channel of a viewer that cannot be told.
+  /// Reports the end to all viewers; closes the channel of a viewer to which the report cannot be
+  /// sent.
   void End(const Error& reason);
 
  private:
@@ -66,7 +67,7 @@ class RowStream {
     std::uint64_t lost_table = 0;  // since the last sent batch
     bool is_owed = false;          // a batch was refused: the viewer does not know of the loss yet
     bool is_busy = false;          // has not acknowledged the newest row
-    std::uint64_t next_tick = 0;   // only older rows were sent to it
+    std::uint64_t next_tick = 0;   // ticks below this were sent to the viewer
   };
 
   [[nodiscard]] bool Wants(std::int64_t time);
@@ -77,10 +78,10 @@ class RowStream {
   const std::vector<std::size_t> columns_;
   const RowChoice rows_;
   RowBatchWriter batch_;
-  std::uint64_t newest_tick_ = 0;        // in the batch
-  std::optional<std::int64_t> stretch_;  // period of the last wanted row, if there are periods
+  std::uint64_t newest_tick_ = 0;        // newest tick in the batch
+  std::optional<std::int64_t> stretch_;  // period number of the last chosen row
   std::vector<Viewer> viewers_;
-  std::unique_ptr<RowTopic> topic_;  // if it has viewers
+  std::unique_ptr<RowTopic> topic_;  // set if the topic has viewers
 };
 
 }  // namespace tendon

@@ -55,7 +55,7 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
 bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
   const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
-  // Ignores the loss that the batch reports: it may have been before we listened.
+  // Ignores the loss that the batch reports, which may have happened before the subscription.
   GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
@@ -91,7 +91,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   if (sink_) counts_.lost_viewer += sink_->OnRows(batch);
 }
 
-/// Whether all rows of the batch are new. Gaps between ticks are lost rows.
+/// True if all rows of the batch are new. Gaps between ticks are lost rows.
 bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   const message::RowsHeader& header = batch.header();
   if (header.rows_before < rows_ || header.rows_before + header.rows < header.rows_before) {
@@ -105,7 +105,7 @@ bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   return header.next_tick >= next;
 }
 
-/// For a topic the ticks tell the loss, even if the batch that reported it was lost.
+/// For a topic, computes the loss from ticks, because the batch that reported it may be lost.
 std::uint64_t RowSubscription::LostInTable(const message::RowsHeader& header,
                                            std::uint64_t lost_here) const {
   if (!is_of_topic_) return header.lost_table;

@@ -15,8 +15,8 @@ namespace tendon {
 
 class RowBatchReader;
 
-/// One subscription of a viewer: passes arriving batches to its sink, and counts losses. Any
-/// thread, one at a time. After End() the sink is not called any more.
+/// One subscription of a viewer: passes arriving batches to its sink and counts losses. Called by
+/// any thread, one at a time. After End() the sink is not called any more.
 class RowSubscription {
  public:
   RowSubscription(TableSubscription wanted, std::shared_ptr<RowSink> sink)
@@ -32,7 +32,7 @@ class RowSubscription {
   /// Delivers a batch of activation `beginning`. Ignores batches that are malformed, out of order
   /// or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
-  /// There are no rows for now. Tells the sink once for each reason.
+  /// Called when there are no rows for now. Notifies the sink once for each reason.
   void Interrupt(const Error& reason);
   void End();
 
@@ -59,12 +59,12 @@ class RowSubscription {
   std::uint64_t beginnings_ = 0;
   std::uint64_t epoch_ = 0;
   bool has_begun_ = false;  // next_tick_ is valid
-  bool goes_on_ = false;    // ticks continue from before
+  bool goes_on_ = false;    // ticks continue those of the last activation
   bool is_of_topic_ = false;
-  bool waits_for_batch_ = false;      // whose ticks say where it begins
-  std::uint64_t next_tick_ = 0;       // earlier rows are accounted for
-  std::uint64_t rows_ = 0;            // known rows sent since it was activated
-  std::uint64_t lost_between_ = 0;    // while inactive; reported with the next batch
+  bool waits_for_batch_ = false;      // the first batch says where the ticks begin
+  std::uint64_t next_tick_ = 0;       // earlier rows are counted
+  std::uint64_t rows_ = 0;            // rows known to be sent since the activation
+  std::uint64_t lost_between_ = 0;    // rows lost while inactive; reported with the next batch
   std::optional<SteadyTime> newest_;  // corrected time of the newest row
   RowCounts counts_;
   std::vector<std::uint64_t> ticks_;

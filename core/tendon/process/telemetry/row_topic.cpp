@@ -27,7 +27,7 @@ std::size_t RowTopic::SubscriptionsOf(const Channel& viewer) const {
 }
 
 void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
-  constexpr int kLongestQuiet = 25;  // calls: half a second
+  constexpr int kLongestQuiet = 25;  // in calls: half a second
   lost_table_ += lost;
   ++silence_;
   if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;

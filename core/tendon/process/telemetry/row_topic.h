@@ -14,7 +14,7 @@
 namespace tendon {
 
 /// Publishes the rows of one stream once, for all viewers that use a broker. The process does not
-/// learn which arrive: the numbers in the batches let each viewer see losses.
+/// know which batches arrive; from the numbers in the batches, each viewer sees its losses.
 ///
 /// One thread at a time.
 class RowTopic {
@@ -24,16 +24,16 @@ class RowTopic {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// A viewer is known by its channel, which carries everything but rows.
+  /// Adds a viewer. Its channel carries all messages except rows.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
-  /// As RowStream::Send(). Without new rows it still sends an empty batch regularly.
+  /// Like RowStream::Send(). Without new rows, it regularly sends an empty batch.
   void Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick);
-  /// As RowStream::End().
+  /// Like RowStream::End().
   void End(const Error& reason);
 
  private:
@@ -47,7 +47,7 @@ class RowTopic {
   std::vector<Viewer> viewers_;
   std::uint64_t rows_before_ = 0;
   std::uint64_t lost_table_ = 0;  // since the last sent batch
-  int silence_ = 0;               // calls of Send() since then
+  int silence_ = 0;               // calls of Send() since the last sent batch
 };
 
 using MakeRowTopic = std::function<std::unique_ptr<RowTopic>()>;

@@ -13,8 +13,8 @@
 
 namespace tendon {
 
-/// Reads the rows of one state table once for all viewers of any of its columns. A batch ends for
-/// all streams when one of them is full.
+/// Reads the rows of one state table once for all viewers of any of its columns. When the batch of
+/// one stream is full, the batches of all streams end.
 ///
 /// One thread at a time. The table must outlive the feed.
 class TableFeed {
@@ -26,19 +26,20 @@ class TableFeed {
   /// The first row for a viewer that is added now.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  /// `handle` is our number of the subscription; `lane` is for its rows only. A viewer that wants
-  /// the newest row only gets the present one at once, even if no more are written.
+  /// `handle` is the number of the subscription issued here; `lane` is used for its rows only. A
+  /// viewer that chose only the newest row gets the present one at once, even if no more rows are
+  /// written.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
            std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
-  /// Every row, through a topic; returns its name.
+  /// Adds a viewer that gets every row through a topic; returns the name of the topic.
   const std::string& AddToTopic(const std::vector<std::size_t>& columns, const MakeRowTopic& make,
                                 std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   void OnRowsTaken(const RowAcknowledgements& receipts);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
-  /// Cells read for each row for a viewer, if it gets this subscription too. Its subscriptions to
-  /// the same columns and rows are read once.
+  /// Number of cells read per row for a viewer if this subscription is added. Subscriptions to the
+  /// same columns and rows are read once.
   [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
                                      const RowChoice& rows) const;
 
@@ -48,11 +49,11 @@ class TableFeed {
   void End(const Error& reason);
 
  private:
-  /// Takes the present row, unless Gather() will reach it.
+  /// Adds the present row to the stream, if Gather() will not reach it.
   void TakeNewest(RowStream& stream);
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
-  /// The next row was overwritten while it was read. Skips to a newer row, further ahead each time
-  /// this repeats. Returns how many rows are lost by that.
+  /// Called if the next row was overwritten while it was read. Skips to a newer row, further ahead
+  /// at each repetition, and returns the number of skipped rows.
   std::uint64_t FallBehind();
   [[nodiscard]] bool IsBatchFull() const;
   void RemoveUnwatched();
@@ -61,7 +62,7 @@ class TableFeed {
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // rows between the writer and the point of the last skip
+  std::uint64_t head_start_ = 0;  // rows between the writer and the row of the last skip
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

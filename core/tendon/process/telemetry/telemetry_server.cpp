@@ -96,7 +96,7 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   context_.network->Notify();
 }
 
-/// With the mutex held.
+/// Called with the mutex held.
 Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Subscribe& wanted,
                                          const Channel& viewer) const {
   std::size_t count = 0;
@@ -122,7 +122,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
                    "the same period"};
 }
 
-/// With the mutex held.
+/// Called with the mutex held.
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
   if (context_.middleware->fan_out() == nullptr || broker_.empty()) {
@@ -227,7 +227,7 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
                                             " twice, but copies each once: name it once"};
     }
     const Offer* command = (*provided)->FindCommand(name);
-    if (command == nullptr) {  // opening the interface checks that
+    if (command == nullptr) {  // opening the interface checks this
       sources.emplace_back();
       continue;
     }

@@ -27,29 +27,30 @@ class TelemetryServer final : public NetworkJob {
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// The limits of one viewer, by its channel, so that it does not crowd out others: its number of
-  /// subscriptions, and for each table the cells read for a row, as a multiple of its columns.
-  /// Subscriptions to the same columns and rows are read once. Mirrors, which need an operator's
-  /// right, have no limit of their number.
+  /// The limits of one viewer, identified by its channel, so that it does not displace others: the
+  /// number of its subscriptions, and for each table the cells read per row, as a multiple of the
+  /// table's columns. Subscriptions to the same columns and rows are read once. The number of
+  /// mirrors, which need the role of an operator, is not limited.
   ///
-  /// There is no common limit for all viewers, because a few could exhaust it.
+  /// There is no common limit for all viewers, because a few of them could exhaust it.
   static constexpr std::size_t kMostSubscriptions = 2048;
   static constexpr std::size_t kMostReadings = 32;
 
-  /// Answers before the first row is sent; if the answer cannot be sent there is no subscription.
+  /// Replies before the first row is sent. If the reply cannot be sent, there is no subscription.
   /// Refusals: kNotFound with a suggestion; kInvalid for a period below zero, or a column named
   /// twice; kFailed above the limits of a viewer.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// The rows come through a topic of the broker. Refusals: also kNotFound if there is no broker or
-  /// the middleware does not support it; kInvalid for rows that it cannot carry.
+  /// The same, but the rows are published in a topic of the broker. Further refusals: kNotFound if
+  /// there is no broker or the middleware does not support it; kInvalid for rows that a topic
+  /// cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// Sends copies of the answers of read commands. Refusals: kNotFound; kIncompatible for a command
-  /// that does not return the newest value of a column; kInvalid for one named twice.
+  /// that does not return the newest value of a column; kInvalid for a command named twice.
   void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
               Responder& responder);
-  /// For topics that are created from now on; empty for none.
+  /// Sets the broker for topics that are created from now on; empty: no broker.
   void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   /// Any thread.
@@ -79,7 +80,7 @@ class TelemetryServer final : public NetworkJob {
   TableFeed& FeedOf(const std::string& component, const StateTable& table);
 
   ProcessContext& context_;
-  std::mutex mutex_;  // taken after the manager's lock
+  std::mutex mutex_;  // locked after the manager's lock
   std::list<TableFeed> feeds_;
   MirroredCommands mirrored_;
   AcknowledgementQueue receipts_;

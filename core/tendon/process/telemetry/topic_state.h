@@ -11,15 +11,15 @@ namespace tendon {
 /// Thread-safe.
 class TopicState {
  public:
-  /// Batches from now on belong to this activation of the subscription.
+  /// From now on, batches belong to this activation of the subscription.
   void Begin(std::uint64_t beginning) {
     const std::scoped_lock lock(mutex_);
     beginning_ = beginning;
   }
-  /// The subscription gets no more batches.
+  /// From now on, the subscription gets no batches.
   void End() { Begin(0); }
 
-  /// A message is being handled while this lives.
+  /// While it lives, a message is being handled.
   class Hearing {
    public:
     explicit Hearing(TopicState& line) : line_(line) { line_.SetBusy(true); }
@@ -35,7 +35,7 @@ class TopicState {
     const std::scoped_lock lock(mutex_);
     return beginning_;
   }
-  /// Zero while the viewer is handling a message.
+  /// The time since the last message; zero while the viewer is handling a message.
   [[nodiscard]] SteadyTime::duration silence() const {
     const std::scoped_lock lock(mutex_);
     return is_busy_ ? SteadyTime::duration(0) : SteadyClock().Now() - last_;

@@ -25,7 +25,7 @@ Time TimeAt(sys_seconds when) {
   return time;
 }
 
-/// Unique, and cannot be guessed.
+/// A unique number that cannot be guessed.
 Number RandomSerial() {
   constexpr int kBits = 126;
   const Handle<BIGNUM, BN_free> random(BN_new());
@@ -49,7 +49,7 @@ Extension MakeExtension(X509V3_CTX& context, int kind, const std::string& value)
   return made;
 }
 
-/// A certificate with the fields that all have, not signed yet.
+/// A certificate with the fields that all certificates have; not signed yet.
 CertificateHandle Begin(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate(X509_new());
   Require(certificate != nullptr, "a certificate");

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-/// Creates the objects of a CA. They are valid from an hour ago, because clocks differ.
+/// Creates the objects of a CA. Their validity begins an hour ago, because clocks differ.
 namespace tendon::openssl {
 
 /// On the curve P-256.
@@ -18,12 +18,13 @@ struct Signer {
   const X509& certificate;
   EVP_PKEY& key;
 };
-/// For the owner of `key`. The request must be checked.
+/// A certificate for the owner of `key`. The caller must have checked the request.
 [[nodiscard]] CertificateHandle MakeCertificate(const CertificateAuthority::Request& request,
                                                 EVP_PKEY& key, std::chrono::sys_seconds not_after,
                                                 const Signer& signer);
 
-/// Keeps the entries of `former`; null for the first list of a CA. Valid as long as the CA.
+/// Makes a list with the entries of `former`, which is null for the first list of a CA, and new
+/// ones. Valid as long as the CA.
 [[nodiscard]] RevocationList MakeRevocationList(const X509_CRL* former,
                                                 const std::vector<const X509*>& revoked,
                                                 const Signer& signer);

@@ -17,14 +17,14 @@ namespace tendon::openssl {
 
 [[nodiscard]] std::string PemOf(const X509& certificate);
 [[nodiscard]] std::string PemOf(const X509_CRL& list);
-/// Not encrypted; call Wipe() on it.
+/// Not encrypted; call Wipe() on the result after use.
 [[nodiscard]] std::string PemOf(const EVP_PKEY& key);
 
 /// Overwrites a secret in memory.
 void Wipe(std::string& secret);
 
-/// Describes a certificate that is not that of a CA. The first call parses its extensions and
-/// stores them in the object.
+/// Describes a certificate of a person or a process, not of a CA. The first call parses its
+/// extensions and stores them in the object.
 Result<Certificate> Describe(X509& certificate);
 
 [[nodiscard]] std::string SerialOf(const X509& certificate);

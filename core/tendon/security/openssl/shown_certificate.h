@@ -11,8 +11,8 @@
 
 namespace tendon::openssl {
 
-/// The certificate and key that this program shows. Reads a renewed certificate from the files.
-/// Thread-safe.
+/// The certificate and key that this program shows to peers. Reloads them from the files when they
+/// are renewed. Thread-safe.
 class ShownCertificate {
  public:
   struct Pair {
@@ -29,17 +29,18 @@ class ShownCertificate {
   };
 
  public:
-  /// Errors: those of CheckCertificate(); kNotFound without a key. Logs what will soon be wrong.
+  /// Errors: those of CheckCertificate(); kNotFound without a key. Logs a warning if the
+  /// certificate expires soon.
   static Result<std::unique_ptr<ShownCertificate>> Read(const Credentials& credentials);
 
-  /// The current certificate and key. A renewed certificate replaces the old one when it is valid,
-  /// has its key, and has the same name, role and holder. Until then the log says what is wrong,
-  /// and nothing changes. Reads a file.
+  /// The current certificate and key. A renewed certificate replaces the old one if it is valid,
+  /// has its key, and has the same name, role and holder. Otherwise the old one stays, and the log
+  /// says why. Reads a file.
   [[nodiscard]] std::shared_ptr<const Pair> Now();
 
   [[nodiscard]] const std::filesystem::path& file() const { return credentials_.certificate; }
   [[nodiscard]] const std::filesystem::path& key_file() const { return key_file_; }
-  /// As first read. A renewed certificate has the same name, role and holder.
+  /// The certificate as first read; a renewed one has the same name, role and holder.
   [[nodiscard]] const Certificate& certificate() const { return certificate_; }
 
   ShownCertificate(Passkey /*only from Read()*/, Credentials credentials, Loaded loaded);
@@ -52,9 +53,9 @@ class ShownCertificate {
   const Certificate certificate_;
   const std::filesystem::path key_file_;
   std::mutex mutex_;
-  std::string text_;  // of the file when it was read
+  std::string text_;  // content of the file when it was read
   std::shared_ptr<const Pair> pair_;
-  std::string complaint_;  // the last that was logged
+  std::string complaint_;  // the last problem that was logged
 };
 
 }  // namespace tendon::openssl

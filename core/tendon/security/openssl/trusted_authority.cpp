@@ -18,8 +18,8 @@ Result<TrustedAuthority::Store> TrustedAuthority::Now() {
   const AuthorityFolder files{folder_};
   std::string text = TextOf(files);
   if (auto known = Find(text)) return known;
-  // Parses what is read after `text`. If the files change just now, it may be newer than `text`;
-  // then the next call parses it again.
+  // The files are read again here, after `text`. If they change in between, the result is newer
+  // than `text`, and the next call parses them again.
   const auto certificate = ReadAuthority(files);
   if (!certificate) return certificate.error();
   const auto revoked = ReadRevoked(files);

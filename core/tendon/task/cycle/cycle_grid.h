@@ -19,12 +19,12 @@ class CycleGrid {
   [[nodiscard]] std::chrono::nanoseconds period() const noexcept { return period_; }
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }
 
-  /// Starts a new grid, whose first time is one period after `now`.
+  /// Starts a new grid. The first due time is one period after `now`.
   void Begin(SteadyTime now) noexcept { due_ = now + period_; }
 
-  /// Goes on to the next time. If that is a whole period or more in the past, goes on to the latest
-  /// grid time not after `now`, so that missed cycles do not come in a burst. Returns the number of
-  /// skipped times.
+  /// Advances to the next due time. If that is a whole period or more in the past, advances to the
+  /// latest due time not after `now`, so that missed cycles do not run in a burst. Returns the
+  /// number of skipped due times.
   std::uint64_t Next(SteadyTime now) noexcept;
 
  private:
@@ -35,8 +35,8 @@ class CycleGrid {
 /// Returns `period`; throws ConfigurationError, which names `task`, if not 10 µs to 3600 s.
 std::chrono::nanoseconds CheckedPeriod(std::chrono::nanoseconds period, const std::string& task);
 
-/// Sleeps until `time`, but spins for the last `spin`. Returns false as soon as `interrupted()`; a
-/// sleeper notices that within 50 ms.
+/// Sleeps until `time`, but spins for the last `spin`. Returns false if `interrupted()` becomes
+/// true, at the latest 50 ms after that.
 template <typename Predicate>
 bool SleepUntil(SteadyTime time, std::chrono::nanoseconds spin, Predicate interrupted) {
   constexpr std::chrono::milliseconds kSlice(50);

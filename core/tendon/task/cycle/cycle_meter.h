@@ -22,10 +22,10 @@ class CycleMeter {
 
   /// Resets everything. `period` is the wanted period, 0 if there is none.
   void Start(std::chrono::duration<double> period) noexcept;
-  /// The time until the next cycle does not count as a period.
+  /// Excludes the time until the next cycle from the statistics of the period.
   void Interrupt() noexcept { last_begin_ = {}; }
   void Begin(SteadyTime begin, SteadyTime due) noexcept;
-  /// Ends the cycle that has begun last.
+  /// Ends the cycle of the last Begin().
   void End(SteadyTime end) noexcept;
   void AddOverruns(std::uint64_t cycles) noexcept { cycle_.overruns += cycles; }
 

@@ -9,8 +9,8 @@
 namespace tendon {
 namespace {
 
-/// Guards the leaders of all tasks. With one mutex per task, one chain of leaders would lock them
-/// in one order, and another chain in the opposite order.
+/// Guards the leaders of all tasks. Not one mutex per task: two chains of leaders could lock them
+/// in opposite orders.
 std::mutex& LeadersMutex() {
   static std::mutex& mutex = *new std::mutex;  // never freed: a task may end with the program
   return mutex;
@@ -27,7 +27,7 @@ void TaskLife::Obey(Task& task) {
       case LifeRequest::kStart:
         if (now == ComponentState::kSuspended) {
           GoOn(task);
-        } else if (task.is_starting()) {  // and has not faulted meanwhile
+        } else if (task.is_starting()) {  // and not faulted meanwhile
           Begin(task);
         }
         break;
@@ -37,7 +37,7 @@ void TaskLife::Obey(Task& task) {
       case LifeRequest::kStop:
         if (IsRunning(now)) {
           Finish(task);
-        } else if (order.ends_start && task.is_starting()) {  // it never began
+        } else if (order.ends_start && task.is_starting()) {  // the task never ran
           task.SetState(ComponentState::kFinished);
         }
         break;
@@ -69,7 +69,7 @@ void TaskLife::EnterFaultFromOutside(Task& task) {
     const std::scoped_lock lock(task.outside_mutex_);
     reason = task.outside_reason_;
   }
-  task.Component::FaultFromOutside(reason);  // it may have ended meanwhile
+  task.Component::FaultFromOutside(reason);  // the task may have ended meanwhile
   task.EndFollowers();
 }
 
@@ -131,7 +131,7 @@ void TaskLife::Finish(Task& task) {
   if (task.RunGuarded("Cleanup", clean_up)) {
     task.SetState(ComponentState::kFinished);
   }
-  task.EndFollowers();  // one may have been asked to start meanwhile
+  task.EndFollowers();  // a follower may have got a start request meanwhile
   task.inbox()->Unbind();
 }
 
@@ -181,7 +181,7 @@ Result<void> TaskLife::RemoveFollower(Task& leader, Task& task, SteadyTime deadl
     SetLeader(task, nullptr);
     return {};
   }
-  // Back to the old list; a cycle that has begun meanwhile may use the other one.
+  // Restores the old list; a cycle that has begun meanwhile may use the new one.
   leader.follower_list_.swap(next);
   leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min());
   leader.retired_lists_.push_back(std::move(next));

@@ -6,15 +6,16 @@
 
 namespace tendon {
 
-/// The work of the thread that makes a task's cycles between two of them: it obeys orders, for the
-/// task and for those that run after it. Not in Task, whose authors would see all these names.
+/// The work between two cycles of the thread that makes a task's cycles: it obeys orders for the
+/// task and for the tasks that run after it. Separate from Task, so that these names are not
+/// visible in authors' classes.
 class TaskLife {
  public:
-  /// Obeys the orders given to the task and to those that run after it.
+  /// Obeys the orders given to the task and to the tasks that run after it.
   static void Obey(Task& task);
   /// Ends a task whose leader has ended.
   static void EndWithLeader(Task& task);
-  /// Until the next cycle, the task and those that run after it belong to no thread.
+  /// Unbinds the task, and the tasks that run after it, from their thread until the next cycle.
   static void Unbind(Task& task);
 
   template <typename Action>
@@ -24,21 +25,22 @@ class TaskLife {
     for (Task* follower : *call.get()) action(*follower);
   }
 
-  /// When the next command of the task, or of one that runs after it, must be renewed.
+  /// The time at which the next effect of a command expires, of the task or of one that runs after
+  /// it.
   [[nodiscard]] static SteadyTime NextExpiry(Task& task);
 
-  /// Makes the thread that runs the task's cycles obey, whichever thread that is. Any thread.
+  /// Wakes the thread that makes the task's cycles, so that it obeys orders. Any thread.
   static void CallThread(Task& task);
 
   // For managers.
 
-  /// Adds `task`, which is at rest. The leader sees it at the next look at its followers.
+  /// Adds `task`, which is at rest. The leader sees it when it next reads its list of followers.
   static void AddFollower(Task& leader, Task& task);
   /// kTimeout if a cycle of `leader` that may use the task has not ended by `deadline`; then
   /// nothing has changed.
   static Result<void> RemoveFollower(Task& leader, Task& task, SteadyTime deadline);
   static void SetLeader(Task& task, Task* leader);
-  /// The first task in its thread.
+  /// The first leader in the chain, whose thread makes the task's cycles.
   static Task& RootOf(Task& task) {
     Task* const leader = task.leader_.Get();
     return leader == nullptr ? task : RootOf(*leader);

@@ -9,9 +9,9 @@
 
 namespace tendon {
 
-/// Collects times and computes their statistics. For percentiles it counts them in buckets that
-/// divide each power of two into 16, in fixed memory. Add() takes some nanoseconds, Summary() and
-/// Clear() about a microsecond; nothing allocates. Used by one thread.
+/// Collects times and computes their statistics. Percentiles come from a histogram of fixed size,
+/// with 16 buckets for each power of two. Add() takes some nanoseconds, Summary() and Clear() about
+/// a microsecond; nothing allocates. Used by one thread.
 class TimeSpread {
  public:
   /// A negative time counts as 0.
@@ -23,7 +23,7 @@ class TimeSpread {
 
  private:
   static constexpr unsigned kSubBits = 4;       // 16 buckets per power of two
-  static constexpr unsigned kLongestBits = 42;  // 2^42 ns are 73 minutes; longer times count so
+  static constexpr unsigned kLongestBits = 42;  // 2^42 ns are 73 minutes; the longest time
   static constexpr std::size_t kBuckets = (kLongestBits - kSubBits + 1) << kSubBits;
 
   static std::size_t BucketOf(std::uint64_t time) noexcept;
@@ -35,7 +35,7 @@ class TimeSpread {
   std::uint64_t count_ = 0;
   std::uint64_t min_ = 0;
   std::uint64_t max_ = 0;
-  std::uint64_t first_ = 0;  // the sums hold differences to it, to keep their precision
+  std::uint64_t first_ = 0;  // the sums are of differences to it, for precision
   double sum_ = 0.0;
   double squares_ = 0.0;
   std::array<std::uint32_t, kBuckets> buckets_{};

@@ -48,7 +48,7 @@ std::shared_ptr<CycleLog> CycleLog::OfThisProcess() {
 }
 
 CycleLog::CycleLog() : ring_(kCapacity, sizeof(Record), alignof(Record)) {
-  (void)IsLogged(LogLevel::kError);  // makes the log now, so that no cycle has to
+  (void)IsLogged(LogLevel::kError);  // creates the logger now instead of in a cycle
   thread_ = std::thread([this] { Run(); });
 }
 
@@ -96,7 +96,7 @@ void CycleLog::Run() {
 }
 
 void CycleLog::Drain() {
-  for (std::size_t left = kCapacity; left > 0; --left) {  // a flood must not keep the loop here
+  for (std::size_t left = kCapacity; left > 0; --left) {  // a flood might never end
     const std::byte* const slot = ring_.Front();
     if (slot == nullptr) return;
     const Record& record = *std::launder(reinterpret_cast<const Record*>(slot));

@@ -15,10 +15,10 @@
 
 namespace tendon {
 
-/// Holds the records that tasks log in their cycles: a bounded queue, which its own thread empties
-/// into the log. A source may not have more waiting records than there are free places. So one
-/// source that floods the queue leaves half of it to the others, and two leave a third. A record
-/// without a place is lost and counted; the log reports how many.
+/// Holds the records that tasks log in their cycles: a bounded queue, which a thread of its own
+/// empties into the log. A source may not have more waiting records than the queue has free slots.
+/// So one source that floods the queue leaves half of it to the others, and two leave a third.
+/// Records that are refused are lost; the log reports their number.
 ///
 /// Thread safety: any thread may add records; lock-free, without allocation or system call.
 class CycleLog final : public LogDeferral {
@@ -27,7 +27,7 @@ class CycleLog final : public LogDeferral {
   /// Bytes of a message that are kept; "..." replaces the rest.
   static constexpr std::size_t kLongest = 224;
   static constexpr std::chrono::milliseconds kBetweenLooks{20};
-  static constexpr std::chrono::seconds kBetweenTellings{1};  ///< of lost records
+  static constexpr std::chrono::seconds kBetweenTellings{1};  ///< between reports of losses
 
   /// The instance that all living tasks share. Not for real-time threads.
   static std::shared_ptr<CycleLog> OfThisProcess();
@@ -41,18 +41,18 @@ class CycleLog final : public LogDeferral {
   void PutAside(LogTime time, LogLevel level, std::string_view source,
                 std::string_view message) noexcept override;
 
-  /// Records that found no place.
+  /// Number of lost records.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
  private:
   struct Record;
 
-  /// Records of some sources that were added, and that were logged: the difference waits.
+  /// Counts the added and the logged records of some sources; the difference is waiting.
   struct Share {
     SharedCounter<> come;
     Counter<> gone;
   };
-  /// Sources in one share count as one; there are more shares than tasks that flood.
+  /// Sources with the same share count as one source; few tasks flood, so shares suffice.
   static constexpr std::size_t kShares = 64;
 
   void Run();
@@ -63,7 +63,7 @@ class CycleLog final : public LogDeferral {
   SharedSlotRing<> ring_;
   std::array<Share, kShares> shares_;
   SharedCounter<> lost_;
-  std::uint64_t lost_told_ = 0;  // used by the thread
+  std::uint64_t lost_told_ = 0;  // lost records already reported; used by the thread
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool stopping_ = false;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kMostStack = std::uint64_t{4} << 20;
 constexpr std::int32_t kHighestPriority = 99;
 constexpr std::int32_t kHighestProcessor = 1023;
-constexpr std::chrono::milliseconds kMostSlack(100);  // a sleep may end this much late
+constexpr std::chrono::milliseconds kMostSlack(100);  // the longest allowed delay of a sleep
 constexpr std::chrono::seconds kMostSpin(1);
 
 /// Returns a check that throws if a condition does not hold.
@@ -28,7 +28,7 @@ std::string Nanoseconds(std::chrono::nanoseconds time) {
   return std::to_string(time.count()) + " ns";
 }
 
-/// Reports the first refusal in the process; the others would say the same of other tasks.
+/// Logs only the first refusal in the process, because it will be the same for other tasks.
 void WarnOnce(const std::string& task, const std::string& what, const std::string& reason,
               const std::string& remedy) {
   static std::once_flag once;

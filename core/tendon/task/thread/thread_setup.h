@@ -6,13 +6,13 @@
 
 namespace tendon {
 
-/// Throws ConfigurationError, naming `task` and the option, if a value is invalid everywhere.
+/// Throws ConfigurationError, naming `task` and the option, if a value is invalid on every machine.
 void CheckThreadRanges(const ThreadOptions& options, const std::string& task);
 
-/// The same, and if a value is invalid on this machine.
+/// The same, and also checks what is valid only on some machines.
 void CheckThreadOptions(const ThreadOptions& options, const std::string& task);
 
-/// Gives the calling thread the name of `task` and all options except the spinning.
+/// Gives the calling thread the name of `task` and applies all options except `spin`.
 void SetUpThisThread(const ThreadOptions& options, const std::string& task);
 
 }  // namespace tendon

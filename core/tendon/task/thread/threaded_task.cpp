@@ -42,7 +42,7 @@ Result<void> ThreadedTask::Launch() {
                                          "', which is " + std::string(ToString(first->state())) +
                                          "; start '" + first->name() + "' first"};
   }
-  Join();  // the thread of the last run, which has ended or soon will
+  Join();  // the thread of the last run has ended, or will soon
   options_in_use_ = options_;
   PrepareStart();
   GiveOrder(LifeRequest::kStart);

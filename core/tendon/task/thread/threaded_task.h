@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// A task with a thread of its own, unless it runs after another one. Its kinds implement Loop().
+/// A task with its own thread, unless it runs after another task. Derived classes implement Loop().
 class ThreadedTask : public Task {
  public:
   /// For managers and constructors: sets how its thread runs from the next start on. Throws
@@ -16,11 +16,11 @@ class ThreadedTask : public Task {
   void SetThreadOptions(const ThreadOptions& options);
   [[nodiscard]] const ThreadOptions& thread_options() const { return options_; }
 
-  /// For managers: from the next start on it has no thread, but makes a cycle after each cycle of
-  /// `leader`, in the leader's thread. It keeps its own state, tables and statistics. It can start
-  /// and stop while the leader runs; when the leader pauses or ends, so does this task. kFailed if
-  /// it is not at rest, or if the two would wait for each other; kTimeout if a cycle of its former
-  /// leader has not ended by `deadline`: then nothing has changed.
+  /// For managers: from the next start on, the task has no thread, but makes a cycle after each
+  /// cycle of `leader`, in the leader's thread. It keeps its own state, tables and statistics. It
+  /// can start and stop while the leader runs; when the leader pauses or ends, the task does so
+  /// too. kFailed if the task is not at rest, or if the two would wait for each other. kTimeout if
+  /// a cycle of the former leader has not ended by `deadline`; then nothing has changed.
   Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
   /// The leader's period if it has a leader.
@@ -30,11 +30,11 @@ class ThreadedTask : public Task {
   using Task::Task;
   ~ThreadedTask() override;
 
-  /// Makes cycles when they are due, until has_orders() or until a cycle returns false.
+  /// Makes cycles when they are due. Returns when has_orders() is true or a cycle returns false.
   virtual void Loop() = 0;
-  /// The options at the last start.
+  /// The options that were applied at the last start.
   [[nodiscard]] const ThreadOptions& options_in_use() const { return options_in_use_; }
-  /// Seconds, in a thread of its own; 0 if its cycles have no period.
+  /// The period in seconds in a thread of its own; 0 if there is none.
   [[nodiscard]] virtual double own_period() const { return 0.0; }
 
   Result<void> Launch() override;
@@ -43,7 +43,7 @@ class ThreadedTask : public Task {
   /// thread must not outlive the code that it runs.
   void Join();
 
-  /// The function of its thread.
+  /// The main function of the thread.
   void MakeCycles();
 
  private:
