@@ -70,7 +70,7 @@ tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmLi
 }
 
 void Context::PrintGcmReturn() {
-  err() << "gcm: the GCM at " << Plain(settings_.gcm) << " is there again\n";
+  err() << "gcm: the GCM at " << Plain(settings_.gcm) << " is available again\n";
 }
 
 void Context::PrintJson(const nlohmann::ordered_json& content) const {

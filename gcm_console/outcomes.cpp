@@ -43,8 +43,8 @@ tendon::Result<void> CheckRole(const Context& context) {
   if (!context.settings().read_only) return {};
   return tendon::Error{tendon::ErrorCode::kDenied,
                        "gcm " + context.verb() +
-                           " is for an operator, and --read-only asks as a viewer: ask again "
-                           "without it"};
+                           " needs the role operator, but --read-only connects as a viewer: "
+                           "try again without it"};
 }
 
 bool Confirm(const Context& context, const std::string& question) {

@@ -45,21 +45,23 @@ struct Options {
 };
 
 void AddOptions(CLI::App& app, Options& options) {
-  auto* gcm = program::AddGcmOption(app, options.gcm, "; never hosts one when given");
+  auto* gcm =
+      program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
-  app.add_option("file", options.file, "system file to bring up, after a look at its plan");
-  app.add_flag("--read-only", options.read_only, "ask as a viewer, to whom changes are denied");
+  app.add_option("file", options.file, "system file to apply, after you have seen its plan");
+  app.add_flag("--read-only", options.read_only, "connect as a viewer, who cannot change anything");
   app.add_option("--layout", options.layout,
-                 "layout of plots to begin with, as the window saves it")
+                 "initial layout of the plots, a file that the window has saved")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
-  app.add_flag("--no-tour", options.no_tour, "no tour, also where this user sees the window first");
+  app.add_flag("--no-tour", options.no_tour,
+               "no tour, even if this user opens the window for the first time");
   app.add_option("--theme", options.theme, "dark, light or system")
       ->check(CLI::IsMember({"dark", "light", "system"}))
       ->capture_default_str();
   program::AddNetworkOptions(app, options.network);
   app.add_option("--describe-ui", options.describe_ui,
-                 "keep writing to this file where things are on the screen, for UI tests");
+                 "write the positions of things on the screen to this file, for UI tests");
 }
 
 tendon::gui::Theme::Choice ThemeChoice(const std::string& name) {

@@ -83,7 +83,7 @@ Error NoLibrary(const tendon::SystemFile::Component& wanted,
   std::string all;
   for (const std::string& known : loader.available()) all += (all.empty() ? "" : ", ") + known;
   return {ErrorCode::kInvalid, "component '" + wanted.name +
-                                   "' has no \"library\" in the file: name there the plug-in that "
+                                   "' has no \"library\" in the file: name the plug-in there that "
                                    "has its class " +
                                    wanted.class_name + "; there is: " + all};
 }
@@ -93,8 +93,8 @@ Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLo
   for (const auto& one : share.components) {
     if (one.class_name.empty()) {
       return Error{ErrorCode::kInvalid, "component '" + one.name +
-                                            "' has no class in the file, for its own program makes "
-                                            "it: start that, not lcm"};
+                                            "' has no class in the file, because its own program "
+                                            "creates it: start that program, not lcm"};
     }
     if (one.library.empty()) return NoLibrary(one, loader);
     auto component = loader.Create(one.library, one.class_name, one.name, one.configuration);
@@ -182,7 +182,7 @@ void MakeConnections(const Share& share, tendon::Process& process) {
     tendon::Log(tendon::LogLevel::kError, process.name(),
                 "not connected to " + ToString(one.provided) + ": " +
                     (provider ? ToString(one.required) + " was connected to " +
-                                    ToString(*provider) + " before, and stays so"
+                                    ToString(*provider) + " before, and stays connected to it"
                               : made.error().message));
   }
 }
@@ -246,9 +246,10 @@ Told Start(const Share& share, tendon::Process& process, const Options& options)
     }
   }
   if (tendon::os::RunsAsRoot()) {
-    tendon::Log(tendon::LogLevel::kWarning, options.name,
-                "runs as root, and so does every plug-in; the limits rtprio and memlock of a user "
-                "of its own are enough");
+    tendon::Log(
+        tendon::LogLevel::kWarning, options.name,
+        "runs as root, and so does every plug-in; start it as a user with the limits rtprio "
+        "and memlock instead");
   }
   tendon::Log(tendon::LogLevel::kInfo, options.name,
               "runs " + tendon::Counted(share.components.size(), "component", "components") +

@@ -21,12 +21,12 @@ int main(int argc, char** argv) {
   app.add_option("--listen", options.listen, "address for viewers and peers")
       ->capture_default_str();
   app.add_option("--advertise", options.advertise,
-                 "address to tell others, or a host alone for the port of --listen (default: where "
-                 "it listens; "
-                 "for 0.0.0.0 and [::] the address from which it reaches the GCM)");
+                 "address that other processes connect to; a host alone means the port of --listen "
+                 "(default: the address of --listen; for 0.0.0.0 and [::] the address from which "
+                 "this process reaches the GCM)");
   app.set_version_flag("--version", "lcm " + tendon::OwnVersion().release);
   app.add_option("--timeout", timeout_ms,
-                 "how long to look for the GCM at the start: 500ms, 5s, 2min or a number of ms")
+                 "how long to wait for the GCM at the start: 500ms, 5s, 2min or a number of ms")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
       ->default_str("3s");

@@ -77,12 +77,13 @@ std::string IceVersion() {
 }
 
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
-  app.add_option("--middleware", options.middleware, "how processes talk")
+  app.add_option("--middleware", options.middleware, "middleware between the processes")
       ->check(CLI::IsMember(MiddlewareNames()))
       ->capture_default_str();
   auto* certificate =
-      app.add_option("--certificate", options.certificate,
-                     "talk under TLS and show this (made by gcm cert issue), its key beside it")
+      app.add_option(
+             "--certificate", options.certificate,
+             "use TLS with this certificate (made by gcm cert issue); its key must be beside it")
           ->type_name("FILE")
           ->check([](const std::string& file) {
             return std::string(file.empty() ? "--certificate is empty: name a file" : "");
@@ -90,7 +91,7 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
   if (options.certificate.empty()) certificate->envname("TENDON_CERTIFICATE");
   auto* authority =
       app.add_option("--ca", options.authority,
-                     "folder of the CA's ca.crt and crl.pem (default: one of the user's)")
+                     "folder with ca.crt and crl.pem of the CA (default: a folder of the user)")
           ->type_name("FILE");
   if (options.authority.empty()) authority->envname("TENDON_CA");
   app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted")
@@ -138,9 +139,10 @@ Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& o
   if (!is_word || host == "localhost" || options.insecure || !options.certificate.empty()) {
     return {};
   }
-  return Error{ErrorCode::kInvalid, "--gcm: '" + tendon::Printable(host) +
-                                        "' is no address on this machine, such as 127.0.0.1:10705; "
-                                        "to ask a host of that name, show a --certificate"};
+  return Error{ErrorCode::kInvalid,
+               "--gcm: '" + tendon::Printable(host) +
+                   "' is not an address on this machine, such as 127.0.0.1:10705; "
+                   "to use a host of that name, give a --certificate"};
 }
 
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
@@ -149,7 +151,7 @@ tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& 
   const auto other = tendon::ParseAddress(gcm, 1);
   if (!own || !other || ToString(*own) != ToString(*other)) return {};
   return Error{ErrorCode::kInvalid, option + " and --gcm are both " + ToString(*own) +
-                                        ", but a port is for one program; give " + option +
+                                        ", but two programs cannot share a port; give " + option +
                                         " another one"};
 }
 

@@ -45,18 +45,18 @@ inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe
     "arm.ArmConfiguration",
     tendon::Field{"home", &arm::ArmConfiguration::home, "rad"}
         .Within(-arm::kLargestAngle, arm::kLargestAngle)
-        .Help("Where it begins: between lower and upper."),
+        .Help("Initial position, between lower and upper."),
     tendon::Field{"lower", &arm::ArmConfiguration::lower, "rad"}
         .Within(-arm::kLargestAngle, arm::kLargestAngle)
-        .Help("Of each joint: below upper."),
+        .Help("Lower limit of each joint, below upper."),
     tendon::Field{"upper", &arm::ArmConfiguration::upper, "rad"}.Within(-arm::kLargestAngle,
                                                                         arm::kLargestAngle),
     tendon::Field{"velocity", &arm::ArmConfiguration::velocity, "rad/s"}
         .Within(arm::kLeastLimit, arm::kGreatestLimit)
-        .Help("The greatest of each joint."),
+        .Help("Maximum of each joint."),
     tendon::Field{"acceleration", &arm::ArmConfiguration::acceleration, "rad/s^2"}
         .Within(arm::kLeastLimit, arm::kGreatestLimit)
-        .Help("The greatest of each joint."),
+        .Help("Maximum of each joint."),
     tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"}
         .Within(arm::kLeastBandwidth, arm::kMostBandwidth)
         .Help("How stiffly a joint follows."),

@@ -54,7 +54,8 @@ void SimulatedArm::Run() {
 void SimulatedArm::OnResume() {
   if (motion_.is_under_way()) {
     Log(tendon::LogLevel::kWarning, name(),
-        "holds where it is: it was suspended on its way, and goes on when it is told anew");
+        "holds its position: it was suspended during a motion, and continues with its next "
+        "command");
   }
   motion_.Rest();
 }

@@ -32,10 +32,10 @@ inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> =
     tendon::Describe("arm.TeleoperationConfiguration",
                      tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}
                          .Within(arm::kShortestTour, arm::kLongestTour)
-                         .Help("Of one round."),
+                         .Help("Duration of one round."),
                      tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
                          .Within(0, arm::kMostAmplitude)
-                         .Help("How far the joints swing; over 1 it can meet the limits."));
+                         .Help("How far the joints swing; above 1 they can reach their limits."));
 
 template <>
 inline constexpr auto tendon::kPayload<arm::Target> =

@@ -106,13 +106,14 @@ std::vector<Verb> ActVerbs() {
              Names(app.add_option("path", words->path, "process/component/interface.command"),
                    WordKind::kCommand)
                  ->required();
-             Names(app.add_option("argument", words->argument,
-                                  "where the command takes one: JSON, or the fields of a structure "
-                                  "as words, in their order or as name=value; - reads JSON from "
-                                  "stdin"),
+             Names(app.add_option(
+                       "argument", words->argument,
+                       "the argument, if the command takes one: JSON, or the fields of "
+                       "a structure as words, in their order or as name=value; - reads JSON from "
+                       "stdin"),
                    WordKind::kArgument);
              app.add_flag("--dry-run", words->dry_run,
-                          "say whether it would be called, and do nothing");
+                          "check whether it can be called, but do not call it");
              return [words](Context& context) { return Call(context, *words); };
            },
            {"gcm call robot/arm/Control.Stop",

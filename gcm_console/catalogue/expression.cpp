@@ -25,7 +25,7 @@ std::string MistakeIn(const re2::RE2& expression) {
 }  // namespace
 
 tendon::Result<Expression> Expression::Parse(std::string_view text) {
-  if (text.empty()) return Error{ErrorCode::kInvalid, "an empty expression fits everything"};
+  if (text.empty()) return Error{ErrorCode::kInvalid, "an empty expression matches everything"};
   if (text.size() > kLongest) {
     return Error{ErrorCode::kInvalid, "an expression is at most " + std::to_string(kLongest) +
                                           " bytes long, this one has " +

@@ -59,7 +59,7 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
     take_negation();
     if (text.empty()) {
       return tendon::Error{tendon::ErrorCode::kInvalid,
-                           "'" + word + "': nothing stands behind '" + name + ":'"};
+                           "'" + word + "': a value is missing after '" + name + ":'"};
     }
   }
   term.text_ = text;

@@ -30,7 +30,7 @@ Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalogue& catalogue,
   auto things = ThingsIn(catalogue);
   std::erase_if(things, [&](const Thing& one) { return !tendon::MatchesGlob(glob, one.path); });
   if (!things.empty()) return things;
-  return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists what there is"};
+  return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists all names"};
 }
 
 Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& catalogue,
@@ -45,7 +45,7 @@ Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& cat
 }
 
 Error TakesOneName(const std::string& command, const std::string& glob) {
-  return {ErrorCode::kInvalid, "'" + glob + "' may name several things, and " + command +
+  return {ErrorCode::kInvalid, "'" + glob + "' may match several things, but " + command +
                                    " takes one name; list them with: gcm find '" + glob + "'"};
 }
 

@@ -32,11 +32,12 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
   if (!IsTable(path.interface)) {
     std::vector<std::string> tables;
     for (const auto& table : (*component)->tables) tables.push_back(table.name);
-    return Error{ErrorCode::kNotFound, "'" + text +
-                                           "' is no column of a state table; list them with: gcm "
-                                           "ls " +
-                                           path.process + "/" + path.component + "/state" +
-                                           tendon::DidYouMean(path.interface, tables)};
+    return Error{ErrorCode::kNotFound,
+                 "'" + text +
+                     "' is not a column of a state table; list them with: gcm "
+                     "ls " +
+                     path.process + "/" + path.component + "/state" +
+                     tendon::DidYouMean(path.interface, tables)};
   }
   const auto provided = LookUpProvided(catalogue, path.interface_name());
   if (!provided) return provided.error();
@@ -222,7 +223,7 @@ std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client, const tendon::
 
 std::string ToText(const StaleValues& values) {
   std::string text = values.component + " is " + std::string(ToString(values.why));
-  if (values.why == tendon::Standstill::kNoAnswer) text = values.component + " gives no answer";
+  if (values.why == tendon::Standstill::kNoAnswer) text = values.component + " does not answer";
   return values.age ? text + ": " + tendon::AgeText(*values.age) + " old" : text;
 }
 

@@ -30,14 +30,14 @@ Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
   }
   if (place->required != nullptr) {
     return {ErrorCode::kInvalid, "'" + pattern +
-                                     "' is a required interface: events are those of "
-                                     "a provided one"};
+                                     "' is a required interface: only a provided "
+                                     "interface has events"};
   }
   if (place->provided != nullptr) {
     return {ErrorCode::kNotFound, "'" + pattern + "' has no events"};
   }
   return {ErrorCode::kInvalid,
-          "'" + pattern + "' is no interface: name one, or all with '" + pattern + "/**'"};
+          "'" + pattern + "' is not an interface: name one, or all with '" + pattern + "/**'"};
 }
 
 }  // namespace

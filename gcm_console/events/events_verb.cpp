@@ -222,13 +222,13 @@ Verb::Run PrepareEvents(CLI::App& app) {
                        "events or provided interfaces, with * and ** for several"),
         WordKind::kEvent)
       ->required();
-  app.add_option("--count", options->count, "end after so many events")
+  app.add_option("--count", options->count, "end after this many events")
       ->transform(CLI::Validator(&program::TransformCount, ""));
-  app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
+  app.add_option("--for", options->seconds, "end after this time: 10s, 500ms, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
   app.add_flag("--no-reconnect", options->ends_with_link,
-               "end when the GCM or a process is lost, rather than wait for it");
+               "end if the GCM or a process is lost, instead of waiting for it");
   return [options](Context& context) { return PrintEvents(context, *options); };
 }
 

@@ -161,10 +161,10 @@ std::string HelpText(const Page& page, int columns) {
     if (!rows.empty()) text += "\n" + title + "\n" + Listed(rows, width);
   }
   text += "\n";
-  text +=
-      Wrapped(IsWhole(page) ? "Options go before or behind the verb. More: gcm help VERB"
-                            : "--gcm, --timeout, --json and others go with every verb: gcm help",
-              0, width);
+  text += Wrapped(IsWhole(page)
+                      ? "Options go before or after the verb. More: gcm help VERB"
+                      : "--gcm, --timeout, --json and other options go with every verb: gcm help",
+                  0, width);
   return text;
 }
 

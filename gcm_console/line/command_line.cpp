@@ -172,15 +172,15 @@ CommandLine::CommandLine(Settings usual, Complement complement)
 }
 
 void CommandLine::AddSettings() {
-  app_.set_help_flag("-h,--help", "say what there is, or all of one verb");
-  app_.set_version_flag("--version", VersionLine(), "say which gcm this is");
+  app_.set_help_flag("-h,--help", "print the list of verbs, or the help of one verb");
+  app_.set_version_flag("--version", VersionLine(), "print the version of gcm");
   program::AddGcmOption(app_, settings_.gcm);
   timeout_ms_ = static_cast<int>(settings_.timeout.count());
   app_.add_option("--timeout", timeout_ms_,
                   "how long an answer may take: 500ms, 5s, 2min or a number of ms (default: 2s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""));
-  app_.add_flag("--json,--jsonl", settings_.json, "print JSON: one document, or one a row");
+  app_.add_flag("--json,--jsonl", settings_.json, "print JSON: one document, or one for each row");
   app_.add_flag("--no-header", has_no_titles_, "print tables on a terminal without their titles");
   for (const auto& [name, choice] : Colors()) {
     if (choice == settings_.color) color_ = name;
@@ -189,9 +189,11 @@ void CommandLine::AddSettings() {
       ->check(CLI::IsMember(Colors()))
       ->capture_default_str();
   auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "no remarks beside results and errors");
-  app_.add_flag("-v,--verbose", is_verbose_, "say whom gcm asks, and how fast it answers")
+  app_.add_flag("-v,--verbose", is_verbose_,
+                "print the address of the GCM, and how fast it answers")
       ->excludes(quiet);
-  app_.add_flag("--read-only", settings_.read_only, "ask as a viewer, to whom changes are denied");
+  app_.add_flag("--read-only", settings_.read_only,
+                "connect as a viewer, who cannot change anything");
   program::AddNetworkOptions(app_, settings_.network);
 }
 

@@ -44,7 +44,7 @@ class CommandLine {
   void AddVerb(const Verb& verb);
   void Resolve(CLI::App& part) const;
 
-  CLI::App app_{"see and steer a system of components through its GCM", "gcm"};
+  CLI::App app_{"show and control a system of components through its GCM", "gcm"};
   Settings settings_;
   const Complement complement_;
   int timeout_ms_ = 0;

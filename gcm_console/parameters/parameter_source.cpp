@@ -19,9 +19,10 @@ Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
   const tendon::ComponentDescription& known = **component;
   if (known.class_name.empty()) {
     return Error{ErrorCode::kFailed, "component '" + path.component +
-                                         "' was made by the program of process '" + path.process +
-                                         "' itself, not from a class: it has no parameters that "
-                                         "could be set from afar"};
+                                         "' was created by the program of process '" +
+                                         path.process +
+                                         "' itself, not from a class: its parameters cannot be "
+                                         "set remotely"};
   }
   const auto all = tendon::Wait<Classes>(
       patience, [&](auto handler) { client.GetClasses(path.process, std::move(handler)); });
@@ -30,8 +31,9 @@ Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
     return one.name == known.class_name && one.library == known.library;
   });
   if (of == all->classes.end()) {
-    return Error{ErrorCode::kFailed, "process '" + path.process + "' does not say what class '" +
-                                         known.class_name + "' can be told"};
+    return Error{ErrorCode::kFailed, "process '" + path.process +
+                                         "' does not report the configuration of class '" +
+                                         known.class_name + "'"};
   }
   return ConfiguredComponent{*of, known.configuration, InstanceOf(catalogue, path.process)};
 }

@@ -124,19 +124,20 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
 
 std::vector<Verb> SetVerbs() {
   return {{"set",
-           "change one parameter of a component that is at rest, or tell them all",
+           "change one parameter of a component that does not run, or print all parameters",
            [](CLI::App& app) -> Verb::Run {
              auto words = std::make_shared<SetWords>();
              Names(app.add_option("component", words->component, "process/component"),
                    WordKind::kComponent)
                  ->required();
-             Names(app.add_option("parameter", words->parameter,
-                                  "as gain, gain.x or gain[2]; without it: all of them"),
+             Names(app.add_option(
+                       "parameter", words->parameter,
+                       "for example gain, gain.x or gain[2]; without it: print all parameters"),
                    WordKind::kParameter);
-             const auto* value =
-                 Names(app.add_option("value", words->value, "JSON; without it: what it is now"),
-                       WordKind::kSetting);
-             app.add_flag("--dry-run", words->dry_run, "say what would be done, and do nothing");
+             const auto* value = Names(
+                 app.add_option("value", words->value, "JSON; without it: print the current value"),
+                 WordKind::kSetting);
+             app.add_flag("--dry-run", words->dry_run, "print what would be done, but do nothing");
              return [words, value](Context& context) {
                words->is_to_be_set = value->count() > 0;
                return Set(context, *words);

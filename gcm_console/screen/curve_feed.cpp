@@ -48,8 +48,8 @@ void CurveFeed::Add(const RowPrinter::Wanted& wanted, const tendon::Schema& sche
   for (const PlotChannel& number : *numbers) {
     title.field = number.path;
     if (curves_.size() == kMostCurves) {
-      return left_out_.push_back(ToString(title) + " and what follows it: no more than " +
-                                 std::to_string(kMostCurves) + " numbers of a table are drawn");
+      return left_out_.push_back(ToString(title) + " and later numbers are left out: at most " +
+                                 std::to_string(kMostCurves) + " numbers of a table can be drawn");
     }
     sources_.push_back({wanted.column, number});
     curves_.push_back({ToString(title), number.unit, number.schema, {}});

@@ -93,12 +93,12 @@ Jobs::~Jobs() { EndAll(); }
 Result<void> Jobs::Begin(const Words& words, const Settings& settings, int columns) {
   if (std::ranges::find(kLasting, words[0]) == kLasting.end()) {
     return Error{ErrorCode::kInvalid,
-                 "only watch, events, hz and log go on behind the prompt, and '" + words[0] +
-                     "' does not; leave out the &"};
+                 "only watch, events, hz and log can run in the background, but '" + words[0] +
+                     "' cannot; leave out the &"};
   }
   ForgetEnded();
   jobs_.push_back(std::make_unique<Job>(++last_number_, words, settings, columns, lines_));
-  lines_.Add("gcm: behind the prompt: " + jobs_.back()->text());
+  lines_.Add("gcm: in the background: " + jobs_.back()->text());
   return {};
 }
 
@@ -107,7 +107,7 @@ Result<void> Jobs::End(const std::string& number) {
   const auto job = std::ranges::find(jobs_, number, [](const auto& one) { return one->number(); });
   if (job == jobs_.end()) {
     return Error{ErrorCode::kNotFound,
-                 "nothing goes on behind the prompt as '" + number + "'; jobs lists what does"};
+                 "no background job has the number '" + number + "'; jobs lists them"};
   }
   jobs_.erase(job);
   return {};

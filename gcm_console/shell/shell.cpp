@@ -27,12 +27,12 @@ Page WithOwnWords(Page page) {
   Page::Argument path;
   path.name = "path";
   path.kind = WordKind::kPath;
-  add("cd", "let paths begin there; at the top without a path", {path});
-  add("..", "let paths begin one step higher", {});
+  add("cd", "make paths relative to PATH; to the top without a path", {path});
+  add("..", "go one level up", {});
   Page::Argument number;
   number.name = "number";
-  add("jobs", "list what goes on behind the prompt, where & has left it", {});
-  add("end", "end that of a number, or all of it", {number});
+  add("jobs", "list the jobs that & has started in the background", {});
+  add("end", "end the background job of a number, or all jobs", {number});
   add("exit", "end this", {});
   return page;
 }
@@ -89,8 +89,7 @@ int Shell::RunCommand(const Command& command, const Streams& streams) {
   const int exit_code = RunCommandLine(words, streams, session_);
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
   if (is_help) {
-    streams.out << "Here also: cd PATH, .., jobs, end and exit; help prompt tells of them.\n"
-                << std::flush;
+    streams.out << "Here also: cd PATH, .., jobs, end and exit; see: help prompt.\n" << std::flush;
   }
   return exit_code;
 }
@@ -115,8 +114,7 @@ std::optional<Result<void>> Shell::RunOwnWord(const Words& words, const Streams&
 
 Result<void> Shell::BeginBehind(const Words& words, const Streams& streams) {
   if (streams.make_line_reader == nullptr || session_.settings().scripts > 0) {
-    return Error{ErrorCode::kInvalid,
-                 "& is for a prompt, above which lines can be printed; there is none here"};
+    return Error{ErrorCode::kInvalid, "& works only at a prompt, and there is no prompt here"};
   }
   return jobs_.Begin(words, session_.settings(), streams.columns);
 }

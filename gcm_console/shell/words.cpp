@@ -106,7 +106,7 @@ class Reader {
   }
   [[nodiscard]] Error NoEnd(const std::string& what, std::size_t begin) const {
     return {ErrorCode::kInvalid,
-            "the " + what + " in column " + std::to_string(begin + 1) + " has no end"};
+            "the " + what + " in column " + std::to_string(begin + 1) + " is not closed"};
   }
 
   std::string_view line_;

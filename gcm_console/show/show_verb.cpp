@@ -48,7 +48,7 @@ void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
   const std::string change = tendon::PluginChangeText(plugin);
   if (change.empty()) return;
   const bool is_gone = plugin.state == tendon::PluginState::kGone;
-  table.Add({"its file", change + (is_gone ? "" : ", which is not what runs")});
+  table.Add({"its file", change + (is_gone ? "" : ", which is not the loaded one")});
 }
 
 void AddProcess(Context& context, const tendon::ProcessDescription& process, Table& table) {
@@ -171,8 +171,8 @@ void AddCounts(Context& context, const Place& place, Table& table) {
   const double rate = age > 0.0 ? static_cast<double>(counts->taken) / age : 0.0;
   table.Add(
       {"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
-                            " a second since it stands; reads, which go past the mailbox, are in "
-                            "no count"});
+                            " per second since it was made; reads bypass the mailbox and are not "
+                            "counted"});
   if (counts->capacity > 0) {
     table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
   }
@@ -188,7 +188,7 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
     client.GetSchema(process, fingerprint, handler);
   });
   if (!schema) {
-    context.err() << "gcm: what is in the " << title
+    context.err() << "gcm: the content of the " << title
                   << " is unknown: " << Plain(schema.error().message) << '\n';
     return;
   }
@@ -306,11 +306,13 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
 
 std::vector<Verb> ShowVerbs() {
   return {
-      {"show", "tell all about one process, component, interface or member",
+      {"show", "show everything about one process, component, interface or member",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         Names(app.add_option("path", *path, "what to show; with *: all that it names"),
-               WordKind::kPath)
+         Names(
+             app.add_option("path", *path,
+                            "path or pattern of what to show; with *: everything that it matches"),
+             WordKind::kPath)
              ->required();
          return [path](Context& context) { return Show(context, *path); };
        }},

@@ -172,18 +172,18 @@ Result<ExitCode> Revoke(Context& context, const CertArguments& arguments) {
       context.out() << arguments.name << (is_dry ? "  would be revoked  " : "  revoked  ") << serial
                     << '\n';
     }
-    if (!is_dry)
-      context.err() << "gcm: other hosts learn of it from a copy of " << Plain(list) << '\n';
+    if (!is_dry) context.err() << "gcm: other hosts need a copy of " << Plain(list) << '\n';
   }
   return program::kOk;
 }
 
 void AddCertDryRun(CLI::App& app, CertArguments& arguments) {
-  app.add_flag("--dry-run", arguments.is_dry, "say what would be done, and do nothing");
+  app.add_flag("--dry-run", arguments.is_dry, "print what would be done, but do nothing");
 }
 
 void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
-  app.add_option("name", arguments.name, "whose: of a process, the name by which it joins")
+  app.add_option("name", arguments.name,
+                 "owner of the certificate; for a process, the name by which it joins")
       ->required();
   app.add_option("--role", arguments.role, "viewer or operator")->required();
   CLI::Option* process =
@@ -211,14 +211,14 @@ struct Act {
 constexpr Act kActs[] = {
     {"init", "make a CA", &AddCertDryRun, &Init},
     {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
-    {"check", "say whose a certificate is, and whether it is good",
+    {"check", "print the owner of a certificate, and whether it is valid",
      [](CLI::App& app, CertArguments& arguments) {
        Names(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
              WordKind::kFile)
            ->required();
      },
      &Check},
-    {"revoke", "make all certificates of a name worthless",
+    {"revoke", "revoke all certificates of a name",
      [](CLI::App& app, CertArguments& arguments) {
        app.add_option("name", arguments.name, "whose")->required();
        AddCertDryRun(app, arguments);

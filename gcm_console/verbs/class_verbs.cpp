@@ -163,9 +163,10 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   const bool is_whole = arguments.component.find('/') != std::string::npos;
   if (is_whole && !path) return path.error();
   if (is_whole && (!path->interface.empty() || !arguments.process.empty())) {
-    return Error{ErrorCode::kInvalid, "'" + arguments.component +
-                                          "' names no component: expected process/component, or "
-                                          "its name alone with --in process"};
+    return Error{ErrorCode::kInvalid,
+                 "'" + arguments.component +
+                     "' does not name a component: expected process/component, or "
+                     "its name alone with --in process"};
   }
   const auto process =
       ProcessOf((*client)->catalogue(), is_whole ? path->process : arguments.process);
@@ -173,7 +174,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
   if (arguments.class_name.empty()) {
-    return Error{ErrorCode::kInvalid, "no class is named; gcm classes " + *process +
+    return Error{ErrorCode::kInvalid, "no class is given; gcm classes " + *process +
                                           " lists those that '" + *process + "' has"};
   }
   const LifeOrder order{.verb = LifeVerb::kCreate,
@@ -199,8 +200,8 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   if (!configuration) return configuration.error();
   if (configuration->empty()) {
     return Error{ErrorCode::kInvalid,
-                 "nothing is said of the configuration: give --arg or --configure; --arg {} is for "
-                 "the defaults"};
+                 "the configuration is missing: give --arg or --configure; --arg {} means the "
+                 "defaults"};
   }
   const LifeOrder order{.verb = LifeVerb::kConfigure,
                         .process = found->front().process,
@@ -294,7 +295,7 @@ Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
     const auto is_loaded = [&](const ClassDescription& one) { return one.library == plugin; };
     if (std::ranges::none_of(all->classes, is_loaded)) more += " " + plugin;
   }
-  if (!more.empty()) context.err() << "gcm: can be loaded, too:" << Plain(more) << '\n';
+  if (!more.empty()) context.err() << "gcm: can also be loaded:" << Plain(more) << '\n';
   return program::kOk;
 }
 
@@ -310,12 +311,12 @@ void AddConfiguration(CLI::App& app, ClassArguments& arguments) {
 }
 
 void AddProcess(CLI::App& app, ClassArguments& arguments) {
-  Names(app.add_option("--in", arguments.process, "the process, where there are several"),
+  Names(app.add_option("--in", arguments.process, "the process, if there are several"),
         WordKind::kProcess);
 }
 
 void AddDryRun(CLI::App& app, ClassArguments& arguments) {
-  app.add_flag("--dry-run", arguments.dry_run, "say what would be done, and do nothing");
+  app.add_flag("--dry-run", arguments.dry_run, "print what would be done, but do nothing");
 }
 
 }  // namespace
@@ -332,16 +333,17 @@ std::vector<Verb> ClassVerbs() {
          AddDryRun(app, *arguments);
          return [arguments](Context& context) { return Load(context, *arguments); };
        }},
-      {"classes", "list the classes that a process can make components of",
+      {"classes", "list the classes of which a process can create components",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         Names(app.add_option("process", arguments->process, "needed where there are several"),
+         Names(app.add_option("process", arguments->process, "needed if there are several"),
                WordKind::kProcess);
-         Names(app.add_option("class", arguments->class_name, "show what its configuration has"),
-               WordKind::kClass);
+         Names(
+             app.add_option("class", arguments->class_name, "show the fields of its configuration"),
+             WordKind::kClass);
          return [arguments](Context& context) { return List(context, *arguments); };
        }},
-      {"create", "make a component of a class",
+      {"create", "create a component of a class",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("class", arguments->class_name, "see: gcm classes"), WordKind::kClass)
@@ -350,13 +352,13 @@ std::vector<Verb> ClassVerbs() {
              ->required();
          AddProcess(app, *arguments);
          Names(app.add_option("--library", arguments->library,
-                              "the plug-in with the class; loaded where it is not yet"),
+                              "the plug-in with the class; it is loaded if it is not loaded yet"),
                WordKind::kPlugIn);
          AddConfiguration(app, *arguments);
          AddDryRun(app, *arguments);
          return [arguments](Context& context) { return Create(context, *arguments); };
        }},
-      {"configure", "make a component that is at rest anew, with another configuration",
+      {"configure", "create a component that does not run again, with another configuration",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("component", arguments->component, "process/component"),

@@ -109,8 +109,9 @@ Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalogue& catalo
   if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
   if (!paths.empty()) return paths;
   if (!things) return columns.error();
-  return Error{ErrorCode::kNotFound,
-               "nothing that '" + glob + "' names can be read; gcm find '" + glob + "' lists it"};
+  return Error{ErrorCode::kNotFound, "no value that '" + glob +
+                                         "' matches can be read; gcm find '" + glob +
+                                         "' lists the matches"};
 }
 
 /// Prints one line per value. Reports values that cannot be read, and reads the others.
@@ -512,7 +513,7 @@ std::vector<Verb> DataVerbs() {
          auto path = std::make_shared<std::string>();
          Names(app.add_option("path", *path,
                               "a read command or column, such as "
-                              "robot/arm/state.Joints.position[0]; with *: all that it names"),
+                              "robot/arm/state.Joints.position[0]; with *: all that it matches"),
                WordKind::kReadable)
              ->required();
          return [path](Context& context) {
@@ -523,22 +524,23 @@ std::vector<Verb> DataVerbs() {
        "print every row of columns of state tables: ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
-         Names(app.add_option("paths", options->paths,
-                              "columns, also with * and **, or a part of each (.position[0]); "
-                              "each table has rows of its own, with - for the columns of others"),
+         Names(app.add_option(
+                   "paths", options->paths,
+                   "columns, also with * and **, or a part of each (.position[0]); "
+                   "each row belongs to one table, and has - in the columns of other tables"),
                WordKind::kColumn)
              ->required();
-         app.add_option("--hz", options->rate, "at most so many rows a second (default: all)")
+         app.add_option("--hz", options->rate, "at most this many rows per second (default: all)")
              ->transform(CLI::Validator(&program::TransformPositive, ""));
          app.add_flag("--latest", options->is_latest,
-                      "only what is the newest when there is time to print it");
-         app.add_option("--count", options->count, "end after so many rows")
+                      "print only the newest row; skip rows that come too fast to be printed");
+         app.add_option("--count", options->count, "end after this many rows")
              ->transform(CLI::Validator(&program::TransformCount, ""));
-         app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
+         app.add_option("--for", options->seconds, "end after this time: 10s, 500ms, 2min")
              ->type_name("TIME")
              ->transform(CLI::Validator(&program::TransformDuration, ""));
          app.add_flag("--no-reconnect", options->ends_with_link,
-                      "end when the GCM or a process is lost, rather than wait for it");
+                      "end if the GCM or a process is lost, instead of waiting for it");
          return [options](Context& context) { return Watch(context, *options); };
        },
        {"gcm watch robot/arm/state.Joints --hz 5", "gcm watch 'robot/*/state.*' --for 10s",

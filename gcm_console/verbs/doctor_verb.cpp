@@ -86,7 +86,7 @@ class Doctor {
     if (!client) {
       Bad("GCM", client.error().message,
           client.error().code == ErrorCode::kUnreachable
-              ? "gcm serve, or --gcm ADDRESS of the one that is meant"
+              ? "gcm serve, or --gcm with the address of the right GCM"
               : "gcm help, about --gcm, --certificate and --insecure");
       if (client.error().code == ErrorCode::kUnreachable) ExaminePort();
       return std::move(findings_);
@@ -124,7 +124,8 @@ class Doctor {
     Good("gcm", tendon::VersionText(own_) + ", over " + context_.settings().network.middleware +
                     ", on host " + tendon::os::HostName());
     if (tendon::os::RunsAsRoot()) {
-      findings_.push_back({"user", Finding::Verdict::kUnknown, "root, which nothing here needs"});
+      findings_.push_back(
+          {"user", Finding::Verdict::kUnknown, "root; no program of Tendon needs these rights"});
     }
   }
   void ExamineSecrets() {
@@ -146,7 +147,7 @@ class Doctor {
     } else if (!checked->warning.empty()) {
       Bad("certificate", checked->warning, "gcm cert issue " + checked->certificate.name);
     } else {
-      Good("certificate", "of " + checked->certificate.name + ", good until " +
+      Good("certificate", "of " + checked->certificate.name + ", valid until " +
                               tendon::DateText(checked->certificate.not_after));
     }
   }
@@ -175,7 +176,7 @@ class Doctor {
     AddVersion("GCM", AskForVersion(""),
                place + ", answers within " + Milliseconds(passed) + ", revision " +
                    std::to_string(client.catalogue().revision()),
-               "start it anew with this release of gcm serve; the system runs on meanwhile");
+               "restart it with this release of gcm serve; the system keeps running meanwhile");
   }
   /// Returns true if the process answers.
   bool ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
@@ -194,8 +195,8 @@ class Doctor {
            std::string(ToString(process.state)) + ": " + process.reason,
            HasFallenSilent(process)
                ? AdviceFor(process)
-               : "start it again by the command that it was started with, or take it off the list: "
-                 "gcm forget " +
+               : "start it again with the command that started it, or remove it from the list: gcm "
+                 "forget " +
                      process.name});
       return false;
     }
@@ -207,7 +208,9 @@ class Doctor {
     }
     const bool is_elsewhere = process.host != tendon::os::HostName();
     if (is_elsewhere && tendon::IsOfOneHost(process.address)) {
-      Bad(what, place + ", says it is reached at " + process.address + ", which only that host can",
+      Bad(what,
+          place + ", advertises the address " + process.address +
+              ", which only its own host can reach",
           "start it with --listen and --advertise and an address of " + process.host);
       return false;
     }
@@ -227,7 +230,7 @@ class Doctor {
     AddVersion(what, told,
                place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
                    UsageText(process) + ClockText(client, entry),
-               "build it anew with this release, or use a gcm of its own");
+               "rebuild it with this release, or use a gcm of its release");
     return true;
   }
   /// The version of a process, or of the GCM if `process` is empty.
@@ -363,7 +366,7 @@ Result<ExitCode> Examine(Context& context) {
 
 std::vector<Verb> DoctorVerbs() {
   return {{"doctor",
-           "look for what is wrong: keys, addresses, versions, processes, plug-ins, clocks, "
+           "look for problems of keys, addresses, versions, processes, plug-ins, clocks, "
            "connections",
            [](CLI::App&) -> Verb::Run { return &Examine; }}};
 }

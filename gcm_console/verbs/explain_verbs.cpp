@@ -75,7 +75,7 @@ Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Interface
   if (!candidates) return candidates.error();
   if (!candidates->empty()) return candidates->front().provided;
   return Error{ErrorCode::kIncompatible,
-               ToString(required) + " is not connected, and nothing that is there fits it"};
+               ToString(required) + " is not connected, and no available interface fits it"};
 }
 
 /// Measures a request to the process that does not involve a component's thread.
@@ -199,7 +199,7 @@ Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
 
 std::vector<Verb> ExplainVerbs() {
   return {
-      {"candidates", "list what a required interface can be connected to, the best first",
+      {"candidates", "list the provided interfaces that fit a required interface, the best first",
        [](CLI::App& app) -> Verb::Run {
          auto required = std::make_shared<std::string>();
          Names(app.add_option("required", *required, "process/component/interface"),
@@ -207,15 +207,15 @@ std::vector<Verb> ExplainVerbs() {
              ->required();
          return [required](Context& context) { return Candidates(context, *required); };
        }},
-      {"explain", "check a connection step by step and say what keeps it from working",
+      {"explain", "check a connection step by step and report what prevents it from working",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ExplainedEnds>();
          Names(app.add_option("required", ends->required, "process/component/interface"),
                WordKind::kRequired)
              ->required();
          Names(app.add_option("provided", ends->provided,
-                              "what it is to be connected to (default: what it is connected to, "
-                              "else the best candidate)"),
+                              "the provided interface (default: the connected one, else the best "
+                              "candidate)"),
                WordKind::kProvided);
          return [ends](Context& context) { return Explain(context, *ends); };
        }},

@@ -179,11 +179,11 @@ std::string AllOf(const std::set<std::string>& verbs) {
 /// "all is well", or the problems.
 std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
-    return tendon::Counted(health.wrong, "thing", "things") + " not as it should be: see " +
+    return tendon::Counted(health.wrong, "thing", "things") + " with a problem: see " +
            AllOf(health.verbs);
   }
   if (health.at_rest.empty()) return "all is well";
-  return "nothing is wrong, but what has connections does not run: " + AllOf(health.at_rest);
+  return "nothing is wrong, but some connected components do not run: " + AllOf(health.at_rest);
 }
 
 Result<ExitCode> Status(Context& context) {
@@ -228,8 +228,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   if (things.empty()) {
     std::string all;
     for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-    return Error{ErrorCode::kNotFound,
-                 "nothing fits '" + all + "'; gcm ls -R lists everything there is"};
+    return Error{ErrorCode::kNotFound, "nothing fits '" + all + "'; gcm ls -R lists all names"};
   }
   PrintThings(context, things);
   return program::kOk;
@@ -282,7 +281,8 @@ Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
 Verb::Run PrepareGraph(CLI::App& app) {
   auto options = std::make_shared<GraphOptions>();
   auto* dot = app.add_flag("--dot", options->is_dot, "for Graphviz");
-  auto* svg = app.add_flag("--svg", options->is_svg, "a picture of it all")->excludes(dot);
+  auto* svg =
+      app.add_flag("--svg", options->is_svg, "a picture of the whole system")->excludes(dot);
   app.add_flag("--text")
       ->description("a line for each interface that is used (default)")
       ->excludes(dot)
@@ -294,16 +294,17 @@ Verb::Run PrepareGraph(CLI::App& app) {
 
 std::vector<Verb> FindVerbs() {
   return {
-      {"status", "tell in one screen how processes and connections are doing",
+      {"status", "show the state of all processes and connections on one screen",
        [](CLI::App&) -> Verb::Run { return &Status; }},
       {"find",
-       "list whatever fits a pattern",
+       "list everything that matches a pattern",
        [](CLI::App& app) -> Verb::Run {
          auto terms = std::make_shared<std::vector<std::string>>();
          app.add_option("expression", *terms,
-                        "a part of a path, or all of it with * and **, or a regular "
-                        "/expression/; type:, state:, host: or proc: with the same; ! turns one "
-                        "around; all of them must fit")
+                        "a part of a path, or a whole path with * and **, or a regular "
+                        "/expression/; the same after type:, state:, host: or proc:; ! negates a "
+                        "term; all terms must "
+                        "match")
              ->required();
          return [terms](Context& context) { return Find(context, *terms); };
        },

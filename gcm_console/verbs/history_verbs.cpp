@@ -132,7 +132,7 @@ Result<void> CheckNewest(const tendon::Catalogue& catalogue,
   const HistoryEntry newest = undone.steps.front();
   if (words.step != 0 && newest.id != words.step) {
     return Error{ErrorCode::kFailed, "step " + std::to_string(words.step) +
-                                         " is not the newest any more, but " +
+                                         " is not the newest any more; the newest is " +
                                          tendon::WholeText(newest) + "; see: gcm history"};
   }
   auto checked = CheckUndoOf(catalogue, history, newest);
@@ -208,28 +208,29 @@ Result<ExitCode> History(Context& context, std::size_t count) {
 
 std::vector<Verb> HistoryVerbs() {
   return {
-      {"undo", "take back the last changes of the system",
+      {"undo", "undo the last changes of the system",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<UndoWords>();
-         auto* const count = app.add_option("count", words->count, "how many of them")
+         auto* const count = app.add_option("count", words->count, "how many changes")
                                  ->transform(CLI::Validator(&program::TransformCount, ""))
                                  ->check(CLI::Range(1, 1000))
                                  ->capture_default_str();
          app.add_option("--step", words->step,
-                        "only this one, where it still is the newest; gcm history has the numbers")
+                        "only this step, if it is still the newest; gcm history lists the numbers")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->excludes(count);
          app.add_flag("--skip", words->skip,
-                      "pass over the newest for good where it cannot be undone as things are")
+                      "skip the newest step permanently if it cannot be undone now")
              ->excludes(count);
-         app.add_flag("--dry-run", words->dry_run,
-                      "say what would be undone, and whether the first can be; do nothing");
+         app.add_flag(
+             "--dry-run", words->dry_run,
+             "print what would be undone and whether the first step can be undone, but do nothing");
          return [words](Context& context) { return Undo(context, *words); };
        }},
-      {"history", "list the changes of the system, with who made them and when",
+      {"history", "list the changes of the system: what, by whom and when",
        [](CLI::App& app) -> Verb::Run {
          auto count = std::make_shared<std::size_t>(50);
-         app.add_option("--count", *count, "how many, the newest")
+         app.add_option("--count", *count, "how many of the newest changes")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->capture_default_str();
          return [count](Context& context) { return History(context, *count); };

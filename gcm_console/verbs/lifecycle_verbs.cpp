@@ -118,7 +118,8 @@ Result<void> Carry(Context& context, const LifeOrder& order) {
 void SayWhatIsLeftOut(Context& context, const Targets& targets, std::string_view done) {
   if (targets.left_out == 0) return;
   context.err() << "gcm: left out " << targets.left_out << " that "
-                << (targets.left_out == 1 ? "is" : "are") << " in no state to be " << done << '\n';
+                << (targets.left_out == 1 ? "is" : "are") << " not in a state to be " << done
+                << '\n';
 }
 
 /// Asks a user at a terminal before a glob changes several things; `what` describes them.
@@ -156,21 +157,22 @@ Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArgum
 }
 
 Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
-  return {std::move(name), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<LifeArguments>();
-            Names(app.add_option("components", arguments->patterns,
-                                 "process/component, or a glob as robot/* or ** for all"),
-                  WordKind::kComponent)
-                ->required();
-            app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
-            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-            if (wording.verb == LifeVerb::kStart) {
-              app.add_flag("--strict", arguments->is_strict,
-                           "refuse where a required interface is not connected that the component "
-                           "needs; otherwise it runs, and waits for that");
-            }
-            return [=](Context& context) { return Steer(context, wording, *arguments); };
-          }};
+  return {
+      std::move(name), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
+        auto arguments = std::make_shared<LifeArguments>();
+        Names(app.add_option("components", arguments->patterns,
+                             "process/component, or a glob such as robot/*, or ** for all"),
+              WordKind::kComponent)
+            ->required();
+        app.add_flag("--dry-run", arguments->dry_run, "print what would be done, but do nothing");
+        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+        if (wording.verb == LifeVerb::kStart) {
+          app.add_flag("--strict", arguments->is_strict,
+                       "refuse if a required interface that the component needs is not connected; "
+                       "without this option the component runs and waits for the connection");
+        }
+        return [=](Context& context) { return Steer(context, wording, *arguments); };
+      }};
 }
 
 using Ours = std::optional<tendon::message::Children>;
@@ -209,12 +211,14 @@ Result<void> CheckForget(const Catalogue& catalogue, const Ours& /*ours*/,
   const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   if ((*entry)->process.state == tendon::ProcessState::kStarting) {
-    return Error{ErrorCode::kFailed,
-                 "process '" + process + "' is starting; only one that is gone can be forgotten"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + process + "' is starting; only a process that is gone can be forgotten"};
   }
   if (!IsPresent((*entry)->process)) return {};
-  return Error{ErrorCode::kFailed,
-               "process '" + process + "' is there; only one that is gone can be forgotten"};
+  return Error{
+      ErrorCode::kFailed,
+      "process '" + process + "' is running; only a process that is gone can be forgotten"};
 }
 
 Result<void> Forget(Context& context, const std::string& process) {
@@ -245,7 +249,7 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
-                 "no process fits '" + pattern + "'; gcm ls lists what there is"};
+                 "no process fits '" + pattern + "'; gcm ls lists all processes"};
   }
   if (targets.paths.size() > 1) PutClientProcessesFirst(catalogue, targets.paths);
   return targets;
@@ -285,34 +289,35 @@ Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
 }
 
 Verb ProcessVerb(std::string summary, const ProcessWording& wording) {
-  return {std::string(wording.infinitive), std::move(summary),
-          [wording](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<LifeArguments>();
-            Names(app.add_option("processes", arguments->patterns,
-                                 "names of processes, or a glob as desk*"),
-                  WordKind::kProcess)
-                ->required();
-            app.add_flag("--dry-run", arguments->dry_run, "say what would be done, and do nothing");
-            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-            return [=](Context& context) { return Carry(context, wording, *arguments); };
-          }};
+  return {
+      std::string(wording.infinitive), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
+        auto arguments = std::make_shared<LifeArguments>();
+        Names(app.add_option("processes", arguments->patterns,
+                             "names of processes, or a glob such as desk*"),
+              WordKind::kProcess)
+            ->required();
+        app.add_flag("--dry-run", arguments->dry_run, "print what would be done, but do nothing");
+        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+        return [=](Context& context) { return Carry(context, wording, *arguments); };
+      }};
 }
 
 }  // namespace
 
 std::vector<Verb> LifecycleVerbs() {
   return {
-      SteeringVerb("start", "let components run", {LifeVerb::kStart, "start", "started"}),
-      SteeringVerb("suspend", "let the cycles of components rest; start lets them go on",
+      SteeringVerb("start", "start components, or resume them",
+                   {LifeVerb::kStart, "start", "started"}),
+      SteeringVerb("suspend", "pause the cycles of components; start resumes them",
                    {LifeVerb::kSuspend, "suspend", "suspended"}),
-      SteeringVerb("stop", "end the run of components", {LifeVerb::kStop, "stop", "stopped"}),
-      SteeringVerb("restart", "stop components that run, and start them",
+      SteeringVerb("stop", "stop components", {LifeVerb::kStop, "stop", "stopped"}),
+      SteeringVerb("restart", "stop components that run, and start them again",
                    {LifeVerb::kRestart, "restart", "restarted"}),
       SteeringVerb("rm", "remove components, with their connections",
                    {LifeVerb::kRemove, "remove", "removed"}),
-      ProcessVerb("end processes that the GCM has started, with all that runs in them",
+      ProcessVerb("end processes that the GCM has started, with all their components",
                   {"kill", "ended", true, &CheckKill, &Kill}),
-      ProcessVerb("keep nothing more of processes that are gone for good",
+      ProcessVerb("remove processes that are gone for good from the catalogue",
                   {"forget", "forgotten", false, &CheckForget, &Forget}),
   };
 }

@@ -150,7 +150,7 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
     if (const auto known = LookUpProcess(catalogue, name); !known) return known.error();
   }
   const std::string from = options.from.empty() ? "" : "from '" + Plain(options.from) + "' ";
-  context.err() << "gcm: nothing that is kept is " << from << "at level " << options.level
+  context.err() << "gcm: no kept record is " << from << "at level " << options.level
                 << " or above\n";
   return {};
 }
@@ -262,9 +262,9 @@ Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   }
   if (outcomes.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "no process that is there fits '" + order.process + "'; gcm ls lists them"};
+                 "no available process fits '" + order.process + "'; gcm ls lists them"};
   }
-  PrintOutcomes(context, {"log-level", "told to log " + order.level + " and above", order.dry_run},
+  PrintOutcomes(context, {"log-level", "set to log " + order.level + " and above", order.dry_run},
                 outcomes);
   return ExitCodeOf(outcomes);
 }
@@ -290,24 +290,24 @@ std::vector<Verb> LogVerbs() {
        "print what the processes log: time, level, process/source, text",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<LogOptions>();
-         app.add_flag("-f,--follow", options->follow, "go on with what is logged from now on");
-         app.add_option("--level", options->level, "this one and those above (default: all)")
+         app.add_flag("-f,--follow", options->follow, "continue with new records as they come");
+         app.add_option("--level", options->level, "this level and those above (default: all)")
              ->check(CLI::IsMember(LevelNames()));
          app.add_option("--from", options->from,
                         "process or process/source, with * and ** (default: all)");
          return [options](Context& context) { return ShowLog(context, *options); };
        },
        {"gcm log --follow --level warning", "gcm log --from 'robot/**'"}},
-      {"log-level", "set from which level on a process logs, until it ends",
+      {"log-level", "set the lowest level that a process logs, until it ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
-         Names(app.add_option("process", order->process, "which process, or a glob as r*"),
+         Names(app.add_option("process", order->process, "process, or a glob such as r*"),
                WordKind::kProcess)
              ->required();
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()
              ->check(CLI::IsMember(LevelNames()));
-         app.add_flag("--dry-run", order->dry_run, "say what would be set, and do nothing");
+         app.add_flag("--dry-run", order->dry_run, "print what would be set, but do nothing");
          return [order](Context& context) { return SetLevel(context, *order); };
        }},
   };

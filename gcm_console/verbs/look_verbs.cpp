@@ -135,14 +135,14 @@ Result<ExitCode> Tree(Context& context) {
 Verb::Run PrepareList(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
   Names(app.add_option("path", options->path,
-                       "process/component/interface.member, or the beginning of it; or a glob, of "
-                       "which all that it names is listed"),
+                       "process/component/interface.member, or the beginning of it; or a glob: "
+                       "everything that it matches is listed"),
         WordKind::kPath);
-  app.add_flag("-R,--recursive", options->is_recursive, "and what is in that, by path");
-  app.add_flag("-l,--long", options->is_long, "by path, with type, state and who is connected");
+  app.add_flag("-R,--recursive", options->is_recursive, "also list the contents, by path");
+  app.add_flag("-l,--long", options->is_long, "list by path, with type, state and connections");
   std::vector<std::string> codes;
   for (const Noun& noun : kNouns) codes.emplace_back(noun.code);
-  app.add_option("--type", options->types, "only these, at any depth; several with commas between")
+  app.add_option("--type", options->types, "only these types, at any depth, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(codes));
@@ -154,7 +154,7 @@ Verb::Run PrepareList(CLI::App& app) {
 std::vector<Verb> LookVerbs() {
   return {
       {"ls",
-       "list processes, or what is in one thing",
+       "list processes, or the contents of one thing",
        &PrepareList,
        {"gcm ls robot/arm", "gcm ls 'robot/*'", "gcm ls -R -l", "gcm ls robot --type cmd,event"}},
       {"tree", "show the whole catalogue", [](CLI::App&) -> Verb::Run { return &Tree; }},

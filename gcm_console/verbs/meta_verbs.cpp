@@ -86,7 +86,7 @@ Verb::Run PrepareHelp(CLI::App& app) {
   Names(app.add_option("topic", options->words, "a verb, or a topic: exit-codes, paths, output"),
         WordKind::kVerb);
   Names(app.add_option("--manual", options->manual,
-                       "write all of it into this folder instead, as pages for man"),
+                       "write pages for man of all verbs into this folder instead"),
         WordKind::kFile)
       ->check(CLI::ExistingDirectory);
   return [options](Context& context) { return Help(context, *options); };
@@ -108,13 +108,13 @@ Verb::Run PrepareCompletion(CLI::App& app) {
 std::vector<Verb> MetaVerbs() {
   return {
       {"help",
-       "tell what there is, or all about one verb or topic",
+       "print the list of verbs, or the help of one verb or topic",
        &PrepareHelp,
        {"gcm help watch", "gcm help exit-codes"}},
-      {"version", "say which gcm this is, and what it can talk over",
+      {"version", "print the version of gcm and the middlewares that it supports",
        [](CLI::App&) -> Verb::Run { return &Version; }},
       {"completion",
-       "print what makes a shell complete the words of gcm",
+       "print a script that makes a shell complete the words of gcm",
        &PrepareCompletion,
        {"source <(gcm completion bash)", "gcm completion fish | source"}},
   };

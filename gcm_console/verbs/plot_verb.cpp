@@ -60,7 +60,7 @@ class Plotting {
       is_any_left |= !table.feed->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "nothing that fits is a number"};
+    return Error{tendon::ErrorCode::kNotFound, "no value that matches is a number"};
   }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> all;
@@ -88,7 +88,7 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
   const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestCurveRows + 1)));
   if (curves.size() > fit) {
     footer = std::to_string(fit) + " of " + std::to_string(curves.size()) +
-             " numbers fit on this screen; name those that matter";
+             " numbers fit on this screen; name fewer";
     curves.resize(fit);
   }
   screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
@@ -122,7 +122,8 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   constexpr int kUsualColumns = 80;
   constexpr int kUsualRows = 20;
   if (context.settings().json) {
-    return Error{tendon::ErrorCode::kInvalid, "plot only draws; for the numbers: gcm --json watch"};
+    return Error{tendon::ErrorCode::kInvalid,
+                 "plot only draws; to get the numbers: gcm --json watch"};
   }
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
@@ -148,10 +149,10 @@ Verb::Run PreparePlot(CLI::App& app) {
             "numbers in columns of state tables, also with * and **, or all numbers of a part"),
         WordKind::kColumn)
       ->required();
-  app.add_option("--window", options->window, "how much time is shown (default: 10s)")
+  app.add_option("--window", options->window, "the time that is shown (default: 10s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
-  app.add_option("--for", options->seconds, "end after so long (into a pipe: the window)")
+  app.add_option("--for", options->seconds, "end after this time (into a pipe: the window)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
   return [options](Context& context) { return Plot(context, *options); };

@@ -183,9 +183,9 @@ Verb::Run PrepareRate(CLI::App& app) {
   Names(app.add_option("path", options->path, "a state table, or a column of it"),
         WordKind::kColumn)
       ->required();
-  app.add_option("--count", options->count, "end after so many seconds' lines")
+  app.add_option("--count", options->count, "end after this many lines, one per second")
       ->transform(CLI::Validator(&program::TransformCount, ""));
-  app.add_option("--for", options->seconds, "end after so long: 10s, 500ms, 2min")
+  app.add_option("--for", options->seconds, "end after this time: 10s, 500ms, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
   return [options](Context& context) { return MeasureRate(context, *options); };
@@ -195,7 +195,7 @@ Verb::Run PrepareRate(CLI::App& app) {
 
 std::vector<Verb> RateVerbs() {
   return {{"hz",
-           "measure how often a state table gets a row, each second",
+           "measure the rows per second of a state table",
            &PrepareRate,
            {"gcm hz robot/arm/state", "gcm hz robot/arm/state --count 1"}}};
 }

@@ -20,7 +20,7 @@ namespace {
 
 tendon::Error WithHint(tendon::Error error) {
   if (error.code == tendon::ErrorCode::kExists) {
-    error.message += "; use the GCM that is there, or give --gcm another port";
+    error.message += "; use the running GCM, or give --gcm another port";
   }
   return error;
 }
@@ -116,7 +116,7 @@ std::vector<Verb> ServeVerbs() {
   return {
       {"serve", "run a GCM at the address of --gcm until told to stop", &PrepareServe},
       {"fan-out",
-       "run IceStorm, by which rows reach many viewers",
+       "run IceStorm, which distributes rows to many viewers",
        &PrepareFanOut,
        {"gcm fan-out", "gcm serve --fan-out 127.0.0.1:10706"}},
   };

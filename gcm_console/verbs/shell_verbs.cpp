@@ -54,7 +54,7 @@ Result<ExitCode> ReadLines(Shell& shell, const Streams& streams) {
 
 Result<ExitCode> RunShell(Context& context) {
   if (context.session() != nullptr) {
-    return Error{ErrorCode::kInvalid, "this is a shell already; exit ends it"};
+    return Error{ErrorCode::kInvalid, "this is already a shell; exit ends it"};
   }
   Shell shell(context.settings());
   const bool is_typed = context.streams().make_line_reader != nullptr;
@@ -73,9 +73,9 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
   const std::string name = options.file == "-" ? "standard input" : options.file;
   Settings settings = context.settings();
   if (++settings.scripts > kMostScripts) {
-    return Error{ErrorCode::kInvalid, "scripts run each other more than " +
+    return Error{ErrorCode::kInvalid, "scripts are nested more than " +
                                           std::to_string(kMostScripts) +
-                                          " deep: does one run itself?"};
+                                          " deep: does a script run itself?"};
   }
   Shell shell(std::move(settings));
   int failure = program::kOk;
@@ -124,7 +124,7 @@ Verb::Run PrepareScript(CLI::App& app) {
   Names(app.add_option("file", options->file, "lines as in gcm shell; - reads them from stdin"),
         WordKind::kFile)
       ->required();
-  app.add_flag("--keep-going", options->keeps_going, "go on behind a line that has failed");
+  app.add_flag("--keep-going", options->keeps_going, "continue after a line that has failed");
   return [options](Context& context) { return RunScript(context, *options); };
 }
 
@@ -132,7 +132,7 @@ Verb::Run PrepareScript(CLI::App& app) {
 
 std::vector<Verb> ShellVerbs() {
   return {
-      {"shell", "take verbs from a prompt, with Tab, a history and cd; gcm help prompt tells more",
+      {"shell", "read verbs at a prompt, with Tab, a history and cd; see: gcm help prompt",
        [](CLI::App&) -> Verb::Run { return &RunShell; }},
       {"run",
        "run a file of verbs, up to the first that fails",

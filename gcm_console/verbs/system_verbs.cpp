@@ -98,7 +98,7 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
   std::error_code ignored;
   if (std::filesystem::exists(words.to, ignored)) {
     return Error{ErrorCode::kExists,
-                 words.to + " is there already: give another file, or remove this"};
+                 words.to + " already exists: give another file, or remove this"};
   }
   imported->file.name = std::filesystem::path(words.to).stem().string();
   return Write(context, {words.to, words.dry_run},
@@ -130,7 +130,7 @@ Result<ExitCode> Save(Context& context, const SaveWords& words) {
   const bool is_older = !children && children.error().code == ErrorCode::kDenied;
   if (!children && !is_older) return children.error();
   if (children) SetStarts(*children, running.file);
-  if (is_older) kept.emplace_back("this GCM is too old to say whom it has started");
+  if (is_older) kept.emplace_back("this GCM is too old to report which processes it has started");
   auto left_out = running.LeftOut();
   return Write(context, words, {std::move(running.file), std::move(kept), std::move(left_out)});
 }
@@ -250,15 +250,16 @@ struct ApplyWords {
 /// Checks that the plan may be executed.
 Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   if (!plan.obstacles.empty() && !words.keep_going) {
-    return Error{plan.refusal,
-                 "nothing was done, for the file cannot be had as a whole; to do what can be done: "
-                 "gcm apply " +
-                     words.file + " --keep-going" + (words.yes ? " --yes" : "")};
+    return Error{
+        plan.refusal,
+        "nothing was done, because not all of the file can be done; to do the possible steps: "
+        "gcm apply " +
+            words.file + " --keep-going" + (words.yes ? " --yes" : "")};
   }
   if (plan.TakesAway() && !words.yes) {
     return Error{ErrorCode::kFailed,
-                 "nothing was done, for the steps marked with ! take away what runs; if that is "
-                 "meant: gcm apply " +
+                 "nothing was done, because the steps marked with ! remove things that run; to "
+                 "confirm this: gcm apply " +
                      words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
   }
   return {};
@@ -292,7 +293,7 @@ std::string WayBack(Context& context, std::uint64_t former) {
   if (std::any_of(first, steps.end(), is_others)) {
     return "; others have made changes meanwhile, see: gcm history";
   }
-  return "; take it back with: gcm undo " + std::to_string(steps.end() - first);
+  return "; undo it with: gcm undo " + std::to_string(steps.end() - first);
 }
 
 void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
@@ -370,48 +371,54 @@ Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
 
 std::vector<Verb> SystemVerbs() {
   return {
-      {"save", "write down what runs in a system file",
+      {"save", "save the running system in a system file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<SaveWords>();
-         Names(app.add_option("file", words->file, "system file to make, or to bring up to date"),
+         Names(app.add_option("file", words->file, "system file to create or to update"),
                WordKind::kFile)
              ->required();
-         app.add_flag("--dry-run", words->dry_run, "say what would be written, and do nothing");
+         app.add_flag("--dry-run", words->dry_run,
+                      "print what would be written, but write nothing");
          return [words](Context& context) { return Save(context, *words); };
        }},
-      {"import", "make a system file of a file of the cisst component manager",
+      {"import", "create a system file from a file of the cisst component manager",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ImportWords>();
          Names(app.add_option("from", words->from, "with \"components\" and \"connections\""),
                WordKind::kFile)
              ->required();
-         Names(app.add_option("to", words->to, "system file to make"), WordKind::kFile)->required();
-         app.add_option("--process", words->process, "which process it is to be in")->required();
-         app.add_flag("--dry-run", words->dry_run, "say what would be written, and do nothing");
+         Names(app.add_option("to", words->to, "system file to create"), WordKind::kFile)
+             ->required();
+         app.add_option("--process", words->process, "the process that has the components")
+             ->required();
+         app.add_flag("--dry-run", words->dry_run,
+                      "print what would be written, but write nothing");
          return [words](Context& context) { return Import(context, *words); };
        }},
-      {"diff", "say in what a system file differs from what runs, or from another file",
+      {"diff",
+       "list the differences of a system file from the running system, or from another file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<DiffWords>();
          Names(app.add_option("first", words->first, "system file"), WordKind::kFile)->required();
-         Names(app.add_option("second", words->second, "another one (default: what runs)"),
+         Names(app.add_option("second", words->second,
+                              "another system file (default: the running system)"),
                WordKind::kFile);
          return [words](Context& context) { return Diff(context, *words); };
        }},
-      {"plan", "list the steps by which what runs becomes what a system file says",
+      {"plan", "list the steps that make the running system match a system file",
        [](CLI::App& app) -> Verb::Run {
          auto file = std::make_shared<std::string>();
          Names(app.add_option("file", *file, "system file"), WordKind::kFile)->required();
          return [file](Context& context) { return PrintPlan(context, *file); };
        }},
-      {"apply", "make what runs what a system file says",
+      {"apply", "make the running system match a system file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ApplyWords>();
          Names(app.add_option("file", words->file, "system file"), WordKind::kFile)->required();
-         app.add_flag("--yes", words->yes, "also take away what runs and is not in the file");
-         app.add_flag("--dry-run", words->dry_run, "only list the steps, as plan does");
+         app.add_flag("--yes", words->yes, "also remove what is not in the file");
+         app.add_flag("--dry-run", words->dry_run, "only list the steps, like plan");
          app.add_flag("--keep-going", words->keep_going,
-                      "go on after a step that fails, with all that does not build on it");
+                      "continue after a failed step with all steps that do not depend on it");
          return [words](Context& context) { return Apply(context, *words); };
        }},
   };

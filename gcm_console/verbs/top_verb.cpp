@@ -324,14 +324,13 @@ Verb::Run Prepare(CLI::App& app) {
   for (const auto& order : kConnectionOrders) {
     if (!Sorts(order.name, kOrders)) orders.emplace_back(order.name);
   }
-  const auto* sort = app.add_option("--sort", options->sort, "what comes first")
+  const auto* sort = app.add_option("--sort", options->sort, "the column to sort by")
                          ->check(CLI::IsMember(orders))
                          ->capture_default_str();
-  app.add_option("--filter", options->filter, "only what has this in its path");
-  app.add_flag(
-      "--connections", options->shows_connections,
-      "show how all connections do; their rate is of what goes through a mailbox, which reads "
-      "do not");
+  app.add_option("--filter", options->filter, "only rows whose path contains this");
+  app.add_flag("--connections", options->shows_connections,
+               "show all connections; their rate counts what goes through a mailbox, not "
+               "reads");
   return [options, sort](Context& context) -> Result<ExitCode> {
     if (sort->count() == 0) return Top(context, *options);
     const std::string& by = options->sort;
@@ -351,7 +350,7 @@ Verb::Run Prepare(CLI::App& app) {
 
 std::vector<Verb> TopVerbs() {
   return {{"top",
-           "show how all tasks keep their time, on the whole screen or once into a pipe",
+           "show the timing of all tasks, on the whole screen, or once into a pipe",
            &Prepare,
            {"gcm top --sort late", "gcm top --connections --sort lost",
             "gcm top --filter robot/ | column -t"}}};

@@ -40,9 +40,9 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown, const Ends& ends) {
   const bool asks = unknown.message.ends_with("?");
   context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
-                << (ends.dry_run ? "the connection would wait for it"
-                                 : "the connection waits for it; take it back: gcm disconnect " +
-                                       ends.required)
+                << (ends.dry_run
+                        ? "the connection would wait for it"
+                        : "the connection waits for it; cancel it: gcm disconnect " + ends.required)
                 << '\n';
   return program::kNotFound;
 }
@@ -77,8 +77,8 @@ ExitCode Print(Context& context, const VerbForms& doing, const std::vector<Outco
 /// The error for an interface without a match.
 Error Unmatched(const Match& match, const std::string& pattern) {
   if (match.provided.empty()) {
-    return {ErrorCode::kIncompatible, "nothing that '" + pattern +
-                                          "' names fits it; look with: gcm candidates " +
+    return {ErrorCode::kIncompatible, "no interface that '" + pattern +
+                                          "' matches fits it; look with: gcm candidates " +
                                           ToString(match.required)};
   }
   std::string all;
@@ -110,7 +110,7 @@ std::string QuestionOf(const std::vector<Match>& matches) {
 Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
   if (ends.replace) {
     return Error{ErrorCode::kInvalid,
-                 "--match connects what is free; --replace is for one interface"};
+                 "--match connects only free interfaces; --replace takes one interface"};
   }
   const auto client = context.Client();
   if (!client) return client.error();
@@ -119,7 +119,8 @@ Result<ExitCode> ConnectMatching(Context& context, const Ends& ends) {
   const auto matches = MatchInterfaces(catalogue, {ends.required, ends.provided});
   if (!matches) return matches.error();
   if (matches->empty()) {
-    context.err() << "gcm: all that '" << Plain(ends.required) << "' names are connected\n";
+    context.err() << "gcm: all interfaces that '" << Plain(ends.required)
+                  << "' matches are connected\n";
   }
   const std::string question = QuestionOf(*matches);
   if (!ends.dry_run && !ends.yes && !question.empty() && !Confirm(context, question)) {
@@ -203,9 +204,9 @@ Result<ExitCode> DisconnectAll(Context& context, const Ends& ends) {
     question += " " + ToString(one.required);
   }
   if (found.empty()) {
-    return Error{ErrorCode::kNotFound, "nothing that '" + ends.required +
-                                           "' names is connected; gcm ls -R -l --type req lists "
-                                           "what is"};
+    return Error{ErrorCode::kNotFound, "no interface that '" + ends.required +
+                                           "' matches is connected; gcm ls -R -l --type req lists "
+                                           "all connections"};
   }
   question = "disconnect " + std::to_string(found.size()) + " interfaces:" + question;
   const bool asks = found.size() > 1 && !ends.yes && !ends.dry_run;
@@ -257,11 +258,11 @@ std::vector<Verb> WireVerbs() {
                WordKind::kProvided)
              ->required();
          app.add_flag("--replace", ends->replace,
-                      "end what the required interface is connected to, in one step");
+                      "replace the existing connection of the required interface, in one step");
          app.add_flag("--match", ends->match,
-                      "both are globs: connect each required interface that is free to the one "
-                      "that fits it, of several to the one of its name");
-         app.add_flag("--dry-run", ends->dry_run, "say what would be done, and do nothing");
+                      "both are globs: connect each free required interface to the provided "
+                      "interface that fits it; if several fit, to the one of the same name");
+         app.add_flag("--dry-run", ends->dry_run, "print what would be done, but do nothing");
          app.add_flag("--yes", ends->yes, "do not ask before --match connects several");
          return [ends](Context& context) { return Connect(context, *ends); };
        },
@@ -272,10 +273,10 @@ std::vector<Verb> WireVerbs() {
          auto ends = std::make_shared<Ends>();
          Names(app.add_option("required", ends->required,
                               "process/component/interface, or the number of its connection: 3, "
-                              "or process/3; or a glob as desk/*/Robot"),
+                              "or process/3; or a glob such as desk/*/Robot"),
                WordKind::kRequired)
              ->required();
-         app.add_flag("--dry-run", ends->dry_run, "say what would be done, and do nothing");
+         app.add_flag("--dry-run", ends->dry_run, "print what would be done, but do nothing");
          app.add_flag("--yes", ends->yes, "do not ask before a glob ends several");
          return [ends](Context& context) { return Disconnect(context, *ends); };
        }},

@@ -33,7 +33,7 @@ ActivityStrip::ActivityStrip(const WindowParts& parts, ProblemsModel& problems,
       actions_(parts.actions) {
   ActivityModel& activity = activity_;
   list_ = MakeRowList(activity, QStringLiteral("activity"), Words::tr("Activity"),
-                      Words::tr("What you do to the system is listed here."));
+                      Words::tr("Your changes to the system are listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->header()->setSectionResizeMode(ActivityModel::kLinks, QHeaderView::Fixed);

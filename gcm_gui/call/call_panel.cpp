@@ -162,7 +162,7 @@ QWidget* CallPanel::buildButtons() {
   connect(call_, &HoldButton::called, this, &CallPanel::call);
   connect(call_, &QAbstractButton::pressed, this, [this] { is_touched_ = true; });
   connect(call_, &HoldButton::letGoEarly, this, [this] {
-    tell(Words::tr("Not called: hold the button for 0.4 s, for this can set something in motion"),
+    tell(Words::tr("Not called: this can set something in motion; hold the button for 0.4 s"),
          QStringLiteral("warning"));
   });
   retry_ = MakeLink(Words::tr("Ask again"), QStringLiteral("call.retry"));
@@ -173,7 +173,7 @@ QWidget* CallPanel::buildButtons() {
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
   QToolButton* copy = MakeLink(Words::tr("Copy"), QStringLiteral("call.copy"));
   copy->setAccessibleName(Words::tr("Copy as command"));
-  copy->setToolTip(Words::tr("Copies the line that does the same in a terminal"));
+  copy->setToolTip(Words::tr("Copies the command line that does the same in a terminal"));
   connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
   QToolButton* favourite = MakeLink(QStringLiteral("★"), QStringLiteral("call.favourite"));
   favourite->setAccessibleName(Words::tr("Add to the favourites"));
@@ -251,7 +251,7 @@ void CallPanel::askForSchema() {
   call_->setEnabled(!takes_argument_);
   repeat_->setCallable(!takes_argument_);
   if (!takes_argument_) return check();
-  tell(Words::tr("Asking what it takes…"), QStringLiteral("dim"));
+  tell(Words::tr("Loading the argument…"), QStringLiteral("dim"));
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
                     [panel = QPointer(this), shown = shown_](const Result<Schema>& schema) {
                       if (panel != nullptr && panel->shown_ == shown) panel->hearSchema(schema);
@@ -328,7 +328,7 @@ void CallPanel::hearValue(const std::string& read, const std::vector<std::string
                           const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
   if (!value) {
-    return tell(Words::tr("Not the present values: %1 does not say them").arg(ToQString(read)),
+    return tell(Words::tr("Not the current values: %1 does not report them").arg(ToQString(read)),
                 QStringLiteral("warning"));
   }
   const std::string exact = WithExactDurations(*schema_, *value);
@@ -337,9 +337,9 @@ void CallPanel::hearValue(const std::string& read, const std::vector<std::string
   if (!call_->isEnabled()) return;
   QStringList names;
   for (const std::string& field : fields) names << ToQString(field);
-  tell(names.isEmpty()
-           ? Words::tr("As %1 says now").arg(ToQString(read))
-           : Words::tr("%1 as %2 says now").arg(names.join(QStringLiteral(", ")), ToQString(read)),
+  tell(names.isEmpty() ? Words::tr("As %1 reports now").arg(ToQString(read))
+                       : Words::tr("%1 as %2 reports now")
+                             .arg(names.join(QStringLiteral(", ")), ToQString(read)),
        QStringLiteral("dim"));
 }
 

@@ -44,7 +44,7 @@ CopiedNumbers NumbersIn(const QString& text) {
   QStringList words = is_json ? list.split(',') : list.split(between);
   if (!is_in_brackets && words.size() == 1) {
     if (!IsListWithoutBlanks(list)) return {.is_list = false, .words = {text}, .refusal = {}};
-    return Refused(Words::tr("put a blank behind each comma between numbers"));
+    return Refused(Words::tr("put a blank after each comma between numbers"));
   }
   if (words.contains(QString())) return Refused(Words::tr("there is an empty place in the list"));
   for (const QString& part : list.split(parts)) {

@@ -115,11 +115,10 @@ bool NumberField::takeList(const QString& text) {
 
 QString NumberField::refusalOfList(const QStringList& words) const {
   if (words.size() > row_.size()) {
-    return row_.size() == 1
-               ? Words::tr("one number belongs here, and there are %1").arg(words.size())
-               : Words::tr("there are %1 numbers, and %2 fields from here on")
-                     .arg(words.size())
-                     .arg(row_.size());
+    return row_.size() == 1 ? Words::tr("expected one number, found %1").arg(words.size())
+                            : Words::tr("expected at most %2 numbers from this field on, found %1")
+                                  .arg(words.size())
+                                  .arg(row_.size());
   }
   for (qsizetype i = 0; i < words.size(); ++i) {
     const NumberWord word = ReadNumberWord(row_[i]->schema_.kind(), words[i].toStdString());

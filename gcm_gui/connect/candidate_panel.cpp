@@ -34,7 +34,7 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
   SetRole(*about_, QStringLiteral("dim"));
   field_->setObjectName(QStringLiteral("candidates.filter"));
   field_->setAccessibleName(Words::tr("Filter the candidates"));
-  field_->setPlaceholderText(Words::tr("Filter; Enter picks, so do 1 to 9"));
+  field_->setPlaceholderText(Words::tr("Filter; Enter or 1 to 9 picks"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
   list_->installEventFilter(this);
@@ -75,12 +75,12 @@ void CandidatePanel::showMode() {
   const QString name = ToQString(ToString(shown_->name));
   head_->setTitle(mode_.former() ? Words::tr("Replace") : Words::tr("Connect"));
   if (mode_.former()) {
-    about_->setText(Words::tr("%1 is connected to %2. What it could be connected to instead:")
+    about_->setText(Words::tr("%1 is connected to %2. Other candidates:")
                         .arg(name, ToQString(ToString(*mode_.former()))));
   } else if (from_required) {
-    about_->setText(Words::tr("What %1 could be connected to:").arg(name));
+    about_->setText(Words::tr("Provided interfaces for %1:").arg(name));
   } else {
-    about_->setText(Words::tr("What could be connected to %1:").arg(name));
+    about_->setText(Words::tr("Required interfaces for %1:").arg(name));
   }
 }
 

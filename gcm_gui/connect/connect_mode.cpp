@@ -37,7 +37,7 @@ bool Candidate::looksAlike() const {
 
 QStringList Candidate::reasons() const {
   QStringList reasons;
-  if (present) reasons.append(Words::tr("is what it is connected to now"));
+  if (present) reasons.append(Words::tr("is the current connection"));
   for (const auto& mismatch : compatibility.mismatches) reasons.append(ToQString(mismatch.text));
   return reasons;
 }

@@ -73,8 +73,8 @@ void MatchCard::open(const std::vector<InterfaceName>& required) {
     setTabOrder(before, row.box);
     before = row.box;
   }
-  about_->setText(Words::tr("%1 of %2 have something to connect to. Space checks, Enter "
-                            "connects what is checked.")
+  about_->setText(Words::tr("%1 of %2 have a candidate. Space checks a row, Enter connects "
+                            "all checked rows.")
                       .arg(rows_.size())
                       .arg(required.size()));
   count();
@@ -101,7 +101,7 @@ void MatchCard::addRow(const InterfaceName& required) {
   const auto matches = MatchInterfaces(store_.catalogue(), {ToString(required), "**"});
   if (!matches || matches->empty() || matches->front().provided.empty()) {
     box->setEnabled(false);
-    return say({}, Words::tr("nothing that is there fits"));
+    return say({}, Words::tr("no available interface fits"));
   }
   const std::vector<InterfaceName>& found = matches->front().provided;
   box->setChecked(found.size() == 1);

@@ -83,7 +83,7 @@ ConsoleRunner::~ConsoleRunner() {
     thread_.join();
     return;
   }
-  std::cerr << "gcm-gui: a line of the console does not end, and is left\n";
+  std::cerr << "gcm-gui: a command of the console does not end; the window does not wait for it\n";
   thread_.detach();
 }
 

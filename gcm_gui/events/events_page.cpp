@@ -62,7 +62,7 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
 QWidget* EventsPage::buildBar() {
   whose_ = new QComboBox;
   whose_->setObjectName(QStringLiteral("events.whose"));
-  whose_->setAccessibleName(Words::tr("Whose events are listed"));
+  whose_->setAccessibleName(Words::tr("Source of the listed events"));
   whose_->addItem(Words::tr("All components"));
   whose_->addItem(Words::tr("Selected component"));
   connect(whose_, &QComboBox::currentIndexChanged, this, &EventsPage::listen);
@@ -76,7 +76,7 @@ QWidget* EventsPage::buildBar() {
   rate_ = MakeNote(QStringLiteral("events.rate"));
   pause_ = MakeLink(Words::tr("Pause"), QStringLiteral("events.pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(Words::tr("The list stands still; what comes is shown afterwards"));
+  pause_->setToolTip(Words::tr("The list is paused; new events are shown afterwards"));
   connect(pause_, &QToolButton::toggled, this, [this](bool paused) {
     events_.setPaused(paused);
     showRate();

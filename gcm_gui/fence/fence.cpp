@@ -58,11 +58,11 @@ QString WordsOfException() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return Words::tr("there is no memory for it");
+    return Words::tr("there is not enough memory for it");
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   } catch (...) {
-    return Words::tr("an exception without words");
+    return Words::tr("an exception without a message");
   }
 }
 
@@ -120,7 +120,7 @@ void Fence::noteUnnoted() {
   const std::uint64_t unnoted = unnoted_;
   lock.unlock();
   if (unnoted == 0) return;
-  note(Words::tr("Window"), nullptr, Words::tr("there is no memory for it"), unnoted);
+  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory for it"), unnoted);
   lock.lock();
   unnoted_ -= unnoted;
 }

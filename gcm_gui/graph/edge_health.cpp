@@ -19,8 +19,8 @@ constexpr std::chrono::seconds kBetween{1};
 QString TextOf(const ConnectionFlaw& flaw) {
   switch (flaw.kind) {
     case ConnectionFlaw::Kind::kCallsRefused:
-      return (flaw.count == 1 ? Words::tr("%1 call found no room")
-                              : Words::tr("%1 calls found no room"))
+      return (flaw.count == 1 ? Words::tr("%1 call found the mailbox full")
+                              : Words::tr("%1 calls found the mailbox full"))
           .arg(flaw.count);
     case ConnectionFlaw::Kind::kEventsLost:
       return (flaw.count == 1 ? Words::tr("%1 event was lost") : Words::tr("%1 events were lost"))

@@ -127,7 +127,7 @@ QWidget* Inspector::buildProcessPage() {
   forget_ = new QPushButton(Words::tr("Forget this process"));
   forget_->setObjectName(QStringLiteral("forget"));
   forget_->setProperty("changesSystem", true);
-  forget_->setToolTip(Words::tr("Removes what is left of it from the catalogue"));
+  forget_->setToolTip(Words::tr("Removes its last state from the catalogue"));
   connect(forget_, &QPushButton::clicked, this,
           [this] { actions_.forget(selection_.current().toStdString()); });
   auto* line = new QHBoxLayout;
@@ -301,12 +301,12 @@ void Inspector::refresh() {
                   "graph to see what it offers and needs."));
   const ProcessEntry* process = store_.catalogue().FindProcess(path->process);
   if (process == nullptr) {
-    return showNothing(selection_.current() + Words::tr(" is not there."));
+    return showNothing(selection_.current() + Words::tr(" is not available."));
   }
   if (path->component.empty()) return showProcess(*process);
   const auto component = process->components.find(path->component);
   if (component == process->components.end()) {
-    return showNothing(selection_.current() + Words::tr(" is not there."));
+    return showNothing(selection_.current() + Words::tr(" is not available."));
   }
   showComponent(*process, component->second);
 }

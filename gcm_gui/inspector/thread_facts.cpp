@@ -73,7 +73,7 @@ QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
       {Words::tr("Period"),
        ShortDuration(period) +
            (last ? Words::tr(" · now ") + DurationText(last->period) : QString()),
-       Words::tr("How often it is to run, and how often it did in the last second")},
+       Words::tr("Planned rate, and actual rate in the last second")},
       {Words::tr("Starts late by"),
        last ? Words::tr("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
             : kNone,

@@ -20,7 +20,7 @@
         <translation> · rückgängig</translation>
     </message>
     <message>
-        <source>What you do to the system is listed here.</source>
+        <source>Your changes to the system are listed here.</source>
         <translation>Hier steht, was am System verändert wurde.</translation>
     </message>
     <message>
@@ -98,7 +98,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Aufrufen</translation>
     </message>
     <message>
-        <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
+        <source>Not called: this can set something in motion; hold the button for 0.4 s</source>
         <translation>Nicht aufgerufen: den Knopf 0.4&#xa0;s halten, denn das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -114,7 +114,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Kopieren</translation>
     </message>
     <message>
-        <source>Copies the line that does the same in a terminal</source>
+        <source>Copies the command line that does the same in a terminal</source>
         <translation>Kopiert die Zeile, die im Terminal dasselbe tut</translation>
     </message>
     <message>
@@ -138,7 +138,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Aufruf von </translation>
     </message>
     <message>
-        <source>Asking what it takes…</source>
+        <source>Loading the argument…</source>
         <translation>Argument wird erfragt…</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>%1 Aufrufe</translation>
     </message>
     <message>
-        <source>, %1 left out: the one before took too long</source>
+        <source>, %1 left out: the previous call took too long</source>
         <translation>, %1 ausgelassen: der vorige dauerte zu lange</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
+        <source>It can set something in motion: it is called while the button is held down, after the first 0.4 s</source>
         <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Kandidaten filtern</translation>
     </message>
     <message>
-        <source>Filter; Enter picks, so do 1 to 9</source>
+        <source>Filter; Enter or 1 to 9 picks</source>
         <translation>Filter; Enter wählt, ebenso 1 bis 9</translation>
     </message>
     <message>
@@ -268,15 +268,15 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Ersetzen</translation>
     </message>
     <message>
-        <source>%1 is connected to %2. What it could be connected to instead:</source>
+        <source>%1 is connected to %2. Other candidates:</source>
         <translation>%1 ist mit %2 verbunden. Womit es stattdessen verbunden werden könnte:</translation>
     </message>
     <message>
-        <source>What %1 could be connected to:</source>
+        <source>Provided interfaces for %1:</source>
         <translation>Womit %1 verbunden werden könnte:</translation>
     </message>
     <message>
-        <source>What could be connected to %1:</source>
+        <source>Required interfaces for %1:</source>
         <translation>Was mit %1 verbunden werden könnte:</translation>
     </message>
     <message>
@@ -302,7 +302,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 weitere passen gar nicht</translation>
     </message>
     <message>
-        <source>is what it is connected to now</source>
+        <source>is the current connection</source>
         <translation>ist schon die jetzige Verbindung</translation>
     </message>
     <message>
@@ -314,11 +314,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nach Name und Typ zuordnen</translation>
     </message>
     <message>
-        <source>%1 of %2 have something to connect to. Space checks, Enter connects what is checked.</source>
+        <source>%1 of %2 have a candidate. Space checks a row, Enter connects all checked rows.</source>
         <translation>%1 von %2 haben ein Gegenstück. Die Leertaste hakt an, Enter verbindet das Angehakte.</translation>
     </message>
     <message>
-        <source>nothing that is there fits</source>
+        <source>no available interface fits</source>
         <translation>nichts Vorhandenes passt</translation>
     </message>
     <message>
@@ -338,7 +338,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Konsolenausgabe</translation>
     </message>
     <message>
-        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches what was typed.</source>
+        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
         <translation>Die Sprache von gcm shell: zum Beispiel ls, watch, call … oder help. Tab ergänzt, Strg+C bricht ab, Strg+R sucht im Getippten.</translation>
     </message>
     <message>
@@ -386,7 +386,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Seit diese Seite offen ist, gab es kein Ereignis.</translation>
     </message>
     <message>
-        <source>Whose events are listed</source>
+        <source>Source of the listed events</source>
         <translation>Wessen Ereignisse gezeigt werden</translation>
     </message>
     <message>
@@ -410,7 +410,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The list stands still; what comes is shown afterwards</source>
+        <source>The list is paused; new events are shown afterwards</source>
         <translation>Die Liste steht still; was kommt, wird danach gezeigt</translation>
     </message>
     <message>
@@ -430,11 +430,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
     <message>
-        <source>%1 call found no room</source>
+        <source>%1 call found the mailbox full</source>
         <translation>%1 Aufruf fand keinen Platz</translation>
     </message>
     <message>
-        <source>%1 calls found no room</source>
+        <source>%1 calls found the mailbox full</source>
         <translation>%1 Aufrufe fanden keinen Platz</translation>
     </message>
     <message>
@@ -470,7 +470,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>DOT, für Graphviz (*.dot)</translation>
     </message>
     <message>
-        <source>end its name in .svg, .png or .dot to say what it is</source>
+        <source>end its name with .svg, .png or .dot to choose the format</source>
         <translation>der Name muss auf .svg, .png oder .dot enden, um zu sagen, was es ist</translation>
     </message>
     <message>
@@ -510,7 +510,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Übersichtskarte des Graphen</translation>
     </message>
     <message>
-        <source>The frame is what is seen; Shift and arrow keys in the graph move it</source>
+        <source>The frame is the visible part; Shift and arrow keys in the graph move it</source>
         <translation>Der Rahmen ist der sichtbare Teil; Umschalt und Pfeiltasten im Graphen verschieben ihn</translation>
     </message>
     <message>
@@ -594,7 +594,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> · jetzt </translation>
     </message>
     <message>
-        <source>How often it is to run, and how often it did in the last second</source>
+        <source>Planned rate, and actual rate in the last second</source>
         <translation>Wie oft sie laufen soll und wie oft sie es in der letzten Sekunde tat</translation>
     </message>
     <message>
@@ -634,7 +634,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Prozess vergessen</translation>
     </message>
     <message>
-        <source>Removes what is left of it from the catalogue</source>
+        <source>Removes its last state from the catalogue</source>
         <translation>Entfernt aus dem Katalog, was von ihm übrig ist</translation>
     </message>
     <message>
@@ -674,7 +674,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Eine Komponente im Katalog oder im Graphen auswählen, um zu sehen, was sie anbietet und benötigt.</translation>
     </message>
     <message>
-        <source> is not there.</source>
+        <source> is not available.</source>
         <translation> ist nicht da.</translation>
     </message>
     <message>
@@ -726,11 +726,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Clients</translation>
     </message>
     <message>
-        <source>No record fits. What the processes log is listed here.</source>
+        <source>No record matches. The log of all processes is listed here.</source>
         <translation>Kein Eintrag passt. Hier steht, was die Prozesse protokollieren.</translation>
     </message>
     <message>
-        <source>Least level that is shown</source>
+        <source>Lowest level that is shown</source>
         <translation>Niedrigste gezeigte Stufe</translation>
     </message>
     <message>
@@ -758,7 +758,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Stufe setzen…</translation>
     </message>
     <message>
-        <source>From which level on a process logs, until it ends</source>
+        <source>The lowest level that a process logs, until it ends</source>
         <translation>Ab welcher Stufe ein Prozess protokolliert, bis er endet</translation>
     </message>
     <message>
@@ -810,7 +810,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Kanäle</translation>
     </message>
     <message>
-        <source>a picture of encoding &apos;%1&apos; is not drawn, only: %2</source>
+        <source>a picture of encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
         <translation>ein Bild der Kodierung „%1“ wird nicht gezeichnet, nur: %2</translation>
     </message>
     <message>
@@ -886,7 +886,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Wie weit der Plot zurückreicht</translation>
     </message>
     <message>
-        <source>Back to what was shown before  (Alt+Left)</source>
+        <source>Back to the previous view  (Alt+Left)</source>
         <translation>Zurück zum zuvor Gezeigten  (Alt+Links)</translation>
     </message>
     <message>
@@ -898,7 +898,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Cursor A und B  (A, B; Entf)</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV  (Ctrl+E)</source>
+        <source>Save the visible samples as CSV  (Ctrl+E)</source>
         <translation>Sichtbares als CSV speichern  (Strg+E)</translation>
     </message>
     <message>
@@ -934,7 +934,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ansicht anhalten, nicht die Daten (Leertaste)</translation>
     </message>
     <message>
-        <source>Fit what is seen</source>
+        <source>Fit the visible part</source>
         <translation>Sichtbares einpassen</translation>
     </message>
     <message>
@@ -966,7 +966,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Live-Daten folgen</translation>
     </message>
     <message>
-        <source>Back to what was shown before</source>
+        <source>Back to the previous view</source>
         <translation>Zurück zum zuvor Gezeigten</translation>
     </message>
     <message>
@@ -986,7 +986,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Bild speichern…</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV…</source>
+        <source>Save the visible samples as CSV…</source>
         <translation>Sichtbares als CSV speichern…</translation>
     </message>
     <message>
@@ -1002,7 +1002,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts als CSV zu speichern: der Plot zeigt keine Messwerte</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV</source>
+        <source>Save the visible samples as CSV</source>
         <translation>Sichtbares als CSV speichern</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> kann nicht gelesen werden: </translation>
     </message>
     <message>
-        <source> is no layout of plots: </source>
+        <source> is not a layout of plots: </source>
         <translation> ist keine Plot-Anordnung: </translation>
     </message>
     <message>
@@ -1166,7 +1166,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>geändert</translation>
     </message>
     <message>
-        <source>takes away what runs</source>
+        <source>removes things that run</source>
         <translation>nimmt Laufendes weg</translation>
     </message>
     <message>
@@ -1178,11 +1178,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>geht nicht</translation>
     </message>
     <message>
-        <source>What runs beside its file</source>
+        <source>The running system and its file</source>
         <translation>Laufendes System neben seiner Datei</translation>
     </message>
     <message>
-        <source>Differences of what runs from its file</source>
+        <source>Differences between the running system and its file</source>
         <translation>Unterschiede des laufenden Systems zu seiner Datei</translation>
     </message>
     <message>
@@ -1190,7 +1190,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Anwenden →</translation>
     </message>
     <message>
-        <source>What runs becomes as this line of the file</source>
+        <source>Change the running system to match this line of the file</source>
         <translation>Das laufende System wird wie diese Zeile der Datei</translation>
     </message>
     <message>
@@ -1198,7 +1198,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>← Datei anpassen</translation>
     </message>
     <message>
-        <source>This line of the file becomes as it runs</source>
+        <source>Change this line of the file to match the running system</source>
         <translation>Diese Zeile der Datei wird wie das laufende System</translation>
     </message>
     <message>
@@ -1234,15 +1234,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Keine Systemdatei ist offen.</translation>
     </message>
     <message>
-        <source>What runs is as the file says.</source>
+        <source>The running system matches the file.</source>
         <translation>Das laufende System entspricht der Datei.</translation>
     </message>
     <message>
-        <source>Ctrl+S writes down what runs; Ctrl+O opens what was written down.</source>
+        <source>Ctrl+S saves the running system; Ctrl+O opens a saved system.</source>
         <translation>Strg+S speichert das laufende System; Strg+O öffnet ein gespeichertes.</translation>
     </message>
     <message>
-        <source>nothing is to be done</source>
+        <source>there is nothing to do</source>
         <translation>nichts zu tun</translation>
     </message>
     <message>
@@ -1254,7 +1254,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Schritte</translation>
     </message>
     <message>
-        <source>nothing stays as it is</source>
+        <source>nothing stays unchanged</source>
         <translation>nichts bleibt, wie es ist</translation>
     </message>
     <message>
@@ -1278,7 +1278,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ziel %1: %2 erledigt, %3 gescheitert, %4 übrig</translation>
     </message>
     <message>
-        <source>what was before</source>
+        <source>the previous state</source>
         <translation>wie zuvor</translation>
     </message>
     <message>
@@ -1326,7 +1326,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Filter: arm type:read state:active</translation>
     </message>
     <message>
-        <source>Words must all be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
+        <source>All words must be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
         <translation>Alle Wörter müssen im Pfad stehen; auch -Wort, type:, state:, proc:, host:, /regex/  (Strg+F)</translation>
     </message>
     <message>
@@ -1386,7 +1386,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Keine Seite hat Befehle oder Ereignisse.</translation>
     </message>
     <message>
-        <source>What is needed and what is offered, side by side</source>
+        <source>The needed and the offered members, side by side</source>
         <translation>Benötigtes und Angebotenes nebeneinander</translation>
     </message>
     <message>
@@ -1418,7 +1418,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Eine benötigte Schnittstelle auswählen, um zu sehen, warum sie verbunden ist oder nicht</translation>
     </message>
     <message>
-        <source> is not connected, and nothing that is there resembles it</source>
+        <source> is not connected, and no available interface resembles it</source>
         <translation> ist nicht verbunden, und nichts Vorhandenes ähnelt ihr</translation>
     </message>
     <message>
@@ -1462,7 +1462,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>verbunden und in Betrieb</translation>
     </message>
     <message>
-        <source>nothing keeps it from being connected</source>
+        <source>nothing prevents the connection</source>
         <translation>nichts steht der Verbindung im Weg</translation>
     </message>
     <message>
@@ -1482,7 +1482,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
     </message>
     <message>
-        <source>What is grey is as it was %1 ago</source>
+        <source>Grey values are %1 old</source>
         <translation>Graues zeigt den Stand vor %1</translation>
     </message>
     <message>
@@ -1578,11 +1578,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ansicht anhalten</translation>
     </message>
     <message>
-        <source>Finds all that can be done and all there is  (Ctrl+K)</source>
+        <source>Finds all commands and all objects  (Ctrl+K)</source>
         <translation>Findet alles, was man tun kann und was es gibt  (Strg+K)</translation>
     </message>
     <message>
-        <source>Stops what is drawn, never the data  (Space)</source>
+        <source>Pauses the drawing, never the data  (Space)</source>
         <translation>Hält die Zeichnung an, nie die Daten  (Leertaste)</translation>
     </message>
     <message>
@@ -1634,11 +1634,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Suchen oder ausführen</translation>
     </message>
     <message>
-        <source>What to do or where to go</source>
+        <source>A command, or a place to go to</source>
         <translation>Was zu tun ist oder wohin es geht</translation>
     </message>
     <message>
-        <source>What to do, or a name to go to</source>
+        <source>A command, or a name to go to</source>
         <translation>Was zu tun ist, oder ein Name als Ziel</translation>
     </message>
     <message>
@@ -1710,11 +1710,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Systemdatei ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>Sa&amp;ve what runs</source>
+        <source>Sa&amp;ve the running system</source>
         <translation>&amp;Laufendes System speichern</translation>
     </message>
     <message>
-        <source>Save what runs &amp;as…</source>
+        <source>Save the running system &amp;as…</source>
         <translation>Laufendes System speichern &amp;unter…</translation>
     </message>
     <message>
@@ -1730,7 +1730,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Die Demo liegt nicht neben diesem Programm: </translation>
     </message>
     <message>
-        <source>A plan is being carried out; the demo comes after it</source>
+        <source>A plan is running; the demo starts after it</source>
         <translation>Ein Plan wird gerade ausgeführt; die Demo kommt danach</translation>
     </message>
     <message>
@@ -1738,7 +1738,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Demo</translation>
     </message>
     <message>
-        <source>The demo is running already</source>
+        <source>The demo is already running</source>
         <translation>Die Demo läuft schon</translation>
     </message>
     <message>
@@ -1762,7 +1762,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Systemdatei öffnen</translation>
     </message>
     <message>
-        <source>Save what runs</source>
+        <source>Save the running system</source>
         <translation>Laufendes System speichern</translation>
     </message>
     <message>
@@ -1802,7 +1802,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Anordnung des Graphen &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>All stand where the layout puts them · Ctrl+Z undoes</source>
+        <source>All nodes are where the layout puts them · Ctrl+Z undoes</source>
         <translation>Alle stehen, wo die Anordnung sie hinstellt · Strg+Z macht rückgängig</translation>
     </message>
     <message>
@@ -1838,7 +1838,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Bedingungen der Bibliothek</translation>
     </message>
     <message>
-        <source>What it is made of, and under which terms</source>
+        <source>The libraries in it, and their licences</source>
         <translation>Woraus es besteht und unter welchen Bedingungen</translation>
     </message>
     <message>
@@ -1862,7 +1862,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Tab, Umschalt+Tab</translation>
     </message>
     <message>
-        <source>To the next, the last part</source>
+        <source>To the next part, to the previous part</source>
         <translation>Zum nächsten, zum vorigen Teil</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nächste Komponente auswählen</translation>
     </message>
     <message>
-        <source>Closer, farther, all of it</source>
+        <source>Zoom in, zoom out, show all</source>
         <translation>Näher, weiter weg, alles</translation>
     </message>
     <message>
@@ -1902,7 +1902,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>1 … 9, Enter</translation>
     </message>
     <message>
-        <source>While connecting: pick that one, the best</source>
+        <source>While connecting: pick that candidate, pick the best one</source>
         <translation>Beim Verbinden: diesen wählen, den besten</translation>
     </message>
     <message>
@@ -1970,7 +1970,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>In einem Formular</translation>
     </message>
     <message>
-        <source>Call the command; a second time where it sets something in motion</source>
+        <source>Call the command; press it twice if it can set something in motion</source>
         <translation>Befehl aufrufen; ein zweites Mal, wo er etwas in Bewegung setzt</translation>
     </message>
     <message>
@@ -1990,7 +1990,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Strg+R</translation>
     </message>
     <message>
-        <source>Searches what was typed</source>
+        <source>Searches the history</source>
         <translation>Sucht im Getippten</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Tasten</translation>
     </message>
     <message>
-        <source>All that runs</source>
+        <source>The running system</source>
         <translation>Alles, was läuft</translation>
     </message>
     <message>
@@ -2030,7 +2030,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Hineinsehen</translation>
     </message>
     <message>
-        <source>What is selected shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <source>The selected object shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
         <translation>Ausgewähltes zeigt hier seine Werte, Befehle und Ereignisse, und ein Klick auf einen Befehl öffnet ein Formular, das ihn aufruft.</translation>
     </message>
     <message>
@@ -2046,7 +2046,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts geht verloren</translation>
     </message>
     <message>
-        <source>What you did is listed here, with a way back and the line that does the same in a terminal; problems, the log and a console are beside it.</source>
+        <source>Your actions are listed here, each with a way to undo it and the command line that does the same; problems, the log and a console are beside it.</source>
         <translation>Hier steht, was getan wurde, mit einem Weg zurück und der Zeile, die im Terminal dasselbe tut; Probleme, Protokoll und Konsole sind daneben.</translation>
     </message>
     <message>
@@ -2054,7 +2054,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Alles über seinen Namen</translation>
     </message>
     <message>
-        <source>Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu Help this tour.</source>
+        <source>Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu Help this tour.</source>
         <translation>Strg+K findet alles, was man tun kann und was es gibt; F1 zeigt die Tasten und das Menü Hilfe diesen Rundgang.</translation>
     </message>
     <message>
@@ -2142,7 +2142,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Befehl aufrufen</translation>
     </message>
     <message>
-        <source>&amp;Plot what is selected</source>
+        <source>&amp;Plot the selection</source>
         <translation>Ausgewähltes &amp;plotten</translation>
     </message>
     <message>
@@ -2170,7 +2170,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Cursor &amp;A und B</translation>
     </message>
     <message>
-        <source>&amp;Save what is seen as CSV…</source>
+        <source>&amp;Save the visible samples as CSV…</source>
         <translation>&amp;Sichtbares als CSV speichern…</translation>
     </message>
     <message>
@@ -2222,7 +2222,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source> is no number; select a column or a value of a state table to plot it</source>
+        <source> is not a number; select a column or a value of a state table to plot it</source>
         <translation> ist keine Zahl; zum Plotten eine Spalte oder einen Wert einer Zustandstabelle auswählen</translation>
     </message>
     <message>
@@ -2338,11 +2338,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Starten oder beenden</translation>
     </message>
     <message>
-        <source>It ends what the component does: hold the button for 0.4 s</source>
+        <source>It ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
+        <source>It ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
@@ -2430,7 +2430,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Diesen Plot umbenennen</translation>
     </message>
     <message>
-        <source>Name; nothing for what it shows</source>
+        <source>Name; leave it empty for the default name</source>
         <translation>Name; leer: nach dem, was er zeigt</translation>
     </message>
     <message>
@@ -2454,11 +2454,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Nothing was undone that could be done again</source>
+        <source>There is nothing to redo</source>
         <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
     </message>
     <message>
-        <source>Starting and stopping is not done again: order it anew, as by F6 to F9</source>
+        <source>Starting and stopping cannot be redone: do it again, for example with F6 to F9</source>
         <translation>Starten und Beenden wird nicht wiederholt: neu anordnen, etwa mit F6 bis F9</translation>
     </message>
     <message>
@@ -2518,7 +2518,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ein anderes Fenster ließ sich nicht starten</translation>
     </message>
     <message>
-        <source>Processes that have been gone for half a minute: shows or hides them</source>
+        <source>Shows or hides processes that have been gone for half a minute</source>
         <translation>Prozesse, die seit einer halben Minute fort sind: zeigt oder verbirgt sie</translation>
     </message>
     <message>
@@ -2526,7 +2526,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>fort (%1)</translation>
     </message>
     <message>
-        <source>%1 is there already: open it, or remove it before the import</source>
+        <source>%1 already exists: open it, or remove it before the import</source>
         <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
     </message>
     <message>
@@ -2582,7 +2582,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>übrig</translation>
     </message>
     <message>
-        <source>To %1: asking the processes what they can make…</source>
+        <source>To %1: asking the processes for their classes…</source>
         <translation>Ziel %1: die Prozesse werden gefragt, was sie erzeugen können…</translation>
     </message>
     <message>
@@ -2590,7 +2590,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ziel %1: %2; %3</translation>
     </message>
     <message>
-        <source>this GCM is too old to say whom it has started</source>
+        <source>this GCM is too old to report which processes it has started</source>
         <translation>dieser GCM ist zu alt, um zu sagen, wen er gestartet hat</translation>
     </message>
     <message>
@@ -2602,7 +2602,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Rundgang</translation>
     </message>
     <message>
-        <source>Starting a GCM; it goes on when this window is closed</source>
+        <source>Starting a GCM; it keeps running when this window is closed</source>
         <translation>Ein GCM wird gestartet; er läuft weiter, wenn dieses Fenster geschlossen wird</translation>
     </message>
     <message>
@@ -2610,19 +2610,19 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 konnte nicht gestartet werden</translation>
     </message>
     <message>
-        <source>As %1 says now</source>
+        <source>As %1 reports now</source>
         <translation>Wie %1 es jetzt sagt</translation>
     </message>
     <message>
-        <source>Ask for everything a&amp;new</source>
+        <source>Reload everythi&amp;ng</source>
         <translation>Alles &amp;neu erfragen</translation>
     </message>
     <message>
-        <source>The GCM is asked for everything anew</source>
+        <source>Everything is loaded from the GCM again</source>
         <translation>Der GCM wird nach allem neu gefragt</translation>
     </message>
     <message>
-        <source>There is no GCM; it is looked for each second</source>
+        <source>No GCM answers; the window tries again each second</source>
         <translation>Es ist kein GCM da; er wird jede Sekunde gesucht</translation>
     </message>
     <message>
@@ -2650,15 +2650,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>Rows a second that arrive here; – where nothing is listened to</source>
+        <source>Rows per second that arrive here; – if nothing is subscribed</source>
         <translation>Zeilen je Sekunde, die hier ankommen; – wo nichts empfangen wird</translation>
     </message>
     <message>
-        <source>Of a value: since its newest row was written. Of a process: since it came into its state. – where it is not known</source>
+        <source>Of a value: since its newest row was written. Of a process: since its state has changed. – if it is not known</source>
         <translation>Bei einem Wert: seit seine neueste Zeile geschrieben wurde. Bei einem Prozess: seit er in seinem Zustand ist. – wo es nicht bekannt ist</translation>
     </message>
     <message>
-        <source>The interfaces, or of a component the components, at the other end</source>
+        <source>The connected interfaces; for a component, the connected components</source>
         <translation>Die Schnittstellen, bei einer Komponente die Komponenten, am anderen Ende</translation>
     </message>
     <message>
@@ -2682,7 +2682,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Spalte: verbunden mit</translation>
     </message>
     <message>
-        <source>A scale of 0 would make a flat line of it: take another</source>
+        <source>A scale of 0 would draw a flat line: choose another scale</source>
         <translation>Ein Faktor von 0 machte eine flache Linie daraus: einen anderen nehmen</translation>
     </message>
     <message>
@@ -2702,7 +2702,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Der Name einer Achse ist eine Zeile aus Zeichen</translation>
     </message>
     <message>
-        <source>Show it so</source>
+        <source>Apply</source>
         <translation>So zeigen</translation>
     </message>
     <message>
@@ -2714,11 +2714,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Kurven mit derselben Achse teilen sie; ein eigener Name macht eine neue</translation>
     </message>
     <message>
-        <source>As it comes</source>
+        <source>Unscaled</source>
         <translation>Wie empfangen</translation>
     </message>
     <message>
-        <source>Neither scaled nor moved, on the axis of its unit</source>
+        <source>Without scale and offset, on the axis of its unit</source>
         <translation>Weder skaliert noch verschoben, auf der Achse ihrer Einheit</translation>
     </message>
     <message>
@@ -2734,15 +2734,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Achse</translation>
     </message>
     <message>
-        <source>That of its unit</source>
+        <source>Axis of its unit</source>
         <translation>Die ihrer Einheit</translation>
     </message>
     <message>
-        <source>The scale “%1” is no number</source>
+        <source>The scale “%1” is not a number</source>
         <translation>Der Faktor „%1“ ist keine Zahl</translation>
     </message>
     <message>
-        <source>The offset “%1” is no number</source>
+        <source>The offset “%1” is not a number</source>
         <translation>Der Versatz „%1“ ist keine Zahl</translation>
     </message>
     <message>
@@ -2750,7 +2750,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Gezeigt: Wert %1</translation>
     </message>
     <message>
-        <source>Shown as it comes</source>
+        <source>Shown unscaled</source>
         <translation>Wird wie empfangen gezeigt</translation>
     </message>
     <message>
@@ -2794,7 +2794,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>er hat keine Kurven</translation>
     </message>
     <message>
-        <source>it looks back no time there is</source>
+        <source>its time range is not valid</source>
         <translation>er zeigt keine mögliche Zeitspanne</translation>
     </message>
     <message>
@@ -2926,11 +2926,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>dieses Fenster schaut nur: es wurde mit --read-only gestartet</translation>
     </message>
     <message>
-        <source>%1 as %2 says now</source>
+        <source>%1 as %2 reports now</source>
         <translation>%1 wie %2 jetzt sagt</translation>
     </message>
     <message>
-        <source>Not the present values: %1 does not say them</source>
+        <source>Not the current values: %1 does not report them</source>
         <translation>Nicht die jetzigen Werte: %1 nennt sie nicht</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Zu berichtigen: %1</translation>
     </message>
     <message>
-        <source>put a blank behind each comma between numbers</source>
+        <source>put a blank after each comma between numbers</source>
         <translation>hinter jedes Komma zwischen Zahlen ein Leerzeichen setzen</translation>
     </message>
     <message>
@@ -2971,11 +2971,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts eingefügt: %1</translation>
     </message>
     <message>
-        <source>one number belongs here, and there are %1</source>
+        <source>expected one number, found %1</source>
         <translation>hierher gehört eine Zahl, und es sind %1</translation>
     </message>
     <message>
-        <source>there are %1 numbers, and %2 fields from here on</source>
+        <source>expected at most %2 numbers from this field on, found %1</source>
         <translation>es sind %1 Zahlen, und ab hier %2 Felder</translation>
     </message>
     <message>
@@ -2987,15 +2987,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>eine Zahl fehlt</translation>
     </message>
     <message>
-        <source>write %1: the decimal sign is a point, and nothing stands between thousands</source>
+        <source>write %1: use a point as the decimal sign, and no separator between thousands</source>
         <translation>%1 schreiben: das Dezimalzeichen ist ein Punkt, und zwischen Tausendern steht nichts</translation>
     </message>
     <message>
-        <source>write %1: the decimal sign is a point</source>
+        <source>write %1: use a point as the decimal sign</source>
         <translation>%1 schreiben: das Dezimalzeichen ist ein Punkt</translation>
     </message>
     <message>
-        <source>write %1: nothing stands between thousands</source>
+        <source>write %1: use no separator between thousands</source>
         <translation>%1 schreiben: zwischen Tausendern steht nichts</translation>
     </message>
     <message>
@@ -3023,7 +3023,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>eine Zahl in Ziffern schreiben</translation>
     </message>
     <message>
-        <source>: the decimal sign is a point</source>
+        <source>: use a point as the decimal sign</source>
         <translation>: das Dezimalzeichen ist ein Punkt</translation>
     </message>
     <message>
@@ -3039,11 +3039,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> (%1-mal)</translation>
     </message>
     <message>
-        <source>there is no memory for it</source>
+        <source>there is not enough memory for it</source>
         <translation>dafür ist kein Speicher da</translation>
     </message>
     <message>
-        <source>an exception without words</source>
+        <source>an exception without a message</source>
         <translation>eine Ausnahme ohne Worte</translation>
     </message>
     <message>
@@ -3083,11 +3083,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> kann nicht gezeigt werden: </translation>
     </message>
     <message>
-        <source>It is told that it was suspended. It begins from the world as it is now where its author has seen to that; otherwise it goes on with what it was doing.</source>
+        <source>It is told that it was suspended. It starts from the current situation if its author has implemented that; otherwise it continues its previous action.</source>
         <translation>Sie erfährt, dass sie angehalten war. Sie beginnt von der Welt, wie sie jetzt ist, wenn ihr Autor dafür gesorgt hat; sonst macht sie mit dem weiter, was sie tat.</translation>
     </message>
     <message>
-        <source>It begins anew: nothing of what it was doing goes on.</source>
+        <source>It starts again from the beginning: no previous action continues.</source>
         <translation>Sie beginnt von vorn: nichts von dem, was sie tat, geht weiter.</translation>
     </message>
     <message>
@@ -3112,11 +3112,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> führt </translation>
     </message>
     <message>
-        <source>the file is gone: put it back before the process is started anew</source>
+        <source>the file is missing: restore it before you restart the process</source>
         <translation>die Datei ist weg: vor einem neuen Start des Prozesses zurücklegen</translation>
     </message>
     <message>
-        <source>the file was written again at %1: start the process anew to run that</source>
+        <source>the file was written again at %1: restart the process to use it</source>
         <translation>die Datei wurde um %1 neu geschrieben: dafür den Prozess neu starten</translation>
     </message>
     <message>

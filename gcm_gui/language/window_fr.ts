@@ -20,7 +20,7 @@
         <translation> · annulé</translation>
     </message>
     <message>
-        <source>What you do to the system is listed here.</source>
+        <source>Your changes to the system are listed here.</source>
         <translation>Ce que vous faites au système est noté ici.</translation>
     </message>
     <message>
@@ -98,7 +98,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Appeler</translation>
     </message>
     <message>
-        <source>Not called: hold the button for 0.4 s, for this can set something in motion</source>
+        <source>Not called: this can set something in motion; hold the button for 0.4 s</source>
         <translation>Pas appelée&#xa0;: maintenir le bouton 0.4&#xa0;s, car cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -114,7 +114,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Copier</translation>
     </message>
     <message>
-        <source>Copies the line that does the same in a terminal</source>
+        <source>Copies the command line that does the same in a terminal</source>
         <translation>Copie la ligne qui fait la même chose dans un terminal</translation>
     </message>
     <message>
@@ -138,7 +138,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Appeler </translation>
     </message>
     <message>
-        <source>Asking what it takes…</source>
+        <source>Loading the argument…</source>
         <translation>Demande de l&apos;argument attendu…</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>%1 appels</translation>
     </message>
     <message>
-        <source>, %1 left out: the one before took too long</source>
+        <source>, %1 left out: the previous call took too long</source>
         <translation>, %1 omis&#xa0;: le précédent a duré trop longtemps</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>It can set something in motion: it is called as long as the button is held down, from 0.4 s on</source>
+        <source>It can set something in motion: it is called while the button is held down, after the first 0.4 s</source>
         <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Filtrer les candidats</translation>
     </message>
     <message>
-        <source>Filter; Enter picks, so do 1 to 9</source>
+        <source>Filter; Enter or 1 to 9 picks</source>
         <translation>Filtre&#xa0;; Entrée choisit, de même 1 à 9</translation>
     </message>
     <message>
@@ -268,15 +268,15 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Remplacer</translation>
     </message>
     <message>
-        <source>%1 is connected to %2. What it could be connected to instead:</source>
+        <source>%1 is connected to %2. Other candidates:</source>
         <translation>%1 est connectée à %2. À quoi elle pourrait être connectée à la place&#xa0;:</translation>
     </message>
     <message>
-        <source>What %1 could be connected to:</source>
+        <source>Provided interfaces for %1:</source>
         <translation>À quoi %1 pourrait être connectée&#xa0;:</translation>
     </message>
     <message>
-        <source>What could be connected to %1:</source>
+        <source>Required interfaces for %1:</source>
         <translation>Ce qui pourrait être connecté à %1&#xa0;:</translation>
     </message>
     <message>
@@ -302,7 +302,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 autres ne conviennent pas du tout</translation>
     </message>
     <message>
-        <source>is what it is connected to now</source>
+        <source>is the current connection</source>
         <translation>est déjà la connexion actuelle</translation>
     </message>
     <message>
@@ -314,11 +314,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Associer par nom et type</translation>
     </message>
     <message>
-        <source>%1 of %2 have something to connect to. Space checks, Enter connects what is checked.</source>
+        <source>%1 of %2 have a candidate. Space checks a row, Enter connects all checked rows.</source>
         <translation>%1 sur %2 ont un vis-à-vis. Espace coche, Entrée connecte ce qui est coché.</translation>
     </message>
     <message>
-        <source>nothing that is there fits</source>
+        <source>no available interface fits</source>
         <translation>rien de présent ne convient</translation>
     </message>
     <message>
@@ -338,7 +338,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sortie de la console</translation>
     </message>
     <message>
-        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches what was typed.</source>
+        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
         <translation>Le langage de gcm shell&#xa0;: essayer ls, watch, call … ou help. Tab complète, Ctrl+C interrompt, Ctrl+R cherche dans ce qui a été tapé.</translation>
     </message>
     <message>
@@ -386,7 +386,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Aucun événement depuis l&apos;ouverture de cette page.</translation>
     </message>
     <message>
-        <source>Whose events are listed</source>
+        <source>Source of the listed events</source>
         <translation>De qui les événements sont listés</translation>
     </message>
     <message>
@@ -410,7 +410,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The list stands still; what comes is shown afterwards</source>
+        <source>The list is paused; new events are shown afterwards</source>
         <translation>La liste est figée&#xa0;; ce qui arrive est montré ensuite</translation>
     </message>
     <message>
@@ -430,11 +430,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 n&apos;a pas été enregistré&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 call found no room</source>
+        <source>%1 call found the mailbox full</source>
         <translation>%1 appel n&apos;a pas trouvé de place</translation>
     </message>
     <message>
-        <source>%1 calls found no room</source>
+        <source>%1 calls found the mailbox full</source>
         <translation>%1 appels n&apos;ont pas trouvé de place</translation>
     </message>
     <message>
@@ -470,7 +470,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>DOT, pour Graphviz (*.dot)</translation>
     </message>
     <message>
-        <source>end its name in .svg, .png or .dot to say what it is</source>
+        <source>end its name with .svg, .png or .dot to choose the format</source>
         <translation>terminer son nom par .svg, .png ou .dot pour dire ce que c&apos;est</translation>
     </message>
     <message>
@@ -510,7 +510,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Carte du graphe</translation>
     </message>
     <message>
-        <source>The frame is what is seen; Shift and arrow keys in the graph move it</source>
+        <source>The frame is the visible part; Shift and arrow keys in the graph move it</source>
         <translation>Le cadre est la partie visible&#xa0;; Maj et les flèches dans le graphe le déplacent</translation>
     </message>
     <message>
@@ -594,7 +594,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> · maintenant </translation>
     </message>
     <message>
-        <source>How often it is to run, and how often it did in the last second</source>
+        <source>Planned rate, and actual rate in the last second</source>
         <translation>À quelle cadence il doit tourner, et à laquelle il a tourné dans la dernière seconde</translation>
     </message>
     <message>
@@ -634,7 +634,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Oublier ce processus</translation>
     </message>
     <message>
-        <source>Removes what is left of it from the catalogue</source>
+        <source>Removes its last state from the catalogue</source>
         <translation>Retire du catalogue ce qu&apos;il en reste</translation>
     </message>
     <message>
@@ -674,7 +674,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sélectionner un composant dans le catalogue ou le graphe pour voir ce qu&apos;il fournit et requiert.</translation>
     </message>
     <message>
-        <source> is not there.</source>
+        <source> is not available.</source>
         <translation> n&apos;est pas là.</translation>
     </message>
     <message>
@@ -726,11 +726,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 clients</translation>
     </message>
     <message>
-        <source>No record fits. What the processes log is listed here.</source>
+        <source>No record matches. The log of all processes is listed here.</source>
         <translation>Aucune entrée ne convient. Ce que journalisent les processus est listé ici.</translation>
     </message>
     <message>
-        <source>Least level that is shown</source>
+        <source>Lowest level that is shown</source>
         <translation>Plus bas niveau affiché</translation>
     </message>
     <message>
@@ -758,7 +758,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Régler le niveau…</translation>
     </message>
     <message>
-        <source>From which level on a process logs, until it ends</source>
+        <source>The lowest level that a process logs, until it ends</source>
         <translation>À partir de quel niveau un processus journalise, jusqu&apos;à sa fin</translation>
     </message>
     <message>
@@ -810,7 +810,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 canaux</translation>
     </message>
     <message>
-        <source>a picture of encoding &apos;%1&apos; is not drawn, only: %2</source>
+        <source>a picture of encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
         <translation>une image d&apos;encodage «&#xa0;%1&#xa0;» n&apos;est pas dessinée, seulement&#xa0;: %2</translation>
     </message>
     <message>
@@ -886,7 +886,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Durée que montre le graphique</translation>
     </message>
     <message>
-        <source>Back to what was shown before  (Alt+Left)</source>
+        <source>Back to the previous view  (Alt+Left)</source>
         <translation>Revenir à la vue précédente  (Alt+Gauche)</translation>
     </message>
     <message>
@@ -898,7 +898,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Curseurs A et B  (A, B&#xa0;; Suppr)</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV  (Ctrl+E)</source>
+        <source>Save the visible samples as CSV  (Ctrl+E)</source>
         <translation>Enregistrer la partie visible en CSV  (Ctrl+E)</translation>
     </message>
     <message>
@@ -934,7 +934,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Figer la vue, pas les données (Espace)</translation>
     </message>
     <message>
-        <source>Fit what is seen</source>
+        <source>Fit the visible part</source>
         <translation>Ajuster au visible</translation>
     </message>
     <message>
@@ -966,7 +966,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Suivre le direct</translation>
     </message>
     <message>
-        <source>Back to what was shown before</source>
+        <source>Back to the previous view</source>
         <translation>Revenir à la vue précédente</translation>
     </message>
     <message>
@@ -986,7 +986,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Enregistrer l&apos;image…</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV…</source>
+        <source>Save the visible samples as CSV…</source>
         <translation>Enregistrer la partie visible en CSV…</translation>
     </message>
     <message>
@@ -1002,7 +1002,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien à enregistrer en CSV&#xa0;: le graphique ne montre aucun échantillon</translation>
     </message>
     <message>
-        <source>Save what is seen as CSV</source>
+        <source>Save the visible samples as CSV</source>
         <translation>Enregistrer la partie visible en CSV</translation>
     </message>
     <message>
@@ -1038,7 +1038,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> ne peut pas être lu&#xa0;: </translation>
     </message>
     <message>
-        <source> is no layout of plots: </source>
+        <source> is not a layout of plots: </source>
         <translation> n&apos;est pas une disposition de graphiques&#xa0;: </translation>
     </message>
     <message>
@@ -1166,7 +1166,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>modifié</translation>
     </message>
     <message>
-        <source>takes away what runs</source>
+        <source>removes things that run</source>
         <translation>retire ce qui tourne</translation>
     </message>
     <message>
@@ -1178,11 +1178,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>impossible</translation>
     </message>
     <message>
-        <source>What runs beside its file</source>
+        <source>The running system and its file</source>
         <translation>Ce qui tourne à côté de son fichier</translation>
     </message>
     <message>
-        <source>Differences of what runs from its file</source>
+        <source>Differences between the running system and its file</source>
         <translation>Différences entre ce qui tourne et son fichier</translation>
     </message>
     <message>
@@ -1190,7 +1190,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Appliquer →</translation>
     </message>
     <message>
-        <source>What runs becomes as this line of the file</source>
+        <source>Change the running system to match this line of the file</source>
         <translation>Ce qui tourne devient comme cette ligne du fichier</translation>
     </message>
     <message>
@@ -1198,7 +1198,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>← Adapter le fichier</translation>
     </message>
     <message>
-        <source>This line of the file becomes as it runs</source>
+        <source>Change this line of the file to match the running system</source>
         <translation>Cette ligne du fichier devient comme ce qui tourne</translation>
     </message>
     <message>
@@ -1234,15 +1234,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Aucun fichier de système n&apos;est ouvert.</translation>
     </message>
     <message>
-        <source>What runs is as the file says.</source>
+        <source>The running system matches the file.</source>
         <translation>Ce qui tourne correspond au fichier.</translation>
     </message>
     <message>
-        <source>Ctrl+S writes down what runs; Ctrl+O opens what was written down.</source>
+        <source>Ctrl+S saves the running system; Ctrl+O opens a saved system.</source>
         <translation>Ctrl+S enregistre ce qui tourne&#xa0;; Ctrl+O ouvre ce qui a été enregistré.</translation>
     </message>
     <message>
-        <source>nothing is to be done</source>
+        <source>there is nothing to do</source>
         <translation>rien à faire</translation>
     </message>
     <message>
@@ -1254,7 +1254,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 étapes</translation>
     </message>
     <message>
-        <source>nothing stays as it is</source>
+        <source>nothing stays unchanged</source>
         <translation>rien ne reste en l&apos;état</translation>
     </message>
     <message>
@@ -1278,7 +1278,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Vers %1&#xa0;: %2 faites, %3 échouées, %4 restantes</translation>
     </message>
     <message>
-        <source>what was before</source>
+        <source>the previous state</source>
         <translation>l&apos;état d&apos;avant</translation>
     </message>
     <message>
@@ -1326,7 +1326,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Filtre&#xa0;: arm type:read state:active</translation>
     </message>
     <message>
-        <source>Words must all be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
+        <source>All words must be in the path; also -word, type:, state:, proc:, host:, /regex/  (Ctrl+F)</source>
         <translation>Tous les mots doivent être dans le chemin&#xa0;; aussi -mot, type:, state:, proc:, host:, /regex/  (Ctrl+F)</translation>
     </message>
     <message>
@@ -1386,7 +1386,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Aucun côté n&apos;a de commande ni d&apos;événement.</translation>
     </message>
     <message>
-        <source>What is needed and what is offered, side by side</source>
+        <source>The needed and the offered members, side by side</source>
         <translation>Ce qui est requis et ce qui est fourni, côte à côte</translation>
     </message>
     <message>
@@ -1418,7 +1418,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sélectionner une interface requise pour voir pourquoi elle est connectée ou non</translation>
     </message>
     <message>
-        <source> is not connected, and nothing that is there resembles it</source>
+        <source> is not connected, and no available interface resembles it</source>
         <translation> n&apos;est pas connectée, et rien de présent ne lui ressemble</translation>
     </message>
     <message>
@@ -1462,7 +1462,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>connectée et en service</translation>
     </message>
     <message>
-        <source>nothing keeps it from being connected</source>
+        <source>nothing prevents the connection</source>
         <translation>rien n&apos;empêche de la connecter</translation>
     </message>
     <message>
@@ -1482,7 +1482,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
     </message>
     <message>
-        <source>What is grey is as it was %1 ago</source>
+        <source>Grey values are %1 old</source>
         <translation>Ce qui est gris date d&apos;il y a %1</translation>
     </message>
     <message>
@@ -1578,11 +1578,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Figer la vue</translation>
     </message>
     <message>
-        <source>Finds all that can be done and all there is  (Ctrl+K)</source>
+        <source>Finds all commands and all objects  (Ctrl+K)</source>
         <translation>Trouve tout ce qui peut se faire et tout ce qui existe  (Ctrl+K)</translation>
     </message>
     <message>
-        <source>Stops what is drawn, never the data  (Space)</source>
+        <source>Pauses the drawing, never the data  (Space)</source>
         <translation>Fige le dessin, jamais les données  (Espace)</translation>
     </message>
     <message>
@@ -1634,11 +1634,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Chercher ou exécuter</translation>
     </message>
     <message>
-        <source>What to do or where to go</source>
+        <source>A command, or a place to go to</source>
         <translation>Que faire ou où aller</translation>
     </message>
     <message>
-        <source>What to do, or a name to go to</source>
+        <source>A command, or a name to go to</source>
         <translation>Que faire, ou un nom où aller</translation>
     </message>
     <message>
@@ -1710,11 +1710,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Ouvrir un fichier de système…</translation>
     </message>
     <message>
-        <source>Sa&amp;ve what runs</source>
+        <source>Sa&amp;ve the running system</source>
         <translation>&amp;Enregistrer ce qui tourne</translation>
     </message>
     <message>
-        <source>Save what runs &amp;as…</source>
+        <source>Save the running system &amp;as…</source>
         <translation>Enregistrer ce qui tourne &amp;sous…</translation>
     </message>
     <message>
@@ -1730,7 +1730,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>La démo n&apos;est pas à côté de ce programme&#xa0;: </translation>
     </message>
     <message>
-        <source>A plan is being carried out; the demo comes after it</source>
+        <source>A plan is running; the demo starts after it</source>
         <translation>Un plan est en cours d&apos;exécution&#xa0;; la démo vient après</translation>
     </message>
     <message>
@@ -1738,7 +1738,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>la démo</translation>
     </message>
     <message>
-        <source>The demo is running already</source>
+        <source>The demo is already running</source>
         <translation>La démo tourne déjà</translation>
     </message>
     <message>
@@ -1762,7 +1762,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Ouvrir un fichier de système</translation>
     </message>
     <message>
-        <source>Save what runs</source>
+        <source>Save the running system</source>
         <translation>Enregistrer ce qui tourne</translation>
     </message>
     <message>
@@ -1802,7 +1802,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Réinitialiser la disposition du graphe</translation>
     </message>
     <message>
-        <source>All stand where the layout puts them · Ctrl+Z undoes</source>
+        <source>All nodes are where the layout puts them · Ctrl+Z undoes</source>
         <translation>Tous sont là où la disposition les place · Ctrl+Z annule</translation>
     </message>
     <message>
@@ -1838,7 +1838,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Conditions de la bibliothèque</translation>
     </message>
     <message>
-        <source>What it is made of, and under which terms</source>
+        <source>The libraries in it, and their licences</source>
         <translation>De quoi il est fait, et sous quelles conditions</translation>
     </message>
     <message>
@@ -1862,7 +1862,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Tab, Maj+Tab</translation>
     </message>
     <message>
-        <source>To the next, the last part</source>
+        <source>To the next part, to the previous part</source>
         <translation>Vers la partie suivante, précédente</translation>
     </message>
     <message>
@@ -1894,7 +1894,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sélectionner le composant suivant</translation>
     </message>
     <message>
-        <source>Closer, farther, all of it</source>
+        <source>Zoom in, zoom out, show all</source>
         <translation>Plus près, plus loin, tout</translation>
     </message>
     <message>
@@ -1902,7 +1902,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>1 … 9, Entrée</translation>
     </message>
     <message>
-        <source>While connecting: pick that one, the best</source>
+        <source>While connecting: pick that candidate, pick the best one</source>
         <translation>Pendant la connexion&#xa0;: choisir celui-là, le meilleur</translation>
     </message>
     <message>
@@ -1970,7 +1970,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Dans un formulaire</translation>
     </message>
     <message>
-        <source>Call the command; a second time where it sets something in motion</source>
+        <source>Call the command; press it twice if it can set something in motion</source>
         <translation>Appeler la commande&#xa0;; une seconde fois si elle met quelque chose en mouvement</translation>
     </message>
     <message>
@@ -1990,7 +1990,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Ctrl+R</translation>
     </message>
     <message>
-        <source>Searches what was typed</source>
+        <source>Searches the history</source>
         <translation>Cherche dans ce qui a été tapé</translation>
     </message>
     <message>
@@ -2010,7 +2010,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Touches</translation>
     </message>
     <message>
-        <source>All that runs</source>
+        <source>The running system</source>
         <translation>Tout ce qui tourne</translation>
     </message>
     <message>
@@ -2030,7 +2030,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Regarder à l&apos;intérieur</translation>
     </message>
     <message>
-        <source>What is selected shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <source>The selected object shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
         <translation>Ce qui est sélectionné montre ici ses valeurs, commandes et événements, et un clic sur une commande donne un formulaire qui l&apos;appelle.</translation>
     </message>
     <message>
@@ -2046,7 +2046,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;est perdu</translation>
     </message>
     <message>
-        <source>What you did is listed here, with a way back and the line that does the same in a terminal; problems, the log and a console are beside it.</source>
+        <source>Your actions are listed here, each with a way to undo it and the command line that does the same; problems, the log and a console are beside it.</source>
         <translation>Ce que vous avez fait est noté ici, avec un retour possible et la ligne qui fait la même chose dans un terminal&#xa0;; les problèmes, le journal et une console sont à côté.</translation>
     </message>
     <message>
@@ -2054,7 +2054,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Tout par son nom</translation>
     </message>
     <message>
-        <source>Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu Help this tour.</source>
+        <source>Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu Help this tour.</source>
         <translation>Ctrl+K trouve tout ce qui peut se faire et tout ce qui existe&#xa0;; F1 montre les touches, et le menu Aide cette visite.</translation>
     </message>
     <message>
@@ -2142,7 +2142,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Appeler la commande</translation>
     </message>
     <message>
-        <source>&amp;Plot what is selected</source>
+        <source>&amp;Plot the selection</source>
         <translation>&amp;Tracer la sélection</translation>
     </message>
     <message>
@@ -2170,7 +2170,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Curseurs &amp;A et B</translation>
     </message>
     <message>
-        <source>&amp;Save what is seen as CSV…</source>
+        <source>&amp;Save the visible samples as CSV…</source>
         <translation>Enregistrer la partie &amp;visible en CSV…</translation>
     </message>
     <message>
@@ -2222,7 +2222,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Réinitialiser la disposition</translation>
     </message>
     <message>
-        <source> is no number; select a column or a value of a state table to plot it</source>
+        <source> is not a number; select a column or a value of a state table to plot it</source>
         <translation> n&apos;est pas un nombre&#xa0;; sélectionner une colonne ou une valeur d&apos;une table d&apos;état pour la tracer</translation>
     </message>
     <message>
@@ -2338,11 +2338,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Démarrer ou arrêter</translation>
     </message>
     <message>
-        <source>It ends what the component does: hold the button for 0.4 s</source>
+        <source>It ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>It ends what the component does: hold the button for 0.4 s, or press Enter</source>
+        <source>It ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
@@ -2430,7 +2430,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Renommer ce graphique</translation>
     </message>
     <message>
-        <source>Name; nothing for what it shows</source>
+        <source>Name; leave it empty for the default name</source>
         <translation>Nom ; vide : d&apos;après ce qu&apos;il montre</translation>
     </message>
     <message>
@@ -2454,11 +2454,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rétablir</translation>
     </message>
     <message>
-        <source>Nothing was undone that could be done again</source>
+        <source>There is nothing to redo</source>
         <translation>Rien n&apos;a été annulé qui puisse être refait</translation>
     </message>
     <message>
-        <source>Starting and stopping is not done again: order it anew, as by F6 to F9</source>
+        <source>Starting and stopping cannot be redone: do it again, for example with F6 to F9</source>
         <translation>Démarrer et arrêter ne se rétablit pas : donnez l’ordre à nouveau, par exemple avec F6 à F9</translation>
     </message>
     <message>
@@ -2518,7 +2518,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Une autre fenêtre n&apos;a pas pu être lancée</translation>
     </message>
     <message>
-        <source>Processes that have been gone for half a minute: shows or hides them</source>
+        <source>Shows or hides processes that have been gone for half a minute</source>
         <translation>Processus absents depuis une demi-minute : les montre ou les cache</translation>
     </message>
     <message>
@@ -2526,7 +2526,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>absents (%1)</translation>
     </message>
     <message>
-        <source>%1 is there already: open it, or remove it before the import</source>
+        <source>%1 already exists: open it, or remove it before the import</source>
         <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
     </message>
     <message>
@@ -2582,7 +2582,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>restant</translation>
     </message>
     <message>
-        <source>To %1: asking the processes what they can make…</source>
+        <source>To %1: asking the processes for their classes…</source>
         <translation>Vers %1 : on demande aux processus ce qu’ils peuvent créer…</translation>
     </message>
     <message>
@@ -2590,7 +2590,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Vers %1 : %2 ; %3</translation>
     </message>
     <message>
-        <source>this GCM is too old to say whom it has started</source>
+        <source>this GCM is too old to report which processes it has started</source>
         <translation>ce GCM est trop ancien pour dire qui il a lancé</translation>
     </message>
     <message>
@@ -2602,7 +2602,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Visite guidée</translation>
     </message>
     <message>
-        <source>Starting a GCM; it goes on when this window is closed</source>
+        <source>Starting a GCM; it keeps running when this window is closed</source>
         <translation>Un GCM est lancé ; il continue quand cette fenêtre est fermée</translation>
     </message>
     <message>
@@ -2610,19 +2610,19 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 n’a pas pu être lancé</translation>
     </message>
     <message>
-        <source>As %1 says now</source>
+        <source>As %1 reports now</source>
         <translation>Selon %1 à présent</translation>
     </message>
     <message>
-        <source>Ask for everything a&amp;new</source>
+        <source>Reload everythi&amp;ng</source>
         <translation>Tout &amp;redemander</translation>
     </message>
     <message>
-        <source>The GCM is asked for everything anew</source>
+        <source>Everything is loaded from the GCM again</source>
         <translation>Tout est redemandé au GCM</translation>
     </message>
     <message>
-        <source>There is no GCM; it is looked for each second</source>
+        <source>No GCM answers; the window tries again each second</source>
         <translation>Il n’y a pas de GCM ; il est cherché chaque seconde</translation>
     </message>
     <message>
@@ -2650,15 +2650,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Rows a second that arrive here; – where nothing is listened to</source>
+        <source>Rows per second that arrive here; – if nothing is subscribed</source>
         <translation>Lignes par seconde qui arrivent ici ; – là où rien n&apos;est écouté</translation>
     </message>
     <message>
-        <source>Of a value: since its newest row was written. Of a process: since it came into its state. – where it is not known</source>
+        <source>Of a value: since its newest row was written. Of a process: since its state has changed. – if it is not known</source>
         <translation>D&apos;une valeur : depuis l&apos;écriture de sa dernière ligne. D&apos;un processus : depuis qu&apos;il est dans son état. – là où ce n&apos;est pas connu</translation>
     </message>
     <message>
-        <source>The interfaces, or of a component the components, at the other end</source>
+        <source>The connected interfaces; for a component, the connected components</source>
         <translation>Les interfaces, ou pour un composant les composants, à l&apos;autre bout</translation>
     </message>
     <message>
@@ -2682,7 +2682,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Colonne : connecté à</translation>
     </message>
     <message>
-        <source>A scale of 0 would make a flat line of it: take another</source>
+        <source>A scale of 0 would draw a flat line: choose another scale</source>
         <translation>Une échelle de 0 en ferait une ligne plate : en prendre une autre</translation>
     </message>
     <message>
@@ -2702,7 +2702,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Le nom d&apos;un axe est une ligne de lettres</translation>
     </message>
     <message>
-        <source>Show it so</source>
+        <source>Apply</source>
         <translation>Afficher ainsi</translation>
     </message>
     <message>
@@ -2714,11 +2714,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Les courbes de même axe le partagent ; un nom à vous en crée un</translation>
     </message>
     <message>
-        <source>As it comes</source>
+        <source>Unscaled</source>
         <translation>Telle quelle</translation>
     </message>
     <message>
-        <source>Neither scaled nor moved, on the axis of its unit</source>
+        <source>Without scale and offset, on the axis of its unit</source>
         <translation>Ni mise à l&apos;échelle ni décalée, sur l&apos;axe de son unité</translation>
     </message>
     <message>
@@ -2734,15 +2734,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Axe</translation>
     </message>
     <message>
-        <source>That of its unit</source>
+        <source>Axis of its unit</source>
         <translation>Celui de son unité</translation>
     </message>
     <message>
-        <source>The scale “%1” is no number</source>
+        <source>The scale “%1” is not a number</source>
         <translation>L&apos;échelle « %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
-        <source>The offset “%1” is no number</source>
+        <source>The offset “%1” is not a number</source>
         <translation>Le décalage « %1 » n&apos;est pas un nombre</translation>
     </message>
     <message>
@@ -2750,7 +2750,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Affiché : valeur %1</translation>
     </message>
     <message>
-        <source>Shown as it comes</source>
+        <source>Shown unscaled</source>
         <translation>Affichée telle quelle</translation>
     </message>
     <message>
@@ -2794,7 +2794,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>il n&apos;a pas de courbes</translation>
     </message>
     <message>
-        <source>it looks back no time there is</source>
+        <source>its time range is not valid</source>
         <translation>il ne montre aucune durée possible</translation>
     </message>
     <message>
@@ -2926,11 +2926,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>cette fenêtre ne fait que regarder : lancée avec --read-only</translation>
     </message>
     <message>
-        <source>%1 as %2 says now</source>
+        <source>%1 as %2 reports now</source>
         <translation>%1 comme %2 le dit à présent</translation>
     </message>
     <message>
-        <source>Not the present values: %1 does not say them</source>
+        <source>Not the current values: %1 does not report them</source>
         <translation>Pas les valeurs actuelles : %1 ne les dit pas</translation>
     </message>
     <message>
@@ -2951,7 +2951,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>À corriger : %1</translation>
     </message>
     <message>
-        <source>put a blank behind each comma between numbers</source>
+        <source>put a blank after each comma between numbers</source>
         <translation>mettre une espace après chaque virgule entre les nombres</translation>
     </message>
     <message>
@@ -2971,11 +2971,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n’a été collé : %1</translation>
     </message>
     <message>
-        <source>one number belongs here, and there are %1</source>
+        <source>expected one number, found %1</source>
         <translation>il faut ici un nombre, et il y en a %1</translation>
     </message>
     <message>
-        <source>there are %1 numbers, and %2 fields from here on</source>
+        <source>expected at most %2 numbers from this field on, found %1</source>
         <translation>il y a %1 nombres, et %2 champs à partir d’ici</translation>
     </message>
     <message>
@@ -2987,15 +2987,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>il manque un nombre</translation>
     </message>
     <message>
-        <source>write %1: the decimal sign is a point, and nothing stands between thousands</source>
+        <source>write %1: use a point as the decimal sign, and no separator between thousands</source>
         <translation>écrire %1 : le signe décimal est un point, et rien ne sépare les milliers</translation>
     </message>
     <message>
-        <source>write %1: the decimal sign is a point</source>
+        <source>write %1: use a point as the decimal sign</source>
         <translation>écrire %1 : le signe décimal est un point</translation>
     </message>
     <message>
-        <source>write %1: nothing stands between thousands</source>
+        <source>write %1: use no separator between thousands</source>
         <translation>écrire %1 : rien ne sépare les milliers</translation>
     </message>
     <message>
@@ -3023,7 +3023,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>écrire un nombre en chiffres</translation>
     </message>
     <message>
-        <source>: the decimal sign is a point</source>
+        <source>: use a point as the decimal sign</source>
         <translation>: le signe décimal est un point</translation>
     </message>
     <message>
@@ -3039,11 +3039,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> (%1 fois)</translation>
     </message>
     <message>
-        <source>there is no memory for it</source>
+        <source>there is not enough memory for it</source>
         <translation>il n’y a pas de mémoire pour cela</translation>
     </message>
     <message>
-        <source>an exception without words</source>
+        <source>an exception without a message</source>
         <translation>une exception sans texte</translation>
     </message>
     <message>
@@ -3083,11 +3083,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> ne peut pas être affiché : </translation>
     </message>
     <message>
-        <source>It is told that it was suspended. It begins from the world as it is now where its author has seen to that; otherwise it goes on with what it was doing.</source>
+        <source>It is told that it was suspended. It starts from the current situation if its author has implemented that; otherwise it continues its previous action.</source>
         <translation>Il apprend qu&apos;il était suspendu. Il part du monde tel qu&apos;il est maintenant si son auteur y a veillé ; sinon il continue ce qu&apos;il faisait.</translation>
     </message>
     <message>
-        <source>It begins anew: nothing of what it was doing goes on.</source>
+        <source>It starts again from the beginning: no previous action continues.</source>
         <translation>Il recommence : rien de ce qu&apos;il faisait ne continue.</translation>
     </message>
     <message>
@@ -3112,11 +3112,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> exécute </translation>
     </message>
     <message>
-        <source>the file is gone: put it back before the process is started anew</source>
+        <source>the file is missing: restore it before you restart the process</source>
         <translation>le fichier a disparu : le remettre avant de relancer le processus</translation>
     </message>
     <message>
-        <source>the file was written again at %1: start the process anew to run that</source>
+        <source>the file was written again at %1: restart the process to use it</source>
         <translation>le fichier a été réécrit à %1 : relancer le processus pour l’exécuter</translation>
     </message>
     <message>

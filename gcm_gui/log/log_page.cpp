@@ -23,7 +23,7 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
     : QWidget(parent), reports_(reports), store_(store), actions_(actions), filter_(log_) {
   setObjectName(QStringLiteral("logPage"));
   list_ = MakeRowList(filter_, QStringLiteral("log"), Words::tr("Log"),
-                      Words::tr("No record fits. What the processes log is listed here."));
+                      Words::tr("No record matches. The log of all processes is listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   FollowEnd(*list_);
@@ -48,7 +48,7 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
 QWidget* LogPage::buildBar() {
   level_ = new QComboBox;
   level_->setObjectName(QStringLiteral("log.level"));
-  level_->setAccessibleName(Words::tr("Least level that is shown"));
+  level_->setAccessibleName(Words::tr("Lowest level that is shown"));
   for (const QString& text : {Words::tr("All levels"), Words::tr("Info and above"),
                               Words::tr("Warnings and errors"), Words::tr("Errors")}) {
     level_->addItem(text);
@@ -64,7 +64,7 @@ QWidget* LogPage::buildBar() {
   count_ = MakeNote(QStringLiteral("log.count"));
   QToolButton* levels = MakeLink(Words::tr("Set level…"), QStringLiteral("log.setLevel"));
   levels->setProperty("changesSystem", true);
-  levels->setToolTip(Words::tr("From which level on a process logs, until it ends"));
+  levels->setToolTip(Words::tr("The lowest level that a process logs, until it ends"));
   levels->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(levels);
   menu->setObjectName(QStringLiteral("log.levels"));

@@ -54,13 +54,13 @@ QString TitleOf(int column) {
 QString ExplanationOf(int column) {
   switch (column) {
     case CatalogueModel::kRate:
-      return Words::tr("Rows a second that arrive here; – where nothing is listened to");
+      return Words::tr("Rows per second that arrive here; – if nothing is subscribed");
     case CatalogueModel::kAge:
       return Words::tr(
-          "Of a value: since its newest row was written. Of a process: since it came into its "
-          "state. – where it is not known");
+          "Of a value: since its newest row was written. Of a process: since its state has "
+          "changed. – if it is not known");
     case CatalogueModel::kConnected:
-      return Words::tr("The interfaces, or of a component the components, at the other end");
+      return Words::tr("The connected interfaces; for a component, the connected components");
     default:
       return {};
   }

@@ -16,12 +16,12 @@ QString NumberFlawText(const NumberWord& word, const QString& unit) {
     case NumberFlaw::kEmpty:
       return Words::tr("a number is missing");
     case NumberFlaw::kDecimalComma:
-      return (meant.size() > 1 ? Words::tr("write %1: the decimal sign is a point, and nothing "
-                                           "stands between thousands")
-                               : Words::tr("write %1: the decimal sign is a point"))
+      return (meant.size() > 1 ? Words::tr("write %1: use a point as the decimal sign, and no "
+                                           "separator between thousands")
+                               : Words::tr("write %1: use a point as the decimal sign"))
           .arg(write);
     case NumberFlaw::kGroups:
-      return Words::tr("write %1: nothing stands between thousands").arg(write);
+      return Words::tr("write %1: use no separator between thousands").arg(write);
     case NumberFlaw::kSpelling:
       return Words::tr("write %1").arg(write);
     case NumberFlaw::kRest:

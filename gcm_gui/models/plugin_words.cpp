@@ -14,9 +14,9 @@ QString PluginWords(const PluginDescription& plugin) {
 QString PluginChangeWords(const PluginDescription& plugin) {
   if (plugin.state == PluginState::kCurrent) return {};
   if (plugin.state == PluginState::kGone) {
-    return Words::tr("the file is gone: put it back before the process is started anew");
+    return Words::tr("the file is missing: restore it before you restart the process");
   }
-  return Words::tr("the file was written again at %1: start the process anew to run that")
+  return Words::tr("the file was written again at %1: restart the process to use it")
       .arg(ToQString(WallTimeText(plugin.written_now)));
 }
 

@@ -220,7 +220,7 @@ Result<QImage> Draw(const RawPicture& picture) {
   if (known == kEncodings.end()) {
     QStringList names;
     for (const Encoding& one : kEncodings) names.append(QLatin1String(one.name));
-    return Wrong(Words::tr("a picture of encoding '%1' is not drawn, only: %2")
+    return Wrong(Words::tr("a picture of encoding '%1' cannot be drawn; supported encodings: %2")
                      .arg(picture.encoding.left(32), names.join(QStringLiteral(", "))));
   }
   const auto size = QStringLiteral("%1 × %2").arg(picture.width).arg(picture.height);

@@ -13,7 +13,7 @@ namespace tendon::gui {
 void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   QMenu& fits = *menu.addMenu(Words::tr("Values"));
   auto* group = new QActionGroup(&fits);
-  for (const auto& [fit, text] : {std::pair{Fit::kClose, Words::tr("Fit what is seen")},
+  for (const auto& [fit, text] : {std::pair{Fit::kClose, Words::tr("Fit the visible part")},
                                   std::pair{Fit::kGrow, Words::tr("Only grow")},
                                   std::pair{Fit::kSymmetric, Words::tr("Symmetric around 0")}}) {
     QAction* action =
@@ -47,7 +47,7 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   sweep->setCheckable(true);
   sweep->setChecked(view.window().motion() == Motion::kSweep);
   menu.addAction(Words::tr("Follow live data"), &view, &PlotView::goLive);
-  menu.addAction(Words::tr("Back to what was shown before"), &view, &PlotView::goBack)
+  menu.addAction(Words::tr("Back to the previous view"), &view, &PlotView::goBack)
       ->setEnabled(view.hasFormerView());
   menu.addAction(Words::tr("Forward again"), &view, &PlotView::goForward)
       ->setEnabled(view.hasLaterView());
@@ -57,7 +57,7 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   menu.addSeparator();
   menu.addAction(Words::tr("Copy picture"), &view, [&view] { CopyPicture(view); });
   menu.addAction(Words::tr("Save picture…"), &panel, &PlotPanel::askForPicture);
-  menu.addAction(Words::tr("Save what is seen as CSV…"), &panel, &PlotPanel::askForCsv);
+  menu.addAction(Words::tr("Save the visible samples as CSV…"), &panel, &PlotPanel::askForCsv);
   menu.addSeparator();
   menu.addAction(Words::tr("Open layout…"), &panel, &PlotPanel::askForLayout);
   menu.addAction(Words::tr("Save layout of all plots…"), &panel, &PlotPanel::askToSaveLayout);

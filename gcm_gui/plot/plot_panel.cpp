@@ -229,7 +229,7 @@ void PlotPanel::askForCsv() {
     Q_EMIT notice(Words::tr("There is nothing to save as CSV: the plot shows no samples"));
     return;
   }
-  askForFile(Words::tr("Save what is seen as CSV"), Words::tr("CSV (*.csv)"), "csv",
+  askForFile(Words::tr("Save the visible samples as CSV"), Words::tr("CSV (*.csv)"), "csv",
              [this, table](const QString& file) { csv_.save(std::move(*table), file); });
 }
 
@@ -280,7 +280,7 @@ void PlotPanel::openLayout(const QString& name) {
     }
     try {
       if (const auto reason = ShowLayout(*this, content)) {
-        Q_EMIT notice(name + Words::tr(" is no layout of plots: ") + *reason);
+        Q_EMIT notice(name + Words::tr(" is not a layout of plots: ") + *reason);
       }
     } catch (...) {
       Fence::instance().hear(this, ViewWork::kHandling);

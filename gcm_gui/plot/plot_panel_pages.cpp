@@ -92,7 +92,7 @@ void PlotPanel::askForName() {
   auto* dialog = new QInputDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Rename this plot"));
-  dialog->setLabelText(Words::tr("Name; nothing for what it shows"));
+  dialog->setLabelText(Words::tr("Name; leave it empty for the default name"));
   dialog->setTextValue(pageOf(view).name());
   connect(dialog, &QInputDialog::textValueSelected, &view,
           [this, &view](const QString& name) { setName(view, name); });

@@ -63,11 +63,11 @@ QString EffectOf(LifeVerb verb, ComponentState state) {
   const bool is_suspended = state == ComponentState::kSuspended;
   if (verb == LifeVerb::kStart && is_suspended) {
     return Words::tr(
-        "It is told that it was suspended. It begins from the world as it is now "
-        "where its author has seen to that; otherwise it goes on with what it was doing.");
+        "It is told that it was suspended. It starts from the current situation "
+        "if its author has implemented that; otherwise it continues its previous action.");
   }
   if (verb == LifeVerb::kStart || verb == LifeVerb::kRestart) {
-    return Words::tr("It begins anew: nothing of what it was doing goes on.");
+    return Words::tr("It starts again from the beginning: no previous action continues.");
   }
   return {};
 }
@@ -82,14 +82,14 @@ QString SteeredText(const QString& path, ComponentState state, std::optional<std
 
 QString ButtonAdviceOf(LifeVerb verb) {
   return EndsSomething(verb)
-             ? Words::tr("It ends what the component does: hold the button for 0.4 s")
+             ? Words::tr("It ends the actions of the component: hold the button for 0.4 s")
              : Words::tr("It can set something in motion: hold the button for 0.4 s");
 }
 
 QString CardAdviceOf(LifeVerb verb) {
   return EndsSomething(verb)
              ? Words::tr(
-                   "It ends what the component does: hold the button for 0.4 s, or press "
+                   "It ends the actions of the component: hold the button for 0.4 s, or press "
                    "Enter")
              : Words::tr(
                    "It can set something in motion: hold the button for 0.4 s, or press "

@@ -47,7 +47,7 @@ StateMark MarkOf(PlanLine::Kind kind) {
 PlanLine LineOf(const PlanStep& step, const StepOutcome* outcome) {
   PlanLine line{PlanLine::Kind::kWaiting, ToQString(ToString(step)), {}};
   if (outcome == nullptr) {
-    if (step.takes_away) line.trail = Words::tr("takes away what runs");
+    if (step.takes_away) line.trail = Words::tr("removes things that run");
     return line;
   }
   const QString reason =

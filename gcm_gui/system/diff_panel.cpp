@@ -51,7 +51,7 @@ DiffPanel::DiffPanel(SystemDocument& document, Restore& restore, const QString& 
       refusal_(refusal),
       pages_(new QStackedWidget) {
   setObjectName(QStringLiteral("diffPanel"));
-  setAccessibleName(Words::tr("What runs beside its file"));
+  setAccessibleName(Words::tr("The running system and its file"));
   setAutoFillBackground(true);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -69,12 +69,12 @@ QWidget* DiffPanel::buildDiff() {
   summary_ = new QLabel;
   summary_->setObjectName(QStringLiteral("diff.summary"));
   diff_list_ = MakeRowList(differences_, QStringLiteral("differences"),
-                           Words::tr("Differences of what runs from its file"), {});
+                           Words::tr("Differences between the running system and its file"), {});
   auto* buttons = new QHBoxLayout;
   apply_ = MakeButton(Words::tr("Apply →"), "diff.apply", *buttons);
-  apply_->setToolTip(Words::tr("What runs becomes as this line of the file"));
+  apply_->setToolTip(Words::tr("Change the running system to match this line of the file"));
   update_ = MakeButton(Words::tr("← Update file"), "diff.update", *buttons);
-  update_->setToolTip(Words::tr("This line of the file becomes as it runs"));
+  update_->setToolTip(Words::tr("Change this line of the file to match the running system"));
   buttons->addStretch();
   restore_all_ = MakeButton(Words::tr("Restore all…"), "diff.restore", *buttons);
   SetRole(*restore_all_, QStringLiteral("primary"));
@@ -141,8 +141,8 @@ void DiffPanel::showDiff() {
                                        : Words::tr("No system file is open."));
   diff_list_->setEmptyText(
       document_.isOpen()
-          ? Words::tr("What runs is as the file says.")
-          : Words::tr("Ctrl+S writes down what runs; Ctrl+O opens what was written down."));
+          ? Words::tr("The running system matches the file.")
+          : Words::tr("Ctrl+S saves the running system; Ctrl+O opens a saved system."));
   choose(chosen);
   showButtons();
 }
@@ -175,15 +175,15 @@ QString DiffPanel::planText() const {
     case Restore::Phase::kIdle:
       return {};
     case Restore::Phase::kAsking:
-      return Words::tr("To %1: asking the processes what they can make…").arg(restore_.goal());
+      return Words::tr("To %1: asking the processes for their classes…").arg(restore_.goal());
     case Restore::Phase::kPreview:
       return Words::tr("To %1: %2; %3")
           .arg(restore_.goal(),
-               plan.steps.empty() ? Words::tr("nothing is to be done")
+               plan.steps.empty() ? Words::tr("there is nothing to do")
                                   : CountText(static_cast<std::int64_t>(plan.steps.size()),
                                               Words::tr("%1 step"), Words::tr("%1 steps")),
                untouched == 0
-                   ? Words::tr("nothing stays as it is")
+                   ? Words::tr("nothing stays unchanged")
                    : Words::tr("will not touch ") +
                          CountText(untouched, Words::tr("%1 item"), Words::tr("%1 items")));
     case Restore::Phase::kRunning:

@@ -80,7 +80,7 @@ void Restore::show(Plan plan, const QString& goal) {
 void Restore::undo() {
   if (!canUndo()) return;
   to_undo_ = {plan_, goal_, outcomes_, outcome_};
-  plan(*before_, Words::tr("what was before"),
+  plan(*before_, Words::tr("the previous state"),
        [this](Plan made) { return WithEnds(std::move(made), document_.catalogue(), births_); });
 }
 

@@ -98,7 +98,7 @@ Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
   if (!imported) return imported;
   if (QFileInfo::exists(to)) {
     return Error{ErrorCode::kExists,
-                 Words::tr("%1 is there already: open it, or remove it before the import")
+                 Words::tr("%1 already exists: open it, or remove it before the import")
                      .arg(FileName(to))
                      .toStdString()};
   }
@@ -220,7 +220,7 @@ std::optional<SystemDocument::Started> SystemDocument::startedBy(
     const Result<message::Children>& answer) {
   if (answer) return Started{*answer, {}};
   if (answer.error().code == ErrorCode::kDenied) {
-    return Started{{}, Words::tr("this GCM is too old to say whom it has started")};
+    return Started{{}, Words::tr("this GCM is too old to report which processes it has started")};
   }
   Q_EMIT told(ToQString(answer.error().message));
   return std::nullopt;

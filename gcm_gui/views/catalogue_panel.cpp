@@ -43,7 +43,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   field_->setAccessibleName(Words::tr("Filter the catalogue"));
   field_->setPlaceholderText(Words::tr("Filter: arm type:read state:active"));
   field_->setToolTip(
-      Words::tr("Words must all be in the path; also -word, type:, state:, "
+      Words::tr("All words must be in the path; also -word, type:, state:, "
                 "proc:, host:, /regex/  (Ctrl+F)"));
   field_->setClearButtonEnabled(true);
   field_->installEventFilter(this);
@@ -59,8 +59,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   column->addWidget(tree_, 1);
   gone_->setCheckable(true);
   gone_->setFocusPolicy(Qt::StrongFocus);
-  gone_->setToolTip(
-      Words::tr("Processes that have been gone for half a minute: shows or hides them"));
+  gone_->setToolTip(Words::tr("Shows or hides processes that have been gone for half a minute"));
   gone_->setVisible(false);
   column->addWidget(gone_, 0, Qt::AlignLeft);
 

@@ -50,7 +50,7 @@ VerdictLook LookOf(DiagnosisStep::Verdict verdict) {
 
 RowView* MakeSides(SignatureModel& model) {
   RowView* sides = MakeRowList(model, QStringLiteral("why.signatures"),
-                               Words::tr("What is needed and what is offered, side by side"),
+                               Words::tr("The needed and the offered members, side by side"),
                                Words::tr("Neither side has a member."));
   sides->rows().setAllLeft(true);
   sides->setHeaderHidden(false);

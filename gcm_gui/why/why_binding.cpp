@@ -45,7 +45,7 @@ void WhyBinding::open(const QString& path) {
   const auto provided = LikelyProvider(catalogue, refusals_, *required);
   if (!provided) {
     Q_EMIT notice(ToQString(ToString(*required)) +
-                  Words::tr(" is not connected, and nothing that is there resembles it"));
+                  Words::tr(" is not connected, and no available interface resembles it"));
     return;
   }
   wire_ = message::Wire{*required, *provided};

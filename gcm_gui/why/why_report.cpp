@@ -30,7 +30,7 @@ QString WhyReport::verdict() const {
     return Words::tr("fails at step %1 of %2").arg(bad - steps.begin() + 1).arg(steps.size());
   }
   return diagnosis.is_connected ? Words::tr("connected and working")
-                                : Words::tr("nothing keeps it from being connected");
+                                : Words::tr("nothing prevents the connection");
 }
 
 QString WhyReport::history() const {

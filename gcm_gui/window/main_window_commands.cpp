@@ -111,10 +111,10 @@ void MainWindow::addSystemCommands() {
                                                               : catalogue_->focusFilter();
   });
   add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { revealSelection(); });
-  add(Words::tr("Ask for everything a&new"), Qt::Key_F5, [this] {
+  add(Words::tr("Reload everythi&ng"), Qt::Key_F5, [this] {
     const bool is_there = parts_.link.state() == LinkState::State::kConnected;
-    notice_->tell(is_there ? Words::tr("The GCM is asked for everything anew")
-                           : Words::tr("There is no GCM; it is looked for each second"));
+    notice_->tell(is_there ? Words::tr("Everything is loaded from the GCM again")
+                           : Words::tr("No GCM answers; the window tries again each second"));
     parts_.link.askAnew();
   });
   add(Words::tr("Search or &run…"), QKeySequence(Qt::CTRL | Qt::Key_K),
@@ -168,7 +168,7 @@ void MainWindow::addPlotCommands() {
   const auto add = [this](const QString& text, const QKeySequence& key, auto what) -> QAction& {
     return commands_->add(Commands::Menu::kPlot, text, key, what);
   };
-  add(Words::tr("&Plot what is selected"), Qt::Key_P, [this] { plotSelection(); });
+  add(Words::tr("&Plot the selection"), Qt::Key_P, [this] { plotSelection(); });
   add(Words::tr("&New plot"), QKeySequence(Qt::CTRL | Qt::Key_T), [this] { plots_->addPlot(); });
   add(Words::tr("Plot &below, with the same time"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
       [this] { plots_->splitPlot(); });
@@ -184,7 +184,7 @@ void MainWindow::addPlotCommands() {
   add(Words::tr("Follow &live data"), {}, [this] { plots_->currentPlot().goLive(); });
   add(Words::tr("Cursors &A and B"), {}, [this] { plots_->toggleCursors(); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
-  add(Words::tr("&Save what is seen as CSV…"), QKeySequence(Qt::CTRL | Qt::Key_E),
+  add(Words::tr("&Save the visible samples as CSV…"), QKeySequence(Qt::CTRL | Qt::Key_E),
       [this] { plots_->askForCsv(); });
   add(Words::tr("Save a p&icture…"), {}, [this] { plots_->askForPicture(); });
   add(Words::tr("&Open a layout of plots…"), {}, [this] { plots_->askForLayout(); });

@@ -62,7 +62,7 @@ void PlotBinding::plot(const QString& path) {
   const CatalogueItem* item = model_.item(model_.indexOf(path));
   if (item == nullptr) return;
   if (item->kind < ItemKind::kColumn || keys.isEmpty()) {
-    Q_EMIT notice(path + Words::tr(" is no number; select a column or a value of a state "
+    Q_EMIT notice(path + Words::tr(" is not a number; select a column or a value of a state "
                                    "table to plot it"));
     return;
   }

@@ -77,7 +77,7 @@ TEST_F(CertTest, ADryRunSaysWhatWouldBeMadeAndMakesNothing) {
   EXPECT_FALSE(fs::exists(out));
   ExpectRefused({"issue", "a b", "--role", "viewer", "--dry-run"}, program::kUsage, "'a b'");
   Must(issue);
-  ExpectRefused(rehearsed, program::kRefused, "is there already");
+  ExpectRefused(rehearsed, program::kRefused, "already exists");
 
   const Outcome revoked = Cert({"revoke", "anna", "--dry-run"});
   EXPECT_THAT(revoked.out, testing::MatchesRegex("anna  would be revoked  [0-9a-fA-F:]+\n"));
@@ -85,7 +85,7 @@ TEST_F(CertTest, ADryRunSaysWhatWouldBeMadeAndMakesNothing) {
   ExpectRefused({"revoke", "ana", "--dry-run"}, program::kNotFound, "did you mean 'anna'?");
   EXPECT_EQ("anna  revoked  " + revoked.out.substr(revoked.out.rfind(' ') + 1),
             Cert({"revoke", "anna"}).out);
-  ExpectRefused({"revoke", "anna", "--dry-run"}, program::kRefused, "revoked already");
+  ExpectRefused({"revoke", "anna", "--dry-run"}, program::kRefused, "already revoked");
 }
 
 TEST_F(CertTest, SaysItInJson) {
@@ -129,7 +129,7 @@ TEST_F(CertTest, RefusesARevokedOne) {
   EXPECT_THAT(revoked.err, HasSubstr((ca / "crl.pem").string()));
 
   ExpectRefused({"check", robot}, program::kDenied, "was revoked");
-  ExpectRefused({"revoke", "robot"}, program::kRefused, "revoked already");
+  ExpectRefused({"revoke", "robot"}, program::kRefused, "already revoked");
   ExpectRefused({"revoke", "robbi"}, program::kNotFound, "no certificate to 'robbi'");
 }
 

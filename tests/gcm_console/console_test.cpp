@@ -132,8 +132,8 @@ TEST_F(ConsoleTest, AConnectToAProcessThatIsNotThereWaitsForIt) {
 
 TEST_F(ConsoleTest, AConnectToAProcessThatNobodyHasSeenWaitsAndSaysSo) {
   const std::string why =
-      "gcm: no process 'robbot'; did you mean 'robot'? the connection waits for it; take it back: "
-      "gcm disconnect desk/teleoperation/Robot\n";
+      "gcm: no process 'robbot'; did you mean 'robot'? the connection waits for it; cancel it: gcm "
+      "disconnect desk/teleoperation/Robot\n";
 
   const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robbot/arm/Control"});
 

@@ -66,7 +66,7 @@ TEST(Expression, HasSetsOfLetters) {
 
 TEST(Expression, WhatIsWrongIsSaidWithItsPart) {
   const std::string expected = "; expected an expression such as Get|Set";
-  EXPECT_EQ(MistakeIn(""), "an empty expression fits everything");
+  EXPECT_EQ(MistakeIn(""), "an empty expression matches everything");
   EXPECT_EQ(MistakeIn("a(b"), "missing ) at 'a(b'" + expected);
   EXPECT_EQ(MistakeIn("a[b"), "missing ] at '[b'" + expected);
   EXPECT_EQ(MistakeIn("*a"), "no argument for repetition operator at '*'" + expected);

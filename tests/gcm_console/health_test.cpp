@@ -115,7 +115,7 @@ TEST_F(HealthTest, WhoHasLeftIsNoFaultAndWhoIsLostIsOne) {
   ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));
 
   idle->Signal(SIGTERM);
-  EXPECT_TRUE(EventuallyMatches({"doctor"}, "-    process idle +left: said good-bye"));
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "-    process idle +left: left"));
 
   idle = StartIdle();
   ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));

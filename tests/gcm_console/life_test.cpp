@@ -61,7 +61,7 @@ TEST_F(LifeVerbsTest, AGlobIsForAllThatHaveAUseForIt) {
   const Outcome started = Gcm({"start", "robot/*"});
   EXPECT_EQ(started.exit_code, program::kOk) << started.err;
   EXPECT_EQ(started.out, "robot/three\tstarted\nrobot/two\tstarted\n");
-  EXPECT_EQ(started.err, "gcm: left out 1 that is in no state to be started\n");
+  EXPECT_EQ(started.err, "gcm: left out 1 that is not in a state to be started\n");
 
   const Outcome removed = Gcm({"rm", "**"});
   EXPECT_EQ(removed.out, "robot/one\tremoved\nrobot/three\tremoved\nrobot/two\tremoved\n");
@@ -155,7 +155,7 @@ TEST_F(LifeVerbsTest, AConfigurationComesFromARegularFileOrNotAtAll) {
       all.insert(all.end(), {"--configure", file});
       return Gcm(all);
     };
-    EXPECT_EQ(from(pipe).err, "gcm: " + pipe + ": is no regular file\n");
+    EXPECT_EQ(from(pipe).err, "gcm: " + pipe + ": is not a regular file\n");
     EXPECT_EQ(from(folder).err, "gcm: " + folder + ": is a folder, not a file\n");
     EXPECT_EQ(from(pipe).exit_code, program::kUsage);
     EXPECT_EQ(from(home.path() / "missing.json").exit_code, program::kNotFound);

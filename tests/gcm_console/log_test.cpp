@@ -29,11 +29,11 @@ class LogTest : public SystemFixture {
 TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   const auto robot = StartLcm("robot", demo);
   ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\trobot\truns 2 components")) << robot->err();
-  ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\tgcm\tprocess 'robot' is there"));
+  ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\tgcm\tprocess 'robot' is available"));
 
   const Outcome from = Gcm({"log", "--from", "gcm"});
   EXPECT_EQ(from.exit_code, program::kOk) << from.err;
-  EXPECT_THAT(from.out, HasSubstr("process 'robot' is there"));
+  EXPECT_THAT(from.out, HasSubstr("process 'robot' is available"));
   EXPECT_THAT(from.out, Not(HasSubstr("runs 2 components")));
   EXPECT_THAT(Gcm({"log", "--from", "ro*/robot"}).out, HasSubstr("runs 2 components"));
   const Outcome errors = Gcm({"log", "--level", "error"});
@@ -46,7 +46,7 @@ TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
   EXPECT_EQ(nobody.err, "gcm: no process 'robt'; did you mean 'robot'?\n");
   const Outcome silent = Gcm({"log", "--from", "robot/arm", "--level", "error"});
   EXPECT_EQ(silent.exit_code, program::kOk);
-  EXPECT_EQ(silent.err, "gcm: nothing that is kept is from 'robot/arm' at level error or above\n");
+  EXPECT_EQ(silent.err, "gcm: no kept record is from 'robot/arm' at level error or above\n");
 
   std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
   std::string line;
@@ -78,7 +78,7 @@ TEST_F(LogTest, FollowsWhileProcessesAndGcmsComeAndGo) {
   const auto desk = StartLcm("desk", demo);
 
   EXPECT_TRUE(heard("\tdesk\truns 3 components")) << follow->err();
-  EXPECT_TRUE(heard("running on, and looking for it")) << follow->err();
+  EXPECT_TRUE(heard("keeps running and tries to reconnect")) << follow->err();
   follow->Signal(SIGINT);
   EXPECT_EQ(follow->Wait(), program::kInterrupted);
 }

@@ -40,12 +40,12 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
   EXPECT_EQ(Gcm({"status"}).err, "gcm: 2 processes, 1 connection; all is well\n");
   ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
   EXPECT_EQ(Gcm({"status"}).err,
-            "gcm: 2 processes, 1 connection; nothing is wrong, but what has connections does not "
-            "run: robot/arm\n");
+            "gcm: 2 processes, 1 connection; nothing is wrong, but some connected components do "
+            "not run: robot/arm\n");
 
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"status"}, "process\trobot\tlost\t"));
-  EXPECT_THAT(Gcm({"status"}).err, HasSubstr("not as it should be"));
+  EXPECT_THAT(Gcm({"status"}).err, HasSubstr("with a problem"));
   EXPECT_TRUE(EventuallySays({"status"},
                              "connection\tdesk/supervisor/Robot\tpending\t"
                              "-> robot/arm/Control: the connection of "
@@ -65,8 +65,7 @@ TEST_F(LookTest, AComponentThatLacksWhatItNeedsIsSaidToWait) {
   const Outcome status = Gcm({"status"});
   EXPECT_THAT(status.out,
               HasSubstr("component\t" + path + "\tactive\twaiting for Robot: not connected\n"));
-  EXPECT_EQ(status.err,
-            "gcm: 2 processes, 1 connection; 1 thing not as it should be: see gcm doctor\n");
+  EXPECT_EQ(status.err, "gcm: 2 processes, 1 connection; 1 thing with a problem: see gcm doctor\n");
   const Outcome doctor = Gcm({"doctor"});
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  component " + path +
@@ -134,7 +133,7 @@ TEST_F(LookTest, FindsByPartPatternTypeStateAndHost) {
 
   const Outcome none = Gcm({"find", "nothing-like-it"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
-  EXPECT_EQ(none.err, "gcm: nothing fits 'nothing-like-it'; gcm ls -R lists everything there is\n");
+  EXPECT_EQ(none.err, "gcm: nothing fits 'nothing-like-it'; gcm ls -R lists all names\n");
   const Outcome unknown = Gcm({"find", "tipe:x"});
   EXPECT_EQ(unknown.exit_code, program::kUsage);
   EXPECT_THAT(unknown.err, HasSubstr("there is no 'tipe:'; did you mean 'type'?"));
@@ -239,10 +238,12 @@ TEST_F(LookTest, VerboseSaysWhomItAsks) {
 
 TEST_F(LookTest, SmallMistakesGetSentencesThatHelp) {
   EXPECT_EQ(Gcm({"connect", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
-            "gcm: robot/arm/Control is what is provided: the required interface comes first; run: "
+            "gcm: robot/arm/Control is a provided interface, but the required interface comes "
+            "first; run: "
             "gcm connect desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_EQ(Gcm({"explain", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
-            "gcm: robot/arm/Control is what is provided: the required interface comes first; run: "
+            "gcm: robot/arm/Control is a provided interface, but the required interface comes "
+            "first; run: "
             "gcm explain desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_THAT(Gcm({"watch", "robot/arm/state"}).err,
               StartsWith("gcm: 'robot/arm/state' is a whole table: name one of its columns ("));

@@ -128,7 +128,7 @@ TEST_F(PluginAgeTest, EachVerbTellsThatTheFileWasWrittenAgain) {
   const Outcome doctor = Gcm({"doctor"});
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, AllOf(HasSubstr("BAD  plug-in robot ageing"), HasSubstr(again.substr(2)),
-                                HasSubstr("fix: start the process anew to run that")));
+                                HasSubstr("fix: restart the process to use it")));
   const Outcome status = Gcm({"status"});
   EXPECT_THAT(status.out, HasSubstr("plug-in\trobot ageing\tchanged\tprocess 'robot' runs " + of));
   EXPECT_THAT(status.err, HasSubstr("see gcm doctor"));
@@ -145,7 +145,7 @@ TEST_F(PluginAgeTest, DoctorTellsItAlsoOfAProcessThatItCannotReach) {
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process robot .*does not answer at"));
   EXPECT_THAT(doctor.out, AllOf(HasSubstr("BAD  plug-in robot ageing"),
-                                HasSubstr("fix: start the process anew to run that")));
+                                HasSubstr("fix: restart the process to use it")));
 }
 
 TEST_F(PluginAgeTest, WhatAnOrderHasSeenFirstIsShownToo) {
@@ -186,17 +186,18 @@ TEST_F(PluginAgeTest, APlanJudgesByWhatTheProcessWouldRun) {
 
   const Outcome refused = Gcm({"plan", write("Newcomer")});
   EXPECT_EQ(refused.exit_code, program::kRefused);
-  EXPECT_THAT(refused.err,
-              AllOf(HasSubstr("robot/new cannot be made as the file says: process 'robot' has no "
-                              "class 'Newcomer' in ageing"),
-                    HasSubstr("the file was written again at 20")));
+  EXPECT_THAT(
+      refused.err,
+      AllOf(HasSubstr("robot/new cannot be created as the file says: process 'robot' has no "
+                      "class 'Newcomer' in ageing"),
+            HasSubstr("the file was written again at 20")));
 
   const Outcome planned = Gcm({"plan", write("Ageing")});
   EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;
   EXPECT_THAT(planned.err, HasSubstr("gcm: process 'robot' runs " + file.string() + " of 20"));
   const Outcome applied = Gcm({"apply", write("Ageing")});
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
-  EXPECT_THAT(applied.err, HasSubstr("start the process anew to run that"));
+  EXPECT_THAT(applied.err, HasSubstr("restart the process to use it"));
   EXPECT_EQ(RowsOf("new", 1), 200U);
 }
 
@@ -213,7 +214,7 @@ TEST_F(PluginAgeTest, AFileThatIsGoneIsTold) {
   StartOld();
   fs::remove(file);
 
-  EXPECT_THAT(Gcm({"load", "ageing"}).err, HasSubstr("; the file is gone: put it back before"));
+  EXPECT_THAT(Gcm({"load", "ageing"}).err, HasSubstr("; the file is missing: restore it before"));
   EXPECT_EQ(RowsOf("old", 1), 200U);
 
   fs::copy_file(kBuilt / "1" / "ageing.so", file);

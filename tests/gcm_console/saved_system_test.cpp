@@ -92,7 +92,7 @@ TEST_F(SavedSystemTest, ASaveKeepsProcessesThatAreNotThereAndSaysSo) {
   EXPECT_EQ(saved.exit_code, program::kOk) << saved.err;
   EXPECT_EQ(saved.out, InHome("link.json") + "  2 processes, 5 components, 1 connection\n");
   EXPECT_EQ(saved.err,
-            "gcm: process 'robot' is not there now: kept as the file has it, with 2 components\n");
+            "gcm: process 'robot' is not available now: kept as in the file, with 2 components\n");
   EXPECT_EQ(json::parse(home.Read("saved.json")), before);
   EXPECT_TRUE(std::filesystem::is_symlink(InHome("link.json")));
   EXPECT_EQ(std::filesystem::status(file).permissions(),
@@ -125,7 +125,7 @@ TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
   EXPECT_EQ(steps[1]["outcome"], "done");
   EXPECT_EQ(steps[2]["outcome"], "left");
   EXPECT_EQ(steps[2]["error"],
-            "not tried, for this has failed: create robot/extra (Conter of legacy_arm)");
+            "not tried, because this failed: create robot/extra (Conter of legacy_arm)");
 }
 
 TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
@@ -196,8 +196,8 @@ TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKille
 
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
   EXPECT_THAT(applied.err,
-              HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched; take it "
-                        "back with: gcm undo 12\n"));
+              HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched; undo it "
+                        "with: gcm undo 12\n"));
   EXPECT_TRUE(EventuallyTrue([&] { return ContentHash() == hash; }))
       << before << "became" << Gcm({"tree"}).out;
   EXPECT_EQ(Gcm({"tree"}).out, before);
@@ -216,12 +216,12 @@ TEST_F(SavedSystemTest, AnApplySaysHowToTakeItBack) {
   const Outcome applied = Gcm({"apply", file, "--yes"});
 
   ASSERT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
-  EXPECT_THAT(applied.err, testing::EndsWith("; take it back with: gcm undo 2\n"));
+  EXPECT_THAT(applied.err, testing::EndsWith("; undo it with: gcm undo 2\n"));
   const Outcome undone = Gcm({"undo", "2"});
   EXPECT_EQ(undone.exit_code, program::kOk) << undone.err;
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
       << before << "became" << Gcm({"tree"}).out;
-  EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err, testing::Not(HasSubstr("take it back")));
+  EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err, testing::Not(HasSubstr("undo it with")));
 }
 
 TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
@@ -231,9 +231,10 @@ TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
   const Outcome refused = Gcm({"apply", file});
   EXPECT_EQ(refused.exit_code, program::kRefused);
   EXPECT_EQ(refused.out, "! disconnect desk/teleoperation/Robot -> robot/arm/Control\n");
-  EXPECT_THAT(refused.err, HasSubstr("nothing was done, for the steps marked with ! take away what "
-                                     "runs; if that is meant: gcm apply " +
-                                     file + " --yes"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("nothing was done, because the steps marked with ! remove things "
+                        "that run; to confirm this: gcm apply " +
+                        file + " --yes"));
   EXPECT_EQ(Gcm({"diff", file}).out,
             "+ connection desk/teleoperation/Robot -> robot/arm/Control\n");
 
@@ -247,7 +248,7 @@ TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
   const std::string missing =
-      "process 'robot' is not there, nor 2 components of it; start it: lcm "
+      "process 'robot' with 2 components is not available; start it: lcm "
       "--name robot";
 
   const Outcome refused = Gcm({"apply", file});
@@ -372,7 +373,7 @@ TEST_F(SavedSystemTest, WhatAProcessCouldNotMakeIsSaidBeforeAnythingIsStoppedFor
     const Outcome plan = Gcm({"plan", InHome("bad.json")});
     EXPECT_EQ(plan.exit_code, program::kRefused) << plan.out;
     EXPECT_EQ(plan.out, "");
-    EXPECT_THAT(plan.err, HasSubstr("robot/arm cannot be made as the file says: "));
+    EXPECT_THAT(plan.err, HasSubstr("robot/arm cannot be created as the file says: "));
     EXPECT_THAT(plan.err, HasSubstr(sentence));
     EXPECT_THAT(plan.err, HasSubstr("; it stays as it is\n"));
     Gcm({"apply", InHome("bad.json"), "--yes", "--keep-going"});
@@ -395,7 +396,7 @@ TEST_F(SavedSystemTest, ImportsAFileOfTheReferenceSystem) {
   const Outcome again =
       Gcm({"import", InHome("cisst.json"), InHome("new.json"), "--process", "desk"});
   EXPECT_EQ(again.exit_code, program::kRefused);
-  EXPECT_THAT(again.err, HasSubstr("new.json is there already: give another file, or remove this"));
+  EXPECT_THAT(again.err, HasSubstr("new.json already exists: give another file, or remove this"));
   EXPECT_EQ(json::parse(home.Read("new.json")), file);
 }
 
@@ -438,8 +439,8 @@ TEST_F(SavedSystemTest, StepsOfAnEarlierRunAreSaidAndPassedOver) {
   EXPECT_THAT(refused.err, testing::MatchesRegex(
                                "gcm: cannot undo step 1 .disconnect desk/supervisor/Robot "
                                "robot/arm/Control, by gcm disconnect of .* at .*: process 'desk' "
-                               "was started again since; to leave it as it is and undo what "
-                               "was before it: gcm undo --skip\n"));
+                               "was restarted since; to skip it and undo the step before "
+                               "it: gcm undo --skip\n"));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
   EXPECT_THAT(skipped.err, HasSubstr("gcm: passed over, and left as it is: step 1 (disconnect"));

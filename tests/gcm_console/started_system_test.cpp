@@ -142,7 +142,7 @@ TEST_F(StartedSystemTest, AProcessThatIsToRestartNeverStaysEnded) {
 
   Kill("desk");
 
-  EXPECT_TRUE(EventuallySays({"show", "desk"}, "it is not started again (restart never)"));
+  EXPECT_TRUE(EventuallySays({"show", "desk"}, "it is not restarted (restart never)"));
   Apply();
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
 }
@@ -157,12 +157,12 @@ TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
   EXPECT_EQ(killed.out, "robot\tended\n");
   EXPECT_THAT(killed.err, HasSubstr("gcm: rob: no process 'rob'"));
   EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\tleft"));
-  EXPECT_EQ(Gcm({"kill", "robot"}).err, "gcm: robot: process 'robot' is gone already\n");
+  EXPECT_EQ(Gcm({"kill", "robot"}).err, "gcm: robot: process 'robot' is already gone\n");
   EXPECT_EQ(Gcm({"forget", "robot", "--dry-run"}).out, "robot\twould be forgotten\n");
   EXPECT_EQ(Gcm({"forget", "robot"}).out, "robot\tforgotten\n");
   EXPECT_THAT(Gcm({"ls"}).out, testing::Not(HasSubstr("robot")));
   EXPECT_EQ(Gcm({"forget", "desk"}).err,
-            "gcm: desk: process 'desk' is there; only one that is gone can be forgotten\n");
+            "gcm: desk: process 'desk' is running; only a process that is gone can be forgotten\n");
   EXPECT_EQ(Gcm({"--read-only", "kill", "desk"}).exit_code, program::kDenied);
   Apply();
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
@@ -177,7 +177,7 @@ TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
         {"/bin/sh", "-c", "printf '" + answer + "\\n' | script -qec \"" + line + "\" /dev/null"});
   };
   EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
-  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process fits 'x*'; gcm ls lists what there is\n");
+  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process fits 'x*'; gcm ls lists all processes\n");
   EXPECT_EQ(Gcm({"kill", "x*"}).exit_code, program::kNotFound);
 
   const Outcome declined = type("kill '*'", "n");
@@ -189,7 +189,7 @@ TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
   const Outcome killed = Gcm({"kill", "*"});
   EXPECT_EQ(killed.exit_code, program::kOk) << killed.err;
   EXPECT_EQ(killed.out, "robot\tended\n");
-  EXPECT_EQ(killed.err, "gcm: left out 1 that is in no state to be ended\n");
+  EXPECT_EQ(killed.err, "gcm: left out 1 that is not in a state to be ended\n");
   EXPECT_THAT(type("forget '*' --yes", "n").out, testing::Not(HasSubstr("[y/N]")));
   EXPECT_EQ(Gcm({"ls"}).out, "");
 }

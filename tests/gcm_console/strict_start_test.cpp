@@ -51,7 +51,8 @@ TEST_F(StrictStartTest, AStartRefusesByNameWhereItIsAskedTo) {
   StartEmpty();
   ASSERT_EQ(Gcm({"apply", File("", "constructed")}).exit_code, program::kOk);
   const std::string reason =
-      "gcm: desk/teleoperation: component 'teleoperation' is not started, for it would wait for "
+      "gcm: desk/teleoperation: component 'teleoperation' is not started, because it would wait "
+      "for "
       "Robot: not connected; connect that first\n";
 
   for (const Program::Words& words : {Program::Words{"start", "desk/teleoperation", "--strict"},
@@ -78,7 +79,7 @@ TEST_F(StrictStartTest, APlanOfAStrictFileRefusesBeforeAnythingIsTouched) {
   for (const char* verb : {"plan", "apply"}) {
     const Outcome refused = Gcm({verb, File(R"("strict": true, )")});
     EXPECT_EQ(refused.exit_code, program::kRefused) << verb;
-    EXPECT_THAT(refused.err, HasSubstr("gcm: desk/teleoperation is not started, for it lacks a "
+    EXPECT_THAT(refused.err, HasSubstr("gcm: desk/teleoperation is not started, because it lacks a "
                                        "connection for Robot, and the file is strict"));
     EXPECT_THAT(refused.out, AllOf(HasSubstr("start robot/arm"), Not(HasSubstr("desk"))));
   }
@@ -95,8 +96,9 @@ TEST_F(StrictStartTest, AProcessRefusesWhatThePlanCouldNotKnow) {
   const Outcome applied = Gcm({"apply", File(R"("strict": true, )")});
 
   EXPECT_EQ(applied.exit_code, program::kPartial);
-  EXPECT_THAT(applied.out, HasSubstr("BAD  start desk/teleoperation: component 'teleoperation' is "
-                                     "not started, for it would wait for Robot: not connected"));
+  EXPECT_THAT(applied.out,
+              HasSubstr("BAD  start desk/teleoperation: component 'teleoperation' is "
+                        "not started, because it would wait for Robot: not connected"));
   EXPECT_THAT(Gcm({"ls", "desk"}).out, HasSubstr("teleoperation\tconstructed\t"));
 }
 
@@ -105,7 +107,7 @@ TEST_F(StrictStartTest, AnLcmKeepsToItsStrictFile) {
   desk = StartLcm("desk", file);
   ASSERT_TRUE(EventuallyTrue([this] {
     return desk->err().find(
-               "component 'teleoperation' is not started, for it would wait for "
+               "component 'teleoperation' is not started, because it would wait for "
                "Robot: not connected; connect that first") != std::string::npos;
   })) << desk->err();
   EXPECT_TRUE(EventuallySays({"ls", "desk"}, "teleoperation\tconstructed\t"));

@@ -70,7 +70,7 @@ TEST_F(LcmStart, AnAddressThatCannotBeListenedAt) {
                     " (gcm); give --listen another port, or 0 for a free one");
   ExpectRefused({"--name", "robot", "--listen", "localhost:" + port}, program::kUsage,
                 "--listen and --gcm are both " + address +
-                    ", but a port is for one program; give --listen another one");
+                    ", but two programs cannot share a port; give --listen another one");
   ExpectRefused({"--name", "robot", "--listen", "192.0.2.1:0"}, program::kDenied, "--insecure");
   ExpectRefused({"--name", "robot", "--listen", "127.0.0.1:abc"}, program::kUsage,
                 "port 'abc': expected 0..65535");
@@ -94,8 +94,8 @@ TEST_F(LcmStart, AFileThatIsNone) {
   ExpectFileRefused(folder / "none.json", "there is no such file", program::kNotFound);
   ExpectFileRefused(folder, "is a folder, not a file");
   ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
-  ExpectFileRefused(folder / "fifo", "is no regular file");
-  ExpectFileRefused("/dev/zero", "is no regular file");
+  ExpectFileRefused(folder / "fifo", "is not a regular file");
+  ExpectFileRefused("/dev/zero", "is not a regular file");
   fs::create_symlink(folder / "b", folder / "a");
   fs::create_symlink(folder / "a", folder / "b");
   ExpectFileRefused(folder / "a", "symbolic links");
@@ -147,10 +147,10 @@ TEST_F(LcmStart, WhatTheFileSaysOfAComponentThatCannotHaveIt) {
     return file;
   };
   ExpectFileRefused(with(R"("class": null)"),
-                    "component 'arm' has no class in the file, for its own program makes it");
+                    "component 'arm' has no class in the file, because its own program creates it");
   ExpectFileRefused(
       with(R"("class": "SimulatedArm")"),
-      "component 'arm' has no \"library\" in the file: name there the plug-in that has "
+      "component 'arm' has no \"library\" in the file: name the plug-in there that has "
       "its class SimulatedArm; there is: ");
   ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
                             "thread": {"priority": 7})"),

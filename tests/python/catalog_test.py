@@ -92,7 +92,7 @@ class Names(unittest.TestCase):
                 self.assert_none(NotFound, sentence, catalog.command, path)
         self.assert_none(NotFound, "no state table 'robot/arm/state-Fast'; did you mean 'state'?",
                          catalog.table, parse_path("robot/arm/state-Fast"))
-        self.assert_none(Invalid, "'robot/arm' names no command: expected "
+        self.assert_none(Invalid, "'robot/arm' does not name a command: expected "
                          "process/component/interface.member",
                          catalog.command, Path("robot", "arm"))
 
@@ -137,7 +137,7 @@ class Names(unittest.TestCase):
             with self.subTest(text=text), self.assertRaises(Invalid):
                 parse_address(text)
         for text in ("10.0.0.1:5", "127.0.0.1.example:5", "0.0.0.0:5"):
-            with self.subTest(text=text), self.assertRaisesRegex(Denied, "off this machine"):
+            with self.subTest(text=text), self.assertRaisesRegex(Denied, "is on another machine"):
                 parse_address(text)
 
 

@@ -93,7 +93,8 @@ class Codec(unittest.TestCase):
 
     def test_padding_to_eight_may_follow_and_nothing_else(self):
         self.assertEqual(Number("int8").decode(b"\x05" + bytes(7)), 5)
-        with self.assertRaisesRegex(Invalid, "^these 9 bytes are no int8: something follows it$"):
+        with self.assertRaisesRegex(Invalid, "^these 9 bytes are not a valid int8: there is more "
+                                             "data after its end$"):
             Number("int8").decode(b"\x05" + bytes(8))
 
     def test_a_value_of_no_name_is_shown(self):

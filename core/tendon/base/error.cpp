@@ -37,7 +37,7 @@ std::string ReasonOf(std::exception_ptr thrown) {
       const auto* const outer = dynamic_cast<const std::nested_exception*>(&error);
       if (outer != nullptr) thrown = outer->nested_ptr();
     } catch (...) {
-      reason += "an exception that is no std::exception";
+      reason += "an exception that does not derive from std::exception";
     }
   }
   return reason;

@@ -126,8 +126,9 @@ Result<InterfaceName> ParseInterfaceName(std::string_view text) {
   const std::size_t first = text.find('/');
   const std::size_t second = first == text.npos ? text.npos : text.find('/', first + 1);
   if (second == text.npos || text.find('/', second + 1) != text.npos) {
-    return Error{ErrorCode::kInvalid,
-                 "'" + ToAscii(text) + "' is no interface: expected process/component/interface"};
+    return Error{
+        ErrorCode::kInvalid,
+        "'" + ToAscii(text) + "' is not an interface: expected process/component/interface"};
   }
   InterfaceName name(std::string(text.substr(0, first)),
                      std::string(text.substr(first + 1, second - first - 1)),

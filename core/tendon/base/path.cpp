@@ -6,7 +6,7 @@ namespace tendon {
 namespace {
 
 Error NoPath(std::string_view text, const std::string& why) {
-  return Error{ErrorCode::kInvalid, "'" + std::string(text.substr(0, 200)) + "' is no path: " +
+  return Error{ErrorCode::kInvalid, "'" + std::string(text.substr(0, 200)) + "' is not a path: " +
                                         why + "; expected process/component/interface.member"};
 }
 

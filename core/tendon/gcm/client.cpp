@@ -57,7 +57,7 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
 /// `path` was parsed, so it is printable.
 Error NoCommand(const std::string& path) {
   return {ErrorCode::kInvalid,
-          "'" + path + "' names no command: expected process/component/interface.member"};
+          "'" + path + "' does not name a command: expected process/component/interface.member"};
 }
 
 /// With a long timeout, waits longer for a busy process before it reports that the process hangs.

@@ -40,7 +40,7 @@ std::string ToString(const ConnectionFlaw& flaw) {
   const std::string count = std::to_string(flaw.count);
   switch (flaw.kind) {
     case FlawKind::kCallsRefused:
-      return Counted(flaw.count, "call", "calls") + " found no room";
+      return Counted(flaw.count, "call", "calls") + " found the mailbox full";
     case FlawKind::kEventsLost:
       return Counted(flaw.count, "event was", "events were") + " lost";
     case FlawKind::kMailboxFull:

@@ -15,10 +15,13 @@ namespace {
 using Verdict = DiagnosisStep::Verdict;
 
 /// The text of each step that was not reached.
-constexpr std::array kSteps = {
-    "both processes are there", "both components are active",     "the required interface is free",
-    "the signatures match",     "the processes reach each other", "the connection is made",
-    "the provider answers"};
+constexpr std::array kSteps = {"both processes are available",
+                               "both components are active",
+                               "the required interface is free",
+                               "the signatures match",
+                               "the processes reach each other",
+                               "the connection is made",
+                               "the provider answers"};
 
 /// Indices in kSteps: "both components are active" and "the processes reach each other".
 constexpr std::size_t kActive = 1;
@@ -61,12 +64,12 @@ void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Er
                  Examination& examination) {
   const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
   if (provider != nullptr && IsPresent(provider->process)) {
-    examination.Good("process " + wire.provided.process + " is there");
+    examination.Good("process " + wire.provided.process + " is available");
   }
-  examination.Bad(
-      missing.code, missing.message,
-      "start it: the connection is made when it comes; or take it back: gcm disconnect " +
-          ToString(wire.required));
+  examination.Bad(missing.code, missing.message,
+                  "start it, and the connection is made when it joins; or cancel the connection: "
+                  "gcm disconnect " +
+                      ToString(wire.required));
 }
 
 void CheckProcesses(const ProcessDescription& required, const ProcessDescription& provided,
@@ -80,8 +83,9 @@ void CheckProcesses(const ProcessDescription& required, const ProcessDescription
         AdviceFor(*process));
   }
   const bool is_one = required.name == provided.name;
-  examination.Good(is_one ? "process " + required.name + " is there"
-                          : "processes " + required.name + " and " + provided.name + " are there");
+  examination.Good(is_one
+                       ? "process " + required.name + " is available"
+                       : "processes " + required.name + " and " + provided.name + " are available");
 }
 
 void CheckComponents(const ComponentDescription& required, const ComponentDescription& provided,
@@ -100,7 +104,7 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
 void CheckFree(const Catalogue& catalogue, const message::Wire& wire, Examination& examination) {
   const auto* connection = catalogue.FindConnection(wire.required);
   if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
-  if (connection->provided == wire.provided) return examination.Good("the connection is wanted");
+  if (connection->provided == wire.provided) return examination.Good("the connection is requested");
   examination.Bad(ErrorCode::kExists,
                   ToString(wire.required) + " is connected to " + ToString(connection->provided),
                   "replace that: gcm connect " + ToString(wire.required) + " " +
@@ -116,7 +120,7 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
   std::vector<std::string> details;
   for (const Mismatch& one : compatibility.mismatches) details.push_back(one.text);
   examination.Bad(ErrorCode::kIncompatible, text,
-                  "see what does fit: gcm candidates " + ToString(wire.required),
+                  "list the interfaces that fit: gcm candidates " + ToString(wire.required),
                   std::move(details));
 }
 
@@ -134,7 +138,7 @@ std::string FixOfPending(const ProcessDescription& required, const ProcessDescri
     return FixOfUnreached(provided.name, required.host, {ErrorCode::kUnreachable, reason});
   }
   if (!provided.reason.empty()) return provided.name + " " + provided.reason;
-  return "it is tried again by itself; look at " + provided.name;
+  return "it is retried automatically; look at " + provided.name;
 }
 
 /// Steps 5 and 6.
@@ -169,7 +173,7 @@ Remainder LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) 
   const std::string& process = wire.required.process;
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr || !IsPresent(entry->process)) {
-    return {process, Kind::kUnknown, "not known, for process '" + process + "' is not there"};
+    return {process, Kind::kUnknown, "unknown, because process '" + process + "' is not available"};
   }
   const auto* other = catalogue.FindConnection(wire.required);
   const std::string nothing = "nothing in " + process;
@@ -185,7 +189,7 @@ Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
   const std::string& process = wire.provided.process;
   if (!served && served.error().code != ErrorCode::kNotFound) {
     return {process, Kind::kUnknown,
-            "not known of " + process + ", which does not tell: " + served.error().message};
+            "unknown for " + process + ", which does not report it: " + served.error().message};
   }
   const auto* other = catalogue.FindConnection(wire.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
@@ -194,7 +198,7 @@ Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
   }
   return {process, Kind::kSomething,
           process + " still serves " + ToString(wire.required) +
-              ", which asks for nothing; it ends with the link between the two"};
+              ", which does not request it; it ends with the connection between the two processes"};
 }
 
 /// The rank of a candidate; a smaller one is better.
@@ -236,7 +240,7 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   const std::string& provider = diagnosis.wire.provided.process;
   const bool is_late = flaws.front().kind == ConnectionFlaw::Kind::kLate;
   DiagnosisStep& step = is_late ? diagnosis.steps.back() : diagnosis.steps.at(kMade);
-  std::string text = is_late ? "process '" + provider + "' " : "it is made, but ";
+  std::string text = is_late ? "process '" + provider + "' " : "the connection is made, but ";
   for (const ConnectionFlaw& flaw : flaws) {
     text += (&flaw == &flaws.front() ? "" : "; ") + ToString(flaw);
   }
@@ -281,14 +285,14 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 std::string FixOfUnreached(const std::string& name, const std::string& host, const Error& reason) {
   if (os::TellsOfNoRoute(reason.message)) {
     return "give host " + host +
-           " a route to it; where another address leads to it from there: "
-           "start " +
-           name + " with --advertise and that";
+           " a route to it; if it can be reached at another address from "
+           "there: start " +
+           name + " with --advertise and that address";
   }
   if (reason.code == ErrorCode::kTimeout) return "look at process '" + name + "', which may hang";
   return "see that " + name +
-         " listens there, and that no firewall is between; where the address is wrong: start " +
-         name + " with --advertise and one that leads to it";
+         " listens there, and that no firewall blocks the way; if the address is wrong: start " +
+         name + " with --advertise and an address that can be reached";
 }
 
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
@@ -299,8 +303,8 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
     const auto* component = catalogue.FindComponent(end->process, end->component);
     if (component == nullptr || component->state == ComponentState::kActive) continue;
     const std::string effect = end == &diagnosis.wire.required
-                                   ? "it asks for nothing"
-                                   : "it refuses commands, and reads answer what was";
+                                   ? "it makes no calls"
+                                   : "it refuses commands, and its reads return old values";
     DiagnosisStep& step = diagnosis.steps.at(kActive);
     step = {Verdict::kBad,
             component->name + " is " + std::string(ToString(component->state)) + ": " + effect,

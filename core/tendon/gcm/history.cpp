@@ -138,7 +138,8 @@ void History::Probe() const {
   if (writable) return;
   Log(LogLevel::kWarning, "gcm",
       "history is off: " + writable.error().message +
-          "; steps are known, and can be undone, until this GCM ends; make the folder writable, or "
+          "; steps can be undone until this GCM ends, but not after it; make the folder writable, "
+          "or "
           "name another one with XDG_STATE_HOME");
 }
 
@@ -158,7 +159,7 @@ void History::Load() {
   if (unreadable > 0) {
     Log(LogLevel::kWarning, "gcm",
         Counted(unreadable, "line", "lines") + " of " + file_.string() +
-            " cannot be read: left out");
+            " cannot be read and are left out");
   }
   const std::size_t read = steps_.size();
   for (auto& step : std::exchange(steps_, {})) {

@@ -82,7 +82,7 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
   }
   if (connection.provided == wanted) {
     return stand + " already: " + connection.reason + "; look with: gcm explain " + required +
-           "; take it back: gcm disconnect " + required;
+           "; cancel it: gcm disconnect " + required;
   }
   return stand + "; to replace that: gcm connect " + required + " " + ToString(wanted) +
          " --replace";
@@ -98,7 +98,7 @@ Result<void> CheckReplacement(const Catalogue& catalogue, const ConnectionDescri
   return Error{present.error().code,
                ToString(connection.required) + " stays connected to " +
                    ToString(connection.provided) +
-                   ", for what replaces it must be there: " + present.error().message};
+                   ", because its replacement must be available first: " + present.error().message};
 }
 
 /// The commands of an interface, including the columns of a table.
@@ -277,8 +277,9 @@ bool HasFallenSilent(const ProcessDescription& process) {
 std::string AdviceFor(const ProcessDescription& process) {
   if (!HasFallenSilent(process)) return "start it again";
   const std::string pid = std::to_string(process.pid);
-  return "it may be stopped, hang, or be cut off from the GCM: on host " + process.host +
-         ", kill -CONT " + pid + " lets a stopped one go on, and kill -9 " + pid + " ends it";
+  return "it may be stopped, hang, or have lost its connection to the GCM: on host " +
+         process.host + ", kill -CONT " + pid + " resumes a stopped process, and kill -9 " + pid +
+         " ends it";
 }
 
 Result<void> RequirePresent(const ProcessDescription& process) {

@@ -29,8 +29,8 @@ Named<Description> Select(const Catalogue& catalogue, const std::string& pattern
 }
 
 Error NoneIs(const std::string& kind, const std::string& pattern) {
-  return {ErrorCode::kNotFound, "no " + kind + " interface that is there is named '" + pattern +
-                                    "'; look with: gcm ls -R"};
+  return {ErrorCode::kNotFound,
+          "no " + kind + " interface is named '" + pattern + "'; look with: gcm ls -R"};
 }
 
 bool IsOfOneComponent(const InterfaceName& a, const InterfaceName& b) {

@@ -132,7 +132,8 @@ const SystemFile::Component* SystemFile::FindComponent(const std::string& proces
 }
 
 Result<std::string> ReadSystemText(const fs::path& path) {
-  if (path.empty()) return Error{ErrorCode::kInvalid, "no file is named: give the path of one"};
+  if (path.empty())
+    return Error{ErrorCode::kInvalid, "no file is given: give the path of a system file"};
   std::error_code reason;
   const fs::file_status status = fs::status(path, reason);
   if (status.type() == fs::file_type::not_found) {
@@ -142,7 +143,7 @@ Result<std::string> ReadSystemText(const fs::path& path) {
     return Refused(path, "is a folder, not a file");
   }
   if (reason) return Refused(path, reason.message());
-  if (status.type() != fs::file_type::regular) return Refused(path, "is no regular file");
+  if (status.type() != fs::file_type::regular) return Refused(path, "is not a regular file");
   return os::ReadUnchanged(path, [&path] { return ReadBytes(path); });
 }
 
@@ -167,7 +168,7 @@ Result<std::string> SystemFileText(const SystemFile& system) {
   } catch (const OrderedJson::exception& exception) {  // a text is not UTF-8
     return refuse(exception.what());
   }
-  const auto again = ParseSystemFile(text, "it would not be read again");
+  const auto again = ParseSystemFile(text, "it could not be read again");
   return again ? Result<std::string>(std::move(text)) : refuse(again.error().message);
 }
 

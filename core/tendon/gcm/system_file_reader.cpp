@@ -68,8 +68,8 @@ std::string ReadClass(const FileObject& object) {
     for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
       if (object.Find(key) == nullptr) continue;
       Refuse(object.Place(key),
-             "a component without a class is made by its own program, which "
-             "alone gives it that");
+             "a component without a class is created by its own program, and "
+             "only that program can set this");
     }
     return {};
   }
@@ -113,7 +113,7 @@ void CheckLeaders(const std::vector<SystemFile::Component>& components, const Fi
            "the process has no component '" + leader + "'" + DidYouMean(leader, names));
   }
   if (const std::string ring = FindRingIn(components); !ring.empty()) {
-    Refuse(process.Place("components"), "runs_after leads around in a ring: " + ring);
+    Refuse(process.Place("components"), "runs_after forms a ring: " + ring);
   }
 }
 
@@ -139,8 +139,8 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
   const auto is_made_by_its_program = [](const auto& one) { return one.class_name.empty(); };
   if (process.start && std::ranges::any_of(process.components, is_made_by_its_program)) {
     Refuse(object.Place("start"),
-           "it is an lcm that the GCM starts, but a component without a class is made by a program "
-           "of its own: leave out one of the two");
+           "the GCM starts this process as an lcm, but a component without a class is created by "
+           "its own program: leave out one of the two");
   }
   process.comment = object.Comment();
   return process;
@@ -195,7 +195,7 @@ class LinkReader {
     const std::string place = "layout." + shown;
     const std::size_t slash = path.find('/');
     if (slash == path.npos) {
-      Refuse(place, "'" + shown + "' is no component: expected process/component");
+      Refuse(place, "'" + shown + "' is not a component: expected process/component");
     }
     CheckComponent(Printable(path.substr(0, slash), 64), Printable(path.substr(slash + 1), 64),
                    place);

@@ -76,9 +76,9 @@ Error WhyNotListening(const HostPort& place) {
 
 /// `tls` is null without TLS, also below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
-  return {ErrorCode::kTimeout, "no answer from " + ToString(place) + " within " +
-                                   std::to_string(timeout.count()) + " ms" +
-                                   (tls != nullptr ? "" : ": it hangs, or wants a --certificate")};
+  return {ErrorCode::kTimeout,
+          "no answer from " + ToString(place) + " within " + std::to_string(timeout.count()) +
+              " ms" + (tls != nullptr ? "" : ": it hangs, or requires a --certificate")};
 }
 
 /// Thrown when nobody waits for the link any more.
@@ -101,7 +101,7 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
     if (tls != nullptr) return tls->NotAccepted(place);
     return {ErrorCode::kUnreachable, ToString(place) +
                                          " closed the connection at once; is it a program of "
-                                         "Tendon, and does it want a --certificate?"};
+                                         "Tendon, and does it require a --certificate?"};
   } catch (const Ice::SyscallException& failure) {
     return {ErrorCode::kUnreachable, os::WhyNotReached(ToString(place), failure.error)};
   } catch (const Ice::Exception& failure) {
@@ -122,7 +122,7 @@ class IceMiddleware final : public Middleware {
         fan_out_(communicator_, tls_ != nullptr) {
     if (!RefusesImpossibleSizes(communicator_)) {
       Log(LogLevel::kWarning, "ice",
-          "this build of Ice believes impossible sizes: a stranger on this machine can exhaust its "
+          "this build of Ice accepts impossible sizes: any program on this machine can exhaust its "
           "memory; use the Ice of Debian, or plain TCP");
     }
     opened_->add(std::make_shared<EndpointServant>(links_), EndpointIdentity());

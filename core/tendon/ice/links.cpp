@@ -188,7 +188,7 @@ void IceLink::Admit() {
 
 void IceLink::CheckAdmission() {
   if (limit_.Get() == kMaxPieceSize) return;
-  Fail({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
+  Fail({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
 }
 
 /// Sends a marker, which the peer ignores. When the marker was sent, all earlier replies were sent

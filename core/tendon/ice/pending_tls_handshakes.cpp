@@ -35,7 +35,8 @@ void PendingTlsHandshakes::OnInfo(const SSL* link, int what, int /*value*/) {
     if ((what & SSL_CB_HANDSHAKE_START) != 0) self->Begin(*link);
     if ((what & SSL_CB_HANDSHAKE_DONE) != 0) self->End(*link);
   } catch (const std::exception& failure) {
-    Log(LogLevel::kError, "ice", std::string("a handshake is not watched: ") + failure.what());
+    Log(LogLevel::kError, "ice",
+        std::string("the time of a TLS handshake is not limited: ") + failure.what());
   }
 }
 

@@ -31,7 +31,7 @@ std::string InOurWords(const std::string& reason, const Credentials& credentials
   }
   if (says("purpose")) return "it shows the certificate of a person, not that of a process";
   if (says("expired")) return "its certificate has expired: issue another with gcm cert issue";
-  if (says("not yet valid")) return "its certificate is not good yet: are both clocks right?";
+  if (says("not yet valid")) return "its certificate is not valid yet: are both clocks right?";
   return OnOneLine(reason);
 }
 
@@ -113,7 +113,7 @@ Error Tls::NotTrusted(const HostPort& place, const std::string& reason) {
 Error Tls::NotAccepted(const HostPort& place) const {
   return {ErrorCode::kUnreachable, ToString(place) + " does not accept " +
                                        credentials_.certificate.string() +
-                                       ", or speaks no TLS: its log says why"};
+                                       ", or does not use TLS: see its log"};
 }
 
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection) {

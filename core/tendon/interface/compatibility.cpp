@@ -67,9 +67,9 @@ void CompareMembers(const std::vector<MemberDescription>& needed,
     } else {
       const auto kind = found->signature.kind == member.signature.kind ? Mismatch::Kind::kOtherType
                                                                        : Mismatch::Kind::kOtherKind;
-      result.mismatches.push_back(
-          {kind, member.name,
-           "needs " + Words(member, noun) + ", offered is " + OfferedWords(member, *found, find)});
+      result.mismatches.push_back({kind, member.name,
+                                   "needs " + Words(member, noun) + ", but the provider offers " +
+                                       OfferedWords(member, *found, find)});
     }
   }
 }

@@ -22,7 +22,7 @@ struct Mismatch {
 /// Whether a required and a provided interface fit. LCM, `gcm` and `gcm-gui` all use this result.
 struct Compatibility {
   int needed = 0;   ///< functions and handlers that are not optional
-  int matched = 0;  ///< how many of them the provided interface fills
+  int matched = 0;  ///< how many changes the provided interface fills
   std::vector<Mismatch> mismatches;
 
   [[nodiscard]] bool fits() const { return mismatches.empty(); }

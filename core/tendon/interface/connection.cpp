@@ -41,7 +41,7 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
                                                      const std::string& required_name,
                                                      const std::string& provided_name) {
   if (required.is_connected()) {
-    return Error{ErrorCode::kExists, required_name + " is connected already; disconnect it first"};
+    return Error{ErrorCode::kExists, required_name + " is already connected; disconnect it first"};
   }
   const Compatibility compatibility = Compare(required.description(), provided.description());
   if (!compatibility.fits()) {
@@ -50,7 +50,8 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
   if (const auto waiting = WaitForItself(required, provided)) {
     return Error{ErrorCode::kIncompatible,
                  required_name + " would wait for its own thread: " + *waiting + " of " +
-                     provided_name + " is executed by the task that calls it; call the method"};
+                     provided_name +
+                     " is executed by the task that calls it; call the method directly"};
   }
   std::unique_ptr<Connection> connection(new Connection(required, provided, required_name));
   connection->OpenMailboxes();

@@ -89,7 +89,7 @@ void RequiredInterface::MarkMirrored(const Caller& function) {
   const auto found = std::ranges::find(callers_, &function, &NamedCaller::caller);
   if (found == callers_.end()) {
     throw ConfigurationError("'" + name_ +
-                             "' mirrors a function that is none of its own: add it first");
+                             "' mirrors a function that it does not have: add the function first");
   }
   found->is_mirrored = true;
 }

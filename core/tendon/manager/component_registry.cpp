@@ -56,7 +56,8 @@ Result<std::string> ComponentRegistry::MergeConfiguration(const std::string& def
   if (!merged) return merged.error();
   const auto given = ParseStrictJson(json);
   if (!given) {
-    return Error{ErrorCode::kInvalid, "its configuration is no JSON: " + given.error().message};
+    return Error{ErrorCode::kInvalid,
+                 "its configuration is not valid JSON: " + given.error().message};
   }
   if (!given->is_object()) {
     return Error{ErrorCode::kInvalid,

@@ -6,7 +6,7 @@ void SetEndFaulted(ConnectionDescription& connection, const std::string& compone
                    const std::string& fault) {
   connection.state = ConnectionState::kPending;
   connection.reason = "component '" + component + "' is faulted: " + fault +
-                      "; it is connected again once that was started";
+                      "; it is connected again when that component is started";
 }
 
 }  // namespace tendon

@@ -125,7 +125,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
   }
   if (!removed->is_at_rest()) {
     return Error{ErrorCode::kTimeout,
-                 "component '" + component + "' is not removed, for it runs" +
+                 "component '" + component + "' is not removed, because it runs" +
                      (stopped ? std::string(" again") : ": " + stopped.error().message)};
   }
   const auto taken = Retry(std::max(kNoWait, deadline - SteadyClock().Now()),
@@ -141,7 +141,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
   if (turns_.IsInUse(*component)) return TurnTaken(component->name());
   if (!component->is_at_rest()) {
     return Error{ErrorCode::kFailed,
-                 "component '" + component->name() + "' is not removed, for it runs again"};
+                 "component '" + component->name() + "' is not removed, because it runs again"};
   }
   if (auto* task = dynamic_cast<Task*>(component.get())) {
     if (const auto left = task->LeaveLeader(deadline); !left) {
@@ -283,8 +283,8 @@ Result<void> LocalManager::TryRunAfter(const std::string& component, const std::
   if (task == nullptr || leading == nullptr) {
     return Error{ErrorCode::kFailed, "component '" + component + "' cannot run after '" + leader +
                                          "': '" +
-                                         (task == nullptr ? component + "' has no thread to give up"
-                                                          : leader + "' makes no cycles")};
+                                         (task == nullptr ? component + "' has no thread"
+                                                          : leader + "' does not run in cycles")};
   }
   if (turns_.IsInUse(*task)) return TurnTaken(component);
   return task->RunAfter(*leading, deadline);

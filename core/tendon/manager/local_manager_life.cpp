@@ -26,7 +26,7 @@ Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const aut
 }
 
 Error NotReplaced(const std::string& component, const std::string& why) {
-  return {ErrorCode::kFailed, "component '" + component + "' is not replaced, for " + why};
+  return {ErrorCode::kFailed, "component '" + component + "' is not replaced: " + why};
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ Result<void> LocalManager::StopAll(Patience patience) {
 void LocalManager::EndAll(SteadyTime deadline) {
   const auto ended = StopInOrder([](const Component& /*one*/) { return true; }, deadline);
   if (ended) return;
-  Log(LogLevel::kWarning, "manager", "the end is not in order: " + ended.error().message);
+  Log(LogLevel::kWarning, "manager", "the shutdown is not complete: " + ended.error().message);
 }
 
 Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadline) {
@@ -222,8 +222,8 @@ Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& compone
 
 Error LocalManager::TurnTaken(const std::string& component) {
   return {ErrorCode::kTimeout, "component '" + component +
-                                   "' is still busy with what was asked of it before; it may "
-                                   "be in its Configure(), Startup() or Cleanup()"};
+                                   "' is still busy with an earlier request; it may be in "
+                                   "its Configure(), Startup() or Cleanup()"};
 }
 
 Result<RunSettings> LocalManager::SettingsOf(const std::string& component) const {
@@ -270,8 +270,8 @@ Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   if (const auto leader = Require(settings->leader)) {
     auto* const follower = dynamic_cast<ThreadedTask*>(&made);
     if (follower == nullptr) {
-      return NotReplaced(name,
-                         "the new one has no thread to give up to '" + settings->leader + "'");
+      return NotReplaced(name, "the new component has no thread, so it cannot run after '" +
+                                   settings->leader + "'");
     }
     const auto left = dynamic_cast<Task&>(former).LeaveLeader(deadline);
     if (!left) return left;

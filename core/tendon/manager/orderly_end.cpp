@@ -104,7 +104,7 @@ void OrderlyEnd::GiveUp() {
 
 void OrderlyEnd::LogNotExecuted(const Component& client) {
   Log(LogLevel::kWarning, client.name(),
-      "has stopped, but not all that it has sent last was executed in time: its server is busy, or "
+      "has stopped, but some of its last calls were not executed in time: their server is busy, or "
       "does not answer");
 }
 

@@ -33,7 +33,7 @@ Result<void> CheckAbi(void* library) {
   if (symbol == nullptr) {
     return Error{ErrorCode::kFailed, std::string("expected the function ") + kAbi +
                                          ", found none; include component_registry.h in the file "
-                                         "which registers"};
+                                         "that registers the components"};
   }
   const std::uint64_t found = reinterpret_cast<std::uint64_t (*)()>(symbol)();
   if (found == TendonPluginAbi()) return {};
@@ -64,7 +64,7 @@ Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   void* const entry = os::FindSymbol(library, kRegister);
   if (entry == nullptr) {
     return Refusal(original, std::string("expected the function ") + kRegister +
-                                 ", found none; it is no plug-in with components");
+                                 ", found none; it is not a plug-in with components");
   }
   if (auto checked = CheckAbi(library); !checked) return Refusal(original, checked.error().message);
   ComponentRegistry registry;

@@ -18,12 +18,12 @@ Result<void> TransitionTo(LocalManager& manager, const std::string& component,
   if (done) done = manager.Suspend(component, patience);
   if (done || IsAtRest(manager, component)) return done;
   const auto stopped = manager.Stop(component, kPatience);
-  const std::string before = "'" + component + "' was to be suspended: " + done.error().message;
+  const std::string before = "'" + component + "' could not be suspended: " + done.error().message;
   if (stopped || IsAtRest(manager, component)) {
-    return Error{done.error().code, before + "; so it was stopped"};
+    return Error{done.error().code, before + "; it was stopped instead"};
   }
   return Error{done.error().code,
-               before + "; it may run still, for it does not stop: " + stopped.error().message};
+               before + "; it may still run, because it does not stop: " + stopped.error().message};
 }
 
 }  // namespace tendon

@@ -65,7 +65,7 @@ Result<void> CheckNeeds(const std::string& component,
                         const std::vector<UnsatisfiedInterface>& needs) {
   if (needs.empty()) return {};
   return Error{ErrorCode::kFailed, "component '" + component +
-                                       "' is not started, for it would wait for " +
+                                       "' is not started, because it would wait for " +
                                        ReasonsOf(needs) + "; connect that first"};
 }
 

@@ -12,7 +12,7 @@ namespace tendon {
 /// A required interface that a component needs and that has no active connection.
 struct UnsatisfiedInterface {
   std::string interface;
-  std::string reason;           ///< "not connected", "pending: process 'robot' is not there"
+  std::string reason;           ///< "not connected", "pending: process 'robot' is not available"
   bool has_connection = false;  ///< there is a connection, but it is not active
 
   bool operator==(const UnsatisfiedInterface&) const = default;
@@ -38,7 +38,7 @@ using FindConnection =
 /// "Robot, Camera".
 [[nodiscard]] std::string NamesOf(const std::vector<UnsatisfiedInterface>& needs);
 
-/// With the reasons: "Robot: not connected; Camera: pending: process 'eye' is not there".
+/// With the reasons: "Robot: not connected; Camera: pending: process 'eye' is not available".
 [[nodiscard]] std::string ReasonsOf(const std::vector<UnsatisfiedInterface>& needs);
 
 /// Fails if a component with unsatisfied interfaces should start; the error is for people.

@@ -40,7 +40,7 @@ Result<Answer> CopyOf(std::span<const std::byte> answer) {
   try {
     return Answer(Bytes(answer.begin(), answer.end()));
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kFailed, "there is no memory for the answer"};
+    return Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
   }
 }
 
@@ -237,7 +237,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
 /// Checks the whole batch first: if it is malformed, no reply in it is used.
 void Channel::OnReplies(std::span<const std::byte> body) {
   if (!IsReplyBatch(body)) {
-    return Fail({ErrorCode::kInvalid, peer_.name + " sent answers that are malformed"});
+    return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed answers"});
   }
   while (const auto one = TakeReply(body)) {
     requests_.OnAnswer(one->request, CopyOf(one->answer));
@@ -357,7 +357,7 @@ Result<Answer> Channel::Await(MessageType type, std::uint32_t handle,
 void Channel::Expire(SteadyTime now) {
   requests_.Expire(now, PeerName());
   if (!is_open()) return;
-  if (IsUnfinishedTooLong(now)) return CutOff("began a message and did not go on with it");
+  if (IsUnfinishedTooLong(now)) return CutOff("began a message and did not finish it");
   Resume();
 }
 
@@ -366,7 +366,7 @@ void Channel::Close() {
 }
 
 void Channel::CutOff(const std::string& what) {
-  Fail({ErrorCode::kInvalid, PeerName() + " was cut off: it " + what});
+  Fail({ErrorCode::kInvalid, PeerName() + " was disconnected: it " + what});
 }
 
 std::string Channel::peer_address() const {

@@ -70,7 +70,7 @@ bool AreConnectsCancelled() {
 }
 
 Error ConnectCancelledError() {
-  return {ErrorCode::kUnreachable, "this program ends, and waits for no link any more"};
+  return {ErrorCode::kUnreachable, "this program is ending and does not wait for the connection"};
 }
 
 }  // namespace tendon

@@ -62,8 +62,8 @@ void LinkHandler::OnAsked(std::span<const std::byte> frame, ReplySlot& /*answer*
 
 Error NoFrame(const std::string& peer) {
   return {ErrorCode::kInvalid, peer +
-                                   " sent something else than frames, or one that is too large "
-                                   "for a peer that has not said who it is"};
+                                   " sent data that is not a valid frame, or a frame that is too "
+                                   "large before authentication"};
 }
 
 std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close) {
@@ -106,10 +106,11 @@ Result<void> CheckExposure(const std::string& host, Exposure exposure) {
       IsLoopbackNumber(host)) {
     return {};
   }
-  return Error{ErrorCode::kDenied, "host '" + host +
-                                       "' is off this machine and nothing is encrypted: use "
-                                       "127.0.0.1, show a --certificate, or allow it with "
-                                       "--insecure"};
+  return Error{ErrorCode::kDenied,
+               "host '" + host +
+                   "' is on another machine and the connection is not encrypted: use "
+                   "127.0.0.1, show a --certificate, or allow it with "
+                   "--insecure"};
 }
 
 Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,
@@ -124,7 +125,8 @@ Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t l
 void WarnOfExposure(Exposure exposure, std::string_view middleware) {
   if (exposure != Exposure::kInsecure) return;
   Log(LogLevel::kWarning, middleware,
-      "--insecure: whoever reaches this machine's ports can read and command what runs here");
+      "--insecure: everybody who can reach the ports of this machine can read and command all "
+      "components here");
 }
 
 }  // namespace tendon

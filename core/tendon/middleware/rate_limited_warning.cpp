@@ -12,7 +12,7 @@ void RateLimitedWarning::Add(const std::string& text) {
   last_logged_ = now;
   const std::uint64_t count = count_;
   lock.unlock();
-  Log(LogLevel::kWarning, source_, text + " (" + std::to_string(count) + " such so far)");
+  Log(LogLevel::kWarning, source_, text + " (" + std::to_string(count) + " so far)");
 }
 
 std::uint64_t RateLimitedWarning::count() const {

@@ -242,7 +242,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     const bool is_stranger = state_ == State::kStranger;
     lock.unlock();
     if (!is_stranger) return Shut();
-    Reject({ErrorCode::kTimeout, peer_ + " connected and did not say who it is for 3 s"});
+    Reject({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
   }
 
   void OnOutOfMemory() override {

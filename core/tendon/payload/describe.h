@@ -157,21 +157,22 @@ constexpr bool FitsInt32(Enum value) {
 /// Describes a structure. A wrong description does not compile.
 template <typename... Owner, typename... Member>
 consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
-  if (!payload::IsTypeName(name)) throw ConfigurationError("a type is named like arm.JointState");
+  if (!payload::IsTypeName(name))
+    throw ConfigurationError("the name of a type must be like arm.JointState");
   if (!(payload::IsIdentifier(fields.name) && ...)) {
-    throw ConfigurationError("a field's name has letters, digits and '_' only");
+    throw ConfigurationError("the name of a field may only have letters, digits and '_'");
   }
   if (!(payload::IsUnit(fields.unit) && ...)) {
-    throw ConfigurationError("a unit is a short printable text");
+    throw ConfigurationError("a unit must be a short printable text");
   }
   if (!(payload::IsHelp(fields.help) && ...)) {
-    throw ConfigurationError("a field's help is one line of at most 200 characters");
+    throw ConfigurationError("the help of a field must be one line of at most 200 characters");
   }
   if (!((!fields.range || payload::IsRange(*fields.range)) && ...)) {
-    throw ConfigurationError("a range begins with its lowest number");
+    throw ConfigurationError("the first number of a range must be the lowest");
   }
   if (!payload::AreDistinct(std::array<std::string_view, sizeof...(fields)>{fields.name...})) {
-    throw ConfigurationError("two fields have one name");
+    throw ConfigurationError("two fields have the same name");
   }
   return Description<Field<Owner, Member>...>{name, {{fields}...}};
 }
@@ -180,16 +181,18 @@ consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
 template <typename Enum, typename... More>
 consteval auto DescribeEnum(std::string_view name, Enumerator<Enum> first, More... more) {
   using All = std::array<Enumerator<Enum>, 1 + sizeof...(more)>;
-  if (!payload::IsTypeName(name)) throw ConfigurationError("a type is named like arm.Mode");
+  if (!payload::IsTypeName(name))
+    throw ConfigurationError("the name of a type must be like arm.Mode");
   const EnumDescription<Enum, 1 + sizeof...(more)> description{name, All{first, more...}};
   for (std::size_t i = 0; i < description.enumerators.size(); ++i) {
     const auto& one = description.enumerators[i];
-    if (!payload::IsIdentifier(one.name)) throw ConfigurationError("an enumerator's name is bad");
+    if (!payload::IsIdentifier(one.name))
+      throw ConfigurationError("the name of an enumerator is invalid");
     if (!payload::FitsInt32(one.value)) throw ConfigurationError("an enumerator exceeds int32");
     for (std::size_t j = 0; j < i; ++j) {
       const auto& other = description.enumerators[j];
       if (one.name == other.name || one.value == other.value) {
-        throw ConfigurationError("two enumerators have one name or one value");
+        throw ConfigurationError("two enumerators have the same name or the same value");
       }
     }
   }

@@ -135,7 +135,7 @@ consteval bool IsPayload();
 template <typename T>
 constexpr bool FieldIsPayload(bool has_range) {
   static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
-  if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("a range is for numbers");
+  if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("only a number can have a range");
   return true;
 }
 

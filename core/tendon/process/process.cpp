@@ -172,7 +172,7 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
       }
     }
     return Error{ErrorCode::kNotFound,
-                 "process '" + own + "' serves nothing to " + ToString(required)};
+                 "process '" + own + "' has no connection from " + ToString(required)};
   }
   Result<MailboxFill> LookUpFill(const std::string& component) const override {
     return process_.FillOf(component);
@@ -318,7 +318,8 @@ std::uint64_t Process::instance() const { return parts_->context().hello.instanc
 
 Result<void> Process::WaitUntilJoined(std::chrono::milliseconds timeout) const {
   if (parts_->membership() != nullptr) return parts_->membership()->WaitUntilJoined(timeout);
-  return Error{ErrorCode::kFailed, "process '" + name() + "' was told of no GCM to join"};
+  return Error{ErrorCode::kFailed,
+               "process '" + name() + "' has no GCM to join; set one in its options"};
 }
 
 bool Process::is_joined() const {
@@ -344,7 +345,7 @@ Result<ConnectionId> Process::ConnectAnew(const InterfaceName& required,
   }
   if (parts_->connections().Has(required)) {
     return Error{ErrorCode::kExists,
-                 ToString(required) + " is connected already; disconnect it first"};
+                 ToString(required) + " is already connected; disconnect it first"};
   }
   return LocalManager::Connect(WithoutProcess(required), WithoutProcess(provided));
 }

@@ -23,7 +23,7 @@ void AnswerSchemas(std::span<const std::byte> body, Responder& responder) {
   if (wanted->fingerprints.size() > kMost) {
     return responder.Refuse(
         {ErrorCode::kInvalid, std::to_string(wanted->fingerprints.size()) +
-                                  " schemas are wanted at once; ask for at most " +
+                                  " schemas are requested at once; ask for at most " +
                                   std::to_string(kMost)});
   }
   message::Schemas schemas;
@@ -60,8 +60,9 @@ bool SchemaCache::Learn(const Schema& schema) {
   }
   if (!std::exchange(has_warned_, true)) {
     Log(LogLevel::kWarning, "types",
-        "other processes tell of more types than are remembered: " + std::to_string(types_) +
-            ", of " + std::to_string(text_) + " bytes; of others only fingerprints are known here");
+        "other processes have more types than this process can store: " + std::to_string(types_) +
+            ", of " + std::to_string(text_) +
+            " bytes; only the fingerprints of further types are known here");
   }
   return false;
 }

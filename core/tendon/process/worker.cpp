@@ -68,7 +68,7 @@ class Worker::Queue {
     } catch (const std::exception& failure) {
       log(failure.what());
     } catch (...) {
-      log("it threw no std::exception");
+      log("its exception does not derive from std::exception");
     }
   }
 

@@ -313,8 +313,9 @@ std::size_t Outbox::Send(std::size_t limit) {
   has_waited_ = !turn;
   if (!turn) return 0;
   if (executed_.Get() > sent_) {
-    channel_->CutOff("told that " + std::to_string(executed_.Get()) + " calls were executed, of " +
-                     std::to_string(sent_) + " that were sent to it");
+    channel_->CutOff("acknowledged that " + std::to_string(executed_.Get()) +
+                     " calls were executed, but only " + std::to_string(sent_) +
+                     " were sent to it");
     return 0;
   }
   return SendTaken(std::min(limit, Room()), &Channel::TryRequest);

@@ -181,8 +181,8 @@ class RequiredInterfaceProxy::QueuedCommandCount {
 
 void RequiredInterfaceProxy::LogRefused(std::size_t function) {
   complaints_.Add("a call of '" + function_names_[function] + "' from " + channel_->peer().name +
-                  " is dropped: " + std::to_string(capacity_) +
-                  " wait already, or memory is short");
+                  " was dropped: " + std::to_string(capacity_) +
+                  " are already queued, or memory is short");
 }
 
 /// True if a call of this command must wait in the line.

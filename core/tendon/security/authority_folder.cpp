@@ -35,7 +35,7 @@ Result<std::string> ReadSmallFile(const fs::path& file) {
     return Error{ErrorCode::kNotFound, "there is no file " + file.string()};
   }
   if (status.type() != fs::file_type::regular) {
-    return Error{ErrorCode::kInvalid, file.string() + " is no ordinary file"};
+    return Error{ErrorCode::kInvalid, file.string() + " is not an ordinary file"};
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text;
@@ -59,7 +59,7 @@ Result<void> RequirePrivate(const fs::path& file) {
   if (!reason && (mode & kOthers) == fs::perms::none) return {};
   return Error{ErrorCode::kDenied, file.string() + " can be read by others (mode " +
                                        ModeText(mode) + "): chmod 600 " + file.string() +
-                                       ", and issue another if somebody may have"};
+                                       ", and issue another if somebody may have read it"};
 }
 
 Result<void> MakePrivateFolder(const fs::path& folder) {
@@ -88,7 +88,7 @@ Result<void> WriteKey(const fs::path& file, const EVP_PKEY& key) {
   if (!kept) return kept.error();
   openssl::Wipe(*kept);
   if (is_ours) return os::AppendDurably(file, "");  // flushes the content to the disk
-  return Error{ErrorCode::kExists, file.string() + " is there already: it is not overwritten"};
+  return Error{ErrorCode::kExists, file.string() + " already exists: it is not overwritten"};
 }
 
 Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder) {
@@ -101,7 +101,7 @@ Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder) 
   if (!text) return text.error();
   auto certificate = openssl::ReadCertificate(*text);
   if (certificate) return certificate;
-  return Error{ErrorCode::kInvalid, folder.certificate().string() + " is no certificate (PEM)"};
+  return Error{ErrorCode::kInvalid, folder.certificate().string() + " is not a certificate (PEM)"};
 }
 
 Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder) {
@@ -110,7 +110,7 @@ Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder) {
   auto list = openssl::ReadRevocationList(*text);
   if (list) return list;
   return Error{ErrorCode::kInvalid,
-               folder.revoked().string() + " is no list of revoked certificates (PEM)"};
+               folder.revoked().string() + " is not a list of revoked certificates (PEM)"};
 }
 
 Result<openssl::Key> ReadPrivateKey(const fs::path& file) {
@@ -121,7 +121,7 @@ Result<openssl::Key> ReadPrivateKey(const fs::path& file) {
   openssl::Wipe(*text);
   if (key) return key;
   return Error{ErrorCode::kInvalid,
-               file.string() + " is no private key (PEM, without a passphrase)"};
+               file.string() + " is not a private key (PEM, without a passphrase)"};
 }
 
 }  // namespace tendon

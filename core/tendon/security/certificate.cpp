@@ -13,11 +13,11 @@ std::string_view ToString(Holder holder) noexcept {
 Result<Certificate> ParseCertificate(std::string_view pem) {
   if (pem.size() > kMaxCertificateSize) {
     return Error{ErrorCode::kInvalid, "a text of " + std::to_string(pem.size()) +
-                                          " bytes is no certificate; the longest has " +
+                                          " bytes is not a certificate; the longest has " +
                                           std::to_string(kMaxCertificateSize)};
   }
   const auto read = openssl::ReadCertificate(pem);
-  if (!read) return Error{ErrorCode::kInvalid, "the text is no certificate (PEM)"};
+  if (!read) return Error{ErrorCode::kInvalid, "the text is not a certificate (PEM)"};
   return openssl::Describe(*read);
 }
 

@@ -43,8 +43,8 @@ class Lock {
     if (is_held_) return {};
     if (why_) return *why_;
     return Error{ErrorCode::kFailed,
-                 "another program is changing this CA: try again; where none "
-                 "runs, one was stopped half-way: remove " +
+                 "another program is changing this CA: try again; if none "
+                 "runs, one was interrupted: remove " +
                      file_.string()};
   }
 
@@ -81,8 +81,9 @@ Result<void> Check(const CertificateAuthority::Request& request, sys_seconds las
     return Error{ErrorCode::kInvalid, "a certificate is valid for at least 1 day"};
   }
   if (Now() + request.validity > last) {
-    return Error{ErrorCode::kInvalid, "valid for " + std::to_string(request.validity.count()) +
-                                          " days it would outlive its CA, which ends on " +
+    return Error{ErrorCode::kInvalid, "a certificate for " +
+                                          std::to_string(request.validity.count()) +
+                                          " days would outlive its CA, which expires on " +
                                           DateText(last) + ": give fewer days"};
   }
   for (const std::string& host : request.hosts) {
@@ -106,7 +107,7 @@ Result<void> RequireFree(const fs::path& file) {
   std::error_code reason;
   if (fs::symlink_status(file, reason).type() == fs::file_type::not_found) return {};
   return Error{ErrorCode::kExists, file.string() +
-                                       " is there already, and is not overwritten: choose another "
+                                       " already exists, and is not overwritten: choose another "
                                        "folder with --out, or remove it"};
 }
 
@@ -132,7 +133,7 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
     const auto text = ReadSmallFile(copy);
     if (!text) return Unreadable(copy, text.error().message);
     auto certificate = openssl::ReadCertificate(*text);
-    if (!certificate) return Unreadable(copy, "it is no certificate");
+    if (!certificate) return Unreadable(copy, "it is not a certificate");
     const auto described = openssl::Describe(*certificate);
     if (!described) return Unreadable(copy, described.error().message);
     found.names.push_back(described->name);
@@ -159,7 +160,7 @@ Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder&
     return X509_CRL_get0_by_cert(&revoked, &entry, certificate.get()) == 1;
   });
   if (found->certificates.empty()) {
-    return Error{ErrorCode::kExists, "all certificates of '" + name + "' are revoked already"};
+    return Error{ErrorCode::kExists, "all certificates of '" + name + "' are already revoked"};
   }
   return std::move(found->certificates);
 }
@@ -179,14 +180,14 @@ Result<void> CertificateAuthority::CheckInit(const fs::path& folder) {
   if (fs::exists(files.certificate(), reason)) {
     return Error{ErrorCode::kExists,
                  "there is a CA in " + folder.string() +
-                     " already; a new one would make all its certificates worthless: use it, or "
+                     " already; a new one would make all its certificates invalid: use it, or "
                      "choose another folder with --ca"};
   }
   if (fs::exists(files.key(), reason)) {
     return Error{ErrorCode::kExists,
                  "the CA in " + folder.string() +
-                     " is half made, it has no ca.crt: restore that file or, where nothing was "
-                     "issued yet, remove the folder and try again"};
+                     " is incomplete, it has no ca.crt: restore that file or, if no certificate "
+                     "was issued yet, remove the folder and try again"};
   }
   if (fs::exists(folder, reason) && !fs::is_empty(folder, reason)) {
     return Error{ErrorCode::kExists,

@@ -26,11 +26,12 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
       return denied("expired on " + DateText(openssl::TimeOf(X509_get0_notAfter(&certificate))) +
                     kIssueAnother);
     case X509_V_ERR_CERT_NOT_YET_VALID:
-      return denied("is good from " + DateText(openssl::TimeOf(X509_get0_notBefore(&certificate))) +
-                    " on: is this machine's clock right?");
+      return denied("is not valid before " +
+                    DateText(openssl::TimeOf(X509_get0_notBefore(&certificate))) +
+                    ": is this machine's clock right?");
     case X509_V_ERR_CRL_NOT_YET_VALID:
       return denied("cannot be checked: " + AuthorityFolder{authority}.revoked().string() +
-                    " is of a later time: is this machine's clock right?");
+                    " has a time in the future: is this machine's clock right?");
     case X509_V_ERR_INVALID_PURPOSE:
       return denied("is the certificate of a CA, or not made for links (clientAuth)" +
                     std::string(kIssueAnother));
@@ -89,7 +90,7 @@ Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certif
   if (X509_check_private_key(&certificate, key->get()) == 1) return std::optional(key_file);
   ERR_clear_error();
   return Error{ErrorCode::kDenied, key_file.string() + " does not belong to " + file.string() +
-                                       ": put the two that were issued together there"};
+                                       ": put two files there that were issued together"};
 }
 
 std::string WarningOf(const Certificate& certificate, sys_seconds now) {
@@ -114,7 +115,7 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
   }
   const auto certificate = openssl::ReadCertificate(*text);
   if (!certificate || text->size() > kMaxCertificateSize) {
-    return Error{ErrorCode::kInvalid, file.string() + " is no certificate (PEM)"};
+    return Error{ErrorCode::kInvalid, file.string() + " is not a certificate (PEM)"};
   }
   openssl::TrustedAuthority issuer(authority);
   auto checked = Check(file.string(), *certificate, issuer, now);
@@ -129,7 +130,7 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
 Result<Certificate> CheckShownCertificate(std::string_view pem,
                                           openssl::TrustedAuthority& authority, sys_seconds now) {
   const auto certificate = openssl::ReadCertificate(pem.substr(0, kMaxCertificateSize));
-  if (!certificate) return Error{ErrorCode::kDenied, "what it shows is no certificate"};
+  if (!certificate) return Error{ErrorCode::kDenied, "its certificate cannot be read"};
   const auto described = openssl::Describe(*certificate);
   const std::string what =
       described ? "the certificate of '" + described->name + "'" : "the certificate it shows";

@@ -30,7 +30,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // one that it opened
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
-    {0x104, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
+    {0x104, "send a ping", Role::kViewer, Audit::kRefusals},
     {0x105, "execute a command and wait", Role::kOperator, Audit::kRefusals},
     {0x120, "report lost events", Role::kOperator, Audit::kRefusals},
     // process/viewer_messages.h
@@ -48,9 +48,9 @@ inline constexpr auto kRights = std::to_array<Right>({
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // members are logged
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
-    {0x302, "ask for a sign of life", Role::kViewer, Audit::kRefusals},
+    {0x302, "send a ping", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},
-    {0x304, "tell its health", Role::kOperator, Audit::kRefusals},
+    {0x304, "report its health", Role::kOperator, Audit::kRefusals},
     // gcm/gcm_messages.h
     {0x310, "watch the catalogue", Role::kViewer, Audit::kRefusals},
     {0x311, "connect", Role::kOperator, Audit::kAll},
@@ -66,8 +66,8 @@ inline constexpr auto kRights = std::to_array<Right>({
     // gcm/gcm_messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
-    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},       // process/telemetry/
-    {0x31d, "ask for its processes", Role::kViewer, Audit::kRefusals},  // gcm/supervisor/
+    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},            // process/telemetry/
+    {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},  // gcm/supervisor/
     {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/log_messages.h, gcm/gcm_messages.h

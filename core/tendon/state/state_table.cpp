@@ -79,7 +79,7 @@ const ColumnBase& StateTable::Find(const void* variable, const std::type_info& t
   for (const auto& column : columns_) {
     if (column->variable() == variable && column->type() == type) return *column;
   }
-  throw ConfigurationError("the variable is no column of state table '" + name_ +
+  throw ConfigurationError("the variable is not a column of state table '" + name_ +
                            "'; Add() it, as a whole, before it is offered");
 }
 

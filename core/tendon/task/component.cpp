@@ -110,16 +110,17 @@ void Component::Seal() {
     expiries_.insert(expiries_.end(), own.begin(), own.end());
   }
   if (expiries_.empty() || inbox_) return;
-  throw ConfigurationError(
-      "command '" + expiries_.front()->command() + "' of " + Quoted(name_) +
-      " cannot expire: a component without a thread cannot end it. Derive it from a task");
+  throw ConfigurationError("command '" + expiries_.front()->command() + "' of " + Quoted(name_) +
+                           " cannot expire, because a component without a thread cannot end it. "
+                           "Derive the component from a task");
 }
 
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
   const auto transition = Lookup(*this, mutex_, LifeRequest::kStart);
   if (!transition) return transition.error();
-  const Error stopped{ErrorCode::kFailed, "component " + Quoted(name_) +
-                                              " is not started, for it was to stop meanwhile"};
+  const Error stopped{
+      ErrorCode::kFailed,
+      "component " + Quoted(name_) + " is not started, because it was asked to stop meanwhile"};
   if (proceed && !proceed()) return stopped;
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
@@ -183,8 +184,8 @@ Result<void> Component::WaitForState(ComponentState wanted, Patience patience,
       return Error{ErrorCode::kFailed, who + "faulted: " + fault_};
     }
     if (ends_with_a_stop && state() == ComponentState::kFinished && !is_starting()) {
-      return Error{ErrorCode::kFailed,
-                   who + "not " + std::string(ToString(wanted)) + ", for it was stopped meanwhile"};
+      return Error{ErrorCode::kFailed, who + "not " + std::string(ToString(wanted)) +
+                                           ", because it was stopped meanwhile"};
     }
     const SteadyTime now = SteadyClock().Now();
     if (now >= deadline) {

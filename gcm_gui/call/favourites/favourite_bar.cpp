@@ -55,8 +55,8 @@ void FavouriteBar::build() {
     connect(button, &HoldButton::called, this, [this, favourite] { call(favourite); });
     connect(button, &HoldButton::letGoEarly, this, [this] {
       Q_EMIT notice(
-          Words::tr("Not called: hold the button for 0.4 s, for this can set something in "
-                    "motion"));
+          Words::tr("Not called: this can set something in motion; hold the button "
+                    "for 0.4 s"));
     });
     connect(button, &QWidget::customContextMenuRequested, this,
             [this, favourite, button](const QPoint& place) {

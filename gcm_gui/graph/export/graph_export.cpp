@@ -137,7 +137,8 @@ void GraphExport::save(const QString& file) {
                    return PngOf(ImageOf(drawing, ground));
                  });
   }
-  Q_EMIT notice(NotSaved(file, Words::tr("end its name in .svg, .png or .dot to say what it is")));
+  Q_EMIT notice(
+      NotSaved(file, Words::tr("end its name with .svg, .png or .dot to choose the format")));
 }
 
 void GraphExport::write(const QString& name, Draw draw) {

@@ -26,7 +26,7 @@ GraphMap::GraphMap(GraphView& graph) : QWidget(&graph), graph_(graph) {
   setObjectName(QStringLiteral("graphMap"));
   setAccessibleName(Words::tr("Map of the graph"));
   setAccessibleDescription(
-      Words::tr("The frame is what is seen; Shift and arrow keys in the "
+      Words::tr("The frame is the visible part; Shift and arrow keys in the "
                 "graph move it"));
   setToolTip(Words::tr("Drag the frame to see another part  (M hides the map)"));
   setCursor(Qt::PointingHandCursor);

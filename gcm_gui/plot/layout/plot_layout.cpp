@@ -83,7 +83,7 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
 QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
   if (!json.isObject() || !json["curves"].isArray()) return Words::tr("it has no curves");
   const double seconds = json["window"].toDouble();
-  if (seconds <= 0 || seconds > kLongest) return Words::tr("it looks back no time there is");
+  if (seconds <= 0 || seconds > kLongest) return Words::tr("its time range is not valid");
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNanoseconds));
   plot.name = json["name"].toString();
   plot.is_below = json["below"].toBool();

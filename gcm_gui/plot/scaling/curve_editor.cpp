@@ -18,7 +18,7 @@ namespace {
 constexpr int kWidth = 300;
 
 QString HintOn(const QString& number) {
-  return number.contains(',') ? Words::tr(": the decimal sign is a point") : QString();
+  return number.contains(',') ? Words::tr(": use a point as the decimal sign") : QString();
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ CurveEditor::CurveEditor(const QString& name, const QString& unit, const CurveLo
       offset_(new QLineEdit),
       axis_(new QComboBox),
       status_(new QLabel),
-      accept_(new QPushButton(Words::tr("Show it so"))) {
+      accept_(new QPushButton(Words::tr("Apply"))) {
   setObjectName("curveEditor");
   setAttribute(Qt::WA_DeleteOnClose);
   SetRole(*this, "card");
@@ -64,9 +64,9 @@ void CurveEditor::build(const QString& name) {
   status_->setTextFormat(Qt::PlainText);
   SetRole(*accept_, "primary");
   accept_->setObjectName("curveEditor.accept");
-  auto* plain = new QPushButton(Words::tr("As it comes"));
+  auto* plain = new QPushButton(Words::tr("Unscaled"));
   plain->setObjectName("curveEditor.plain");
-  plain->setToolTip(Words::tr("Neither scaled nor moved, on the axis of its unit"));
+  plain->setToolTip(Words::tr("Without scale and offset, on the axis of its unit"));
   connect(plain, &QPushButton::clicked, this, [this] {
     factor_->setText("1");
     offset_->setText("0");
@@ -98,7 +98,7 @@ void CurveEditor::build(const QString& name) {
 void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
   factor_->setText(ExactText(look.scaling.factor));
   offset_->setText(ExactText(look.scaling.offset));
-  axis_->addItem(Words::tr("That of its unit"));
+  axis_->addItem(Words::tr("Axis of its unit"));
   axis_->addItems(axes);
   if (look.axis.isEmpty()) {
     axis_->setCurrentIndex(0);
@@ -110,10 +110,12 @@ void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
 QString CurveEditor::read(CurveLook& look) const {
   const auto factor = NumberIn(factor_->text());
   if (!factor)
-    return Words::tr("The scale “%1” is no number").arg(factor_->text()) + HintOn(factor_->text());
+    return Words::tr("The scale “%1” is not a number").arg(factor_->text()) +
+           HintOn(factor_->text());
   const auto offset = NumberIn(offset_->text());
   if (!offset)
-    return Words::tr("The offset “%1” is no number").arg(offset_->text()) + HintOn(offset_->text());
+    return Words::tr("The offset “%1” is not a number").arg(offset_->text()) +
+           HintOn(offset_->text());
   const QString axis = axis_->currentText().trimmed();
   look = {.scaling = {.factor = *factor, .offset = *offset},
           .axis = axis == axis_->itemText(0) ? QString() : axis};
@@ -127,7 +129,7 @@ void CurveEditor::check() {
   SetRole(*status_, refusal.isEmpty() ? "dim" : "bad");
   const QString sum = Words::tr("Shown: value %1").arg(UnitOf({}, look.scaling));
   status_->setText(!refusal.isEmpty()      ? refusal
-                   : look.scaling.isNone() ? Words::tr("Shown as it comes")
+                   : look.scaling.isNone() ? Words::tr("Shown unscaled")
                                            : sum + (unit_.isEmpty() ? "" : ", " + unit_));
   adjustSize();
 }

@@ -35,7 +35,7 @@ QString UnitOf(const QString& unit, const Scaling& scaling) {
 
 std::optional<QString> RefusalOf(const CurveLook& look) {
   const auto& [factor, offset] = look.scaling;
-  if (factor == 0) return Words::tr("A scale of 0 would make a flat line of it: take another");
+  if (factor == 0) return Words::tr("A scale of 0 would draw a flat line: choose another scale");
   if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
     return Words::tr("The scale must lie between %1 and %2, with either sign")
         .arg(QString::number(kLeastFactor), QString::number(kMostFactor));

@@ -80,13 +80,13 @@ void TopBar::addButtons() {
   auto* row = static_cast<QHBoxLayout*>(layout());
   search_->setObjectName(QStringLiteral("searchOrRun"));
   search_->setIcon(ThemeIcon(QStringLiteral("search")));
-  search_->setToolTip(Words::tr("Finds all that can be done and all there is  (Ctrl+K)"));
+  search_->setToolTip(Words::tr("Finds all commands and all objects  (Ctrl+K)"));
   search_->setFocusPolicy(Qt::TabFocus);
   SetRole(*search_, QStringLiteral("field"));
   connect(search_, &QPushButton::clicked, this, &TopBar::paletteRequested);
   pause_->setObjectName(QStringLiteral("pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(Words::tr("Stops what is drawn, never the data  (Space)"));
+  pause_->setToolTip(Words::tr("Pauses the drawing, never the data  (Space)"));
   pause_->setFocusPolicy(Qt::TabFocus);
   connect(pause_, &QPushButton::clicked, this, &TopBar::pauseRequested);
   theme_->setObjectName(QStringLiteral("theme"));

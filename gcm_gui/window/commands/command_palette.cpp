@@ -26,8 +26,8 @@ CommandPalette::CommandPalette(QList<QAction*> actions, const CatalogueModel& ca
   setAccessibleName(Words::tr("Search or run"));
   setAutoFillBackground(true);
   field_->setObjectName(QStringLiteral("palette.field"));
-  field_->setAccessibleName(Words::tr("What to do or where to go"));
-  field_->setPlaceholderText(Words::tr("What to do, or a name to go to"));
+  field_->setAccessibleName(Words::tr("A command, or a place to go to"));
+  field_->setPlaceholderText(Words::tr("A command, or a name to go to"));
   list_ = MakeRowList(model_, QStringLiteral("palette.list"), Words::tr("Search or run"),
                       Words::tr("Nothing fits."));
   list_->setFocusPolicy(Qt::NoFocus);

@@ -50,8 +50,8 @@ void SystemFiles::addCommands(Commands& commands) {
   QMenu& menu = commands.menu(Commands::Menu::kSystem);
   add(Words::tr("&Open a system file…"), QKeySequence::Open, [this] { open(); });
   add(Words::tr("&Import a file of cisst…"), {}, [this] { importFile(); });
-  add(Words::tr("Sa&ve what runs"), QKeySequence::Save, [this] { save(); });
-  add(Words::tr("Save what runs &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+  add(Words::tr("Sa&ve the running system"), QKeySequence::Save, [this] { save(); });
+  add(Words::tr("Save the running system &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
       [this] { saveAs(); });
   add(Words::tr("&Restore the system file…"), {}, [this] { restoreAll(); });
   QMenu* states = menu.addMenu(Words::tr("&Go back to a state"));
@@ -87,7 +87,7 @@ void SystemFiles::startDemo() {
 void SystemFiles::carryOutDemo(SystemFile demo) {
   if (restore_.phase() == Restore::Phase::kRunning) {
     showTab();
-    return Q_EMIT notice(Words::tr("A plan is being carried out; the demo comes after it"));
+    return Q_EMIT notice(Words::tr("A plan is running; the demo starts after it"));
   }
   for (auto& process : demo.processes) {
     if (!process.start) process.start = SystemFile::Start{};
@@ -108,7 +108,7 @@ void SystemFiles::carryOutDemoPlan() {
                          ToQString(plan.obstacles.front()));
   }
   restore_.leave();
-  Q_EMIT notice(Words::tr("The demo is running already"));
+  Q_EMIT notice(Words::tr("The demo is already running"));
 }
 
 void SystemFiles::showDemo() {
@@ -180,7 +180,7 @@ void SystemFiles::save() {
 }
 
 void SystemFiles::saveAs() {
-  QFileDialog* dialog = makeDialog(Words::tr("Save what runs"));
+  QFileDialog* dialog = makeDialog(Words::tr("Save the running system"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QString::fromLatin1(kSuffix).mid(1));
   dialog->selectFile(document_.isOpen() ? document_.path() : QStringLiteral("system.gcm.json"));

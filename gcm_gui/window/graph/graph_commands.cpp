@@ -59,7 +59,7 @@ void GraphCommands::addCommands(Commands& commands) {
   add(Words::tr("&Reset the layout of the graph"), {}, [this] {
     graph_.graph().places().reset();
     graph_.fit();
-    Q_EMIT notice(Words::tr("All stand where the layout puts them · Ctrl+Z undoes"));
+    Q_EMIT notice(Words::tr("All nodes are where the layout puts them · Ctrl+Z undoes"));
   });
   menu_->addSeparator();
   add(Words::tr("Save a &picture of the graph…"), {}, [this] { export_->ask(); });

@@ -25,7 +25,7 @@ QWidget* Revealed(MainWindow& window, QWidget& widget) {
 
 std::vector<TourStep> WindowTour(MainWindow& window) {
   return {
-      Step(Words::tr("All that runs"),
+      Step(Words::tr("The running system"),
            Words::tr(
                "Every process, its components and their interfaces appear here by themselves; type "
                "into the filter to find one."),
@@ -39,9 +39,10 @@ std::vector<TourStep> WindowTour(MainWindow& window) {
              return &window.centre();
            }),
       Step(Words::tr("Look inside"),
-           Words::tr("What is selected shows its values, commands and events here, and a click on "
-                     "a command "
-                     "gives a form that calls it."),
+           Words::tr(
+               "The selected object shows its values, commands and events here, and a click on "
+               "a command "
+               "gives a form that calls it."),
            [&window] { return Revealed(window, window.inspector()); }),
       Step(Words::tr("Plot it live"),
            Words::tr("Select a value and press P: every sample of it is drawn, and you can zoom "
@@ -50,17 +51,15 @@ std::vector<TourStep> WindowTour(MainWindow& window) {
            [&window]() -> QWidget* { return &window.plots(); }),
       Step(Words::tr("Nothing is lost"),
            Words::tr(
-               "What you did is listed here, with a way back and the line that does the same in a "
-               "terminal; problems, the log and a console are beside it."),
+               "Your actions are listed here, each with a way to undo it and the command line that "
+               "does the same; problems, the log and a console are beside it."),
            [&window] { return Revealed(window, window.strip()); }),
-      Step(
-          Words::tr("Everything by its name"),
-          Words::tr(
-              "Ctrl+K finds all that can be done and all there is; F1 shows the keys, and the menu "
-              "Help this tour."),
-          [&window] {
-            return window.topBar().findChild<QWidget*>(QStringLiteral("searchOrRun"));
-          })};
+      Step(Words::tr("Everything by its name"),
+           Words::tr("Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu "
+                     "Help this tour."),
+           [&window] {
+             return window.topBar().findChild<QWidget*>(QStringLiteral("searchOrRun"));
+           })};
 }
 
 }  // namespace tendon::gui

@@ -83,7 +83,7 @@ class Catalogue:
     def command(self, path: Path) -> Description:
         """The tendon.MemberDescription of a command, or of a column as the read command it is."""
         if not path.member:
-            raise Invalid(f"'{'/'.join(filter(None, path))}' names no command: "
+            raise Invalid(f"'{'/'.join(filter(None, path))}' does not name a command: "
                           "expected process/component/interface.member")
         component = self.component(path)
         provided = _named(component["provided"])

@@ -49,7 +49,7 @@ def parse_interface(text: str) -> dict[str, str]:
     """Reads "process/component/interface" as a tendon.InterfaceName."""
     parts = text.split("/")
     if len(parts) != 3 or not all(map(_NAME.fullmatch, parts)):
-        raise Invalid(f"'{text[:200]}' is no interface: expected process/component/interface")
+        raise Invalid(f"'{text[:200]}' is not an interface: expected process/component/interface")
     return dict(zip(("process", "component", "interface"), parts))
 
 
@@ -87,4 +87,5 @@ def select(value: Any, field: str) -> Any:
 
 
 def _no_path(text: str, why: str) -> Invalid:
-    return Invalid(f"'{text[:200]}' is no path: {why}; expected process/component/interface.member")
+    return Invalid(f"'{text[:200]}' is not a path: {why}; "
+                   "expected process/component/interface.member")

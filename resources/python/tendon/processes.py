@@ -24,8 +24,8 @@ _DONE = 2  # below this, it was
 _REFUSALS: list[tuple[type[Error], str]] = [
     (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
     (Failed, "not active; start its component first"),
-    (Failed, "queue full; its component has not caught up: try again, and where it never does, see "
-             "that its Run() calls ProcessQueuedCommands()"), (Failed, "no sample"),
+    (Failed, "queue full; its component is too slow for its calls: try again, and if that never "
+             "helps, check that its Run() calls ProcessQueuedCommands()"), (Failed, "no sample"),
     (TimedOut, "timeout"), (TimedOut, "outcome unknown"), (Failed, "would deadlock"),
     (Denied, "denied"), (Failed, "disabled"), (Failed, "unsupported"), (Invalid, "invalid"),
     (Failed, "failed")]
@@ -121,7 +121,7 @@ class Processes:
                 raise type(why)(f"{where}: {why}") from None
             if link.peer_instance != process["instance"]:
                 link.close()
-                raise Unreachable(f"{where}: another program is there")
+                raise Unreachable(f"{where}: another program listens there")
             self._peers[name] = peer = _Peer(link, feeds, {})
             return peer
 

@@ -60,12 +60,14 @@ TEST(LegacyArm, ATeleoperationIsRefusedWithEveryReason) {
   EXPECT_EQ(connected.error().code, tendon::ErrorCode::kIncompatible);
   EXPECT_EQ(connected.error().message,
             "teleoperation/Robot does not fit old_arm/Control: "
-            "needs write command 'MoveTo' of arm.JointGoal, offered is another arm.JointGoal "
+            "needs write command 'MoveTo' of arm.JointGoal, but the provider offers another "
+            "arm.JointGoal "
             "(position of arm.JointGoal: float64[7] in rad needed, float64[7] in deg offered); "
-            "needs read command 'GetJoints' of arm.JointState, offered is another arm.JointState "
+            "needs read command 'GetJoints' of arm.JointState, but the provider offers another "
+            "arm.JointState "
             "(position of arm.JointState: float64[7] in rad needed, float64[7] in deg offered); "
             "missing void event 'GoalReached'; "
-            "needs write event 'LimitExceeded' of arm.LimitFault, offered is another "
+            "needs write event 'LimitExceeded' of arm.LimitFault, but the provider offers another "
             "arm.LimitFault (position of arm.LimitFault: float64 in rad needed, float64 in deg "
             "offered)");
   EXPECT_TRUE(manager.connections().empty());

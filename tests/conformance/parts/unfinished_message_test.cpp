@@ -79,7 +79,7 @@ TEST_P(LargeMessageContract, ThatIsNotGoneOnWithEndsTheChannel) {
   server->channel()->Expire(SteadyClock().Now() + std::chrono::hours(2));
 
   ASSERT_TRUE(EventuallyTrue([&] { return !server->reason().empty(); }));
-  EXPECT_EQ(server->reason(), "desk was cut off: it began a message and did not go on with it");
+  EXPECT_EQ(server->reason(), "desk was disconnected: it began a message and did not finish it");
 }
 
 TEST_P(LargeMessageContract, ThatIsWholeLeavesNothingToWaitFor) {

@@ -124,8 +124,7 @@ TEST_P(ChannelContract, APeerWhoseAnswersAreMalformedIsCutOffAndNoneIsBelieved) 
   ASSERT_TRUE(server->channel_->Notify(MessageType::kReplies, 0, lie));
 
   ASSERT_TRUE(client->Wait([](const Oracle& one) { return one.closed_.size() == 1; }));
-  EXPECT_EQ(client->closed_.front(),
-            (Error{ErrorCode::kInvalid, "robot sent answers that are malformed"}));
+  EXPECT_EQ(client->closed_.front(), (Error{ErrorCode::kInvalid, "robot sent malformed answers"}));
   EXPECT_TRUE(outcomes.WaitFor(0, 1));
   EXPECT_TRUE(outcomes.answered().empty());
 }

@@ -74,12 +74,12 @@ TEST_F(FileContentTest, ThatNeverRestsIsRefused) {
   });
 
   ASSERT_FALSE(content);
-  EXPECT_THAT(content.error().message, HasSubstr("is changed while it is read"));
+  EXPECT_THAT(content.error().message, HasSubstr("changes while it is read"));
 }
 
 TEST_F(FileContentTest, OfNoFileIsRefused) {
   EXPECT_THAT(ReadContent(file).error().message, HasSubstr("cannot be read: No such file"));
-  EXPECT_THAT(ReadContent(folder.path()).error().message, HasSubstr("is no regular file"));
+  EXPECT_THAT(ReadContent(folder.path()).error().message, HasSubstr("is not a regular file"));
 }
 
 TEST_F(FileContentTest, IsOtherOnceTheFileHasOtherBytesAndTheSameOnceItHasTheOldOnes) {

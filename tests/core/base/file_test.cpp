@@ -148,7 +148,7 @@ TEST_F(FileTest, AFileThatNeverRestsIsNotRead) {
 
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().message,
-            file_.string() + ": is changed while it is read; try again when it is written");
+            file_.string() + ": changes while it is read; try again when it is completely written");
 }
 
 }  // namespace

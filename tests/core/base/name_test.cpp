@@ -111,7 +111,7 @@ TEST(Path, MistakesAreNamed) {
   const auto path = ParsePath("robot/arm/state.");
   ASSERT_FALSE(path.ok());
   EXPECT_EQ(path.error().message,
-            "'robot/arm/state.' is no path: nothing follows the '.'; expected "
+            "'robot/arm/state.' is not a path: nothing follows the '.'; expected "
             "process/component/interface.member");
 }
 

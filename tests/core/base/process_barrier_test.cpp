@@ -36,7 +36,7 @@ int WarningsWhereTheKernelRefuses() {
   if (child == 0) {
     static int warnings = 0;
     AddLogSink([](LogLevel level, std::string_view /*source*/, std::string_view message) {
-      const bool is_it = message.starts_with("the kernel refuses membarrier: ");
+      const bool is_it = message.starts_with("the kernel refuses membarrier, ");
       if (level == LogLevel::kWarning && is_it) ++warnings;
     });
     if (!RefuseMembarrier()) _exit(kCannotBeRefused);

@@ -133,8 +133,8 @@ TEST_P(Client, AWrongPathIsSaidWithWhatIsNear) {
   EXPECT_EQ(CallError("robot/arm/Control.Stopp"),
             "no command 'robot/arm/Control.Stopp'; did you mean 'Stop'?");
   EXPECT_EQ(CallError("robot/arm"),
-            "'robot/arm' names no command: expected process/component/interface.member");
-  EXPECT_EQ(CallError("").find("'' is no path"), 0U);
+            "'robot/arm' does not name a command: expected process/component/interface.member");
+  EXPECT_EQ(CallError("").find("'' is not a path"), 0U);
 }
 
 TEST_P(Client, ASchemaIsAskedForOnce) {

@@ -132,7 +132,7 @@ TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
   const Diagnosis of_provider = examine();
   EXPECT_EQ(of_provider.steps[1].verdict, Verdict::kBad);
   EXPECT_EQ(of_provider.steps[1].text,
-            "arm is suspended: it refuses commands, and reads answer what was");
+            "arm is suspended: it refuses commands, and its reads return old values");
   EXPECT_EQ(of_provider.steps[1].fix, "gcm start robot/arm");
   for (const int behind : {2, 3, 4, 5, 6}) {
     EXPECT_EQ(of_provider.steps[static_cast<std::size_t>(behind)].verdict, Verdict::kGood);
@@ -144,7 +144,7 @@ TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
   teleoperation.state = ComponentState::kReady;
   Enter(desk_, {teleoperation});
   Connect(ConnectionState::kActive);
-  EXPECT_EQ(examine().steps[1].text, "teleoperation is ready: it asks for nothing");
+  EXPECT_EQ(examine().steps[1].text, "teleoperation is ready: it makes no calls");
   EXPECT_EQ(examine().steps[1].fix, "gcm start desk/teleoperation");
 }
 
@@ -162,7 +162,8 @@ TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {
 
   ExpectBad(diagnosis, 4, ErrorCode::kIncompatible, "signatures match: 1 of 2");
   EXPECT_EQ(diagnosis.steps[3].details.size(), 1U);
-  EXPECT_EQ(diagnosis.steps[3].fix, "see what does fit: gcm candidates desk/teleoperation/Robot");
+  EXPECT_EQ(diagnosis.steps[3].fix,
+            "list the interfaces that fit: gcm candidates desk/teleoperation/Robot");
 }
 
 TEST_F(DiagnosisTest, FindsAnAddressThatIsOfTheOtherMachineAlone) {
@@ -223,7 +224,7 @@ TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
 }
 
 TEST_F(DiagnosisTest, OneThatOnlyItsHostReachesIsToListenElsewhere) {
-  robot_.reason = "is reached at 127.0.0.1:9 from its own host alone; start it with --listen X";
+  robot_.reason = "is reached at 127.0.0.1:9 from its own host only; start it with --listen X";
   Enter(robot_);
   Connect(ConnectionState::kPending, "robot cannot be reached");
 
@@ -269,7 +270,7 @@ TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {
   AddRoundTrip(diagnosis, 800us);
 
   ExpectBad(diagnosis, 6, ErrorCode::kFailed,
-            "it is made, but 4 calls found no room; 8 of 10 calls wait");
+            "the connection is made, but 4 calls found the mailbox full; 8 of 10 calls wait");
   EXPECT_EQ(diagnosis.steps[5].fix, "see which of the two does not keep up: gcm top");
 }
 
@@ -295,11 +296,11 @@ TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
 TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
   const message::Wire to_process{kWire.required, {"robbot", "arm", "Control"}};
   const message::Wire to_component{kWire.required, {"robot", "arn", "Control"}};
-  Connect(ConnectionState::kPending, "is not there", to_process.provided);
+  Connect(ConnectionState::kPending, "is not available", to_process.provided);
   ExpectBad(Examine(to_process), 1, ErrorCode::kNotFound,
             "no process 'robbot'; did you mean 'robot'?");
 
-  Connect(ConnectionState::kPending, "is not there", to_component.provided);
+  Connect(ConnectionState::kPending, "is not available", to_component.provided);
 
   const Diagnosis diagnosis = Examine(to_component);
   ExpectBad(diagnosis, 2, ErrorCode::kNotFound, "no component 'robot/arn'; did you mean 'arm'?");
@@ -323,7 +324,7 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kSomething);
   AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
   EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kUnknown);
-  EXPECT_EQ(diagnosis.remainders[1].text, "not known of robot, which does not tell: no answer");
+  EXPECT_EQ(diagnosis.remainders[1].text, "unknown for robot, which does not report it: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
@@ -363,8 +364,9 @@ TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
 
   EXPECT_FALSE(IsKept(diagnosis));
   EXPECT_EQ(LeftoverTexts(diagnosis),
-            (std::vector<std::string>{"left over: not known, for process 'desk' is not there",
-                                      "left over: nothing in robot"}));
+            (std::vector<std::string>{
+                "left over: unknown, because process 'desk' is not available",
+                "left over: nothing in robot"}));
   robot_.state = ProcessState::kLost;
   Enter(robot_);
   EXPECT_FALSE(IsKept(Examine()));

@@ -235,7 +235,7 @@ TEST(History, OfAFolderThatTakesNoFileIsSaidToBeOffFromTheStart) {
     const std::scoped_lock lock(*mutex);
     return logged->find(
                "history is off: cannot write /proc/elsewhere/history: No such file or "
-               "directory; steps are known, and can be undone, until this GCM ends") !=
+               "directory; steps can be undone until this GCM ends, but not after it") !=
            std::string::npos;
   }));
 }

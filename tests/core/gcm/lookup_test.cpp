@@ -94,9 +94,10 @@ TEST_F(Lookup, AReplacementMayFindItConnected) {
 TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
   const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
   Connect(kRobot, kControl);
-  EXPECT_EQ(PlanConnect(catalogue_, wire, Occupied::kReplaced).error().message,
-            "desk/teleoperation/Robot stays connected to robot/arm/Control, for what replaces it "
-            "must be there: no process 'elsewhere'; there is 'desk', 'robot'");
+  EXPECT_EQ(
+      PlanConnect(catalogue_, wire, Occupied::kReplaced).error().message,
+      "desk/teleoperation/Robot stays connected to robot/arm/Control, because its replacement "
+      "must be available first: no process 'elsewhere'; there is 'desk', 'robot'");
 
   Connect(kRobot, kControl, ConnectionState::kFailed);
 
@@ -152,7 +153,7 @@ TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
   EXPECT_EQ(PlanError(kRobot, kControl),
             "exists: desk/teleoperation/Robot waits to be connected to robot/arm/Control already: "
             "process 'robot' does not answer; look with: gcm explain desk/teleoperation/Robot; "
-            "take it back: gcm disconnect desk/teleoperation/Robot");
+            "cancel it: gcm disconnect desk/teleoperation/Robot");
   set(ConnectionState::kFailed, "it does not fit");
   EXPECT_EQ(
       PlanError(kRobot, kControl)

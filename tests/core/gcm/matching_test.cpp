@@ -101,7 +101,7 @@ TEST_F(Matching, WhoIsNotThereIsNotMatched) {
   ASSERT_FALSE(matches);
   EXPECT_EQ(matches.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(matches.error().message,
-            "no provided interface that is there is named 'robot/**'; look with: gcm ls -R");
+            "no provided interface is named 'robot/**'; look with: gcm ls -R");
 }
 
 }  // namespace

@@ -149,7 +149,7 @@ TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
   const Error refusal{
       ErrorCode::kIncompatible,
       "desk/leader/Mover does not fit robot/mover/Control: needs write command 'MoveTo' of "
-      "test.Goal, offered is another test.Goal (position of test.Goal: float64 in " +
+      "test.Goal, but the provider offers another test.Goal (position of test.Goal: float64 in " +
           unit + " needed, float64 in deg offered)"};
   int tries = 0;  // the GCM does not wait long: on a machine that stands still one is not enough
   std::optional<Error> why;
@@ -308,7 +308,7 @@ TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   ASSERT_TRUE(EventuallyTrue([&] { return Connection() == other; }));
   EXPECT_THAT(Undo(*client_).error().message,
               testing::HasSubstr(
-                  "): desk/teleoperation/Robot was since connected to robot/second/Control; "));
+                  "): desk/teleoperation/Robot is meanwhile connected to robot/second/Control; "));
 
   desk_->Report({{.kind = CatalogueChange::Kind::kConnectionRemoved, .connection = other.id}});
   ASSERT_TRUE(EventuallyTrue([&] { return !Connection(); }));

@@ -180,7 +180,7 @@ TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
 }
 
 TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed) {
-  registry_.End(Join("robot", 1, {test::Arm()}), ProcessState::kLeft, "said good-bye");
+  registry_.End(Join("robot", 1, {test::Arm()}), ProcessState::kLeft, "left");
   registry_.End(Join("desk", 2), ProcessState::kLost, "killed");
 
   EXPECT_EQ(Process("robot").state, ProcessState::kLeft);
@@ -200,7 +200,7 @@ TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
   Join("robot", 1);
 
   EXPECT_EQ(registry_.Forget("robot").error().message,
-            "process 'robot' is there; only one that is gone can be forgotten");
+            "process 'robot' is running; only a process that is gone can be forgotten");
   EXPECT_EQ(registry_.Forget("robott").error().message,
             "no process 'robott'; did you mean 'robot'?");
 }

@@ -96,16 +96,19 @@ TEST_P(Replacing, WhoIsNotThereReplacesNoConnectionThatWorks) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
 
-  EXPECT_EQ(Replace(*client_, {"robbot", "arm", "Control"}).error(),
-            (Error{ErrorCode::kNotFound,
-                   "desk/teleoperation/Robot stays connected to robot/arm/Control, for what "
-                   "replaces it must be there: no process 'robbot'; did you mean 'robot'?"}));
+  EXPECT_EQ(
+      Replace(*client_, {"robbot", "arm", "Control"}).error(),
+      (Error{
+          ErrorCode::kNotFound,
+          "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
+          "its replacement must be available first: no process 'robbot'; did you mean 'robot'?"}));
   ASSERT_TRUE(spare->Leave());
-  EXPECT_EQ(Replace(*client_, kSpare).error(),
-            (Error{ErrorCode::kFailed,
-                   "desk/teleoperation/Robot stays connected to robot/arm/Control, for what "
-                   "replaces it must be there: process 'spare' has left (said good-bye); start it "
-                   "again first"}));
+  EXPECT_EQ(
+      Replace(*client_, kSpare).error(),
+      (Error{ErrorCode::kFailed,
+             "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
+             "its replacement must be available first: process 'spare' has left (left); start it "
+             "again first"}));
 
   EXPECT_EQ(Connection(), before);
   EXPECT_EQ(desk_->orders().size(), 1U);
@@ -133,9 +136,10 @@ TEST_P(Replacing, AnUndoBreaksNoConnectionThatWorksForAProcessThatIsGone) {
 
   ASSERT_FALSE(undone);
   EXPECT_THAT(undone.error().message,
-              testing::HasSubstr("): desk/teleoperation/Robot stays connected to "
-                                 "robot/arm/Control, for what replaces it must be there: process "
-                                 "'spare' has left (said good-bye); start it again first; "));
+              testing::HasSubstr(
+                  "): desk/teleoperation/Robot stays connected to "
+                  "robot/arm/Control, because its replacement must be available first: process "
+                  "'spare' has left (left); start it again first; "));
   EXPECT_TRUE(IsConnectedTo(kControl));
   EXPECT_FALSE(Steps(*client_).back().undone);
 }
@@ -198,7 +202,7 @@ TEST_P(Replacing, WhatCouldNotBeRestoredIsADisconnectThatCanBeUndone) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
             "teleoperation is busy; desk/teleoperation/Robot is not connected to robot/arm/Control "
-            "any more, which could not be connected again: teleoperation is busy");
+            "any more, and could not be connected to it again: teleoperation is busy");
   EXPECT_FALSE(Connection());
   const auto steps = Steps(*client_);
   ASSERT_EQ(steps.size(), 2U);

@@ -155,16 +155,18 @@ TEST(SystemFile, HowAProcessIsStartedIsChecked) {
       ErrorOf(WithStart(R"({"restart": "on-failur"})")),
       testing::EndsWith("processes[0].start.restart: expected one of never, on-failure, got "
                         "'on-failur'; did you mean 'on-failure'?"));
-  EXPECT_THAT(ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
-              testing::EndsWith("processes[0].start: it is an lcm that the GCM starts, but a "
-                                "component without a class is made by a program of its own: leave "
-                                "out one of the two"));
+  EXPECT_THAT(
+      ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
+      testing::EndsWith(
+          "processes[0].start: the GCM starts this process as an lcm, "
+          "but a component without a class is created by its own program: leave out one of the "
+          "two"));
 }
 
 TEST(SystemFile, WhatNobodyCanMakeIsGivenNothing) {
   EXPECT_THAT(
       ErrorOf(Demo("\"SimulatedArm\"", "null")),
-      testing::HasSubstr("library: a component without a class is made by its own program"));
+      testing::HasSubstr("library: a component without a class is created by its own program"));
 }
 
 TEST(SystemFile, TheLayoutIsOfComponentsOfTheFile) {
@@ -177,7 +179,7 @@ TEST(SystemFile, TheLayoutIsOfComponentsOfTheFile) {
 
   EXPECT_EQ(error("[]"), "layout: expected an object, got a list");
   EXPECT_EQ(error(R"({"arm": [1, 2]})"),
-            "layout.arm: 'arm' is no component: expected process/component");
+            "layout.arm: 'arm' is not a component: expected process/component");
   EXPECT_EQ(error(R"({"robot/arn": [1, 2]})"),
             "layout.robot/arn: the file has no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_EQ(error(R"({"robot/arm": [1]})"), "layout.robot/arm: expected [x, y], got a list");
@@ -372,12 +374,12 @@ TEST(SystemFile, NamesAreCheckedWithTheirPlace) {
             "allowed: letters "
             "digits _ - (max 64)");
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"host\"", "\"name\": \"arm\"")),
-            "line 9, column 9: processes[0].components[1].name: component 'arm' is there already");
+            "line 9, column 9: processes[0].components[1].name: component 'arm' already exists");
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"desk\"", "\"name\": \"robot\"")),
-            "line 11, column 6: processes[1].name: process 'robot' is there already");
+            "line 11, column 6: processes[1].name: process 'robot' already exists");
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": \"a\\u001bb\"")),
             "line 9, column 25: processes[0].components[1].class: class name 'a\\x1bb' has a "
-            "character that no name has");
+            "character that is not allowed in names");
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": \"\"")),
             "line 9, column 25: processes[0].components[1].class: class name is empty");
 }
@@ -387,7 +389,7 @@ TEST(SystemFile, ALibraryIsANameAndNoPath) {
     const std::string error = ErrorOf(Demo("\"simulated_arm\"", "\"" + library + "\""));
     EXPECT_EQ(error.find("line 7, column 49: processes[0].components[0].library: library '"), 0U)
         << error;
-    EXPECT_NE(error.find("is a path; give the name alone"), std::string::npos) << error;
+    EXPECT_NE(error.find("is a path; give only the name"), std::string::npos) << error;
   }
   EXPECT_NE(ErrorOf(Demo("\"simulated_arm\"", "\"a\\u0000b\"")), "no error");
 }
@@ -399,9 +401,10 @@ TEST(SystemFile, ConnectionsNameWhatTheFileHas) {
   EXPECT_EQ(ErrorOf(Demo("\"desk/teleoperation/Robot\"", "\"desk2/teleoperation/Robot\"")),
             "line 14, column 6: connections[0].required: the file has no process 'desk2'; did you "
             "mean 'desk'?");
-  EXPECT_EQ(ErrorOf(Demo("\"robot/arm/Control\"", "\"robot/arm\"")),
-            "line 14, column 46: connections[0].provided: 'robot/arm' is no interface: expected "
-            "process/component/interface");
+  EXPECT_EQ(
+      ErrorOf(Demo("\"robot/arm/Control\"", "\"robot/arm\"")),
+      "line 14, column 46: connections[0].provided: 'robot/arm' is not an interface: expected "
+      "process/component/interface");
   const std::string twice =
       "\"connections\": [{\"required\": \"desk/teleoperation/Robot\", \"provided\": "
       "\"robot/arm/Other\"},";
@@ -426,7 +429,8 @@ TEST(SystemFile, OnlyARegularFileOfSensibleSizeIsRead) {
   EXPECT_EQ(error("none"), "none: there is no such file");
   EXPECT_EQ(error("loop"), "loop: Too many levels of symbolic links");
   EXPECT_EQ(ReadSystemFile(folder.path() / "none").error().code, ErrorCode::kNotFound);
-  EXPECT_NE(ReadSystemFile("/dev/null").error().message.find("no regular file"), std::string::npos);
+  EXPECT_NE(ReadSystemFile("/dev/null").error().message.find("not a regular file"),
+            std::string::npos);
 }
 
 }  // namespace

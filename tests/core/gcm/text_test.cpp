@@ -14,8 +14,8 @@ TEST(OldPlugin, IsAFindingAndARemedy) {
   plugin.state = PluginState::kGone;
   const auto gone = FindOldPlugin("robot", plugin);
   ASSERT_TRUE(gone);
-  EXPECT_EQ(gone->finding, "process 'robot' runs " + PluginText(plugin) + "; the file is gone");
-  EXPECT_EQ(gone->remedy, "put it back before the process is started anew");
+  EXPECT_EQ(gone->finding, "process 'robot' runs " + PluginText(plugin) + "; the file is missing");
+  EXPECT_EQ(gone->remedy, "restore it before you restart the process");
 
   plugin.state = PluginState::kChanged;
   const auto changed = FindOldPlugin("robot", plugin);

@@ -31,8 +31,7 @@ class UndoOrders : public test::DeskAndRobot {
     return undone ? "undone" : undone.error().message;
   }
 
-  static constexpr const char* kNext =
-      "to leave it as it is and undo what was before it: gcm undo --skip";
+  static constexpr const char* kNext = "to skip it and undo the step before it: gcm undo --skip";
 };
 
 INSTANTIATE_TEST_SUITE_P(Over, UndoOrders, testing::Values("loopback", "tcp"),
@@ -106,11 +105,11 @@ TEST_P(UndoOrders, NothingIsUndoneInAProcessThatWasStartedAgain) {
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' is lost"));
   EXPECT_THAT(
       PassOver().error().message,
-      HasSubstr("is not passed over, for process 'desk' is lost and may come back with it"));
+      HasSubstr("is not passed over, because process 'desk' is lost and may come back with it"));
 
   desk_ = Join("desk", {test::Teleoperation()});
 
-  EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' was started again since; "));
+  EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' was restarted since; "));
   EXPECT_FALSE(Connection());
   EXPECT_TRUE(PassOver());
   EXPECT_TRUE(PassOver());

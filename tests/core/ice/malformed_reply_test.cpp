@@ -148,7 +148,7 @@ TEST(MalformedReply, AServerThatNeverAnswersThePingTimesOut) {
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kTimeout);
   EXPECT_EQ(link.error().message, "no answer from " + liar.address() +
-                                      " within 200 ms: it hangs, or wants a --certificate");
+                                      " within 200 ms: it hangs, or requires a --certificate");
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(TlsRenewal, WhoListensShowsARenewedCertificateToTheNext) {
   const auto channel = Open(anna, address, "gcm ls", "robot");
   ASSERT_TRUE(channel.ok()) << channel.error().message;
   EXPECT_EQ((*channel)->peer().name, "robot");
-  EXPECT_TRUE(EventuallyLogged("shows the renewed " + (out / "robot.crt").string()));
+  EXPECT_TRUE(EventuallyLogged("uses the renewed " + (out / "robot.crt").string()));
 }
 
 TEST_F(TlsRenewal, WhoOpensShowsARenewedCertificateAtTheNextLink) {
@@ -83,9 +83,9 @@ TEST_F(TlsRenewal, OneThatIsNotGoodIsNotShownAndItIsSaidWhy) {
   };
 
   EXPECT_TRUE(put(RequestOf("arm")));
-  EXPECT_TRUE(EventuallyLogged("is that of the process 'arm' now, operator"));
+  EXPECT_TRUE(EventuallyLogged("now belongs to the process 'arm' with the role operator"));
   EXPECT_TRUE(put({.name = "robot", .role = Role::kViewer, .holder = kProcess}));
-  EXPECT_TRUE(EventuallyLogged("is that of the process 'robot' now, viewer"));
+  EXPECT_TRUE(EventuallyLogged("now belongs to the process 'robot' with the role viewer"));
 
   const auto renewed = IssueElsewhere(RequestOf("robot"));
   fs::permissions(renewed.key_file, fs::perms::others_read, fs::perm_options::add);

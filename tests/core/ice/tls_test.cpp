@@ -171,7 +171,7 @@ TEST_F(TlsTest, WithoutACertificateNobodyIsLetIn) {
 
   ASSERT_FALSE(channel.ok());
   EXPECT_EQ(channel.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(channel.error().message, HasSubstr("or wants a --certificate"));
+  EXPECT_THAT(channel.error().message, HasSubstr("or requires a --certificate"));
 }
 
 TEST_F(TlsTest, WhoSpeaksNoTlsIsNotSpokenTo) {
@@ -180,7 +180,7 @@ TEST_F(TlsTest, WhoSpeaksNoTlsIsNotSpokenTo) {
   const auto refusal = Refusal(As({.name = "anna"}), Listen(plain, "robot"));
 
   EXPECT_EQ(refusal.code, ErrorCode::kUnreachable);
-  EXPECT_THAT(refusal.message, HasSubstr("or speaks no TLS"));
+  EXPECT_THAT(refusal.message, HasSubstr("or does not use TLS"));
 }
 
 TEST_F(TlsTest, WhoseHandshakeTakesForEverIsCutOffByTheNextWhereThereAreMany) {

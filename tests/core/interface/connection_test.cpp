@@ -196,9 +196,10 @@ TEST(Connection, ARefusalNamesBothEndsAndEveryMember) {
   EXPECT_EQ(connection.error().code, ErrorCode::kIncompatible);
   EXPECT_EQ(connection.error().message,
             "desk/Robot does not fit arm/Control: needs write command 'MoveTo' of test.JointGoal, "
-            "offered is another test.JointGoal (position of test.JointGoal: float64[7] in deg "
+            "but the provider offers another test.JointGoal (position of test.JointGoal: "
+            "float64[7] in deg "
             "needed, float64[7] in rad offered); missing void command 'Fly'; needs write command "
-            "'GetJoints' of test.JointGoal, offered is a read "
+            "'GetJoints' of test.JointGoal, but the provider offers a read "
             "one");
   EXPECT_FALSE(move_to.is_connected());
 }

@@ -192,7 +192,7 @@ TEST(Waiting, ATaskIsNotConnectedToItselfByACommandThatMakesItWait) {
   ASSERT_FALSE(connection.ok());
   EXPECT_EQ(connection.error().message,
             "planner/Self would wait for its own thread: void-return command 'Count' of "
-            "planner/Plans is executed by the task that calls it; call the method");
+            "planner/Plans is executed by the task that calls it; call the method directly");
 }
 
 TEST(Waiting, IsEndedByADisconnect) {

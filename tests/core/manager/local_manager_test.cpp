@@ -212,7 +212,7 @@ TEST_F(LocalManagerTest, ASecondServerForOneRequiredInterfaceIsRefused) {
 
   ASSERT_FALSE(connected.ok());
   EXPECT_EQ(connected.error().code, ErrorCode::kExists);
-  EXPECT_THAT(connected.error().message, HasSubstr("operator/Robot is connected already"));
+  EXPECT_THAT(connected.error().message, HasSubstr("operator/Robot is already connected"));
 }
 
 TEST_F(LocalManagerTest, ConnectNamesTheMissingComponentAndTheNearest) {
@@ -318,12 +318,12 @@ TEST(LocalManager, WhatCannotBeReplacedStaysAsItIs) {
   };
 
   EXPECT_EQ(reason(std::make_unique<Arm>("arm")),
-            "component 'arm' is not replaced, for it runs; stop it first");
+            "component 'arm' is not replaced: it runs; stop it first");
   EXPECT_EQ(reason(std::make_unique<Periodic>("leader", kPeriod)),
-            "component 'leader' is not replaced, for 'follower' runs after it");
+            "component 'leader' is not replaced: 'follower' runs after it");
   EXPECT_EQ(reason(std::make_unique<Arm>("follower")),
-            "component 'follower' is not replaced, for the new one has no thread to give up to "
-            "'leader'");
+            "component 'follower' is not replaced: the new component has no thread, so it "
+            "cannot run after 'leader'");
   EXPECT_EQ(reason(std::make_unique<Arm>("amr")), "no component 'amr'; did you mean 'arm'?");
 
   EXPECT_EQ(manager.Find("arm"), &arm);

@@ -223,7 +223,7 @@ TEST_F(OrderlyEndTest, SaysWhenTheLastCommandWasNotExecuted) {
 
   (void)manager->StopAll(500ms);
 
-  EXPECT_THAT(log.texts(), ElementsAre(HasSubstr("not all that it has sent last was executed")));
+  EXPECT_THAT(log.texts(), ElementsAre(HasSubstr("some of its last calls were not executed")));
   EXPECT_TRUE(server.WaitFor(ComponentState::kFinished, 20s));
 }
 

@@ -52,8 +52,8 @@ TEST_F(BusyComponent, IsAskedNothingElseMeanwhileNorRemoved) {
                              manager.Remove("slow", 1ms), manager.RunAfter("slow", "arm", 1ms)}) {
     ASSERT_FALSE(answer.ok());
     EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
-    EXPECT_THAT(answer.error().message, HasSubstr("component 'slow' is still busy with what was "
-                                                  "asked of it before"));
+    EXPECT_THAT(answer.error().message, HasSubstr("component 'slow' is still busy with an earlier "
+                                                  "request"));
   }
   EXPECT_EQ(slow.configures, 1);
 
@@ -98,7 +98,7 @@ TEST_F(BusyComponent, ThatIsToStopBeforeItIsConfiguredIsNotStarted) {
   starting.join();
 
   EXPECT_EQ(started.error().message,
-            "component 'other' is not started, for it was to stop meanwhile");
+            "component 'other' is not started, because it was asked to stop meanwhile");
   EXPECT_EQ(other.startups, 0);
   EXPECT_EQ(other.state(), ComponentState::kReady);
 }

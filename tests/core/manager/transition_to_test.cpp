@@ -78,8 +78,8 @@ TEST_F(BringToTest, WhatCannotBeSuspendedIsStopped) {
 
   ASSERT_FALSE(brought);
   EXPECT_EQ(brought.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(brought.error().message, HasSubstr("'arm' was to be suspended: "));
-  EXPECT_THAT(brought.error().message, HasSubstr("so it was stopped"));
+  EXPECT_THAT(brought.error().message, HasSubstr("'arm' could not be suspended: "));
+  EXPECT_THAT(brought.error().message, HasSubstr("it was stopped instead"));
   EXPECT_EQ(StateOf("arm"), ComponentState::kFinished);
 }
 
@@ -90,7 +90,7 @@ TEST_F(BringToTest, WhatStartsTooLateIsStoppedOnceItHas) {
 
   ASSERT_FALSE(brought);
   EXPECT_EQ(brought.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(brought.error().message, HasSubstr("so it was stopped"));
+  EXPECT_THAT(brought.error().message, HasSubstr("it was stopped instead"));
   EXPECT_EQ(arm.state(), ComponentState::kFinished);
 }
 

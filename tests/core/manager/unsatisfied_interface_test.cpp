@@ -62,8 +62,8 @@ TEST(UnsatisfiedInterface, OfAConnectionThatDoesNotStandHasItsReason) {
     return needs.at(0).reason;
   };
 
-  EXPECT_EQ(reason(ConnectionState::kPending, "process 'robot' is not there"),
-            "pending: process 'robot' is not there");
+  EXPECT_EQ(reason(ConnectionState::kPending, "process 'robot' is not available"),
+            "pending: process 'robot' is not available");
   EXPECT_EQ(reason(ConnectionState::kPending, ""), "pending");
   EXPECT_EQ(reason(ConnectionState::kFailed, "it does not fit"), "failed: it does not fit");
 }
@@ -94,7 +94,7 @@ TEST(UnsatisfiedInterface, RefusesAStartByNameAndReason) {
                                   {Connected("Camera", ConnectionState::kPending, "gone")});
 
   EXPECT_EQ(CheckNeeds("client", needs).error().message,
-            "component 'client' is not started, for it would wait for Robot: not connected; "
+            "component 'client' is not started, because it would wait for Robot: not connected; "
             "Camera: pending: gone; connect that first");
   EXPECT_TRUE(CheckNeeds("client", {}));
 }

@@ -118,7 +118,8 @@ TEST(FieldHelp, ThatIsMalformedIsRefusedWithItsPlace) {
         << bad;
   }
   for (const char* type : {"string", "bool", "struct a.C {\n}", "enum a.D {\n a = 1\n}"}) {
-    EXPECT_NE(error("@ 0 to 1", type).find("a range is for numbers"), std::string::npos) << type;
+    EXPECT_NE(error("@ 0 to 1", type).find("only a number can have a range"), std::string::npos)
+        << type;
   }
 }
 

@@ -62,7 +62,7 @@ TEST(AdvertisedAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother)
   for (const char* listens : {"127.0.0.1:43211", "127.0.1.1:43211", "localhost:43211"}) {
     const AdvertisedAddress own = AdvertisedAddressOf(listens, "", kElsewhere);
     EXPECT_EQ(own.address, listens);
-    EXPECT_THAT(own.warning, AllOf(HasSubstr("from its own host alone"),
+    EXPECT_THAT(own.warning, AllOf(HasSubstr("from its own host only"),
                                    HasSubstr("start it with --listen 10.9.1.2:0")));
   }
 }
@@ -94,7 +94,7 @@ TEST(AdvertisedAddress, WhatLeadsNowhereIsNotAdvertised) {
   EXPECT_EQ(mistake("10.9.1.2:0"), "port '0': expected 1..65535");
   EXPECT_THAT(mistake("fd00::7"), HasSubstr("put an IPv6 host in brackets"));
   for (const char* bad : {"0.0.0.0", "0.0.0.0:80", "[::]"}) {
-    EXPECT_THAT(mistake(bad), HasSubstr("leads nowhere")) << bad;
+    EXPECT_THAT(mistake(bad), HasSubstr("cannot be reached")) << bad;
   }
 }
 

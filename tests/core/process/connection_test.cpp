@@ -117,7 +117,8 @@ TEST_P(RemoteConnection, TellsHowItDoes) {
   const auto says = [&](const std::string& regex) {
     return testing::Value(desk->Counts(kRobot).error().message, testing::ContainsRegex(regex));
   };
-  EXPECT_TRUE(says("desk/operator/Robot is pending for [0-9]+ s: process 'robot' is not there"));
+  EXPECT_TRUE(
+      says("desk/operator/Robot is pending for [0-9]+ s: process 'robot' is not available"));
   EXPECT_TRUE(EventuallyTrue([&] { return says("pending for [1-9][0-9]* s: process 'robot'"); }));
 
   StartRobot();
@@ -168,8 +169,8 @@ TEST_P(RemoteConnection, IsRefusedWhereTheInterfacesDoNotFit) {
   EXPECT_EQ(id.error().code, ErrorCode::kIncompatible);
   EXPECT_THAT(id.error().message,
               HasSubstr("desk/operator/Robot does not fit robot/impostor/Control: "));
-  EXPECT_THAT(id.error().message, HasSubstr("needs write command 'MoveTo' of plant.Move, offered "
-                                            "is another plant.Move"));
+  EXPECT_THAT(id.error().message, HasSubstr("needs write command 'MoveTo' of plant.Move, but the "
+                                            "provider offers another plant.Move"));
   EXPECT_TRUE(desk->connections().empty());
   EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
 }
@@ -271,7 +272,7 @@ TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
   ASSERT_TRUE(id.ok()) << id.error().message;
   ASSERT_EQ(desk->connections().size(), 1U);
   EXPECT_EQ(desk->connections().front().state, ConnectionState::kPending);
-  EXPECT_THAT(Reason(), HasSubstr("process 'robot' is not there"));
+  EXPECT_THAT(Reason(), HasSubstr("process 'robot' is not available"));
   EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
 
   StartRobot();
@@ -321,7 +322,7 @@ TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
   const auto lines = log.texts();
   ASSERT_GE(lines.size(), 3U);
   EXPECT_EQ(lines.at(0), kEnds + "stands");
-  EXPECT_THAT(lines.at(1), StartsWith(kEnds + "is lost, and will be made again: process 'robot'"));
+  EXPECT_THAT(lines.at(1), StartsWith(kEnds + "is lost, and will be restored: process 'robot'"));
   EXPECT_EQ(lines.at(2), kEnds + "stands");
 }
 

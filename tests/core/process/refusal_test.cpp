@@ -68,7 +68,7 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyCalls) {
   EXPECT_EQ(id.error().code, ErrorCode::kInvalid);
   EXPECT_EQ(
       id.error().message,
-      "desk/operator/Robot wants room for 16777216 calls at robot/plant/Control, but another "
+      "desk/operator/Robot requests room for 16777216 calls at robot/plant/Control, but another "
       "process may have at most 65536 calls and 64 MiB there: set a smaller mailbox capacity");
   EXPECT_EQ(robot->proxies().size(), 0U);
 }
@@ -85,7 +85,7 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyBytes) {
 
   ASSERT_FALSE(large.ok());
   EXPECT_EQ(large.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(large.error().message, StartsWith("desk/large/Screen wants room for 4096 calls at "
+  EXPECT_THAT(large.error().message, StartsWith("desk/large/Screen requests room for 4096 calls at "
                                                 "robot/screen/Screen, but another process may"));
   EXPECT_TRUE(small.ok()) << small.error().message;
   EXPECT_TRUE(EventuallyActive(*desk, 1));
@@ -164,7 +164,7 @@ class RefusedForItsTypes : public RemoteConnection {
 
   const std::string kFrame =
       "desk/operator/Robot does not fit robot/plant/Control: needs write command 'MoveTo' of "
-      "plant.Move, offered is another plant.Move ";
+      "plant.Move, but the provider offers another plant.Move ";
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
 };
 

@@ -83,9 +83,11 @@ TEST(Worker, ATaskThatThrowsIsLoggedByItsOwnersNameAndTheOthersRun) {
   worker.Post([&] { done.set_value(); });
 
   done.get_future().wait();
-  EXPECT_EQ(ErrorsOfRobot(), (std::vector<std::string>{
-                                 "a task of thread 'test' failed: much too long",
-                                 "a task of thread 'test' failed: it threw no std::exception"}));
+  EXPECT_EQ(
+      ErrorsOfRobot(),
+      (std::vector<std::string>{
+          "a task of thread 'test' failed: much too long",
+          "a task of thread 'test' failed: its exception does not derive from std::exception"}));
 }
 
 TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {

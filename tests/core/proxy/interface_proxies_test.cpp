@@ -315,7 +315,8 @@ TEST_F(InterfaceProxies, BadInput63CreditForMoreThanWasSentEndsTheChannel) {
   EXPECT_TRUE(EventuallyTrue([this] { return !channel->is_open(); }));
   EXPECT_TRUE(EventuallyTrue([this] {
     return client_end->why_closed() ==
-           "test was cut off: it told that 2 calls were executed, of 1 that were sent to it";
+           "test was disconnected: it acknowledged that 2 calls were executed, but only 1 "
+           "were sent to it";
   })) << client_end->why_closed();
 }
 

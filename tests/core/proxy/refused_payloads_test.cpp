@@ -23,9 +23,8 @@ TEST(RefusedPayloads, AreToldOnceByTheNetworkThread) {
   refused.Tell();
 
   EXPECT_EQ(refused.logged(), 1U);
-  EXPECT_EQ(log.texts(),
-            std::vector<std::string>{"'cloud' of 80 000 000 B exceeds max_payload "
-                                     "67 108 864 B of robot/arm/Cloud (1 such so far)"});
+  EXPECT_EQ(log.texts(), std::vector<std::string>{"'cloud' of 80 000 000 B exceeds max_payload "
+                                                  "67 108 864 B of robot/arm/Cloud (1 so far)"});
 }
 
 TEST(RefusedPayloads, AreCountedButNotAllLogged) {

@@ -53,7 +53,7 @@ TEST_F(CertificateAuthorityTest, ThatIsHalfMadeIsNotTakenForOne) {
   fs::remove(folder / "ca.crt");
 
   ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists,
-                "is half made, it has no ca.crt");
+                "is incomplete, it has no ca.crt");
   ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kNotFound, "there is no CA in");
 }
 
@@ -93,10 +93,10 @@ TEST_F(CertificateAuthorityTest, OverwritesNothing) {
   const std::string key = home.Read("out/robot.key");
 
   ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kExists,
-                "robot.crt is there already, and is not overwritten: choose another folder");
+                "robot.crt already exists, and is not overwritten: choose another folder");
   fs::remove(out / "robot.crt");
   ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kExists,
-                "robot.key is there already");
+                "robot.key already exists");
 
   EXPECT_EQ(home.Read("out/robot.key"), key);
   EXPECT_FALSE(fs::exists(out / "robot.crt"));
@@ -131,7 +131,7 @@ TEST_F(CertificateAuthorityTest, RevokesAllOfAName) {
   ASSERT_TRUE(revoked.ok()) << revoked.error().message;
   EXPECT_THAT(*revoked,
               testing::UnorderedElementsAre(first.certificate.serial, second->certificate.serial));
-  ExpectRefused(authority->Revoke("robot"), ErrorCode::kExists, "are revoked already");
+  ExpectRefused(authority->Revoke("robot"), ErrorCode::kExists, "are already revoked");
 }
 
 TEST_F(CertificateAuthorityTest, RevokesNothingWhileACopyCannotBeRead) {

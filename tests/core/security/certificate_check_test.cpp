@@ -93,7 +93,7 @@ TEST_F(CertificateCheckTest, WithoutAListOfTheRevokedNobodyIsBelieved) {
   ExpectBad(ErrorCode::kNotFound, "crl.pem: copy it from the CA");
 
   home.Write("ca/crl.pem", "nonsense");
-  ExpectBad(ErrorCode::kInvalid, "is no list of revoked certificates");
+  ExpectBad(ErrorCode::kInvalid, "is not a list of revoked certificates");
 }
 
 TEST_F(CertificateCheckTest, AListOfAnotherCaIsNotBelieved) {
@@ -145,11 +145,11 @@ TEST_F(CertificateCheckTest, WhatIsNoCertificateIsSaidToBeNone) {
   ExpectBad(ErrorCode::kNotFound, "there is no file ");
 
   fs::create_directory(out / "robot.crt");
-  ExpectBad(ErrorCode::kInvalid, "is no ordinary file");
+  ExpectBad(ErrorCode::kInvalid, "is not an ordinary file");
   fs::remove(out / "robot.crt");
 
   home.Write("out/robot.crt", "nonsense");
-  ExpectBad(ErrorCode::kInvalid, "is no certificate (PEM)");
+  ExpectBad(ErrorCode::kInvalid, "is not a certificate (PEM)");
 
   home.Write("out/robot.crt", std::string((1U << 20U) + 1, 'x'));
   ExpectBad(ErrorCode::kInvalid, "larger than the limit of 1 MiB");

@@ -73,7 +73,7 @@ TEST_F(StateTableTest, AVariableThatIsNoColumnIsAWiringMistake) {
   AddBoth();
   const double other = 0;
   EXPECT_THAT(Refusal([&] { (void)table_.Find(other); }),
-              HasSubstr("no column of state table 'state'"));
+              HasSubstr("is not a column of state table 'state'"));
 }
 
 TEST_F(StateTableTest, TheFirstMemberOfAColumnIsNotThatColumn) {

@@ -266,8 +266,8 @@ class Lamp final : public Component {
 
 TEST_F(Expiring, AComponentWithoutAThreadCannotEndIt) {
   EXPECT_EQ(test::Refusal([this] { manager.Add<Lamp>("lamp"); }),
-            "command 'Glow' of 'lamp' cannot expire: a component without a thread cannot end it. "
-            "Derive it from a task");
+            "command 'Glow' of 'lamp' cannot expire, because a component without a thread cannot "
+            "end it. Derive the component from a task");
 }
 
 }  // namespace

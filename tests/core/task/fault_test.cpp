@@ -70,8 +70,8 @@ TEST_P(Fault, ThatIsNoStandardExceptionIsContainedToo) {
 
   Provoke();
 
-  EXPECT_EQ(arm.fault(),
-            std::string(GetParam().where) + ": an exception that is no std::exception");
+  EXPECT_EQ(arm.fault(), std::string(GetParam().where) +
+                             ": an exception that does not derive from std::exception");
   ExpectTheOthersToRun();
 }
 

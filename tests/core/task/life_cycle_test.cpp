@@ -237,7 +237,8 @@ TEST(LifeCycle, AComponentThatDoesNotStopIsNotRemoved) {
 
   ASSERT_FALSE(removed.ok());
   EXPECT_EQ(removed.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(removed.error().message, StartsWith("component 'arm' is not removed, for it runs: "));
+  EXPECT_THAT(removed.error().message,
+              StartsWith("component 'arm' is not removed, because it runs: "));
   EXPECT_EQ(manager.Find("arm"), &arm);
   arm.blocks = Script::kNone;
   EXPECT_TRUE(manager.Remove("arm").ok());

@@ -215,10 +215,11 @@ TEST_F(RunAfter, NeedsAThreadToGiveUpAndCyclesToShare) {
 
   ASSERT_FALSE(no_thread.ok());
   EXPECT_EQ(no_thread.error().message,
-            "component 'callback' cannot run after 'leader': 'callback' has no thread to give up");
+            "component 'callback' cannot run after 'leader': 'callback' has no thread");
   ASSERT_FALSE(no_cycles.ok());
-  EXPECT_EQ(no_cycles.error().message,
-            "component 'leader' cannot run after 'threadless': 'threadless' makes no cycles");
+  EXPECT_EQ(
+      no_cycles.error().message,
+      "component 'leader' cannot run after 'threadless': 'threadless' does not run in cycles");
 }
 
 TEST_F(RunAfter, OnlyOneAtRestChangesItsThread) {
@@ -314,7 +315,7 @@ TEST_F(RunAfterWithAHungOne, TheHungOneItselfIsNotRemovedButToldWhy) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
   EXPECT_THAT(refused.error().message,
-              testing::HasSubstr("component 'follower' is not removed, for it runs: "));
+              testing::HasSubstr("component 'follower' is not removed, because it runs: "));
 }
 
 TEST_F(RunAfter, EitherCanBeRemoved) {

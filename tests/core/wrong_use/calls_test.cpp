@@ -131,7 +131,7 @@ TEST(BadInput15, AConnectionThatCouldOnlyWaitForItselfIsRefusedInASentence) {
   ASSERT_FALSE(connected.ok());
   EXPECT_EQ(connected.error().message,
             "arm/Oracle would wait for its own thread: void-return command 'Answer' of arm/Answers "
-            "is executed by the task that calls it; call the method");
+            "is executed by the task that calls it; call the method directly");
 }
 
 TEST(BadInput16, AReadBeforeTheFirstRowGivesNoSampleAndNoZeros) {

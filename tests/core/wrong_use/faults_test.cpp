@@ -167,11 +167,11 @@ TEST_F(FaultRow22, AConstructorThatThrowsIsQuotedWithItsComponentAndItsCauses) {
   EXPECT_EQ(Refusal("Nested"),
             "component 'arm' (class Nested): its constructor failed: no arm: no port");
   EXPECT_EQ(Refusal("Number"),
-            "component 'arm' (class Number): its constructor failed: an exception that is no "
-            "std::exception");
+            "component 'arm' (class Number): its constructor failed: an exception that does "
+            "not derive from std::exception");
   EXPECT_EQ(Refusal("NestedNumber"),
             "component 'arm' (class NestedNumber): its constructor failed: no arm: an exception "
-            "that is no std::exception");
+            "that does not derive from std::exception");
 }
 
 TEST_F(FaultRow22, TheProcessLivesAndOthersStart) {

@@ -282,7 +282,7 @@ TEST_F(Wiring, ASecondConnectionOfOneEndIsRefused) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"arm", "Control"}),
-            "client/Server is connected already; disconnect it first");
+            "client/Server is already connected; disconnect it first");
   EXPECT_EQ(manager.connections().size(), 1U);
 }
 

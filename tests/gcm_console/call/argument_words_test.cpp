@@ -56,7 +56,7 @@ TEST(ArgumentWords, ANumberIsWhatIsWrittenOrARefusal) {
             "\"2000000000.123456789\"")
       << "a double would have other nanoseconds";
   EXPECT_EQ(Told(real, {"0,5"}),
-            begin + "expected float64, got '0,5'; write 0.5: the decimal sign is a point");
+            begin + "expected float64, got '0,5'; write 0.5: use a point as the decimal sign");
   EXPECT_EQ(Told(real, {"5deg"}),
             begin + "expected float64, got '5deg'; write the number alone, without 'deg'");
   EXPECT_EQ(

@@ -198,7 +198,7 @@ TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
   ASSERT_TRUE(EventuallyTrue([&] { return IsClosedByGcm(events.pid()); })) << gcm->err();
   events.Signal(SIGCONT);
 
-  ASSERT_TRUE(EventuallyTrue([&] { return Says(events.err(), " is there again\n"); }))
+  ASSERT_TRUE(EventuallyTrue([&] { return Says(events.err(), " is available again\n"); }))
       << events.err();
   EXPECT_THAT(events.err(), testing::ContainsRegex("gcm: this program was stopped for [0-9.]+ s"));
   EXPECT_THAT(events.err(), testing::Not(HasSubstr("start one with"))) << "it is there";
@@ -220,7 +220,7 @@ TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
   StartGcm();
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    return Says(events->err(), "gcm: the GCM at " + address + " is there again\n");
+    return Says(events->err(), "gcm: the GCM at " + address + " is available again\n");
   })) << events->err();
   events->Signal(SIGINT);
   EXPECT_EQ(events->Wait(), program::kInterrupted);

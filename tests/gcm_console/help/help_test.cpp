@@ -111,8 +111,8 @@ TEST_F(HelpTest, AWordThatIsNoAddressIsRefused) {
 
   EXPECT_EQ(outcome.exit_code, program::kUsage);
   EXPECT_EQ(outcome.err,
-            "gcm: --gcm: 'nonsense' is no address on this machine, such as 127.0.0.1:10705; to ask "
-            "a host of that name, show a --certificate\n");
+            "gcm: --gcm: 'nonsense' is not an address on this machine, such as 127.0.0.1:10705; to "
+            "use a host of that name, give a --certificate\n");
 }
 
 }  // namespace

@@ -77,9 +77,9 @@ TEST_F(SetVerbTest, ANumberIsTheSameInEveryLanguageOfTheShell) {
         << name;
     const Outcome refused = in_language({"set", "robot/arm", "noise", "0,125"});
     EXPECT_EQ(refused.exit_code, program::kUsage) << name;
-    EXPECT_THAT(refused.err, HasSubstr("'0,125'; write 0.125: the decimal sign is a point"));
+    EXPECT_THAT(refused.err, HasSubstr("'0,125'; write 0.125: use a point as the decimal sign"));
     EXPECT_THAT(in_language({"watch", "robot/arm/state.Joints", "--hz", "0,5"}).err,
-                HasSubstr("'0,5'; write 0.5: the decimal sign is a point"));
+                HasSubstr("'0,5'; write 0.5: use a point as the decimal sign"));
     EXPECT_EQ(in_language({"set", "robot/arm", "noise", "0.001"}).out,
               "robot/arm noise\tset from 0.25 to 0.001\n")
         << name;
@@ -96,7 +96,7 @@ TEST_F(SetVerbTest, ADryRunChecksEverythingAndChangesNothing) {
 TEST_F(SetVerbTest, AnActiveComponentKeepsItsParametersAndSaysWhatToDo) {
   ASSERT_EQ(Gcm({"start", "robot/arm"}).exit_code, program::kOk);
   const std::string refusal =
-      "gcm: component 'arm' is active; stop it first to configure it anew: gcm stop robot/arm\n";
+      "gcm: component 'arm' is active; stop it first to configure it again: gcm stop robot/arm\n";
   for (const Program::Words& words : {Program::Words{"noise", "0"}, {"noise", "0", "--dry-run"}}) {
     const Outcome refused = Set(words);
     EXPECT_EQ(refused.err, refusal);
@@ -134,7 +134,7 @@ TEST_F(SetVerbTest, EachMistakeHasASentence) {
        "'home' has 7 elements, from 0 on; there is no element 9",
        program::kNotFound},
       {{"noise.x", "0"}, "'noise' is float64 and has no fields", program::kNotFound},
-      {{"home[", "0"}, "'home[' names no parameter", program::kUsage},
+      {{"home[", "0"}, "'home[' does not name a parameter", program::kUsage},
       {{"noise", "loud"},
        "noise: expected float64, got 'loud'; write a number in digits",
        program::kUsage},

@@ -132,7 +132,7 @@ TEST(CurveFeed, DrawsNoMoreThanCanBeTold) {
   feed.OnSubscribed({tendon::SchemaOf<std::array<double, 100>>(), tendon::SchemaOf<std::string>()});
 
   EXPECT_EQ(feed.curves().size(), CurveFeed::kMostCurves);
-  EXPECT_THAT(feed.notes(), ElementsAre(HasSubstr("robot/arm/state.Joints[16] and what follows")));
+  EXPECT_THAT(feed.notes(), ElementsAre(HasSubstr("robot/arm/state.Joints[16] and later numbers")));
 }
 
 }  // namespace

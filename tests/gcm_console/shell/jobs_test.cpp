@@ -52,7 +52,7 @@ class JobsTest : public DemoFixture {
 
 TEST_F(JobsTest, TheirLinesStandAboveWhatIsTyped) {
   shell->Type(std::string(kWatch) + " &\r");
-  ASSERT_TRUE(shell->Shows("gcm: behind the prompt: 1  " + std::string(kWatch))) << shell->seen();
+  ASSERT_TRUE(shell->Shows("gcm: in the background: 1  " + std::string(kWatch))) << shell->seen();
   ASSERT_TRUE(shell->Shows("\t0\r\n")) << shell->seen();
 
   shell->Type("vers");
@@ -78,7 +78,7 @@ TEST_F(JobsTest, TheyAreListedAndEnded) {
   EXPECT_TRUE(shell->ShowsMatch("gcm: [1-9][0-9]* rows?, [0-9]+ lost")) << shell->seen();
   EXPECT_TRUE(shell->Shows("gcm: ended: 1  watch ")) << shell->seen();
   shell->Type("end 1\r");
-  EXPECT_TRUE(shell->Shows("nothing goes on behind the prompt as '1'")) << shell->seen();
+  EXPECT_TRUE(shell->Shows("no background job has the number '1'")) << shell->seen();
   shell->Type("end\r");
   EXPECT_TRUE(shell->Shows("gcm: ended: 2  events ")) << shell->seen();
   shell->Type("jobs\r");
@@ -111,14 +111,14 @@ TEST_F(JobsTest, AnInterruptIsForWhatIsInFrontOfThem) {
 TEST_F(JobsTest, WhatDoesNotLastIsRefusedAndSoAreTheyWithoutAPrompt) {
   shell->Type("ls &\r");
   EXPECT_TRUE(
-      shell->Shows("gcm: only watch, events, hz and log go on behind the prompt, and 'ls' "
+      shell->Shows("gcm: only watch, events, hz and log can run in the background, but 'ls' "
                    "does not"))
       << shell->seen();
 
   const Outcome piped =
       RunProgram({"/bin/sh", "-c", "echo '" + std::string(kWatch) + " &' | " + Command()});
   EXPECT_EQ(piped.exit_code, program::kUsage);
-  EXPECT_THAT(piped.err, HasSubstr("gcm: & is for a prompt, above which lines can be printed"));
+  EXPECT_THAT(piped.err, HasSubstr("gcm: & works only at a prompt"));
 }
 
 }  // namespace

@@ -135,14 +135,14 @@ TEST_F(ShellTest, AfterAnInterruptAScriptRunsNothingMore) {
   terminal.Type("status\r");
 
   EXPECT_EQ(terminal.program().Wait(), program::kInterrupted);
-  EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("not as it should be")));
+  EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("with a problem")));
 }
 
 TEST_F(ShellTest, AScriptThatRunsItselfIsStopped) {
   const Outcome outcome = Script("run " + (home.path() / "test.gcm").string() + "\n");
 
   EXPECT_NE(outcome.exit_code, program::kOk);
-  EXPECT_THAT(outcome.err, HasSubstr("does one run itself?"));
+  EXPECT_THAT(outcome.err, HasSubstr("does a script run itself?"));
 }
 
 TEST_F(ShellTest, PathsMayBeginAtTheTopWithoutGoingAnywhereFirst) {
@@ -236,8 +236,8 @@ TEST_F(ShellTest, InAShellThereIsNoOther) {
   EXPECT_EQ(outcome.exit_code, program::kUsage);
   EXPECT_THAT(outcome.out, HasSubstr("protocol"));
   EXPECT_EQ(outcome.err,
-            "gcm: this is a shell already; exit ends it\n"
-            "gcm: this is a shell already; exit ends it\n");
+            "gcm: this is already a shell; exit ends it\n"
+            "gcm: this is already a shell; exit ends it\n");
 }
 
 TEST_F(ShellTest, LinesMayComeThroughAPipe) {
@@ -274,10 +274,11 @@ TEST_F(ShellTest, InputThatCannotBeReadToItsEndIsNoSuccess) {
   const std::string folder = home.path().string();
   EXPECT_EQ(Shell("shell < " + folder).exit_code, program::kUsage);
   EXPECT_EQ(Shell("run - < " + folder).err,
-            "gcm: standard input, after line 0: the input cannot be read to its end: give a file, "
+            "gcm: standard input, after line 0: the input cannot be read completely: give a file, "
             "or a pipe\n");
-  EXPECT_EQ(Shell("run - < /dev/zero").err,
-            "gcm: standard input, after line 0: a line is longer than 1 MiB: is it a text?\n");
+  EXPECT_EQ(
+      Shell("run - < /dev/zero").err,
+      "gcm: standard input, after line 0: a line is longer than 1 MiB: is the input a text?\n");
   const Outcome endless = Shell("call robot/arm/Control.MoveTo - < /dev/zero");
   EXPECT_EQ(endless.exit_code, program::kUsage);
   EXPECT_EQ(endless.err, "gcm: the input is over 16 MiB\n");

@@ -61,8 +61,9 @@ TEST(Words, JsonNeedsNoQuotes) {
 }
 
 TEST(Words, WhatHasNoEndIsRefused) {
-  EXPECT_EQ(CommandsOf("ls 'a b").error().message, "the quote in column 4 has no end");
-  EXPECT_EQ(CommandsOf("call a {\"b\": [1").error().message, "the bracket in column 8 has no end");
+  EXPECT_EQ(CommandsOf("ls 'a b").error().message, "the quote in column 4 is not closed");
+  EXPECT_EQ(CommandsOf("call a {\"b\": [1").error().message,
+            "the bracket in column 8 is not closed");
 }
 
 TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {

@@ -57,7 +57,7 @@ TEST_F(DryRunTest, AnUndoThatWouldBeRefusedIsRefusedInTheSameWords) {
   const Outcome dry = Gcm({"undo", "--dry-run"});
 
   EXPECT_EQ(dry.exit_code, program::kRefused) << dry.out;
-  EXPECT_THAT(dry.err, HasSubstr("process 'desk' was started again since"));
+  EXPECT_THAT(dry.err, HasSubstr("process 'desk' was restarted since"));
   EXPECT_EQ(dry.err, Gcm({"undo"}).err);
 }
 
@@ -109,7 +109,7 @@ TEST_F(DryRunTest, AConfigurationIsCheckedByItsClass) {
   ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", bad, "--dry-run"}, program::kUsage,
                 "did you mean 'noise'?");
   ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", "{", "--dry-run"}, program::kUsage,
-                "its configuration is no JSON");
+                "its configuration is not valid JSON");
   ExpectRefusal({"create", "SimulatedArm", "robot/new", "--arg", "[]", "--dry-run"},
                 program::kUsage, "must be a JSON object");
   EXPECT_EQ(Gcm({"create", "SimulatedArm", "robot/new", "--arg", good, "--dry-run"}).exit_code,
@@ -135,7 +135,7 @@ TEST_F(DryRunTest, AViewerIsDeniedAsByTheOrderItself) {
   for (Program::Words words : orders) {
     words.insert(words.begin(), "--read-only");
     words.push_back("--dry-run");
-    ExpectRefusal(words, program::kDenied, "gcm " + words[1] + " is for an operator");
+    ExpectRefusal(words, program::kDenied, "gcm " + words[1] + " needs the role operator");
   }
 }
 

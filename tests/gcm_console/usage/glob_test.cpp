@@ -34,7 +34,7 @@ TEST_F(GlobTest, LsListsWhatFits) {
   EXPECT_THAT(required, HasSubstr("desk/supervisor/Robot\trequired interface\t"));
   EXPECT_THAT(required, Not(HasSubstr("component")));
   ExpectError({"ls", "nobody/*"}, program::kNotFound,
-              "nothing fits 'nobody/*'; gcm ls -R lists what there is");
+              "nothing fits 'nobody/*'; gcm ls -R lists all names");
 }
 
 TEST_F(GlobTest, ShowTellsOfEachUnderItsPath) {
@@ -58,7 +58,7 @@ TEST_F(GlobTest, GetReadsEachWithItsPath) {
   EXPECT_THAT(commands.out, Not(HasSubstr("Stop")));
   const json document = json::parse(Gcm({"get", "robot/*/state.Joints", "--json"}).out);
   EXPECT_EQ(document["values"][0]["path"], "robot/arm/state.Joints");
-  ExpectError({"get", "robot/*/Control.Stop"}, program::kNotFound, "names can be read");
+  ExpectError({"get", "robot/*/Control.Stop"}, program::kNotFound, "matches can be read");
   ExpectError({"get", "nobody/*/state.Joints"}, program::kNotFound, "no column fits");
 }
 
@@ -83,16 +83,15 @@ TEST_F(GlobTest, DisconnectEndsAllThatFit) {
   EXPECT_THAT(Gcm({"show", "desk/supervisor/Robot"}).out, HasSubstr("not connected"));
   EXPECT_THAT(Gcm({"show", "desk/teleoperation/Robot"}).out, HasSubstr("not connected"));
   ExpectError({"disconnect", "desk/*/Robot"}, program::kNotFound,
-              "nothing that 'desk/*/Robot' names is connected");
+              "no interface that 'desk/*/Robot' matches is connected");
 }
 
 TEST_F(GlobTest, LogLevelIsSetInAllThatFit) {
   EXPECT_EQ(Gcm({"log-level", "*", "info", "--dry-run"}).out,
-            "desk\twould be told to log info and above\n"
-            "robot\twould be told to log info and above\n");
-  EXPECT_EQ(Gcm({"log-level", "r*", "info"}).out, "robot\ttold to log info and above\n");
-  ExpectError({"log-level", "x*", "info"}, program::kNotFound,
-              "no process that is there fits 'x*'");
+            "desk\twould be set to log info and above\n"
+            "robot\twould be set to log info and above\n");
+  EXPECT_EQ(Gcm({"log-level", "r*", "info"}).out, "robot\tset to log info and above\n");
+  ExpectError({"log-level", "x*", "info"}, program::kNotFound, "no available process fits 'x*'");
 }
 
 TEST_F(GlobTest, WhatTakesOneNameSaysHowToSeeThem) {
@@ -101,7 +100,7 @@ TEST_F(GlobTest, WhatTakesOneNameSaysHowToSeeThem) {
       {"call", "robot/*"}, {"explain", "a/b/C", "robot/*"}, {"classes", "robot/*"}};
   for (const Program::Words& words : lines) {
     ExpectError(words, program::kUsage,
-                "gcm: 'robot/*' may name several things, and gcm " + words[0] +
+                "gcm: 'robot/*' may match several things, but gcm " + words[0] +
                     " takes one name; list them with: gcm find 'robot/*'\n");
   }
   ExpectError({"connect", "desk/*/Robot", "robot/arm/Control"}, program::kUsage,

@@ -36,15 +36,15 @@ class MisuseTest : public DemoFixture {
 TEST_F(MisuseTest, OfThingsThatAreNotThere) {
   ExpectSentences({
       {{"hz", "robot/arm/state.Jonts"}, program::kNotFound, "did you mean 'Joints'?"},
-      {{"hz", "robot/arm/Control"}, program::kNotFound, "is no column of a state table"},
-      {{"plot", "robot/arm"}, program::kNotFound, "is no column of a state table"},
+      {{"hz", "robot/arm/Control"}, program::kNotFound, "is not a column of a state table"},
+      {{"plot", "robot/arm"}, program::kNotFound, "is not a column of a state table"},
       {{"watch", "robto"}, program::kNotFound, "no process 'robto'; did you mean 'robot'?"},
       {{"hz", "robto"}, program::kNotFound, "no process 'robto'; did you mean 'robot'?"},
       {{"watch", "robot"}, program::kUsage, "'robot' is a process: name a column"},
       {{"candidates", "desk/teleoperation"}, program::kUsage, "'desk/teleoperation' is no interf"},
       {{"candidates", "desk/teleoperation/Robt"}, program::kNotFound, "did you mean 'Robot'?"},
       {{"candidates", "robot/arm/Control"}, program::kNotFound, "is a provided interface"},
-      {{"explain", "desk"}, program::kUsage, "'desk' is no interface"},
+      {{"explain", "desk"}, program::kUsage, "'desk' is not an interface"},
       {{"classes"}, program::kUsage, "there are several processes: name one of desk, robot"},
       {{"classes", "robt"}, program::kNotFound, "no process 'robt'; did you mean 'robot'?"},
       {{"classes", "robot", "SimulatedAm"}, program::kNotFound, "did you mean 'SimulatedArm'?"},
@@ -52,18 +52,18 @@ TEST_F(MisuseTest, OfThingsThatAreNotThere) {
        program::kNotFound,
        "no class 'SimulatedAm' is loaded there; did you mean 'SimulatedArm'?"},
       {{"suspend", "robot/amr"}, program::kNotFound, "no component 'robot/amr'; did you mean"},
-      {{"suspend", "robot"}, program::kUsage, "'robot' names no component"},
-      {{"restart", "robot/arm/Control"}, program::kUsage, "names no component"},
+      {{"suspend", "robot"}, program::kUsage, "'robot' does not name a component"},
+      {{"restart", "robot/arm/Control"}, program::kUsage, "does not name a component"},
       {{"restart", "x/*"}, program::kNotFound, "no component fits 'x/*'"},
       {{"set", "robot/arm", "nois", "1"}, program::kNotFound, "did you mean 'noise'?"},
       {{"kill", "nobody"}, program::kNotFound, "no process 'nobody'; there is 'desk', 'robot'"},
       {{"disconnect", "99"}, program::kNotFound, "no connection has the number 99"},
       {{"connect", "--match", "x/**", "y/**"}, program::kNotFound, "is named 'x/**'"},
       {{"undo", "--step", "99"}, program::kRefused, "there is nothing to undo"},
-      {{"create", "", "robot/two"}, program::kUsage, "no class is named"},
+      {{"create", "", "robot/two"}, program::kUsage, "no class is given"},
       {{"create", "Counter", "robot/two", "--arg", ""}, program::kUsage, "expected a JSON object"},
-      {{"configure", "robot/arm"}, program::kUsage, "nothing is said of the configuration"},
-      {{"find", "type:"}, program::kUsage, "nothing stands behind 'type:'"},
+      {{"configure", "robot/arm"}, program::kUsage, "the configuration is missing"},
+      {{"find", "type:"}, program::kUsage, "a value is missing after 'type:'"},
   });
 }
 
@@ -77,18 +77,20 @@ TEST_F(MisuseTest, OfFilesThatAreNone) {
   for (const std::string verb : {"plan", "diff", "apply"}) {
     ExpectSentences({
         {{verb, folder}, program::kUsage, folder + ": is a folder, not a file"},
-        {{verb, pipe}, program::kUsage, pipe + ": is no regular file"},
+        {{verb, pipe}, program::kUsage, pipe + ": is not a regular file"},
         {{verb, torn}, program::kUsage, torn + ": line 2, column 8: unexpected end"},
         {{verb, folder + "/none.json"}, program::kNotFound, "there is no such file"},
     });
   }
   const std::string to = folder + "/new.json";
   ExpectSentences({
-      {{"diff", demo, pipe}, program::kUsage, pipe + ": is no regular file"},
+      {{"diff", demo, pipe}, program::kUsage, pipe + ": is not a regular file"},
       {{"save", folder}, program::kUsage, "; nothing is saved: give another file"},
       {{"save", pipe}, program::kUsage, "; nothing is saved: give another file"},
       {{"import", folder, to, "--process", "robot"}, program::kUsage, folder + ": is a folder"},
-      {{"import", pipe, to, "--process", "robot"}, program::kUsage, pipe + ": is no regular file"},
+      {{"import", pipe, to, "--process", "robot"},
+       program::kUsage,
+       pipe + ": is not a regular file"},
       {{"import", torn, to, "--process", "robot"},
        program::kUsage,
        torn + ": line 2, column 8: unexpected end"},
@@ -97,7 +99,7 @@ TEST_F(MisuseTest, OfFilesThatAreNone) {
        "there is no such file"},
       {{"import", torn}, program::kUsage, "to is missing; gcm import --help tells more"},
       {{"run", folder}, program::kUsage, "is a folder: name a file with a command of gcm"},
-      {{"plan", ""}, program::kUsage, "no file is named"},
+      {{"plan", ""}, program::kUsage, "no file is given"},
       {{"run", folder + "/none.gcm"}, program::kNotFound, "there is no such file"},
   });
   EXPECT_FALSE(std::filesystem::exists(to));

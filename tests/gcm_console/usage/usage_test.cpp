@@ -84,14 +84,14 @@ TEST_F(UsageTest, AWordThatIsNoNumberIsToldWhatToWrite) {
   };
   const Case cases[] = {
       {{"watch", "a", "--hz", "0,5"},
-       "--hz: expected a number above 0, got '0,5'; write 0.5: the decimal sign is a point"},
-      {{"watch", "a", "--hz", "1,234"}, "write 1.234 or 1234: the decimal sign is a point"},
+       "--hz: expected a number above 0, got '0,5'; write 0.5: use a point as the decimal sign"},
+      {{"watch", "a", "--hz", "1,234"}, "write 1.234 or 1234: use a point as the decimal sign"},
       {{"watch", "a", "--hz", "inf"}, "--hz: expected a number above 0, got 'inf'"},
       {{"watch", "a", "--hz", "1e999"}, "--hz: expected a number above 0, got '1e999'"},
-      {{"watch", "a", "--for", "0,5s"}, "got '0,5s'; write 0.5s: the decimal sign is a point"},
-      {{"watch", "a", "--for", "1'000ms"}, "write 1000ms: nothing stands between thousands"},
+      {{"watch", "a", "--for", "0,5s"}, "got '0,5s'; write 0.5s: use a point as the decimal sign"},
+      {{"watch", "a", "--for", "1'000ms"}, "write 1000ms: use no separator between thousands"},
       {{"watch", "a", "--for", "5sec"}, "--for: expected a time such as 500ms, 10s or 2min"},
-      {{"--timeout", "0,5s", "ls"}, "got '0,5s'; write 0.5s: the decimal sign is a point"},
+      {{"--timeout", "0,5s", "ls"}, "got '0,5s'; write 0.5s: use a point as the decimal sign"},
       {{"--timeout", "1.5", "ls"}, "got '1.5'; write whole milliseconds"},
       {{"--timeout", "+1.5", "ls"}, "got '+1.5'; write whole milliseconds"},
       {{"--timeout", "15e-1", "ls"}, "got '15e-1'; write whole milliseconds"},
@@ -109,7 +109,7 @@ TEST_F(UsageTest, HelpIsHadInEveryWay) {
   for (const Program::Words& words : {Program::Words{"--help"}, {"help"}, {"-h"}}) {
     const Outcome help = Typed(words);
     EXPECT_EQ(help.exit_code, program::kOk);
-    EXPECT_THAT(help.out, testing::StartsWith("gcm: see and steer a system of components"));
+    EXPECT_THAT(help.out, testing::StartsWith("gcm: show and control a system of components"));
     EXPECT_EQ(help.err, "");
   }
   EXPECT_EQ(Typed({"help", "watch"}).out, Typed({"watch", "--help"}).out);
@@ -182,7 +182,7 @@ TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
 
   ExpectOneSentence(Typed({"serve"}), program::kRefused,
                     address + " is in use by pid " + std::to_string(gcm->pid()) +
-                        " (gcm); use the GCM that is there, or give --gcm another port");
+                        " (gcm); use the running GCM, or give --gcm another port");
 }
 
 TEST_F(UsageTest, AFanOutOnAPortThatIsTakenIsToldWhoHasIt) {
@@ -195,7 +195,7 @@ TEST_F(UsageTest, AFanOutOnAPortThatIsTakenIsToldWhoHasIt) {
 TEST_F(UsageTest, OnePortForTwoPurposesIsRefused) {
   ExpectOneSentence(Typed({"serve", "--fan-out", "localhost:" + port}), program::kUsage,
                     "--fan-out and --gcm are both " + address +
-                        ", but a port is for one program; give --fan-out another one");
+                        ", but two programs cannot share a port; give --fan-out another one");
 }
 
 TEST_F(UsageTest, AHistoryThatCannotBeKeptIsSaidAtTheStart) {
@@ -205,7 +205,7 @@ TEST_F(UsageTest, AHistoryThatCannotBeKeptIsSaidAtTheStart) {
   EXPECT_TRUE(EventuallyTrue([&] {
     return served.err().find("history is off: cannot write /proc/") != std::string::npos;
   })) << served.err();
-  EXPECT_THAT(served.err(), HasSubstr("until this GCM ends; make the folder writable, or name "
+  EXPECT_THAT(served.err(), HasSubstr("but not after it; make the folder writable, or name "
                                       "another one with XDG_STATE_HOME"));
   EXPECT_TRUE(EventuallyTrue([&] { return served.out().starts_with("GCM at "); }));
 }

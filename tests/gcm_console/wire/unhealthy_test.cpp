@@ -33,11 +33,11 @@ TEST_F(UnhealthyTest, ItIsSaidWhatIsWrongUntilItIsNot) {
   Outcome ill;
   ASSERT_TRUE(EventuallyTrue([&] {
     ill = Gcm({"explain", kDesk});
-    return ill.out.find("calls found no room") != std::string::npos;
+    return ill.out.find("calls found the mailbox full") != std::string::npos;
   })) << ill.out
       << ill.err;
   EXPECT_EQ(ill.exit_code, program::kRefused);
-  EXPECT_THAT(ill.out, HasSubstr("  6 BAD it is made, but "));
+  EXPECT_THAT(ill.out, HasSubstr("  6 BAD the connection is made, but "));
   EXPECT_THAT(ill.out, HasSubstr("fix: see which of the two does not keep up: gcm top\n"));
   const json document = json::parse(Gcm({"explain", kDesk, "--json"}).out);
   EXPECT_EQ(document["connected"], true);
@@ -50,7 +50,7 @@ TEST_F(UnhealthyTest, ItIsSaidWhatIsWrongUntilItIsNot) {
     at_rest = Gcm({"explain", kDesk});
     return at_rest.out.find("  6 ok  it is made") != std::string::npos;
   })) << at_rest.out;
-  EXPECT_THAT(at_rest.out, HasSubstr("  2 BAD petitioner is suspended: it asks for nothing\n"
+  EXPECT_THAT(at_rest.out, HasSubstr("  2 BAD petitioner is suspended: it makes no calls\n"
                                      "         fix: gcm start street/petitioner\n"));
   EXPECT_THAT(at_rest.out, HasSubstr("  7 ok  "));
   EXPECT_EQ(at_rest.exit_code, program::kRefused);

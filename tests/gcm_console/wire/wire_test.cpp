@@ -56,7 +56,7 @@ TEST_F(WireVerbsTest, AMatchConnectsWhatIsFreeWithWhatFits) {
   const Outcome again = Gcm({"connect", "--match", "desk/**", "robot/**"});
   EXPECT_EQ(again.exit_code, program::kOk);
   EXPECT_EQ(again.out, "");
-  EXPECT_EQ(again.err, "gcm: all that 'desk/**' names are connected\n");
+  EXPECT_EQ(again.err, "gcm: all interfaces that 'desk/**' matches are connected\n");
 }
 
 TEST_F(WireVerbsTest, WhatCannotBeMatchedIsSaidAndTheRestIsDone) {
@@ -76,7 +76,7 @@ TEST_F(WireVerbsTest, WhatCannotBeMatchedIsSaidAndTheRestIsDone) {
   EXPECT_EQ(result["path"], kTeleoperation);
   EXPECT_EQ(result["done"], false);
   EXPECT_EQ(result["reason"],
-            "nothing that 'desk/old_arm/*' names fits it; look with: gcm candidates "
+            "no interface that 'desk/old_arm/*' matches fits it; look with: gcm candidates "
             "desk/teleoperation/Robot");
 
   EXPECT_EQ(Gcm({"connect", "--match", "dusk/**", "robot/**"}).exit_code, program::kNotFound);

@@ -41,7 +41,7 @@ TEST_F(FormDefaultsTest, BeginsWhereTheArmIs) {
 
   calls_.value(std::string(R"({"position":[0.1,-1.5],"velocity":[3,4]})"));
 
-  EXPECT_EQ(Status(), "position as GetJoints says now");
+  EXPECT_EQ(Status(), "position as GetJoints reports now");
   QTest::mouseClick(panel_.findChild<QPushButton*>("call.call"), Qt::LeftButton);
   ASSERT_EQ(calls_.calls.size(), 1);
   EXPECT_THAT(calls_.calls[0].toStdString(), testing::HasSubstr(R"("position":[0.1,-1.5])"));
@@ -52,7 +52,7 @@ TEST_F(FormDefaultsTest, SaysThatItsValuesAreNotThePresentOnes) {
 
   calls_.value(Error{ErrorCode::kTimeout, "no answer"});
 
-  EXPECT_EQ(Status(), "Not the present values: GetJoints does not say them");
+  EXPECT_EQ(Status(), "Not the current values: GetJoints does not report them");
 }
 
 }  // namespace

@@ -57,13 +57,13 @@ TEST_F(NumberBoxTest, TakesWhatIsTypedInEveryLocaleAlike) {
 TEST_F(NumberBoxTest, KeepsWhatIsNoNumberAndSaysWhatToWrite) {
   Type(rate_, "0,5");
   EXPECT_TRUE(rate_.text().startsWith("0,5"));
-  EXPECT_EQ(rate_.refusal(), "write 0.5: the decimal sign is a point");
+  EXPECT_EQ(rate_.refusal(), "write 0.5: use a point as the decimal sign");
   Type(rate_, "500");
   EXPECT_EQ(rate_.refusal(), "write a number from 0.1 to 50");
   Type(times_, "1.5");
   EXPECT_EQ(times_.refusal(), "write a whole number");
   Type(times_, "1.000,5");
-  EXPECT_EQ(times_.refusal(), "write 1000.5: the decimal sign is a point");
+  EXPECT_EQ(times_.refusal(), "write 1000.5: use a point as the decimal sign");
   Type(times_, "12");
   EXPECT_EQ(times_.value(), 12);
 }

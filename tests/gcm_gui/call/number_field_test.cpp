@@ -69,11 +69,11 @@ TEST_F(NumberFieldTest, APastedDecimalCommaIsRefusedThereAndLeavesTheNextFieldAl
     EXPECT_EQ(Joint(0).text(), comma);
     EXPECT_EQ(Joint(1).text(), "0");
     EXPECT_FALSE(IsCallable());
-    EXPECT_EQ(Refusals("position"),
-              "[0]: write " + QString(comma).replace(',', '.') + ": the decimal sign is a point");
+    EXPECT_EQ(Refusals("position"), "[0]: write " + QString(comma).replace(',', '.') +
+                                        ": use a point as the decimal sign");
   }
   Paste(Joint(0), "1.234,5");
-  EXPECT_EQ(Refusals("position"), "[0]: write 1234.5: the decimal sign is a point");
+  EXPECT_EQ(Refusals("position"), "[0]: write 1234.5: use a point as the decimal sign");
 }
 
 TEST_F(NumberFieldTest, ATypedDecimalCommaStaysWhereItIsWhateverIsTakenBack) {
@@ -92,11 +92,11 @@ TEST_F(NumberFieldTest, AllFieldsThatAreWrongSaySo) {
   Type(Field("count"), "1.5");
 
   EXPECT_EQ(Refusals("position"),
-            "[0]: write 0.5: the decimal sign is a point\n[2]: write the number alone, in rad");
+            "[0]: write 0.5: use a point as the decimal sign\n[2]: write the number alone, in rad");
   EXPECT_EQ(Refusals("speed"), "write a number from 0.5 to 2.5 rad/s");
   EXPECT_EQ(Refusals("count"), "write a whole number");
   EXPECT_EQ(form_.wrongFields(), (QStringList{"position", "speed", "count"}));
-  EXPECT_EQ(Joint(0).accessibleDescription(), "write 0.5: the decimal sign is a point");
+  EXPECT_EQ(Joint(0).accessibleDescription(), "write 0.5: use a point as the decimal sign");
   Type(Joint(0), "0.5");
   EXPECT_EQ(Refusals("position"), "[2]: write the number alone, in rad");
 }
@@ -115,11 +115,11 @@ TEST_F(NumberFieldTest, AListThatDoesNotFitIsRefusedAsAWhole) {
     QString refusal;
   };
   for (const auto& [text, refusal] :
-       QList<Case>{{"1 2 3 4", "there are 4 numbers, and 2 fields from here on"},
-                   {"0,5 1,5", "“0,5”: write 0.5: the decimal sign is a point"},
+       QList<Case>{{"1 2 3 4", "expected at most 2 numbers from this field on, found 4"},
+                   {"0,5 1,5", "“0,5”: write 0.5: use a point as the decimal sign"},
                    {"1 x", "“x”: write a number in digits"},
                    {"1\t\t2", "there is an empty place in the list"},
-                   {"0.1,0.2,0.3", "put a blank behind each comma between numbers"}}) {
+                   {"0.1,0.2,0.3", "put a blank after each comma between numbers"}}) {
     Paste(Joint(1), text);
     EXPECT_EQ(form_.json(), before);
     EXPECT_EQ(Refusals("position"), "[1]: Nothing was pasted: " + refusal);
@@ -130,7 +130,7 @@ TEST_F(NumberFieldTest, AListThatDoesNotFitIsRefusedAsAWhole) {
 
   Paste(Field("speed"), "1 2");
   EXPECT_EQ(Field("speed").text(), "0.5");
-  EXPECT_EQ(Refusals("speed"), "Nothing was pasted: one number belongs here, and there are 2");
+  EXPECT_EQ(Refusals("speed"), "Nothing was pasted: expected one number, found 2");
 }
 
 TEST_F(NumberFieldTest, ThePointerPastesAndDropsInTheSameWay) {

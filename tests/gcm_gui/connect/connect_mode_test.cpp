@@ -110,7 +110,7 @@ TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
   ASSERT_NE(arm, nullptr);
   EXPECT_TRUE(arm->present);
   EXPECT_FALSE(arm->fits());
-  EXPECT_EQ(arm->reasons(), QStringList{"is what it is connected to now"});
+  EXPECT_EQ(arm->reasons(), QStringList{"is the current connection"});
 }
 
 TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {

@@ -75,7 +75,7 @@ TEST_F(FenceTest, WhatIsNoExceptionOfTheLibraryIsContainedToo) {
   QTest::mouseClick(left_, Qt::LeftButton);
 
   ASSERT_EQ(FaultsOf("Left").size(), 1);
-  EXPECT_EQ(FaultsOf("Left")[0].what, "an exception without words");
+  EXPECT_EQ(FaultsOf("Left")[0].what, "an exception without a message");
 }
 
 TEST_F(FenceTest, ATimerAQueuedCallAndAWantOfMemoryAreContained) {
@@ -89,7 +89,7 @@ TEST_F(FenceTest, ATimerAQueuedCallAndAWantOfMemoryAreContained) {
   EXPECT_TRUE(WaitForFault("Timer"));
   EXPECT_TRUE(WaitForFault("Left"));
 
-  EXPECT_EQ(FaultsOf("Left")[0].what, "there is no memory for it");
+  EXPECT_EQ(FaultsOf("Left")[0].what, "there is not enough memory for it");
 }
 
 TEST_F(FenceTest, FaultsThatRepeatThemselvesAreOneThatIsCounted) {

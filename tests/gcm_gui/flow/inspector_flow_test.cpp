@@ -125,7 +125,7 @@ TEST_F(InspectorFlow, TheFirstMoveBeginsWhereTheArmIs) {
   MoveArm();
   Select("robot/arm/Control.MoveTo");
   auto& status = Find<QLabel>("call.status");
-  ASSERT_TRUE(Eventually([&] { return status.text() == "position as GetJoints says now"; }))
+  ASSERT_TRUE(Eventually([&] { return status.text() == "position as GetJoints reports now"; }))
       << qPrintable(status.text());
 
   Click(Find<QToolButton>("call.asJson"));

@@ -74,7 +74,7 @@ TEST_F(StripFlow, TheConsoleAnswersInWordsWhereATerminalIsWanted) {
   ASSERT_TRUE(Line().hasFocus());
 
   Type("shell");
-  EXPECT_TRUE(Says("this is a shell already"));
+  EXPECT_TRUE(Says("this is already a shell"));
   ASSERT_TRUE(IsDone());
   Type("serve");
   EXPECT_TRUE(Says("start it in a terminal"));

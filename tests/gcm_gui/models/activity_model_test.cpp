@@ -152,9 +152,9 @@ TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
   EXPECT_EQ(texts(), QStringList("desk/teleoperation waits for Robot: not connected"));
   EXPECT_EQ(model.row(model.rowCount() - 1).mark, StateMark::kWarning);
 
-  system.Connect(kRobot, kControl, ConnectionState::kPending, "process 'robot' is not there");
+  system.Connect(kRobot, kControl, ConnectionState::kPending, "process 'robot' is not available");
   EXPECT_EQ(texts(), QStringList("desk/teleoperation waits for Robot: pending: process 'robot' is "
-                                 "not there"));
+                                 "not available"));
 
   system.Connect(kRobot, kControl);
   EXPECT_TRUE(texts().isEmpty());
@@ -183,11 +183,11 @@ TEST(ProblemsModel, AProcessRunsAnOlderPlugInThanItsFile) {
   EXPECT_TRUE(texts(PluginState::kCurrent).isEmpty());
   EXPECT_TRUE(texts(PluginState::kChanged).value(0).startsWith("robot runs arm.so of "));
   EXPECT_TRUE(texts(PluginState::kChanged).value(0).contains("; the file was written again at "));
-  EXPECT_TRUE(texts(PluginState::kGone).value(0).contains("; the file is gone"));
+  EXPECT_TRUE(texts(PluginState::kGone).value(0).contains("; the file is missing"));
 }
 
 TEST(ProblemsModel, ListsAProcessThatIsNotReachedByAll) {
-  const std::string reason = "is reached at 127.0.0.1:43211 from its own host alone";
+  const std::string reason = "is reached at 127.0.0.1:43211 from its own host only";
   ProblemsModel model;
   SystemBuilder system;
   system.Process("robot", ProcessState::kAlive, 0, 1, reason);

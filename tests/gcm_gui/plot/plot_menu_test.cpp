@@ -58,7 +58,7 @@ TEST_F(PlotMenuTest, ValuesAreFittedAsChosen) {
   view().refresh();
   EXPECT_EQ(range(), before);
 
-  Choose("Fit what is seen");
+  Choose("Fit the visible part");
   EXPECT_LT(range().span(), before.span());
 }
 

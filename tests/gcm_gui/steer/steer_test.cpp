@@ -211,8 +211,8 @@ TEST_F(SteerTest, TheCardSaysWhatAResumeDoesAndHowLongTheComponentHasRested) {
   EXPECT_EQ(window_.findChild<QLabel*>("steer.names")->text(), "robot/arm · suspended for 0 s");
   const QString advice = window_.findChild<QLabel*>("steer.advice")->text();
   EXPECT_TRUE(
-      advice.startsWith("It is told that it was suspended. It begins from "
-                        "the world as it is now where its author has seen to that;"))
+      advice.startsWith("It is told that it was suspended. It starts from "
+                        "the current situation if its author has implemented that;"))
       << advice.toStdString();
   EXPECT_TRUE(advice.contains("It can set something in motion")) << advice.toStdString();
   EXPECT_TRUE(Button("steer.start").toolTip().startsWith("It is told that it was suspended"));
@@ -225,7 +225,9 @@ TEST_F(SteerTest, TheCardSaysThatARestartBeginsAnew) {
   QTest::keyClick(&window_, Qt::Key_F9);
 
   EXPECT_EQ(window_.findChild<QLabel*>("steer.names")->text(), "robot/arm");
-  EXPECT_TRUE(window_.findChild<QLabel*>("steer.advice")->text().startsWith("It begins anew"));
+  EXPECT_TRUE(window_.findChild<QLabel*>("steer.advice")
+                  ->text()
+                  .startsWith("It starts again from the beginning"));
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST_F(RestoreTest, AClassThatNobodyHasIsSeenBeforeAnythingIsDone) {
   ASSERT_EQ(restore_.plan().obstacles.size(), 1U);
   const std::string& obstacle = restore_.plan().obstacles[0];
   EXPECT_TRUE(
-      obstacle.starts_with("robot/leg cannot be made as the file says: process 'robot' has "
+      obstacle.starts_with("robot/leg cannot be created as the file says: process 'robot' has "
                            "no class 'Leg' that is loaded"))
       << obstacle;
   EXPECT_TRUE(restore_.plan().steps.empty());
@@ -128,7 +128,8 @@ TEST_F(SavingTest, ANewFileSaysWhomTheGcmHasStarted) {
 TEST_F(SavingTest, AGcmThatIsTooOldToSayItIsNamed) {
   reports_.children = Error{ErrorCode::kDenied, "unknown message"};
 
-  EXPECT_EQ(Save(), "Saved to new.gcm.json; this GCM is too old to say whom it has started");
+  EXPECT_EQ(Save(),
+            "Saved to new.gcm.json; this GCM is too old to report which processes it has started");
   EXPECT_TRUE(ReadSystemFile(Path().toStdString()).ok());
 }
 

@@ -147,7 +147,7 @@ TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndSavedWithWhatRuns) {
   EXPECT_NE(ReadSystemFile(made)->FindComponent("robot", "MTML"), nullptr);
 
   QSignalSpy told(&Document(), &SystemDocument::told);
-  window_->findChild<QAction*>("Save what runs")->trigger();
+  window_->findChild<QAction*>("Save the running system")->trigger();
   ASSERT_TRUE(Eventually([&] { return told.count() == 1; }));
   const auto saved = ReadSystemFile(made);
   EXPECT_NE(saved->FindComponent("robot", "MTML"), nullptr) << "it does not run yet";
@@ -167,7 +167,7 @@ TEST_F(SystemFlowTest, AnImportTouchesNoFileThatIsThere) {
   Document().importFrom(folder_.filePath("lab.json"), "robot");
 
   ASSERT_TRUE(Eventually([&] { return told.count() == 1; }));
-  EXPECT_TRUE(told[0][0].toString().startsWith("lab.gcm.json is there already"))
+  EXPECT_TRUE(told[0][0].toString().startsWith("lab.gcm.json already exists"))
       << told[0][0].toString().toStdString();
   EXPECT_FALSE(Document().isOpen());
   QFile kept(folder_.filePath("lab.gcm.json"));

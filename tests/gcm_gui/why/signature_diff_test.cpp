@@ -32,7 +32,8 @@ TEST_F(SignatureDiffTest, EachNeededMemberStandsBesideWhatIsOffered) {
   for (const auto& row : rows) verdicts.push_back(row.verdict);
   EXPECT_EQ(verdicts, (std::vector{Verdict::kChanged, Verdict::kMissing, Verdict::kSame,
                                    Verdict::kSame, Verdict::kUnneeded, Verdict::kUnneeded}));
-  EXPECT_EQ(rows[0].remark, "needs write command 'MoveTo' of arm.Goal, offered is a read one");
+  EXPECT_EQ(rows[0].remark,
+            "needs write command 'MoveTo' of arm.Goal, but the provider offers a read one");
   EXPECT_EQ(rows[1].remark, "missing; did you mean 'GetJoint'?");
   EXPECT_EQ(rows[4].offered->name, "GetJoint");
   EXPECT_TRUE(rows[5].is_event);
@@ -71,7 +72,7 @@ TEST_F(SignatureDiffTest, TheModelSaysItInThreeColumns) {
             "missing; did you mean 'GetJoint'?");
   EXPECT_EQ(model.index(0, 0).data(Qt::AccessibleTextRole).toString(),
             "MoveTo write Goal offered MoveTo read Goal other kind needs write command 'MoveTo' of "
-            "arm.Goal, offered is a read one");
+            "arm.Goal, but the provider offers a read one");
 }
 
 }  // namespace

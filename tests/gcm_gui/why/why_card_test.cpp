@@ -36,7 +36,7 @@ TEST_F(WhyCardTest, ItOpensAtOnceAndSaysWhatItFindsWhenItIsFound) {
 
   Answer();
 
-  EXPECT_EQ(Verdict(), "nothing keeps it from being connected");
+  EXPECT_EQ(Verdict(), "nothing prevents the connection");
 }
 
 TEST_F(WhyCardTest, RetryAsksForTheConnectionAndTheCardFollowsTheSystem) {

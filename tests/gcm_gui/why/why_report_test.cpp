@@ -20,7 +20,7 @@ class WhyReportTest : public ::testing::Test {
 };
 
 TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
-  EXPECT_EQ(Report(kReported, kController).verdict(), "nothing keeps it from being connected");
+  EXPECT_EQ(Report(kReported, kController).verdict(), "nothing prevents the connection");
   EXPECT_EQ(Report(kReported, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
   EXPECT_EQ(Report(kReported, {"vision", "camera", "Video"}).verdict(), "fails at step 1 of 7");
 }
@@ -28,13 +28,15 @@ TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
 TEST_F(WhyReportTest, TheTextIsThatOfTheConsole) {
   const QString text = Report(kReported, {"robot", "arm", "Drives"}).text();
 
-  EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are there\n")) << text.toStdString();
+  EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are available\n"))
+      << text.toStdString();
   EXPECT_TRUE(text.contains("  5 -   the processes reach each other\n")) << text.toStdString();
   EXPECT_TRUE(text.contains("gcm explain desk/teleoperation/Robot robot/arm/Drives\n"));
 }
 
 TEST_F(WhyReportTest, OfAFixItsCommandIsCopied) {
-  EXPECT_EQ(CommandOfFix("see what does fit: gcm candidates a/b/C"), "gcm candidates a/b/C");
+  EXPECT_EQ(CommandOfFix("list the interfaces that fit: gcm candidates a/b/C"),
+            "gcm candidates a/b/C");
   EXPECT_EQ(CommandOfFix("start it again"), "start it again");
 }
 

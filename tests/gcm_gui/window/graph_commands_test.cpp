@@ -204,7 +204,7 @@ TEST_F(GraphCommandsTest, ThePictureCanBeCopied) {
 
 TEST_F(GraphCommandsTest, WhatCannotBeSavedIsSaid) {
   exporter().save(InFolder("system.bmp"));
-  EXPECT_TRUE(Said().contains("end its name in .svg, .png or .dot")) << Said().toStdString();
+  EXPECT_TRUE(Said().contains("end its name with .svg, .png or .dot")) << Said().toStdString();
 
   const QString nowhere = InFolder("none/system.svg");
   exporter().save(nowhere);

@@ -58,7 +58,7 @@ TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
   QTest::keyClick(&window_, Qt::Key_F5);
 
   EXPECT_EQ(asked.count(), 1);
-  EXPECT_EQ(Notice(), "The GCM is asked for everything anew");
+  EXPECT_EQ(Notice(), "Everything is loaded from the GCM again");
 }
 
 TEST_F(MainWindowTest, TheBarCountsWhatIsThereAndNotWhatIsGone) {
@@ -77,8 +77,7 @@ TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
   link_.setUnreachable("127.0.0.1:10705 refused");
 
   EXPECT_TRUE(banner->isVisible());
-  EXPECT_TRUE(banner->text().startsWith("What is grey is as it was "))
-      << banner->text().toStdString();
+  EXPECT_TRUE(banner->text().startsWith("Grey values are ")) << banner->text().toStdString();
   EXPECT_TRUE(arm.data(kStaleRole).toBool());
   EXPECT_TRUE(window_.graph().graph().component("robot/arm")->isStale());
 
@@ -294,7 +293,7 @@ TEST_F(MainWindowTest, PlottingWhatIsNoNumberSaysSo) {
   QTest::keyClick(&window_, Qt::Key_P);
 
   EXPECT_TRUE(window_.plots().paths().isEmpty());
-  EXPECT_TRUE(Notice().contains("is no number"));
+  EXPECT_TRUE(Notice().contains("is not a number"));
 }
 
 TEST_F(MainWindowTest, OnlyColumnsThatCanBeSeenAreWatched) {

@@ -199,7 +199,7 @@ TEST_F(TourTest, ItIsSpoken) {
   tour().start();
   const auto* card = window_.findChild<QFrame*>("tour.card");
 
-  EXPECT_EQ(card->accessibleName(), "Tour, 1 of 6: All that runs");
+  EXPECT_EQ(card->accessibleName(), "Tour, 1 of 6: The running system");
   EXPECT_EQ(card->accessibleDescription(), text("tour.text"));
 }
 

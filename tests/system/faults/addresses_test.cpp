@@ -108,7 +108,7 @@ TEST_P(Addresses, OneThatOnlyItsHostReachesSaysSoAndEverybodyKnows) {
       << robot_->err();
   EXPECT_THAT(Robot().value("reason", ""), HasSubstr(remedy));
   EXPECT_THAT(Ask({"status"}).out, HasSubstr(remedy));
-  EXPECT_THAT(Ask({"doctor"}).out, AllOf(ContainsRegex("BAD +process robot .*its own host alone"),
+  EXPECT_THAT(Ask({"doctor"}).out, AllOf(ContainsRegex("BAD +process robot .*its own host only"),
                                          HasSubstr("fix: " + remedy)));
   ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "it is pending"));
   EXPECT_THAT(
@@ -162,7 +162,7 @@ TEST_P(Addresses, AGcmToWhichThereIsNoRouteIsNotToBeStarted) {
 }
 
 TEST_P(Addresses, WhoOpensLinksAloneIsNotWarnedOfAnOpenDoor) {
-  EXPECT_THAT(gcm_->err(), HasSubstr("--insecure: whoever reaches"));
+  EXPECT_THAT(gcm_->err(), HasSubstr("--insecure: everybody who can reach"));
 
   const Outcome listing = Ask({"ls"});
 

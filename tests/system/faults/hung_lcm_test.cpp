@@ -111,7 +111,7 @@ TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
   if (MachineStoodStill()) return;  // it may have been lost before it was asked
   EXPECT_EQ(stopped.error().code, tendon::ErrorCode::kFailed) << stopped.error().message;
   ASSERT_TRUE(Eventually([&] {
-    return robot_->err().find("ordered from afar: stop 'ledger': nothing was done") !=
+    return robot_->err().find("ordered remotely: stop 'ledger': nothing was done") !=
            std::string::npos;
   })) << robot_->err();
   EXPECT_TRUE(Flows());
@@ -148,7 +148,7 @@ TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsLeaveTheDeskAnswering) {
   }
 
   Tell("the desk answered within " + std::to_string(longest) + " ms");
-  EXPECT_THAT(desk_->err(), HasSubstr("robot was cut off: it has not answered for 1500 ms"));
+  EXPECT_THAT(desk_->err(), HasSubstr("robot was disconnected: it has not answered for 1500 ms"));
   robot_->Signal(SIGCONT);
   gcm_->Signal(SIGCONT);
   ASSERT_TRUE(Eventually([&] { return !says(""); })) << desk_->err();
@@ -169,7 +169,7 @@ TEST_P(HungLcm, OneWhoseNameWasTakenIsToldByWhomAndExecutesNothingAnyMore) {
 
   robot_->Signal(SIGCONT);  // a zombie
   ASSERT_TRUE(Eventually([&] {
-    return robot_->err().find("runs on unregistered") != std::string::npos;
+    return robot_->err().find("keeps running, but is not registered") != std::string::npos;
   })) << robot_->err();
   EXPECT_THAT(robot_->err(), HasSubstr("pid " + std::to_string(heir->pid())));
   ASSERT_TRUE(Flows()) << "the heir is not disturbed";

@@ -84,7 +84,7 @@ TEST_P(Names, OfManyGcmsAtOneAddressAtTheSameInstantExactlyOneServes) {
     if (gcm == *winner) continue;
     EXPECT_EQ(gcm->Wait(), 1);
     EXPECT_THAT(gcm->err(), HasSubstr(gcm_address_ + " is in use by"));
-    EXPECT_THAT(gcm->err(), HasSubstr("use the GCM that is there"));
+    EXPECT_THAT(gcm->err(), HasSubstr("use the running GCM"));
   }
   gcm_ = std::move(*winner);
   EXPECT_EQ(Gcm({"ls"}).exit_code, 0);

@@ -285,7 +285,7 @@ TEST_P(Strangers, OutOfThreadsTheOldAreKeptAndAnOrderIsRefused) {
     const Outcome order = Gcm({"classes", "robot"});
 
     EXPECT_EQ(order.exit_code, 1);
-    EXPECT_THAT(order.err, HasSubstr("process 'robot' gets no more threads (ulimit -u)"));
+    EXPECT_THAT(order.err, HasSubstr("process 'robot' cannot create more threads (ulimit -u)"));
     EXPECT_EQ(Gcm({"ls"}).exit_code, 0) << "who needs no thread is served";
     ASSERT_TRUE(Flows());
   }

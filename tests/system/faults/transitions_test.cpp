@@ -234,7 +234,7 @@ TEST_P(Transitions, AServerThatIsResumedDoesNotGoOnToItsOldGoal) {
 
   EXPECT_EQ(arm_->joints().position, held);
   EXPECT_EQ(later.speed, 0.0);
-  EXPECT_THAT(robot_->err(), HasSubstr("holds where it is"));
+  EXPECT_THAT(robot_->err(), HasSubstr("holds its position"));
 }
 
 /// T3, with who leads it: it is led anew.

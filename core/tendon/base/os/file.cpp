@@ -129,7 +129,8 @@ Result<void> ReplaceDurably(const fs::path& file, std::string_view text) {
   struct stat before = {};
   const bool is_there = stat(target->c_str(), &before) == 0;
   if (is_there && !S_ISREG(before.st_mode)) {
-    return Error{ErrorCode::kFailed, "cannot write " + file.string() + ": it is no regular file"};
+    return Error{ErrorCode::kFailed,
+                 "cannot write " + file.string() + ": it is not a regular file"};
   }
   if (is_there && faccessat(AT_FDCWD, target->c_str(), W_OK, AT_EACCESS) != 0) {
     return Failure(file);
@@ -162,8 +163,8 @@ Result<std::string> ReadUnchanged(const fs::path& file,
     if (StampOf(file) == before) return text;
   }
   return Error{ErrorCode::kFailed, file.string() +
-                                       ": is changed while it is read; try again when "
-                                       "it is written"};
+                                       ": changes while it is read; try again when it "
+                                       "is completely written"};
 }
 
 }  // namespace tendon::os

@@ -68,7 +68,7 @@ Result<std::array<std::uint64_t, 2>> ReadBytes(
     const std::function<Result<void>(std::span<const std::byte>)>& take) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(),
                                                                       &XXH3_freeState);
-  if (hash == nullptr) return Error{ErrorCode::kFailed, "there is no memory to read it"};
+  if (hash == nullptr) return Error{ErrorCode::kFailed, "there is not enough memory to read it"};
   XXH3_128bits_reset(hash.get());
   std::vector<std::byte> part(kBytesAtOnce);
   while (size > 0) {
@@ -100,14 +100,15 @@ Result<FileContent> ReadContent(const fs::path& file,
     const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (opened.get() < 0) return CannotRead();
     const auto before = FileStampOf(opened.get());
-    if (!before) return Error{ErrorCode::kFailed, "is no regular file"};
+    if (!before) return Error{ErrorCode::kFailed, "is not a regular file"};
     const auto hash = ReadBytes(opened.get(), before->size, take);
     if (!hash) return hash.error();
     if (FileStampOf(opened.get()) != before || FileStampOf(file) != before) continue;
     std::error_code ignored;
     return FileContent{.file = fs::absolute(file, ignored), .stamp = *before, .hash = *hash};
   }
-  return Error{ErrorCode::kFailed, "is changed while it is read; try again when it is written"};
+  return Error{ErrorCode::kFailed,
+               "changes while it is read; try again when it is completely written"};
 }
 
 FileWatch::State FileWatch::Look() {

@@ -31,8 +31,8 @@ void WarnOfNoBarrier() noexcept {
   if (is_said.exchange(true, std::memory_order_relaxed)) return;
   try {
     Log(LogLevel::kWarning, "tendon",
-        "the kernel refuses membarrier: a disconnect cannot be sure that no call still uses what "
-        "it frees; allow this system call, or stop components before you disconnect them");
+        "the kernel refuses membarrier, so a disconnect may free memory that a call still uses; "
+        "allow this system call, or stop components before you disconnect them");
   } catch (...) {  // NOLINT(bugprone-empty-catch)
   }
 }

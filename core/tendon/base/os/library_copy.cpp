@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 Error CannotCopy() {
   const std::error_code reason(errno, std::generic_category());
-  return {ErrorCode::kFailed, "cannot be copied to be loaded: " + reason.message()};
+  return {ErrorCode::kFailed, "cannot be copied for loading: " + reason.message()};
 }
 
 /// True if only this user can create files in this folder, so that we can trust and execute them.

@@ -29,8 +29,8 @@ std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
   if (fstat(descriptor.get(), &status) != 0) return Denied(file, errno);
   if (status.st_uid != geteuid() || (status.st_mode & 077U) != 0 || !S_ISREG(status.st_mode)) {
     return Error{ErrorCode::kDenied, file.string() +
-                                         " must be a file of yours that nobody else can read "
-                                         "(mode 0600): remove it, then start again"};
+                                         " must belong to you, and only you may read it (mode "
+                                         "0600): remove it, then start again"};
   }
   std::array<char, 256> content{};
   const auto size = read(descriptor.get(), content.data(), content.size());

@@ -189,12 +189,12 @@ Error Explained(const std::string& words) {
   if (const auto at = words.find(kSymbol); at != words.npos) {
     std::string symbol = words.substr(at + kSymbol.size());
     symbol.resize(std::min(symbol.size(), symbol.find_first_of(" ,")));
-    return {ErrorCode::kFailed, "expected all it uses in the libraries it needs, found no " +
-                                    Readable(symbol) +
-                                    "; build it against this version and link what it uses"};
+    return {ErrorCode::kFailed,
+            "expected every symbol in the libraries that it needs, found no " + Readable(symbol) +
+                "; build it against this version and link the library that has the symbol"};
   }
   if (const auto at = words.find(kMissing); at != words.npos) {
-    return {ErrorCode::kFailed, "expected the libraries it needs, found no " +
+    return {ErrorCode::kFailed, "expected the libraries that it needs, found no " +
                                     Printable(words.substr(0, at), 256) +
                                     "; install it, or add its folder to LD_LIBRARY_PATH"};
   }

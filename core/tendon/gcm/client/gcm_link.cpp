@@ -47,8 +47,8 @@ Error StoodStill(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
   return {ErrorCode::kUnreachable, "this program was stopped for " + std::to_string(tenths / 10) +
                                        "." + std::to_string(tenths % 10) +
-                                       " s, so the other processes closed its links; it "
-                                       "reconnects, and has missed what happened meanwhile"};
+                                       " s, so the other processes closed its connections; "
+                                       "it reconnects, but has missed all events meanwhile"};
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ class Once {
   Once(const Once&) = delete;
   Once& operator=(const Once&) = delete;
   ~Once() {
-    if (handler_) Call(Error{ErrorCode::kUnreachable, "the request was given up: we are closing"});
+    if (handler_)
+      Call(Error{ErrorCode::kUnreachable, "the request was cancelled: this program is ending"});
     outstanding_->Remove();
   }
 

@@ -104,7 +104,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};
   if ((*channel)->peer().instance == there->instance) return channel;
   (*channel)->Close();
-  return Error{ErrorCode::kUnreachable, who + ": another program is there"};
+  return Error{ErrorCode::kUnreachable, who + ": another program listens there"};
 }
 
 void ProcessLinks::Closed(const Channel* channel) {

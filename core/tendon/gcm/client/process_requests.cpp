@@ -21,8 +21,8 @@ Error Refusal(const std::string& command, Status status) {
     case Status::kQueueFull:
       return {ErrorCode::kFailed,
               words +
-                  "; its component has not caught up: try again, and where it never does, see "
-                  "that its Run() calls ProcessQueuedCommands()"};
+                  "; its component is too slow for its calls: try again, and if that never "
+                  "helps, check that its Run() calls ProcessQueuedCommands()"};
     case Status::kTimeout:
     case Status::kOutcomeUnknown:
       return {ErrorCode::kTimeout, words};

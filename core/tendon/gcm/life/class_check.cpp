@@ -61,8 +61,9 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
       feasible.components.push_back(component);
       continue;
     }
-    obstacles.push_back(process.name + "/" + component.name + " cannot be made as the file says: " +
-                        checked.error().message + (now == nullptr ? "" : "; it stays as it is"));
+    obstacles.push_back(process.name + "/" + component.name +
+                        " cannot be created as the file says: " + checked.error().message +
+                        (now == nullptr ? "" : "; it stays as it is"));
     if (now != nullptr) feasible.components.push_back(*now);
   }
   return feasible;

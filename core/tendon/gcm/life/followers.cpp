@@ -68,7 +68,7 @@ Result<void> CheckFollowers(const Catalogue& catalogue, const LifeStep& stop) {
   for (const Follower& one : Read(stop)) {
     const std::string path = stop.process + "/" + one.component;
     const auto* now = catalogue.FindComponent(stop.process, one.component);
-    if (now == nullptr) return Error{ErrorCode::kFailed, path + " is no longer there"};
+    if (now == nullptr) return Error{ErrorCode::kFailed, path + " no longer exists"};
     if (now->leader != one.leader) {
       return Error{ErrorCode::kFailed, path + " no longer runs after '" + one.leader + "'"};
     }

@@ -34,9 +34,9 @@ bool IsSilence(const Error& error) {
 }
 
 Error Void(const LifeOrder& order) {
-  return {ErrorCode::kFailed, "process '" + order.process + "' has not begun in time to " +
+  return {ErrorCode::kFailed, "process '" + order.process + "' did not begin in time to " +
                                   std::string(ToString(order.verb)) + " " + ObjectOf(order) +
-                                  ": nothing was done, and will not be"};
+                                  ": nothing was done, and the order is cancelled"};
 }
 
 Error Unknown(const LifeOrder& order, const Error& why) {
@@ -144,7 +144,7 @@ void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
 Result<void> LifeOrders::Begin(std::uint64_t order, const std::string& by) {
   const auto found = given_.find(order);
   if (found == given_.end() || found->second.path.first != by || found->second.is_void) {
-    return Error{ErrorCode::kFailed, "the order is void: nobody waits for it any more"};
+    return Error{ErrorCode::kFailed, "the order is cancelled: no client waits for it any more"};
   }
   found->second.is_begun = true;
   return {};
@@ -197,8 +197,8 @@ void LifeOrders::Give(MessageType type, const std::string& process, const Body& 
                       milliseconds longest, Done<T> done) {
   const auto channel = parts_.registry.ChannelOf(process);
   if (!channel) {
-    return Answer(std::move(done),
-                  Result<T>(Error{ErrorCode::kFailed, "process '" + process + "' is not there"}));
+    return Answer(std::move(done), Result<T>(Error{ErrorCode::kFailed,
+                                                   "process '" + process + "' is not available"}));
   }
   parts_.outbox.Add(
       [&worker = parts_.worker, channel, type, body, longest, done = std::move(done)] {

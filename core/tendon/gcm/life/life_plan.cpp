@@ -61,8 +61,8 @@ Result<void> CheckTarget(const Catalogue& catalogue, const LifeOrder& order) {
   if (auto present = RequirePresent(process); !present) return present;
   if (order.instance != 0 && order.instance != process.instance) {
     return Error{ErrorCode::kFailed, "process '" + process.name +
-                                         "' was started anew meanwhile: nothing was done; look at "
-                                         "it and ask again"};
+                                         "' was restarted meanwhile: nothing was done; check it "
+                                         "and try again"};
   }
   if (order.verb == LifeVerb::kLoad || order.verb == LifeVerb::kCreate) return {};
   const auto component = LookUpComponent(catalogue, order.process, order.component);
@@ -82,12 +82,12 @@ Result<void> CheckLife(const Catalogue& catalogue, const LifeOrder& order) {
   const std::string what = "component '" + order.component + "' ";
   if (order.verb == LifeVerb::kRemove || order.verb == LifeVerb::kConfigure) {
     if (component->class_name.empty()) {
-      return Error{ErrorCode::kFailed, what + "was made by the program of process '" +
+      return Error{ErrorCode::kFailed, what + "was created by the program of process '" +
                                            order.process + "' itself, not from a class"};
     }
     if (order.verb == LifeVerb::kRemove || !IsRunning(component->state)) return {};
     return Error{ErrorCode::kFailed, what + "is " + std::string(ToString(component->state)) +
-                                         "; stop it first to configure it anew"};
+                                         "; stop it first to configure it again"};
   }
   const auto request = RequestOf(order.verb);
   if (!request) return {};
@@ -106,9 +106,10 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
     const auto path = ParsePath(pattern);
     if (!path) return path.error();
     if (path->component.empty() || !path->interface.empty()) {
-      return Error{ErrorCode::kInvalid, "'" + pattern +
-                                            "' names no component: expected process/component, or "
-                                            "a glob as process/*"};
+      return Error{ErrorCode::kInvalid,
+                   "'" + pattern +
+                       "' does not name a component: expected process/component, or "
+                       "a glob such as process/*"};
     }
     const auto found = LookUpComponent(catalogue, path->process, path->component);
     if (!found) return found.error();
@@ -124,7 +125,7 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
   }
   if (!all.empty()) return all;
   return Error{ErrorCode::kNotFound,
-               "no component fits '" + pattern + "'; gcm ls -R lists what there is"};
+               "no component fits '" + pattern + "'; gcm ls -R lists all names"};
 }
 
 bool LeavesAsItWas(const HistoryEntry& step) {
@@ -182,24 +183,24 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
     return Changed(life, "was " + std::string(ToString(life.state)) + " before");
   }
   if (step.verb == ToString(LifeVerb::kRemove)) {
-    if (now != nullptr) return Changed(life, "is there again");
+    if (now != nullptr) return Changed(life, "exists again");
     return {};
   }
-  if (now == nullptr) return Changed(life, "is no longer there");
+  if (now == nullptr) return Changed(life, "no longer exists");
   const bool is_other = now->class_name != life.class_name || now->library != life.library;
-  if (is_other) return Changed(life, "is of class " + now->class_name + " since");
+  if (is_other) return Changed(life, "is of class " + now->class_name + " now");
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
     // A stopped component that an undo has created again has not run since.
     const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                        now->state != ComponentState::kFaulted;
-    if (now->state != *after && !rests) return Changed(life, "is " + state + " since");
+    if (now->state != *after && !rests) return Changed(life, "is " + state + " now");
     return *after == ComponentState::kFinished ? CheckFollowers(catalogue, life) : Result<void>();
   }
   if (step.verb == ToString(LifeVerb::kConfigure) && now->configuration != life.configuration) {
-    return Changed(life, "has another configuration since");
+    return Changed(life, "has another configuration now");
   }
-  if (IsRunning(now->state)) return Changed(life, "is " + state + " since; stop it first");
+  if (IsRunning(now->state)) return Changed(life, "is " + state + " now; stop it first");
   return {};
 }
 

@@ -37,7 +37,7 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
   if (!defaults) return refuse("cannot be read: " + defaults.error().message);
   const auto given = ParseOrderedJson(told.empty() ? "{}" : told);
   if (!given) return refuse("cannot be read: " + given.error().message);
-  if (!given->is_object() || !defaults->is_object()) return refuse("is no JSON object");
+  if (!given->is_object() || !defaults->is_object()) return refuse("is not a JSON object");
   Whole whole{*std::move(schema), *given, *defaults};
   whole.value.merge_patch(whole.told);
   return whole;
@@ -52,9 +52,10 @@ struct Step {
 Result<std::vector<Step>> StepsOf(const std::string& name) {
   std::vector<Step> steps;
   std::string_view rest = name;
-  const Error wrong{ErrorCode::kInvalid, "'" + Printable(name, 64) +
-                                             "' names no parameter: expected one as gain, gain.x "
-                                             "or gain[2]"};
+  const Error wrong{ErrorCode::kInvalid,
+                    "'" + Printable(name, 64) +
+                        "' does not name a parameter: expected a name such as gain, "
+                        "gain.x or gain[2]"};
   while (!rest.empty()) {
     if (rest.front() == '[') {
       const auto end = rest.find(']');

@@ -19,7 +19,7 @@ Result<void> CheckWire(const Catalogue& catalogue, const message::History& histo
   }
   if (now != nullptr && now->provided != step.wire.provided) {
     return Error{ErrorCode::kFailed,
-                 required + " was since connected to " + ToString(now->provided)};
+                 required + " is meanwhile connected to " + ToString(now->provided)};
   }
   if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
   if (WasPending(catalogue, history, step)) return {};
@@ -37,7 +37,7 @@ Error CannotUndo(const message::HistoryEntry& step, const Error& why) {
 
 Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
   const std::string joint = why.ends_with("?") ? " " : "; ";
-  const std::string next = "to leave it as it is and undo what was before it: gcm undo --skip";
+  const std::string next = "to skip it and undo the step before it: gcm undo --skip";
   return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
 }
 
@@ -72,13 +72,13 @@ Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& his
   if (!owner) return CannotUndoNow(step, owner.error().message);
   if (const auto present = RequirePresent((*owner)->process); !present) {
     return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
-                                                     "; once it is back, try "
-                                                     "again, or forget it: "
-                                                     "gcm forget " +
+                                                     "; try again when it is "
+                                                     "back, or forget it: gcm "
+                                                     "forget " +
                                                      process});
   }
   if ((*owner)->process.instance != step.instance) {
-    return CannotUndoNow(step, "process '" + process + "' was started again since");
+    return CannotUndoNow(step, "process '" + process + "' was restarted since");
   }
   if (IsOfProcess(step)) return {};
   const auto checked =

@@ -34,9 +34,9 @@ bool IsOutcomeUnknown(const Error& error) {
 Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"}; }
 
 Error MayComeBack(const message::HistoryEntry& step) {
-  return {ErrorCode::kFailed, WholeText(step) + " is not passed over, for process '" +
+  return {ErrorCode::kFailed, WholeText(step) + " is not passed over, because process '" +
                                   ProcessOf(step) +
-                                  "' is lost and may come back with it; when it is gone for good: "
+                                  "' is lost and may come back with it; if it is gone for good: "
                                   "gcm forget " +
                                   ProcessOf(step)};
 }
@@ -84,8 +84,8 @@ Result<message::HistoryEntry> Orders::Newest(const message::StepSelection& which
   if (!step) return NothingToUndo();
   if (which.id == 0 || which.id == step->id) return *step;
   return Error{ErrorCode::kFailed, "step " + std::to_string(which.id) +
-                                       " is not the newest any more, but " + WholeText(*step) +
-                                       "; see: gcm history"};
+                                       " is not the newest any more; the newest is " +
+                                       WholeText(*step) + "; see: gcm history"};
 }
 
 void Orders::Undo(const message::StepSelection& which, const std::string& who,
@@ -132,8 +132,8 @@ void Orders::PassOver(const message::StepSelection& which, const std::string& wh
   if (which.id == 0 && CheckUndo(*step)) {
     const Error error{ErrorCode::kFailed,
                       WholeText(*step) +
-                          " can be undone, so it is not passed over; to leave it as "
-                          "it is all the same: gcm undo --skip --step " +
+                          " can be undone, so it is not passed over; to pass over it "
+                          "anyway: gcm undo --skip --step " +
                           std::to_string(step->id)};
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
@@ -316,7 +316,7 @@ void Orders::Settle(const Exchange& exchange, Error why,
           ? "; whether " + required + " is still connected to " + provided +
                 " is not known yet; see: gcm show " + required
           : "; " + required + " is not connected to " + provided +
-                " any more, which could not be connected again: " + restored.error().message;
+                " any more, and could not be connected to it again: " + restored.error().message;
   const auto* now = parts_.registry.catalogue().FindConnection(former.required);
   if (now != nullptr) return Answer(exchange.done, Result<Swapped>(why));
   Record({.verb = "disconnect", .wire = former, .who = exchange.who}, why, exchange.done);
@@ -326,9 +326,9 @@ template <typename T, Message Body>
 void Orders::Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done) {
   const auto channel = parts_.registry.ChannelOf(required.process);
   if (!channel) {
-    return Answer(
-        std::move(done),
-        Result<T>(Error{ErrorCode::kFailed, "process '" + required.process + "' is not there"}));
+    return Answer(std::move(done),
+                  Result<T>(Error{ErrorCode::kFailed,
+                                  "process '" + required.process + "' is not available"}));
   }
   parts_.outbox.Add(
       [&worker = parts_.worker, channel, type, body, timeout = timeout_, done = std::move(done)] {
@@ -388,8 +388,8 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
       const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
         answers->outcome = Error{ErrorCode::kFailed,
-                                 "it is there again, but does not run, for it "
-                                 "is not connected as before: " +
+                                 "it exists again, but does not run, because "
+                                 "it is not connected as before: " +
                                      made.error().message};
       }
       if (--answers->missing == 0) orders.Answer(done, answers->outcome);

@@ -11,7 +11,7 @@ namespace {
 std::string_view Words(ProcessState state) {
   switch (state) {
     case ProcessState::kAlive:
-      return "is there";
+      return "is available";
     case ProcessState::kSuspect:
       return "is suspect";
     case ProcessState::kLost:

@@ -129,7 +129,8 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
 
 Result<void> Registry::Report(Session session, message::Report report) {
   const Member* member = Find(session);
-  if (member == nullptr) return Error{ErrorCode::kDenied, "a report of a membership that is over"};
+  if (member == nullptr)
+    return Error{ErrorCode::kDenied, "a report of a membership that has ended"};
   Result<void> result;
   for (CatalogueChange& change : report.changes) {
     if (auto taken = Sanitize(change, member->name); !taken) {
@@ -156,7 +157,7 @@ Result<void> Registry::Report(Session session, message::Report report) {
 Result<void> Registry::Renew(Session session) {
   Member* member = Find(session);
   if (member == nullptr) {
-    return Error{ErrorCode::kDenied, "this membership is over: join the GCM again"};
+    return Error{ErrorCode::kDenied, "this membership has ended: join the GCM again"};
   }
   member->renewed = clock_.Now();
   const ProcessDescription& process = catalogue_.FindProcess(member->name)->process;
@@ -168,7 +169,7 @@ Result<void> Registry::Renew(Session session) {
 
 Result<void> Registry::TakeHealth(Session session, const message::Health& health) {
   Member* member = Find(session);
-  if (member == nullptr) return Error{ErrorCode::kDenied, "this membership is over"};
+  if (member == nullptr) return Error{ErrorCode::kDenied, "this membership has ended"};
   if (member->health) member->cpu = CoresBetween(*member->health, health);
   member->health = health;
   member->told = clock_.Now();
@@ -245,12 +246,14 @@ Result<void> Registry::Forget(const std::string& process) {
   const auto entry = LookUpProcess(catalogue_, process);
   if (!entry) return entry.error();
   if (FindByName(process) != nullptr) {
-    return Error{ErrorCode::kFailed,
-                 "process '" + process + "' is there; only one that is gone can be forgotten"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + process + "' is running; only a process that is gone can be forgotten"};
   }
   if (expected_.contains(process)) {
-    return Error{ErrorCode::kFailed,
-                 "process '" + process + "' is starting; only one that is gone can be forgotten"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + process + "' is starting; only a process that is gone can be forgotten"};
   }
   Remove(process);
   return {};

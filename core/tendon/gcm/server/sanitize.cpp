@@ -116,7 +116,7 @@ Result<void> Sanitize(message::Join& join) {
 Result<void> Sanitize(CatalogueChange& change, const std::string& process) {
   using Kind = CatalogueChange::Kind;
   if (change.process.empty()) change.process = process;
-  if (change.process != process) return Invalid("a process can report of itself alone");
+  if (change.process != process) return Invalid("a process can only report about itself");
   switch (change.kind) {
     case Kind::kProcess:
       if (change.processes.size() != 1) break;
@@ -132,9 +132,9 @@ Result<void> Sanitize(CatalogueChange& change, const std::string& process) {
     case Kind::kConnectionRemoved:
       return {};
     case Kind::kProcessRemoved:
-      return Invalid("a process that goes says so with kLeave");
+      return Invalid("a process that leaves must send kLeave");
   }
-  return Invalid("a change of this kind is about exactly one thing");
+  return Invalid("a change of this kind must name exactly one thing");
 }
 
 void Sanitize(message::LogRecords& batch) {

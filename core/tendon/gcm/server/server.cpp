@@ -212,7 +212,7 @@ void Server::Join(const Request& request) {
     Session& session = request.peer.session;
     if (session != 0) {
       return Answer<message::JoinReply>(
-          request, Error{ErrorCode::kInvalid, "this channel has joined already"});
+          request, Error{ErrorCode::kInvalid, "this channel has already joined"});
     }
     auto admission =
         registry_.Join(*std::move(join), request.channel->peer().session, request.channel);
@@ -257,7 +257,7 @@ void Server::TakeHealth(const Request& request) {
 
 void Server::Leave(const Request& request) {
   Locked([&] {
-    registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "said good-bye");
+    registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "it left the GCM");
     Answer(request, Result<void>());
   });
 }
@@ -348,12 +348,12 @@ void Server::TakePlanTurn(const Request& request) {
       plan_turn_ = {&request.peer, NameOf(*request.channel), WallTime()};
     }
     const bool is_granted = is_free || !turn->is_wanted;
-    Answer(request,
-           is_granted ? Result<void>()
-                      : Error{ErrorCode::kFailed,
-                              "nothing was done, for a plan of " + plan_turn_.who +
-                                  " is being carried out since " + WallTimeText(plan_turn_.since) +
-                                  "; try again when that is done"});
+    Answer(request, is_granted
+                        ? Result<void>()
+                        : Error{ErrorCode::kFailed,
+                                "nothing was done, because a plan of " + plan_turn_.who +
+                                    " has been running since " + WallTimeText(plan_turn_.since) +
+                                    "; try again when that is done"});
   });
 }
 

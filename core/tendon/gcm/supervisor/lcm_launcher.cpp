@@ -74,12 +74,12 @@ fs::path LcmLauncher::FileOf(const std::string& process, const std::string& endi
 Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   if (launch_.program.empty()) {
     return Error{ErrorCode::kFailed,
-                 "this GCM starts no processes; start it by hand: lcm --name " + order.process};
+                 "this GCM cannot start processes; start it by hand: lcm --name " + order.process};
   }
   std::error_code reason;
   if (!fs::is_regular_file(launch_.program, reason)) {
     return Error{ErrorCode::kFailed, "there is no " + launch_.program.string() +
-                                         ": a GCM starts the lcm that lies beside its own program; "
+                                         ": a GCM starts the lcm in the folder of its own program; "
                                          "install it there"};
   }
   fs::create_directories(folder_, reason);
@@ -97,8 +97,8 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   fs::rename(log, former, reason);
   if (reason && reason != std::errc::no_such_file_or_directory) {
     Log(LogLevel::kWarning, "gcm",
-        "the former log of process '" + order.process + "', " + log.string() + ", is not kept as " +
-            former.string() + ": " + reason.message());
+        "the previous log of process '" + order.process + "', " + log.string() +
+            ", could not be kept as " + former.string() + ": " + reason.message());
   }
   shortened_.erase(order.process);
   auto program = os::BackgroundProgram::Start(launch_.program, words, log);
@@ -122,11 +122,12 @@ void LcmLauncher::ShortenLog(const std::string& process) {
   if (reason || size <= launch_.longest_log) return;
   const fs::path former = FileOf(process, ".log.1");
   fs::copy_file(log, former, fs::copy_options::overwrite_existing, reason);
-  const std::string not_kept = reason ? "not kept as " + former.string() + " (" + reason.message() +
-                                            "), so what it said is lost"
+  const std::string not_kept = reason ? "could not be kept as " + former.string() + " (" +
+                                            reason.message() + "), so the previous log is lost"
                                       : "";
   fs::resize_file(log, 0, reason);
-  const std::string not_cut = reason ? "not cut (" + reason.message() + "), so it grows" : "";
+  const std::string not_cut =
+      reason ? "could not be cut (" + reason.message() + "), so it grows" : "";
   if (!reason) shortened_.insert(process);
   const std::string both = not_kept.empty() || not_cut.empty() ? "" : "; ";
   Complain(process, not_kept + both + not_cut);
@@ -138,8 +139,8 @@ void LcmLauncher::Complain(const std::string& process, const std::string& what) 
   if (what.empty() || !is_new) return;
   Log(LogLevel::kWarning, "gcm",
       "the log of process '" + process + "', " + FileOf(process, ".log").string() +
-          ", has become too long and is " + what +
-          "; make room there, or see who may write in that folder");
+          ", is too long and " + what +
+          "; free some disk space, or check who may write in that folder");
 }
 
 }  // namespace tendon::server

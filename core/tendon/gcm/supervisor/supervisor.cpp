@@ -91,7 +91,7 @@ Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
   if (auto ours = CheckKill(process); !ours) return ours;
   const ProcessEntry* entry = parts_.registry.catalogue().FindProcess(process);
   if (entry == nullptr || entry->components.empty()) return {};
-  return Refused(process, "has components since, such as " + entry->components.begin()->first);
+  return Refused(process, "now has components, such as " + entry->components.begin()->first);
 }
 
 void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
@@ -118,7 +118,7 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
   }
   const auto* const entry = parts_.registry.catalogue().FindProcess(process);
   if (entry != nullptr && IsPresent(entry->process)) {
-    return Error{ErrorCode::kExists, Quoted(process) + " is there already: host " +
+    return Error{ErrorCode::kExists, Quoted(process) + " is already running: host " +
                                          entry->process.host + " pid " +
                                          std::to_string(entry->process.pid)};
   }
@@ -126,24 +126,24 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (child == children_.end() || child->second.phase == Phase::kPausing) return {};
   const auto& program = child->second.program;
   const std::string pid = program ? " as pid " + std::to_string(program->pid()) : "";
-  return Error{ErrorCode::kExists, Quoted(process) + " was started already" + pid +
-                                       ", but is no member; end it first: gcm kill " + process};
+  return Error{ErrorCode::kExists, Quoted(process) + " was already started" + pid +
+                                       ", but has not joined; end it first: gcm kill " + process};
 }
 
 Result<void> Supervisor::CheckKill(const std::string& process) const {
   const auto found = children_.find(process);
   if (found != children_.end()) {
     const Child& child = found->second;
-    if (child.is_unwanted) return Refused(process, "is being ended already");
+    if (child.is_unwanted) return Refused(process, "is already being ended");
     const bool is_between = child.phase == Phase::kStarting || child.phase == Phase::kEnded ||
                             child.phase == Phase::kExamining;
-    if (is_between) return Refused(process, "is just starting or ending by itself; try again");
+    if (is_between) return Refused(process, "is starting or ending at the moment; try again");
     return {};
   }
   const auto entry = LookUpProcess(parts_.registry.catalogue(), process);
   if (!entry) return entry.error();
   const ProcessDescription& description = (*entry)->process;
-  if (!IsPresent(description)) return Refused(process, "is gone already");
+  if (!IsPresent(description)) return Refused(process, "is already gone");
   return Refused(process, "was not started by this GCM: end it where it was started, or on host " +
                               description.host + " by: kill " + std::to_string(description.pid));
 }
@@ -152,10 +152,10 @@ void Supervisor::Kill(const std::string& process, milliseconds patience, Done do
   if (auto ours = CheckKill(process); !ours) return Answer(std::move(done), ours.error());
   Child& child = children_.at(process);
   if (child.phase == Phase::kPausing) {
-    Drop(process, "was told to end, and is not started again");
+    Drop(process, "was ended on request, and is not restarted");
     return Answer(std::move(done), None{});
   }
-  if (child.done) Answer(child.done, Refused(process, "was told to end before it had joined"));
+  if (child.done) Answer(child.done, Refused(process, "was ended on request before it joined"));
   child.done = std::move(done);
   child.is_unwanted = true;
   child.phase = Phase::kEnding;
@@ -268,7 +268,7 @@ void Supervisor::Judge(const std::string& process, const Traces& traces) {
     const std::string why = has_done_wrong ? child.reproach + ", so it was ended again"
                                            : child.end.how + " before it had joined";
     const std::string words =
-        traces.last_words.empty() ? "" : "; it said last: " + traces.last_words;
+        traces.last_words.empty() ? "" : "; its last output: " + traces.last_words;
     Answer(child.done,
            child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + log));
     children_.erase(process);
@@ -277,7 +277,7 @@ void Supervisor::Judge(const std::string& process, const Traces& traces) {
   if (!child.end.is_failure && !has_done_wrong) return Drop(process, child.end.how + " by itself");
   const std::string how = (has_done_wrong ? child.reproach : child.end.how) + log;
   if (child.restart == RestartPolicy::kNever) {
-    return Drop(process, how + "; it is not started again (restart never)");
+    return Drop(process, how + "; it is not restarted (restart never)");
   }
   StartAgain(process, child, how);
 }
@@ -286,11 +286,11 @@ void Supervisor::StartAgain(const std::string& process, Child& child, const std:
   const SteadyTime now = parts_.clock.Now();
   const auto pause = child.schedule.PauseAfter(child.begin, now);
   if (!pause) {
-    return Drop(process, how + "; it is not started again, for it has failed " +
+    return Drop(process, how + "; it is not restarted, because it has failed " +
                              std::to_string(RestartSchedule::kMostFailures) +
-                             " times within a minute; when it is mended: gcm apply");
+                             " times within a minute; after the repair: gcm apply");
   }
-  Tell(process, how + "; it is started again in " + std::to_string(pause->count()) + " ms");
+  Tell(process, how + "; it is restarted in " + std::to_string(pause->count()) + " ms");
   if (child.is_changed || !child.system) child.system = SystemWith(process);
   child.phase = Phase::kPausing;
   child.until = now + *pause;

@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds kLook(20);
 /// Checks that the interfaces of `wire` are connected; the error says why not.
 Result<void> CheckConnected(const Catalogue& catalogue, const message::Wire& wire) {
   const auto refuse = [&](const std::string& why) {
-    return Error{ErrorCode::kFailed, "not started, for " + ToString(wire.required) +
+    return Error{ErrorCode::kFailed, "not started, because " + ToString(wire.required) +
                                          " is not connected to " + ToString(wire.provided) +
                                          (why.empty() ? "" : ": " + why)};
   };
@@ -78,7 +78,7 @@ Result<void> ClientExecutor::KeepTurn() {
   const auto kept = AskForTurn();
   if (kept || kept.error().code != ErrorCode::kFailed) return kept;
   return Error{kept.error().code,
-               "the turn was lost with the link to the GCM; " + kept.error().message};
+               "the plan lost its turn with the connection to the GCM; " + kept.error().message};
 }
 
 Result<void> ClientExecutor::Execute(const PlanStep& step) {
@@ -119,8 +119,8 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
   const auto instance_of = [&](const Catalogue& now) { return InstanceOf(now, process); };
   if (step.instance == 0 || Seen(client_, instance_of) == step.instance) return {};
   return Error{ErrorCode::kFailed, "process '" + process +
-                                       "' was started anew, or is gone, since the plan was made; "
-                                       "make another one"};
+                                       "' was restarted or has ended since the plan was made; make "
+                                       "another plan"};
 }
 
 /// Waits for connections: one that was just requested may not be active yet.
@@ -205,10 +205,10 @@ Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto done = started ? Steer(LifeVerb::kSuspend, step) : started;
   if (done) return done;
   const auto stopped = Steer(LifeVerb::kStop, step);
-  const std::string before = "it was to be suspended: " + done.error().message;
-  if (stopped) return Error{done.error().code, before + "; so it was stopped"};
+  const std::string before = "it could not be suspended: " + done.error().message;
+  if (stopped) return Error{done.error().code, before + "; it was stopped instead"};
   return Error{done.error().code,
-               before + "; it may run still, for it does not stop: " + stopped.error().message};
+               before + "; it may still run, because it does not stop: " + stopped.error().message};
 }
 
 }  // namespace tendon

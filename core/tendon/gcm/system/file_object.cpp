@@ -95,7 +95,7 @@ double FileObject::Period(const std::string& key) const {
 }
 
 void NewNames::Add(const std::string& name, const std::string& place) {
-  if (!known_.insert(name).second) Refuse(place, what_ + " '" + name + "' is there already");
+  if (!known_.insert(name).second) Refuse(place, what_ + " '" + name + "' already exists");
 }
 
 std::string ReadClassName(const FileObject& object, const std::string& key) {
@@ -103,7 +103,8 @@ std::string ReadClassName(const FileObject& object, const std::string& key) {
   if (name.empty()) Refuse(object.Place(key), "class name is empty");
   const std::string shown = Printable(name, 64);
   if (Printable(name) != name) {
-    Refuse(object.Place(key), "class name '" + shown + "' has a character that no name has");
+    Refuse(object.Place(key),
+           "class name '" + shown + "' has a character that is not allowed in names");
   }
   return name;
 }
@@ -122,13 +123,13 @@ std::string ConfigurationText(const Json& configuration, const std::string& plac
 
 void CheckLibrary(const std::string& library, const std::string& place) {
   const std::string shown = "library '" + Printable(library, 64) + "' ";
-  if (library.empty()) Refuse(place, "library name is empty; leave the key out for none");
+  if (library.empty()) Refuse(place, "library name is empty; if there is none, leave the key out");
   if (library.find('/') != library.npos || library.find('\\') != library.npos ||
       library.find("..") != library.npos) {
-    Refuse(place,
-           shown + "is a path; give the name alone, it is looked for in the plug-in folders");
+    Refuse(place, shown + "is a path; give only the name; it is searched in the plug-in folders");
   }
-  if (Printable(library) != library) Refuse(place, shown + "has a character that no name has");
+  if (Printable(library) != library)
+    Refuse(place, shown + "has a character that is not allowed in names");
 }
 
 Error ErrorOf(const FileMistake& mistake, std::string_view text, const std::string& source) {

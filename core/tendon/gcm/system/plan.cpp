@@ -161,9 +161,9 @@ class Planner {
     const auto is_program =
         std::all_of(process.components.begin(), process.components.end(), IsMadeByItsProgram);
     const bool is_own = is_program && !process.components.empty();
-    plan_.obstacles.push_back("process '" + process.name + "' is not there, nor " +
+    plan_.obstacles.push_back("process '" + process.name + "' with " +
                               Counted(process.components.size(), "component", "components") +
-                              " of it; start " +
+                              " is not available; start " +
                               (is_own ? "its program" : "it: lcm --name " + process.name));
   }
 
@@ -192,8 +192,8 @@ class Planner {
   void PlanRemoval(const ComponentPath& path, const SystemFile::Component& now) {
     if (IsMadeByItsProgram(now)) {
       plan_.obstacles.push_back(TextOf(path) +
-                                " is not in the file, but was made by its own program, which "
-                                "alone can do without it");
+                                " is not in the file, but was created by its own program, and "
+                                "only that program can leave it out");
       return;
     }
     if (IsRunning(now.state)) PlanRest(Kind::kStop, path, now);
@@ -205,7 +205,7 @@ class Planner {
   void PlanCreation(const ComponentPath& path, const SystemFile::Component& component) {
     if (IsMadeByItsProgram(component)) {
       plan_.obstacles.push_back(TextOf(path) +
-                                " is not there, and only its own program can make it");
+                                " does not exist, and only its own program can create it");
       missing_.insert(path);
       return;
     }
@@ -226,10 +226,10 @@ class Planner {
     if (!is_another && IsSameJson(component.configuration, now.configuration)) {
       const bool has_periods = component.period > 0.0 && now.period > 0.0;
       if (has_periods && component.period != now.period) {
-        plan_.obstacles.push_back(TextOf(path) + " has another period than the file says (" +
+        plan_.obstacles.push_back(TextOf(path) + " does not have the period of the file (" +
                                   ChangesOf(component, now) +
-                                  "), which its class has chosen; save the file again, or see "
-                                  "whether its configuration has one");
+                                  "), because its class chooses the period; save the file again, "
+                                  "or see whether its configuration has a period");
       }
       return PlanState(path, component, now.state);
     }
@@ -238,9 +238,10 @@ class Planner {
       plan_.obstacles.push_back(
           TextOf(path) +
           (changes.empty()
-               ? " runs after one that is to go or to be made anew, and its own program alone "
-                 "can make it anew with that; stop that program first"
-               : " cannot become what the file says, for its own program makes it: " + changes));
+               ? " runs after a component that is to be removed or created again, and only its "
+                 "own program can create it again too; stop that program first"
+               : " cannot be changed to match the file, because its own program creates it: " +
+                     changes));
       return;
     }
     if (is_another) {
@@ -309,8 +310,8 @@ class Planner {
     const ComponentPath client = OwnerOf(wire.required);
     const ComponentPath server = OwnerOf(wire.provided);
     if (IsAbsent(client.first) || missing_.contains(client)) return;
-    if (IsAbsent(server.first)) Lack(wire, "process '" + server.first + "' is not there");
-    if (missing_.contains(server)) return Lack(wire, TextOf(server) + " is not there");
+    if (IsAbsent(server.first)) Lack(wire, "process '" + server.first + "' is not available");
+    if (missing_.contains(server)) return Lack(wire, TextOf(server) + " does not exist");
     const auto* now = ConnectionOf(wire.required);
     const bool is_same = now != nullptr && now->provided == wire.provided;
     const bool is_of_new = made_.contains(client) || made_.contains(server);
@@ -392,7 +393,8 @@ class Planner {
         start.kind = Kind::kStart;  // followers cannot start after a suspended one
         suspends.push_back(StepOf(Kind::kSuspend, path, start.component));
       } else {
-        plan_.obstacles.push_back(TextOf(path) + " is not started, for it lacks " + lack->second);
+        plan_.obstacles.push_back(TextOf(path) + " is not started, because it lacks " +
+                                  lack->second);
       }
     }
     plan_.steps.insert(plan_.steps.end(), suspends.begin(), suspends.end());

@@ -90,7 +90,7 @@ PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError aft
     if (const std::string before = failures.Before(step); !before.empty()) {
       ++outcome.left;
       failures.Note(step, before);
-      progress(number, step, {Fate::kLeft, "not tried, for this has failed: " + before});
+      progress(number, step, {Fate::kLeft, "not tried, because this failed: " + before});
       continue;
     }
     const Result<void> made = executor.Execute(step);

@@ -71,7 +71,7 @@ class ReferenceReader {
       ReadManager(FileObject(json, "", {"components", "connections"}));
     } else {
       for (const std::string& key : OtherKeys(json, {"component-manager"})) {
-        LeaveOut(Printable(key, 64), "it stands beside the component manager, not in it");
+        LeaveOut(Printable(key, 64), "it is beside the component manager, not in it");
       }
       ReadManager(FileObject(*inner, "component-manager", {"components", "connections"}));
     }

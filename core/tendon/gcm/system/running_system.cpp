@@ -66,7 +66,7 @@ std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& sav
   for (const SystemFile::Process& process : former.processes) {
     if (present.contains(process.name)) continue;
     kept.push_back("process '" + process.name +
-                   "' is not there now: kept as the file has it, with " +
+                   "' is not available now: kept as in the file, with " +
                    Counted(process.components.size(), "component", "components"));
     saved.file.processes.push_back(process);
   }
@@ -109,8 +109,9 @@ RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name, Gone
 std::vector<std::string> RunningSystem::LeftOut() const {
   std::vector<std::string> sentences;
   for (const auto& [required, provided, comment] : loose) {
-    sentences.push_back(ToString(required) + " -> " + ToString(provided) + " is left out, for " +
-                        provided.process + "/" + provided.component + " is not there");
+    sentences.push_back(ToString(required) + " -> " + ToString(provided) +
+                        " is left out, because " + provided.process + "/" + provided.component +
+                        " does not exist");
   }
   return sentences;
 }

@@ -19,7 +19,7 @@ struct OldPlugin {
   /// "process 'robot' runs /opt/robot/arm.so of 2025-11-21 15:40:03; the file was written again at
   /// 2025-11-21 15:50:10"
   std::string finding;
-  std::string remedy;  ///< "start the process anew to run that"
+  std::string remedy;  ///< "restart the process to use it"
 };
 
 /// Nothing if the file is unchanged.

@@ -9,7 +9,7 @@ std::string VersionText(const message::ProgramVersion& version) {
 VersionReport JudgeVersion(const Result<message::ProgramVersion>& told,
                            const message::ProgramVersion& own) {
   if (!told && told.error().code == ErrorCode::kDenied) {
-    return {.text = "of a version too old to say which"};
+    return {.text = "of an old version that does not report itself"};
   }
   if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
   const bool is_own = told->release == own.release && told->protocol == own.protocol;

@@ -135,7 +135,7 @@ Result<std::unique_ptr<FanOut::Reception>> IceBroadcast::Listen(const std::strin
     }
     if (!topic) {
       return Error{ErrorCode::kTimeout,
-                   "the fan-out at " + broker + " has not got topic '" + name + "' in time"};
+                   "the fan-out at " + broker + " did not create topic '" + name + "' in time"};
     }
     const auto reached = door_.Reach(topic);
     if (!reached) return reached.error();

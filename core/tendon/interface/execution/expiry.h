@@ -20,7 +20,7 @@ class Expiry {
   Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
       : command_(std::move(command)),
         message_("command '" + command_ + "' was not renewed within " + Milliseconds(after) +
-                 " ms: what it set going is ended"),
+                 " ms: the action that it started is ended"),
         after_(after),
         end_(std::move(end)) {}
 

@@ -18,7 +18,7 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
     case Progress::kMoreToCome:
       return;
     case Progress::kNonsense:
-      return Fail({ErrorCode::kInvalid, peer_.name + " sent parts of what is no message"});
+      return Fail({ErrorCode::kInvalid, peer_.name + " sent parts that are not a valid message"});
     case Progress::kOutOfMemory:
       return OnNoRoom("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
     case Progress::kTooMuch:
@@ -33,7 +33,7 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
 /// Refuses a request. A notice has no answer, so the link ends; otherwise the notice would be lost
 /// silently.
 void Channel::OnTooMuch(const FrameHeader& header) {
-  constexpr const char* kWhy = "512 MiB of unfinished messages are kept already";
+  constexpr const char* kWhy = "512 MiB of unfinished messages are already kept";
   if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
   CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
@@ -44,7 +44,7 @@ bool Channel::IsWanted(const FrameHeader& header) {
   if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
     return requests_.IsAwaited(header.request);
   }
-  std::optional<Error> refusal = Error{ErrorCode::kFailed, "it cannot be said who may send it"};
+  std::optional<Error> refusal = Error{ErrorCode::kFailed, "the required role is unknown"};
   CallGuarded(peer_.name, [&] { refusal = handler_->WhyNotTaken(*this, header); });
   if (refusal && header.request != 0) SendRefusal(header.request, *refusal);
   return !refusal;
@@ -75,7 +75,7 @@ void Channel::OnPartsTaken(std::span<const std::byte> body) {
   const auto taken = DecodeBody<std::uint64_t>(body);
   last_part_.Set(SteadyClock().Now());
   if (taken && parts_.OnTaken(*link_, *taken)) return;
-  Fail({ErrorCode::kInvalid, peer_.name + " has taken more than was sent to it"});
+  Fail({ErrorCode::kInvalid, peer_.name + " acknowledged more than was sent to it"});
 }
 
 void Channel::TellTaken() {

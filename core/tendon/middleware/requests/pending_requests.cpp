@@ -100,7 +100,7 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
     const Handler handler = std::exchange(place->handler, nullptr);
     Free(*place);
     lock.unlock();
-    Result<Bytes> taken = Error{ErrorCode::kFailed, "there is no memory for the answer"};
+    Result<Bytes> taken = Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
     CallGuarded("request", [&] {
       taken = outcome ? Result<Bytes>((*std::move(outcome)).TakeBytes()) : outcome.error();
     });
@@ -170,7 +170,8 @@ void LogFailure(const std::string& peer) {
   } catch (const std::exception& failure) {
     Log(LogLevel::kError, "channel", peer + ": " + failure.what());
   } catch (...) {
-    Log(LogLevel::kError, "channel", peer + ": something was thrown that is no std::exception");
+    Log(LogLevel::kError, "channel",
+        peer + ": an exception was thrown that does not derive from std::exception");
   }
 }
 

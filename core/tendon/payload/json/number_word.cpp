@@ -403,10 +403,10 @@ std::string FlawText(const NumberWord& word) {
     case NumberFlaw::kEmpty:
       return "a number is missing";
     case NumberFlaw::kDecimalComma:
-      return write + ": the decimal sign is a point" +
-             (word.meant.size() > 1 ? ", and nothing stands between thousands" : "");
+      return write + ": use a point as the decimal sign" +
+             (word.meant.size() > 1 ? ", and no separator between thousands" : "");
     case NumberFlaw::kGroups:
-      return write + ": nothing stands between thousands";
+      return write + ": use no separator between thousands";
     case NumberFlaw::kSpelling:
       return write;
     case NumberFlaw::kRest:

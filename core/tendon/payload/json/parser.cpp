@@ -334,7 +334,7 @@ Result<std::vector<std::byte>> FromJson(const Schema& schema, std::string_view j
   FineNumbers fine;
   const auto document =
       ParseExactJson(blank ? "null" : json_text, HasDuration(schema) ? &fine : nullptr);
-  if (!document) return Invalid("this is no JSON: " + document.error().message);
+  if (!document) return Invalid("this is not valid JSON: " + document.error().message);
   Builder builder(std::move(fine));
   if (!builder.Build(schema, *document, {})) return Invalid(builder.mistake());
   return builder.Take();

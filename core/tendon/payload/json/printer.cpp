@@ -162,12 +162,13 @@ class Printer {
 
 Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body) {
   const auto malformed = [&](const std::string& why) {
-    return Error{ErrorCode::kInvalid, "these " + std::to_string(body.size()) + " bytes are no " +
-                                          schema.TypeName() + ": " + why};
+    return Error{ErrorCode::kInvalid, "these " + std::to_string(body.size()) +
+                                          " bytes are not a valid " + schema.TypeName() + ": " +
+                                          why};
   };
   Printer printer(body);
-  if (!printer.Print(schema)) return malformed("no " + printer.expected() + " where one belongs");
-  if (!printer.is_at_end()) return malformed("something follows it");
+  if (!printer.Print(schema)) return malformed("expected " + printer.expected() + ", found none");
+  if (!printer.is_at_end()) return malformed("there is more data after its end");
   return printer.Take();
 }
 

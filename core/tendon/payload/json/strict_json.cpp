@@ -86,7 +86,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
     const std::string number = WithPoint(text);
     number_float_t value = 0;
     const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
-    if (code != std::errc()) return Fail("no double holds the number " + Printable(number, 64));
+    if (code != std::errc()) return Fail("no double can hold the number " + Printable(number, 64));
     const bool may_be_integer = std::trunc(value) == value && (value != 0 || !std::signbit(value));
     if (integers_ == Integers::kAreExact && may_be_integer) {
       for (const auto kind : {Schema::Kind::kInt64, Schema::Kind::kUint64}) {
@@ -218,7 +218,7 @@ Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {
   auto value = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!value.is_discarded()) return value;
   const auto strict = ParseStrictJson(text);  // its error names the place
-  return strict ? Error{ErrorCode::kInvalid, "is no JSON"} : strict.error();
+  return strict ? Error{ErrorCode::kInvalid, "is not valid JSON"} : strict.error();
 }
 
 nlohmann::ordered_json JsonOrText(std::string_view text) {

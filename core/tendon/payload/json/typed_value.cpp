@@ -81,7 +81,7 @@ Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::strin
   try {
     (void)value.dump();
   } catch (const nlohmann::ordered_json::exception&) {
-    return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is no UTF-8"};
+    return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is not valid UTF-8"};
   }
   if (!is_meant_as_it_is) {
     if (auto checked = CheckTyped(schema, name, typed, value); !checked) return checked.error();

@@ -95,12 +95,12 @@ inline constexpr auto kPayload<robot::Quaternion> = Describe("geometry_msgs.Quat
 template <>
 inline constexpr auto kPayload<robot::Pose> =
     Describe("geometry_msgs.Pose", Field{"position", &robot::Pose::position, "m"},
-             Field{"orientation", &robot::Pose::orientation}.Help("Of length one."));
+             Field{"orientation", &robot::Pose::orientation}.Help("A unit quaternion."));
 
 template <>
 inline constexpr auto kPayload<robot::Transform> =
     Describe("geometry_msgs.Transform", Field{"translation", &robot::Transform::translation, "m"},
-             Field{"rotation", &robot::Transform::rotation}.Help("Of length one."));
+             Field{"rotation", &robot::Transform::rotation}.Help("A unit quaternion."));
 
 template <>
 inline constexpr auto kPayload<robot::Twist> =

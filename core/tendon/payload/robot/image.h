@@ -32,9 +32,9 @@ inline constexpr auto kPayload<robot::Image> =
              Field{"height", &robot::Image::height}.Help("Rows."),
              Field{"width", &robot::Image::width}.Help("Pixels of a row."),
              Field{"encoding", &robot::Image::encoding}.Help(
-                 "Of a pixel, as in ROS: rgb8, bgr8, mono8, mono16, 16UC1, 32FC1, ..."),
+                 "Format of a pixel, as in ROS: rgb8, bgr8, mono8, mono16, 16UC1, 32FC1, ..."),
              Field{"is_bigendian", &robot::Image::is_bigendian}.Within(0, 1).Help(
-                 "1 where pixels of several bytes begin with the highest."),
+                 "1 if the bytes of a pixel are big-endian."),
              Field{"step", &robot::Image::step}.Help("Bytes of a row."),
              Field{"data", &robot::Image::data}.Help("Height times step bytes, row after row."));
 

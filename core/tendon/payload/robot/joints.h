@@ -66,13 +66,13 @@ inline constexpr auto kPayload<robot::JointControl> =
                  Enumerator{"effort", robot::JointControl::kEffort});
 
 template <std::size_t kJoints>
-inline constexpr auto kPayload<robot::JointCommand<kJoints>> =
-    Describe("robot.JointCommand",
-             Field{"control", &robot::JointCommand<kJoints>::control}.Help(
-                 "What is held; quantities after it are fed forward, those before it are ignored."),
-             Field{"position", &robot::JointCommand<kJoints>::position, "rad"},
-             Field{"velocity", &robot::JointCommand<kJoints>::velocity, "rad/s"},
-             Field{"effort", &robot::JointCommand<kJoints>::effort, "N m"});
+inline constexpr auto kPayload<robot::JointCommand<kJoints>> = Describe(
+    "robot.JointCommand",
+    Field{"control", &robot::JointCommand<kJoints>::control}.Help(
+        "The controlled quantity; later fields are feed-forward, earlier fields are ignored."),
+    Field{"position", &robot::JointCommand<kJoints>::position, "rad"},
+    Field{"velocity", &robot::JointCommand<kJoints>::velocity, "rad/s"},
+    Field{"effort", &robot::JointCommand<kJoints>::effort, "N m"});
 
 template <>
 inline constexpr auto kPayload<robot::NamedJointState> =

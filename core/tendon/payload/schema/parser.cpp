@@ -78,7 +78,7 @@ class Parser {
       if (failed()) return {};
       Parsed parsed = ParseType(depth + 1);
       const std::string_view unit = Unit();
-      if (range && !parsed.schema.holds_numbers()) Fail("a range is for numbers");
+      if (range && !parsed.schema.holds_numbers()) Fail("only a number can have a range");
       height = std::max(height, parsed.height);
       size += parsed.schema.minimum_size();
       if (size > kMaxValue) return Fail("values of over 2 GiB");

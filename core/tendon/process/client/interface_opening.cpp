@@ -26,7 +26,8 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
                                                     wanted.read_deadline);
   } catch (const ConfigurationError& error) {
     (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
-    return Error{ErrorCode::kInvalid, channel->peer().name + " answered nonsense: " + error.what()};
+    return Error{ErrorCode::kInvalid,
+                 channel->peer().name + " sent an invalid answer: " + error.what()};
   }
 }
 
@@ -54,8 +55,9 @@ void OpenProvided(const std::shared_ptr<NetworkThread>& network,
       [network, link, wanted, done](const Result<message::MirrorReply>& answer) {
         if (!answer) return done(answer.error());
         if (answer->columns.size() != wanted.mirrored.size()) {
-          return done(Error{ErrorCode::kInvalid, link->channel()->peer().name +
-                                                     " offers other copies than it was asked"});
+          return done(
+              Error{ErrorCode::kInvalid,
+                    link->channel()->peer().name + " offers other mirrored values than requested"});
         }
         const auto copies = link->Receive(*answer);
         if (!copies) return done(copies.error());

@@ -9,7 +9,7 @@ namespace tendon {
 namespace {
 
 Error NotThere(const std::string& process) {
-  return {ErrorCode::kNotFound, "process '" + process + "' is not there"};
+  return {ErrorCode::kNotFound, "process '" + process + "' is not available"};
 }
 
 std::int64_t Rounded(std::chrono::nanoseconds time) {

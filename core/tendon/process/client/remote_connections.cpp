@@ -42,7 +42,7 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
   if ((*required)->is_connected() || known != entries_.end()) {
     return Error{ErrorCode::kExists,
                  ToString(wire.required) +
-                     (stands ? std::string(" is connected already")
+                     (stands ? std::string(" is already connected")
                              : " waits to be connected to " +
                                    ToString(known->second.description.provided) + " already") +
                      "; disconnect it first"};
@@ -53,7 +53,7 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
                        .required = wire.required,
                        .provided = wire.provided,
                        .state = ConnectionState::kPending,
-                       .reason = "process '" + wire.provided.process + "' is being asked"};
+                       .reason = "process '" + wire.provided.process + "' has not answered yet"};
   entry.since = SteadyClock().Now();
   entry.done = done;
   return id;
@@ -104,7 +104,8 @@ void RemoteConnections::Try(ConnectionId id) {
   }
   if (!is_there) {  // UpdatePeers() tries again
     if (is_first) {
-      Postpone(id, "process '" + process + "' is not there; the connection is made when it comes" +
+      Postpone(id, "process '" + process +
+                       "' is not available; the connection is made when it joins" +
                        DidYouMean(process, peers_.names()));
     }
     return;
@@ -299,7 +300,7 @@ void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t ha
 /// Makes the connection pending; it is tried again later.
 void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
   if (entry.connection) {
-    Tell(LogLevel::kWarning, entry.description, "is lost, and will be made again: " + reason);
+    Tell(LogLevel::kWarning, entry.description, "is lost, and will be restored: " + reason);
   }
   TakeDown(entry, {});
   if (entry.description.state != ConnectionState::kPending) entry.since = SteadyClock().Now();

@@ -25,7 +25,8 @@ Result<void> SetThread(const LifeOrder& order, Component& component) {
   if (!options) return options.error();
   if (task == nullptr) {
     return Error{ErrorCode::kInvalid,
-                 "component '" + component.name() + "' has no thread of its own to be set up"};
+                 "component '" + component.name() +
+                     "' has no thread of its own, so it takes no thread options"};
   }
   try {
     task->SetThreadOptions(*options);
@@ -106,7 +107,7 @@ Result<std::string> ComponentFactory::LibraryOf(const std::string& class_name) c
     return Error{ErrorCode::kNotFound, "no library that process '" + process_ +
                                            "' has loaded has a class '" + class_name + "'" +
                                            DidYouMean(class_name, classes) +
-                                           "; load one that has it, or name it"};
+                                           "; load the library that has it, or name that library"};
   }
   return Error{ErrorCode::kInvalid, "the libraries '" + libraries[0] + "' and '" + libraries[1] +
                                         "' both have a class '" + class_name +
@@ -115,8 +116,8 @@ Result<std::string> ComponentFactory::LibraryOf(const std::string& class_name) c
 
 Error ComponentFactory::NoLoader() const {
   return {ErrorCode::kFailed, "process '" + process_ +
-                                  "' makes no components from afar, for its program has none of "
-                                  "the classes of plug-ins; the program lcm has"};
+                                  "' cannot create components on request, because its program "
+                                  "does not load plug-ins; the program lcm does"};
 }
 
 }  // namespace tendon

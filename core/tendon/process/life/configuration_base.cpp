@@ -10,8 +10,8 @@ Result<void> CheckBase(const message::LifeOrder& order, const std::string& now,
   if (is_for_any || order.based_on == BaseOf(now)) return {};
   const std::string path = order.process + "/" + order.component;
   return Error{ErrorCode::kFailed, "the configuration of " + path + " was changed meanwhile" + by +
-                                       ": nothing was done; look at it with gcm show " + path +
-                                       ", and ask again"};
+                                       ": nothing was done; check it with gcm show " + path +
+                                       ", and try again"};
 }
 
 }  // namespace tendon

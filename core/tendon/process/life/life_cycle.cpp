@@ -55,9 +55,10 @@ class LifeCycle::Claim {
 
   [[nodiscard]] Result<void> Check() const {
     if (is_ours_) return {};
-    return Error{ErrorCode::kFailed, "component '" + component_ +
-                                         "' has another order to obey first: nothing was done; try "
-                                         "again when that is done"};
+    return Error{ErrorCode::kFailed,
+                 "component '" + component_ +
+                     "' must execute another order first: nothing was done; try "
+                     "again when that order is done"};
   }
   [[nodiscard]] bool is_to_stop() const {
     const std::scoped_lock lock(life_.claims_mutex_);
@@ -76,7 +77,7 @@ void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutc
   ThreadPerTask& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
   const auto begun = errands.Do([this, order, begin = std::move(begin), done, deadline] {
     const Outcome outcome = ExecuteGuarded({order, deadline, begin});
-    const std::string words = "ordered from afar: " + WordsFor(order);
+    const std::string words = "ordered remotely: " + WordsFor(order);
     if (outcome) {
       Log(LogLevel::kInfo, parts_.process, words);
     } else {
@@ -150,15 +151,16 @@ LifeCycle::Outcome LifeCycle::Execute(const Given& given) {
       return Remove(given);
     default:
       return Error{ErrorCode::kInvalid,
-                   "an LCM does not know this order; it is older than its GCM"};
+                   "this LCM does not know this order, because it is older than its GCM"};
   }
 }
 
 Result<void> LifeCycle::BeginNow(const Given& given) const {
   if (SteadyClock().Now() > given.deadline) {
-    return Error{ErrorCode::kFailed, "process '" + parts_.process +
-                                         "' was busy with other orders for as long as this one was "
-                                         "to wait: nothing was done; try again"};
+    return Error{ErrorCode::kFailed,
+                 "process '" + parts_.process +
+                     "' was busy with other orders until the time of this order "
+                     "was over: nothing was done; try again"};
   }
   auto begun = given.begin();
   if (begun) return begun;
@@ -195,7 +197,7 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
 /// Creates the new component first, so that the old one stays unchanged if this fails.
 LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   const std::string& component = given.order.component;
-  const auto before = FindOfClass(component, "configured anew");
+  const auto before = FindOfClass(component, "configured again");
   if (!before) return before.error();
   if (auto checked = CheckBase(given.order, before->configuration); !checked) {
     return checked.error();
@@ -207,7 +209,7 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
     return Error{ErrorCode::kFailed,
                  "component '" + component + "' is " +
                      (is_running ? std::string(ToString(before->state)) : "starting") +
-                     "; stop it first to configure it anew"};
+                     "; stop it first to configure it again"};
   }
   LifeOrder create = given.order;
   create.class_name = before->class_name;
@@ -304,7 +306,7 @@ Result<void> LifeCycle::TakeOut(const std::string& component, SteadyTime deadlin
   const auto stopped = parts_.manager.Stop(component, Left(deadline));
   if (!stopped && stopped.error().code == ErrorCode::kTimeout) {
     return Error{ErrorCode::kTimeout, "component '" + component +
-                                          "' is not taken out, for it has not stopped in time: " +
+                                          "' is not removed, because it did not stop in time: " +
                                           stopped.error().message};
   }
   auto removed = parts_.manager.Remove(component, Left(deadline));
@@ -352,13 +354,14 @@ Result<ComponentDescription> LifeCycle::FindOfClass(const std::string& component
   const auto settings = parts_.manager.SettingsOf(component);
   if (settings && !settings->followers.empty()) {
     return Error{ErrorCode::kFailed, "component '" + component + "' cannot be " + what +
-                                         " from afar, for '" + settings->followers.front() +
-                                         "' runs after it; remove that first"};
+                                         " remotely, because '" + settings->followers.front() +
+                                         "' runs after it; remove that component first"};
   }
   if (!found->class_name.empty()) return found;
   return Error{ErrorCode::kFailed, "component '" + component + "' cannot be " + what +
-                                       " from afar, for the program of process '" + parts_.process +
-                                       "' has made it by itself; it can be started and stopped"};
+                                       " remotely, because the program of process '" +
+                                       parts_.process +
+                                       "' created it itself; it can only be started and stopped"};
 }
 
 Result<ComponentDescription> LifeCycle::Find(const std::string& component) const {

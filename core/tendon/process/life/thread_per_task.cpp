@@ -12,8 +12,8 @@ Result<void> ThreadPerTask::Do(std::function<void()> task) {
   JoinEnded();
   if (is_stopped_ || threads_.size() >= most_) {
     return Error{ErrorCode::kFailed, "process '" + owner_ +
-                                         "' has too many orders to obey, or is about to end: "
-                                         "nothing was done"};
+                                         "' has too many orders, or is ending: nothing was "
+                                         "done"};
   }
   const auto self = threads_.emplace(threads_.end());
   try {
@@ -21,8 +21,9 @@ Result<void> ThreadPerTask::Do(std::function<void()> task) {
     return {};
   } catch (const std::system_error&) {
     threads_.erase(self);
-    return Error{ErrorCode::kFailed,
-                 "process '" + owner_ + "' gets no more threads (ulimit -u): nothing was done"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + owner_ + "' cannot create more threads (ulimit -u): nothing was done"};
   }
 }
 
@@ -50,7 +51,8 @@ void ThreadPerTask::Run(const std::function<void()>& task, Threads::iterator sel
   } catch (const std::exception& failure) {
     Log(LogLevel::kError, owner_, std::string("an order failed: ") + failure.what());
   } catch (...) {
-    Log(LogLevel::kError, owner_, "an order failed: it threw no std::exception");
+    Log(LogLevel::kError, owner_,
+        "an order failed: its exception does not derive from std::exception");
   }
   const std::scoped_lock lock(mutex_);
   ended_.splice(ended_.end(), threads_, self);

@@ -29,15 +29,15 @@ std::string AnyPortOf(const std::string& host) { return ToString(HostPort{host, 
 
 std::string OutOfReach(const std::string& address, const std::string& host) {
   return "is reached at " + address +
-         " from its own host alone, which is not that of the GCM; start it with --listen " +
+         " from its own host only, but the GCM is on another host; start it with --listen " +
          AnyPortOf(host);
 }
 
 /// The warning for a process that listens at every address and reaches its GCM by loopback.
 std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
-  return "listens at " + listens + ", but reaches its GCM by loopback, and tells others " + told +
-         ", which leads nowhere from other hosts; where those are to reach it, start it with "
-         "--advertise and an address of this host";
+  return "listens at " + listens + ", but reaches its GCM by loopback, and advertises " + told +
+         ", which other hosts cannot reach; if they must reach it, start it with --advertise "
+         "and an address of this host";
 }
 
 std::string OnAnotherNetwork(const std::string& listens, const std::string& from) {
@@ -76,8 +76,8 @@ Result<void> CheckAdvertise(const std::string& advertise) {
   if (!IsEveryHost(place->host)) return {};
   return Error{ErrorCode::kInvalid,
                "--advertise " + advertise +
-                   " leads nowhere: give an address of this host, or leave it out, and the one "
-                   "from which the GCM is reached is told"};
+                   " cannot be reached: give an address of this host, or leave the option out "
+                   "to advertise the address from which this process reaches the GCM"};
 }
 
 bool IsOfOneHost(const std::string& address) {

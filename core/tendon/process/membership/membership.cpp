@@ -253,7 +253,7 @@ void Membership::Fail(const Error& error) {
   }
   changed_.notify_all();
   if (!options_.retry) return;
-  Log(IsRefusal(error) ? "runs on unregistered: " + error.message : error.message);
+  Log(IsRefusal(error) ? "keeps running, but is not registered: " + error.message : error.message);
   TryLater();
 }
 
@@ -262,11 +262,12 @@ void Membership::OnClosed(const std::shared_ptr<Channel>& channel, const Error& 
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
     channel_ = nullptr;
-    failure_ = Error{ErrorCode::kUnreachable, "the GCM was lost: " + reason.message};
+    failure_ =
+        Error{ErrorCode::kUnreachable, "the connection to the GCM was lost: " + reason.message};
   }
   log_.SetChannel(nullptr);
   Log("the GCM at " + options_.gcm + " was lost (" + reason.message +
-      "); running on, and looking for it");
+      "); this process keeps running and tries to reconnect");
   pause_ = {};
   if (options_.retry) TryLater();
 }

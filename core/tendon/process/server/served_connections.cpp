@@ -60,7 +60,7 @@ Result<void> ServedConnections::CheckListeners(const Client& client, Use use) co
   return Error{ErrorCode::kFailed, "process '" + context_.name + "' has " +
                                        std::to_string(is_own ? own : all) +
                                        " listeners to its events" + (is_own ? " from here" : "") +
-                                       " already, which is the most: end some"};
+                                       " already, which is the limit: end some"};
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {
@@ -109,7 +109,7 @@ Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, st
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
   if (open.capacity <= kMostCalls && bytes <= kMostBytes) return {};
   return Error{ErrorCode::kInvalid,
-               ToString(open.required) + " wants room for " + std::to_string(open.capacity) +
+               ToString(open.required) + " requests room for " + std::to_string(open.capacity) +
                    " calls at " + ToString(open.provided) +
                    ", but another process may have at most " + std::to_string(kMostCalls) +
                    " calls and 64 MiB there: set a smaller mailbox capacity"};

@@ -19,7 +19,7 @@ void AcknowledgementQueue::Add(const std::shared_ptr<Channel>& channel, std::uin
     return;
   }
   lock.unlock();
-  channel->CutOff("has taken rows of more subscriptions than it can have");
+  channel->CutOff("acknowledged rows of more subscriptions than it can have");
 }
 
 RowAcknowledgements AcknowledgementQueue::TakeAll() {

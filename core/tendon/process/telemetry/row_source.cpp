@@ -211,7 +211,7 @@ void RowSource::WatchOverTopic(const SharedSubscription& subscription,
     Item* item = self->Find(subscription);
     if (item == nullptr || item->line != line || !self->channel_) return;
     if (line->silence() < kLongestSilence) return self->WatchOverTopic(subscription, line);
-    const Error silent{ErrorCode::kUnreachable, "the fan-out has brought nothing for 5 s"};
+    const Error silent{ErrorCode::kUnreachable, "the fan-out has delivered nothing for 5 s"};
     self->EndThere(*self->channel_, item->handle);
     subscription->Interrupt(silent);
     self->FallBack(*item, silent);

@@ -105,7 +105,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
     return Error{ErrorCode::kFailed, "process '" + context_.name + "' gives one viewer at most " +
                                          std::to_string(kMostSubscriptions) +
                                          " subscriptions, and " + viewer.peer().name +
-                                         " has so many already: end some, or ask for several " +
+                                         " already has that many: end some, or ask for several " +
                                          "columns of a table at once"};
   }
   const auto feed =
@@ -126,7 +126,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
   if (context_.middleware->fan_out() == nullptr || broker_.empty()) {
-    return Error{ErrorCode::kNotFound, "process '" + context_.name + "' knows no fan-out"};
+    return Error{ErrorCode::kNotFound, "process '" + context_.name + "' has no fan-out"};
   }
   if (wanted.rows != RowChoice{}) {
     return Error{ErrorCode::kInvalid, "a fan-out carries every row, or none"};
@@ -171,8 +171,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
     const auto place = static_cast<std::size_t>(column - columns.begin());
     if (is_named[place]) {
       return Error{ErrorCode::kInvalid, "a subscription to " + where + "/" + wanted.table +
-                                            " names column '" + name +
-                                            "' twice, but brings each once: name it once"};
+                                            " names column '" + name + "' twice: name it once"};
     }
     is_named[place] = true;
     source.columns.push_back(place);
@@ -223,8 +222,7 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
   for (const std::string& name : wanted.commands) {
     if (!named.insert(name).second) {
       return Error{ErrorCode::kInvalid, "a mirror names '" + name + "' of " +
-                                            ToString(wanted.provided) +
-                                            " twice, but copies each once: name it once"};
+                                            ToString(wanted.provided) + " twice: name it once"};
     }
     const Offer* command = (*provided)->FindCommand(name);
     if (command == nullptr) {  // opening the interface checks this

@@ -89,7 +89,8 @@ void Wipe(std::string& secret) {
 Result<Certificate> Describe(X509& certificate) {
   const auto [is_authority, holder] = KindOf(certificate);
   if (is_authority) {
-    return Error{ErrorCode::kInvalid, "it is the certificate of a CA, which is nobody's identity"};
+    return Error{ErrorCode::kInvalid,
+                 "it is the certificate of a CA, which identifies no person or process"};
   }
   const X509_NAME* subject = X509_get_subject_name(&certificate);
   const std::string name = OnlyEntry(subject, NID_commonName);

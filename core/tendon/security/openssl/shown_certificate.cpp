@@ -40,8 +40,8 @@ Result<ShownCertificate::Loaded> ShownCertificate::Load(const Credentials& crede
   if (!checked) return checked.error();
   if (!checked->key) {
     return Error{ErrorCode::kNotFound, file.string() +
-                                           " has no private key beside it (.key): put the two that "
-                                           "were issued together there"};
+                                           " has no private key beside it (.key): put two files "
+                                           "there that were issued together"};
   }
   auto text = ReadSmallFile(file);
   if (!text) return text.error();
@@ -65,8 +65,7 @@ std::shared_ptr<const ShownCertificate::Pair> ShownCertificate::Now() {
   const auto renewed = Renew();
   const std::string complaint = renewed ? std::string() : renewed.error().message;
   if (!complaint.empty() && complaint != complaint_) {
-    Log(LogLevel::kWarning, kSource,
-        "goes on with the certificate that it has shown so far: " + complaint);
+    Log(LogLevel::kWarning, kSource, "keeps its previous certificate: " + complaint);
   }
   complaint_ = complaint;
   return pair_;
@@ -83,12 +82,12 @@ Result<void> ShownCertificate::Renew() {
   if (renewed.name != certificate_.name || renewed.role != certificate_.role ||
       renewed.holder != certificate_.holder) {
     return Error{ErrorCode::kDenied,
-                 file.string() + " is that of the " + std::string(ToString(renewed.holder)) + " '" +
-                     renewed.name + "' now, " + std::string(ToString(renewed.role)) +
-                     ": start this program again to be that"};
+                 file.string() + " now belongs to the " + std::string(ToString(renewed.holder)) +
+                     " '" + renewed.name + "' with the role " +
+                     std::string(ToString(renewed.role)) + ": start this program again to use it"};
   }
   Log(LogLevel::kInfo, kSource,
-      "shows the renewed " + file.string() + ", good until " + DateText(renewed.not_after));
+      "uses the renewed " + file.string() + ", valid until " + DateText(renewed.not_after));
   Warn(file, loaded->checked.warning);
   text_ = std::move(loaded->text);
   pair_ = std::move(loaded->pair);

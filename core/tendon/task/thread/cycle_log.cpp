@@ -115,8 +115,8 @@ bool CycleLog::TellLost() {
   if (lost == lost_told_) return false;
   Log(LogLevel::kWarning, "log",
       std::to_string(lost - lost_told_) +
-          " records of cycles are lost: their tasks log faster than is written, and have no more "
-          "than their share of " +
+          " records of cycles are lost: their tasks log faster than the records are written, and "
+          "each may only use its share of " +
           std::to_string(kCapacity) + " places");
   lost_told_ = lost;
   return true;

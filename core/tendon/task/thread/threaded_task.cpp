@@ -50,8 +50,9 @@ Result<void> ThreadedTask::Launch() {
   try {
     thread_ = std::thread([this] { MakeCycles(); });
   } catch (const std::system_error& error) {
-    return Error{ErrorCode::kFailed, "component '" + name() + "' got no thread (ulimit -u): " +
-                                         std::string(error.what())};
+    return Error{ErrorCode::kFailed,
+                 "component '" + name() +
+                     "' could not get a thread (ulimit -u): " + std::string(error.what())};
   }
   return {};
 }

@@ -58,7 +58,7 @@ def holder_of(text: str) -> Shown:
     """Whose a certificate (PEM) is: its subject has one CN and one OU. Whether it can be believed
     is not looked at. Raises Invalid."""
     if len(text) > MAX_CERTIFICATE:
-        raise Invalid("what it shows is no certificate")
+        raise Invalid("its certificate cannot be read")
     try:
         (tag, parts), = _values(ssl.PEM_cert_to_DER_cert(text))
         if tag != _SEQUENCE:
@@ -73,7 +73,7 @@ def holder_of(text: str) -> Shown:
             found.setdefault(kind, []).append(value.decode())
         (name,), (role,) = found[_COMMON_NAME], found[_UNIT]
     except (ValueError, KeyError, IndexError, StopIteration):
-        raise Invalid("what it shows is no certificate of Tendon: it has not exactly one name and "
+        raise Invalid("its certificate is not one of Tendon: it has not exactly one name and "
                       "one role") from None
     return Shown(name, role)
 

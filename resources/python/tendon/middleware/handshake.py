@@ -55,8 +55,8 @@ def loopback_cookie() -> int:
         status = os.fstat(descriptor)
         if (status.st_uid != os.geteuid() or status.st_mode & 0o077
                 or not stat.S_ISREG(status.st_mode)):
-            raise Denied(f"{file} must be a file of yours that nobody else can read (mode 0600): "
-                         "remove it, then start again")
+            raise Denied(f"{file} must belong to you, and only you may read it (mode 0600): remove "
+                         "it, then start again")
         text = opened.read(MAX_COOKIE)
     try:
         cookie = int(text, 16)

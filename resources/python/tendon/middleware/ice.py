@@ -264,8 +264,8 @@ def _why_not_opened(why: Any, address: Address, timeout: float,
                       f"{credentials.authority}")
     if credentials is not None and isinstance(why, (Ice.ConnectionLostException,
                                                     Ice.ProtocolException)):
-        return Unreachable(f"{address} does not accept {credentials.certificate}, or speaks no "
-                           "TLS: its log says why")
+        return Unreachable(f"{address} does not accept {credentials.certificate}, or does not "
+                           "use TLS: see its log")
     if isinstance(why, Ice.TimeoutException):
         return TimedOut(f"no answer from {address} within {timeout * 1000:.0f} ms")
     if isinstance(why, Ice.SyscallException):

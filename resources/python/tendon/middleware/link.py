@@ -194,7 +194,7 @@ class Link:
         if whole is None:
             return
         if whole[0].type in (MessageType.PART, MessageType.PARTS_TAKEN):
-            raise Invalid(f"{self.peer_name} sent parts of what is no message")
+            raise Invalid(f"{self.peer_name} sent parts that are not a valid message")
         self._on_message(*whole)
 
     def _finish(self, request: int, body: bytes, refusal: Error | None) -> None:

@@ -41,12 +41,12 @@ class PartAssembly:
             size = claimed_size(part, HEADER_SIZE + MAX_BODY_SIZE)
             claimed = sum(one for one, _ in self._begun.values())
             if size is None or size > MAX_CLAIMED - claimed:
-                raise Invalid("the peer sent parts of what is no message")
+                raise Invalid("the peer sent parts that are not a valid message")
             self._begun[number] = (size, bytearray())
         size, begun = self._begun[number]
         left = size - len(begun)
         if not min(LEAST_PART_SIZE, left) <= len(part) <= min(MAX_PART_SIZE, left):
-            raise Invalid("the peer sent parts of what is no message")
+            raise Invalid("the peer sent parts that are not a valid message")
         self.taken += len(part)
         begun += part
         if len(begun) < size:
@@ -86,7 +86,7 @@ class PartSender:
         taken = messages.decode("PartsTaken", body)
         with self._changed:
             if not self._taken <= taken <= self._sent:
-                raise Invalid("the peer has taken more than was sent to it")
+                raise Invalid("the peer acknowledged more than was sent to it")
             self._taken = taken
             self._changed.notify_all()
 

@@ -63,9 +63,11 @@ class Schema:
         try:
             value = self.read(reader)
         except Error as error:
-            raise Invalid(f"these {len(body)} bytes are no {self.type_name}: {error}") from None
+            raise Invalid(
+                f"these {len(body)} bytes are not a valid {self.type_name}: {error}") from None
         if not reader.at_end:
-            raise Invalid(f"these {len(body)} bytes are no {self.type_name}: something follows it")
+            raise Invalid(f"these {len(body)} bytes are not a valid {self.type_name}: there is more "
+                          "data after its end")
         return value
 
     def write(self, writer: Writer, value: Any, unit: str) -> None:

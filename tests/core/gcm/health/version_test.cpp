@@ -25,7 +25,7 @@ TEST(VersionText, OfAnotherReleaseOrProtocolIsSaid) {
 TEST(VersionText, AProgramThatDoesNotKnowTheQuestionIsOlder) {
   const VersionReport told =
       JudgeVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed to anybody"}, kOwn);
-  EXPECT_EQ(told.text, "of a version too old to say which");
+  EXPECT_EQ(told.text, "of an old version that does not report itself");
   EXPECT_FALSE(told.is_own);
 }
 

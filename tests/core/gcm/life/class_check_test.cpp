@@ -70,7 +70,7 @@ TEST(ClassCheck, AClassThatOnlyTheFileOnTheDiskHasIsSaidToBeOfAnotherTime) {
   EXPECT_THAT(checked.error().message,
               testing::MatchesRegex("process 'robot' has no class 'Gripper' in arms; process "
                                     "'robot' runs /opt/arms.so of .*; the file was written again "
-                                    "at .*: start the process anew to run that"));
+                                    "at .*: restart the process to use it"));
 }
 
 TEST(ClassCheck, APlanNotesWhichCodeIsOlderThanItsFile) {

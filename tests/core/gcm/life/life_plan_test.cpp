@@ -78,9 +78,10 @@ TEST_F(LifePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
   EXPECT_EQ(Found("**"), "desk/own robot/arm");
   EXPECT_EQ(Found("*/a*"), "robot/arm");
   EXPECT_EQ(Found("robot/arn"), "no component 'robot/arn'; did you mean 'arm'?");
-  EXPECT_EQ(Found("robot"),
-            "'robot' names no component: expected process/component, or a glob as process/*");
-  EXPECT_EQ(Found("robot/x*"), "no component fits 'robot/x*'; gcm ls -R lists what there is");
+  EXPECT_EQ(
+      Found("robot"),
+      "'robot' does not name a component: expected process/component, or a glob such as process/*");
+  EXPECT_EQ(Found("robot/x*"), "no component fits 'robot/x*'; gcm ls -R lists all names");
 
   ProcessDescription robot = test::ProcessNamed("robot", 2);
   robot.state = ProcessState::kLost;
@@ -95,17 +96,18 @@ TEST_F(LifePlan, ADryRunSaysWhatTheProcessWouldRefuse) {
     return order;
   };
   EXPECT_EQ(Refusal(of(arm, LifeVerb::kStart)),
-            "component 'arm' is active already; stop it first to start it anew");
+            "component 'arm' is active already; stop it first to start it again");
   EXPECT_EQ(Refusal(of(arm, LifeVerb::kConfigure)),
-            "component 'arm' is active; stop it first to configure it anew");
+            "component 'arm' is active; stop it first to configure it again");
   for (const LifeVerb verb :
        {LifeVerb::kStop, LifeVerb::kSuspend, LifeVerb::kRestart, LifeVerb::kRemove}) {
     EXPECT_EQ(Refusal(of(arm, verb)), "");
   }
   EXPECT_EQ(Refusal(of(arm, LifeVerb::kCreate)),
             "component 'arm' already exists in process 'robot'");
-  EXPECT_EQ(Refusal({.verb = LifeVerb::kRemove, .process = "desk", .component = "own"}),
-            "component 'own' was made by the program of process 'desk' itself, not from a class");
+  EXPECT_EQ(
+      Refusal({.verb = LifeVerb::kRemove, .process = "desk", .component = "own"}),
+      "component 'own' was created by the program of process 'desk' itself, not from a class");
   EXPECT_EQ(Refusal({.process = "robbot", .component = "arm"}),
             "no process 'robbot'; did you mean 'robot'?");
 }
@@ -182,18 +184,18 @@ TEST_F(LifePlan, AnUndoRefusesWhatHasChangedSince) {
   };
   EXPECT_EQ(refusal(), "");
   SetState(ComponentState::kFaulted);
-  EXPECT_EQ(refusal(), "robot/arm is faulted since");
+  EXPECT_EQ(refusal(), "robot/arm is faulted now");
 
   step.verb = "create";
   step.life.class_name = "OtherArm";
-  EXPECT_EQ(refusal(), "robot/arm is of class SimulatedArm since");
+  EXPECT_EQ(refusal(), "robot/arm is of class SimulatedArm now");
   step.life.class_name = "SimulatedArm";
   EXPECT_EQ(refusal(), "");
   step.verb = "remove";
-  EXPECT_EQ(refusal(), "robot/arm is there again");
+  EXPECT_EQ(refusal(), "robot/arm exists again");
   step.verb = "create";
   step.life.component = "other";
-  EXPECT_EQ(refusal(), "robot/other is no longer there");
+  EXPECT_EQ(refusal(), "robot/other no longer exists");
 }
 
 TEST_F(LifePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
@@ -228,8 +230,7 @@ TEST_F(LifePlan, AnUndoRefusesAnotherConfiguration) {
   EXPECT_TRUE(CheckUndo(catalogue_, step));
   step.life.configuration = "{}";
 
-  EXPECT_EQ(CheckUndo(catalogue_, step).error().message,
-            "robot/arm has another configuration since");
+  EXPECT_EQ(CheckUndo(catalogue_, step).error().message, "robot/arm has another configuration now");
 }
 
 TEST_F(LifePlan, AConfigurationIsTakenBackOnlyFromWhatTheStepHasMade) {

@@ -52,7 +52,7 @@ TEST(Parameters, AreTheFieldsThatAreNoStructures) {
 }
 
 TEST(Parameters, ATextThatIsNoUtf8IsRefused) {
-  EXPECT_EQ(Told("", "label", "\xff"), R"(label: '\xff' is no UTF-8)");
+  EXPECT_EQ(Told("", "label", "\xff"), R"(label: '\xff' is not valid UTF-8)");
 }
 
 TEST(Parameters, JsonOfAnotherProcessNestsNoDeeperThan64) {
@@ -105,7 +105,7 @@ TEST(Parameters, AMistakeSaysWhereAndWhatWasExpected) {
             "gain.p: expected float64, got 'true'; write a number in digits");
   for (const char* name : {"", ".", "[0]", "gain.", "gain..p", "gain.limits[", "gain.limits[-1]",
                            "gain.limits[1]x", "gain.limits[99999999999999999999]"}) {
-    EXPECT_NE(Told("", name, "1").find("names no parameter"), std::string::npos) << name;
+    EXPECT_NE(Told("", name, "1").find("does not name a parameter"), std::string::npos) << name;
   }
 }
 

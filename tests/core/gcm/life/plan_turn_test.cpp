@@ -39,7 +39,7 @@ TEST_P(PlanLock, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
   ASSERT_TRUE(outcome.error);
   EXPECT_EQ(outcome.error->code, ErrorCode::kFailed);
   EXPECT_THAT(outcome.error->message,
-              HasSubstr("nothing was done, for a plan of anna@desk is being carried out since "));
+              HasSubstr("nothing was done, because a plan of anna@desk has been running since "));
   EXPECT_EQ(Connection(), std::nullopt);
   EXPECT_TRUE(Take(*other_)) << "it has its turn already";
 }
@@ -54,9 +54,11 @@ TEST_P(PlanLock, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
   const auto refused = executor.Execute(connect);
 
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message,
-              HasSubstr("the turn was lost with the link to the GCM; nothing was done, for a plan "
-                        "of anna@desk"));
+  EXPECT_THAT(
+      refused.error().message,
+      HasSubstr(
+          "the plan lost its turn with the connection to the GCM; nothing was done, because a "
+          "plan of anna@desk"));
   EXPECT_EQ(Connection(), std::nullopt);
 
   other_->GivePlanTurnBack();

@@ -131,8 +131,8 @@ TEST_F(LcmLauncherTest, ALogThatCannotBeKeptIsSaidOnceAndCutAllTheSame) {
 
   EXPECT_THAT(*logged,
               testing::StartsWith("the log of process 'robot', " + log +
-                                  ", has become too long and is not kept as " + log + ".1 ("));
-  EXPECT_THAT(*logged, HasSubstr("), so what it said is lost; make room there, or"));
+                                  ", is too long and could not be kept as " + log + ".1 ("));
+  EXPECT_THAT(*logged, HasSubstr("), so the previous log is lost; free some disk space, or"));
   EXPECT_EQ(home_.Read("state/robot.log"), "");
   logged->clear();
   home_.Write("state/robot.log", "another long line\n");
@@ -141,8 +141,8 @@ TEST_F(LcmLauncherTest, ALogThatCannotBeKeptIsSaidOnceAndCutAllTheSame) {
 
   const auto second = launcher.Start({.process = "robot", .patience = 2s});
   ASSERT_TRUE(second) << second.error().message;
-  EXPECT_THAT(*logged, HasSubstr("the former log of process 'robot', " + log + ", is not kept as " +
-                                 log + ".1: "));
+  EXPECT_THAT(*logged, HasSubstr("the previous log of process 'robot', " + log +
+                                 ", could not be kept as " + log + ".1: "));
   (*process)->Kill();
   (*second)->Kill();
 }
@@ -153,7 +153,7 @@ TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().message,
             "there is no " + (home_.path() / "lcm").string() +
-                ": a GCM starts the lcm that lies beside its own program; install it there");
+                ": a GCM starts the lcm in the folder of its own program; install it there");
 
   home_.Write("lcm", "no program");
   const auto refused = launcher.Start({.process = "robot"});
@@ -162,7 +162,7 @@ TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
 
   LcmLauncher without({}, "127.0.0.1:1", home_.path());
   EXPECT_EQ(without.Start({.process = "robot"}).error().message,
-            "this GCM starts no processes; start it by hand: lcm --name robot");
+            "this GCM cannot start processes; start it by hand: lcm --name robot");
 }
 
 }  // namespace

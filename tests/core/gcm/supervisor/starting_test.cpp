@@ -27,7 +27,7 @@ TEST_F(StartingProcess, IsShownAsThatUntilItHasJoined) {
     EXPECT_EQ(RequirePresent(registry_.catalogue().FindProcess("robot")->process).error().message,
               "process 'robot' is starting; try again when it has joined");
     EXPECT_EQ(registry_.Forget("robot").error().message,
-              "process 'robot' is starting; only one that is gone can be forgotten");
+              "process 'robot' is starting; only a process that is gone can be forgotten");
   });
 
   Join({test::Arm()});

@@ -166,7 +166,7 @@ class SupervisorTest : public testing::Test {
   void FailOnce(std::chrono::milliseconds pause, std::vector<ComponentDescription> components) {
     const std::size_t before = launcher_->starts();
     End(kKilled);
-    ASSERT_TRUE(Comes([&] { return ReasonNow().find("started again in") != std::string::npos; }));
+    ASSERT_TRUE(Comes([&] { return ReasonNow().find("restarted in") != std::string::npos; }));
     clock_.Advance(pause);
     ASSERT_TRUE(Comes([&] { return launcher_->starts() == before + 1; }));
     Join(std::move(components));

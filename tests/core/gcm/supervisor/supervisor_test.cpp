@@ -45,10 +45,10 @@ TEST_F(SupervisorTest, AnotherProcessOfTheNameIsNotTheOneThatWasStarted) {
   });
 
   ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(
-      answer->text,
-      "process 'robot' ended with exit code 1 before it had joined; it said last: alas; its log: "
-      "robot.log");
+  EXPECT_EQ(answer->text,
+            "process 'robot' ended with exit code 1 before it had joined; its last output: alas; "
+            "its log: "
+            "robot.log");
   EXPECT_THAT(history_.steps().entries, testing::IsEmpty());
 }
 
@@ -63,7 +63,7 @@ TEST_F(SupervisorTest, WhatCannotBeStartedIsSaid) {
     ASSERT_TRUE(registry_.Join({test::ProcessNamed("robot", 9), {}, {}}, 0, nullptr));
   });
   const auto taken = Order(ProcessVerb::kStart);
-  EXPECT_THAT(TextOf(taken), testing::StartsWith("process 'robot' is there already: host "));
+  EXPECT_THAT(TextOf(taken), testing::StartsWith("process 'robot' is already running: host "));
   const auto alien = Order(ProcessVerb::kKill);
   EXPECT_THAT(TextOf(alien), HasSubstr("was not started by this GCM: end it where it was started"));
 }
@@ -77,7 +77,7 @@ TEST_F(SupervisorTest, OneThatNeverJoinsIsEndedAgain) {
   }));
   EXPECT_FALSE(answer->is_here);
   EXPECT_FALSE(launcher_->process()->killed);
-  EXPECT_THAT(TextOf(Order(ProcessVerb::kStart)), HasSubstr("was started already as pid 1"));
+  EXPECT_THAT(TextOf(Order(ProcessVerb::kStart)), HasSubstr("was already started as pid 1"));
 
   clock_.Advance(2s);
   Tick();
@@ -85,9 +85,10 @@ TEST_F(SupervisorTest, OneThatNeverJoinsIsEndedAgain) {
   Locked([this] { launcher_->process()->end = kKilled; });
 
   ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(answer->text,
-            "process 'robot' has not joined within 5000 ms, so it was ended again; it said last: "
-            "alas; its log: robot.log");
+  EXPECT_EQ(
+      answer->text,
+      "process 'robot' has not joined within 5000 ms, so it was ended again; its last output: "
+      "alas; its log: robot.log");
 }
 
 TEST_F(SupervisorTest, OneThatFailsIsStartedAgainWithWhatItHad) {
@@ -109,7 +110,7 @@ TEST_F(SupervisorTest, OneThatFailsIsStartedAgainWithWhatItHad) {
   End(kKilled);
 
   ASSERT_TRUE(Comes([this] { return ReasonNow().find("SIGKILL") != std::string::npos; }));
-  EXPECT_EQ(Reason(), "was ended by SIGKILL; its log: robot.log; it is started again in 500 ms");
+  EXPECT_EQ(Reason(), "was ended by SIGKILL; its log: robot.log; it is restarted in 500 ms");
   clock_.Advance(499ms);
   Tick();
   EXPECT_EQ(launcher_->starts(), 1U);
@@ -150,11 +151,11 @@ TEST_F(SupervisorTest, GivesUpWhatFailsAgainAndAgain) {
 
   End(kKilled);
 
-  ASSERT_TRUE(Comes([this] { return ReasonNow().find("not started again") != std::string::npos; }));
+  ASSERT_TRUE(Comes([this] { return ReasonNow().find("not restarted") != std::string::npos; }));
   EXPECT_EQ(Reason(),
-            "was ended by SIGKILL; its log: robot.log; it is not started again, for it has failed "
+            "was ended by SIGKILL; its log: robot.log; it is not restarted, because it has failed "
             "5 times "
-            "within a minute; when it is mended: gcm apply");
+            "within a minute; after the repair: gcm apply");
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 5U);
@@ -173,7 +174,7 @@ TEST_F(SupervisorTest, OneThatEndsByItselfOrIsToEndStaysEnded) {
   ASSERT_TRUE(IsAnswered(again));
   const auto killed = Order(ProcessVerb::kKill);
   EXPECT_TRUE(launcher_->process()->terminated);
-  EXPECT_EQ(TextOf(Order(ProcessVerb::kKill)), "process 'robot' is being ended already");
+  EXPECT_EQ(TextOf(Order(ProcessVerb::kKill)), "process 'robot' is already being ended");
   clock_.Advance(5s);
   Tick();
   EXPECT_TRUE(launcher_->process()->killed);
@@ -184,7 +185,7 @@ TEST_F(SupervisorTest, OneThatEndsByItselfOrIsToEndStaysEnded) {
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 2U);
-  EXPECT_EQ(TextOf(Order(ProcessVerb::kKill)), "process 'robot' is gone already");
+  EXPECT_EQ(TextOf(Order(ProcessVerb::kKill)), "process 'robot' is already gone");
 }
 
 TEST_F(SupervisorTest, OneThatIsToRestartNeverDoesNot) {
@@ -194,14 +195,14 @@ TEST_F(SupervisorTest, OneThatIsToRestartNeverDoesNot) {
 
   EXPECT_TRUE(Comes([this] {
     return ReasonNow() ==
-           "was ended by SIGKILL; its log: robot.log; it is not started again (restart never)";
+           "was ended by SIGKILL; its log: robot.log; it is not restarted (restart never)";
   }));
 }
 
 TEST_F(SupervisorTest, WhatWaitsToBeStartedAgainCanBeToldToStayEnded) {
   Run(RestartPolicy::kOnFailure);
   End(kKilled);
-  ASSERT_TRUE(Comes([this] { return ReasonNow().find("started again in") != std::string::npos; }));
+  ASSERT_TRUE(Comes([this] { return ReasonNow().find("restarted in") != std::string::npos; }));
 
   const auto answer = Order(ProcessVerb::kKill);
 
@@ -209,14 +210,14 @@ TEST_F(SupervisorTest, WhatWaitsToBeStartedAgainCanBeToldToStayEnded) {
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 1U);
-  EXPECT_EQ(Reason(), "was told to end, and is not started again");
+  EXPECT_EQ(Reason(), "was ended on request, and is not restarted");
 }
 
 TEST_F(SupervisorTest, AStartIsUndoneAsLongAsNothingIsInTheProcess) {
   Run(RestartPolicy::kOnFailure, {test::Arm()});
   const auto step = history_.steps().entries.at(0);
   EXPECT_EQ(supervisor_.CheckUndo(step).error().message,
-            "process 'robot' has components since, such as arm");
+            "process 'robot' now has components, such as arm");
   Locked([this] {
     ASSERT_TRUE(registry_.Report(session_, {{{.kind = CatalogueChange::Kind::kComponentRemoved,
                                               .process = "robot",

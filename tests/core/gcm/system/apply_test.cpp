@@ -69,8 +69,8 @@ TEST_P(ApplyPlan, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
 
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
-            "process 'desk' was started anew, or is gone, since the plan was made; make another "
-            "one");
+            "process 'desk' was restarted or has ended since the plan was made; make another "
+            "plan");
   EXPECT_TRUE(desk_->orders().empty());
 }
 
@@ -82,14 +82,14 @@ TEST_P(ApplyPlan, NothingIsStartedThatLacksAConnection) {
   const auto alone = executor.Execute(step);
   ASSERT_FALSE(alone);
   EXPECT_EQ(alone.error().message,
-            "not started, for desk/teleoperation/Robot is not connected to robot/arm/Control");
+            "not started, because desk/teleoperation/Robot is not connected to robot/arm/Control");
 
   desk_->set_manners(test::FakeProcess::Manners::kMissTheNextProvider);
   ASSERT_TRUE(Connect(*client_));
   const auto pending = executor.Execute(step);
   ASSERT_FALSE(pending);
   EXPECT_EQ(pending.error().message,
-            "not started, for desk/teleoperation/Robot is not connected to robot/arm/Control: "
+            "not started, because desk/teleoperation/Robot is not connected to robot/arm/Control: "
             "nobody answers");
 }
 

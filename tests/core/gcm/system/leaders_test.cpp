@@ -45,10 +45,9 @@ TEST(RunsAfter, IsCheckedWithItsPlace) {
       error(R"("runs_after": 7)"),
       "x: line 3, column 44: processes[0].components[1].runs_after: expected string, got number");
   EXPECT_THAT(error(R"("runs_after": "a b")"), testing::HasSubstr("has ' ' at 2"));
-  EXPECT_EQ(
-      error(R"("runs_after": "host")"),
-      "x: line 1, column 61: processes[0].components: runs_after leads around in a ring: 'host' "
-      "runs after 'host'");
+  EXPECT_EQ(error(R"("runs_after": "host")"),
+            "x: line 1, column 61: processes[0].components: runs_after forms a ring: 'host' "
+            "runs after 'host'");
 }
 
 TEST(RunsAfter, ARingIsRefusedWithAllThatAreInIt) {

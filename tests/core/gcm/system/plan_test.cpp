@@ -225,9 +225,10 @@ TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
   SystemFile wanted = SystemOf(builder.catalogue(), "x").file;
   wanted.processes[0].components[0].configuration = R"({"noise":1})";
 
-  EXPECT_THAT(MakePlan(builder.catalogue(), wanted).obstacles,
-              ElementsAre("robot/own runs after one that is to go or to be made anew, and its own "
-                          "program alone can make it anew with that; stop that program first"));
+  EXPECT_THAT(
+      MakePlan(builder.catalogue(), wanted).obstacles,
+      ElementsAre("robot/own runs after a component that is to be removed or created again, "
+                  "and only its own program can create it again too; stop that program first"));
 }
 
 TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
@@ -269,8 +270,8 @@ TEST(Plan, DoesNotStartWhatLacksAConnection) {
   CatalogBuilder alone;
   alone.Process("desk", {teleoperation});
   EXPECT_EQ(obstacle_of(alone),
-            "desk/teleoperation is not started, for it lacks its connection "
-            "desk/teleoperation/Robot -> robot/arm/Control: process 'robot' is not there");
+            "desk/teleoperation is not started, because it lacks its connection "
+            "desk/teleoperation/Robot -> robot/arm/Control: process 'robot' is not available");
 
   CatalogBuilder misfit;
   ComponentDescription fake = test::FakeArm();
@@ -369,8 +370,8 @@ TEST(Plan, SaysWhichProcessesAreToBeStarted) {
 
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(plan.obstacles,
-              ElementsAre("process 'desk' is not there, nor 1 component of it; start its program",
-                          "process 'robot' is not there, nor 2 components of it; start it: lcm "
+              ElementsAre("process 'desk' with 1 component is not available; start its program",
+                          "process 'robot' with 2 components is not available; start it: lcm "
                           "--name robot"));
 }
 
@@ -405,11 +406,11 @@ TEST(Plan, SaysWhatNoStepCanBringAbout) {
 
   ASSERT_EQ(plan.obstacles.size(), 4U) << testing::PrintToString(plan.obstacles);
   EXPECT_THAT(plan.obstacles[0],
-              HasSubstr("robot/own is not in the file, but was made by its own"));
-  EXPECT_THAT(plan.obstacles[1], HasSubstr("robot/arm has another period than the file says "
+              HasSubstr("robot/own is not in the file, but was created by its own"));
+  EXPECT_THAT(plan.obstacles[1], HasSubstr("robot/arm does not have the period of the file "
                                            "(period 0.002 s -> 0.001 s)"));
   EXPECT_THAT(plan.obstacles[2],
-              HasSubstr("robot/absent is not there, and only its own program can make it"));
+              HasSubstr("robot/absent does not exist, and only its own program can create it"));
   EXPECT_THAT(plan.obstacles[3], HasSubstr("missing write command 'MoveTo'"));
   EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // it is not the ends alone
 }
@@ -434,10 +435,11 @@ TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
   const Plan plan = MakePlan(catalogue, wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
-  EXPECT_THAT(plan.obstacles,
-              ElementsAre("desk/teleoperation is not started, for it lacks a connection for Robot, "
-                          "and the file is strict; add it to the file's connections, or leave out "
-                          "\"strict\""));
+  EXPECT_THAT(
+      plan.obstacles,
+      ElementsAre("desk/teleoperation is not started, because it lacks a connection for Robot, "
+                  "and the file is strict; add it to the file's connections, or leave out "
+                  "\"strict\""));
 }
 
 TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {

@@ -62,9 +62,10 @@ TEST(RunningSystem, LeavesOutWhatIsNotThereAndSaysSo) {
 
   ASSERT_EQ(running.file.processes.size(), 1U);
   EXPECT_TRUE(running.file.connections.empty());
-  EXPECT_THAT(running.LeftOut(),
-              testing::ElementsAre("desk/teleoperation/Robot -> robot/arm/Control is left out, for "
-                                   "robot/arm is not there"));
+  EXPECT_THAT(
+      running.LeftOut(),
+      testing::ElementsAre("desk/teleoperation/Robot -> robot/arm/Control is left out, because "
+                           "robot/arm does not exist"));
 }
 
 TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
@@ -153,7 +154,7 @@ TEST(RunningSystem, TheFileKeepsProcessesThatAreNotThereNow) {
     const std::string count = absent == "robot" ? "2 components" : "1 component";
     EXPECT_THAT(kept,
                 testing::ElementsAre("process '" + absent +
-                                     "' is not there now: kept as the file has it, with " + count));
+                                     "' is not available now: kept as in the file, with " + count));
     EXPECT_EQ(*saved.file.FindProcess(absent), *former.FindProcess(absent));
     EXPECT_EQ(saved.file.connections, former.connections);
     EXPECT_EQ(saved.file.layout, former.layout);
@@ -171,9 +172,10 @@ TEST(RunningSystem, AKeptConnectionToWhatIsNoMoreIsLeftOut) {
   KeepFrom(former, saved);
 
   EXPECT_TRUE(saved.file.connections.empty());
-  EXPECT_THAT(saved.LeftOut(),
-              testing::ElementsAre("desk/teleoperation/Robot -> robot/arm/Control is left out, for "
-                                   "robot/arm is not there"));
+  EXPECT_THAT(
+      saved.LeftOut(),
+      testing::ElementsAre("desk/teleoperation/Robot -> robot/arm/Control is left out, because "
+                           "robot/arm does not exist"));
   EXPECT_EQ(ReadBack(saved.file), saved.file);
 }
 

@@ -123,21 +123,23 @@ TEST_F(PluginTest, OfAnotherMachineIsNamed) {
 }
 
 TEST_F(PluginTest, WhoseLibraryIsMissingNamesIt) {
-  EXPECT_EQ(Refusal("missing_dependency"),
-            "expected the libraries it needs, found no libtest_plugin_gone.so; install it, or add "
-            "its folder to LD_LIBRARY_PATH");
+  EXPECT_EQ(
+      Refusal("missing_dependency"),
+      "expected the libraries that it needs, found no libtest_plugin_gone.so; install it, or add "
+      "its folder to LD_LIBRARY_PATH");
 }
 
 TEST_F(PluginTest, WhoseSymbolIsMissingNamesIt) {
-  EXPECT_EQ(Refusal("missing_symbol"),
-            "expected all it uses in the libraries it needs, found no lamp::SwitchOn(int); build "
-            "it against this version and link what it uses");
+  EXPECT_EQ(
+      Refusal("missing_symbol"),
+      "expected every symbol in the libraries that it needs, found no lamp::SwitchOn(int); build "
+      "it against this version and link the library that has the symbol");
 }
 
 TEST_F(PluginTest, WithoutEntryPointIsNone) {
   EXPECT_EQ(Refusal("no_entry"),
-            "expected the function TendonRegisterComponents, found none; it is no plug-in with "
-            "components");
+            "expected the function TendonRegisterComponents, found none; it is not a plug-in "
+            "with components");
 }
 
 TEST_F(PluginTest, OfAnotherBinaryInterfaceNamesBoth) {
@@ -181,7 +183,7 @@ TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
 TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
   EXPECT_EQ(Refusal("throws_on_registration"),
             "expected TendonRegisterComponents to return, found that it threw: an exception "
-            "that is no std::exception");
+            "that does not derive from std::exception");
 }
 
 TEST_F(PluginTest, WithAClassTwiceNamesTheClass) {

@@ -15,16 +15,17 @@ namespace {
 
 TEST(FromJson, SaysWhereTextIsNoJson) {
   const auto error = ErrorOf<sample::Point>;
-  EXPECT_EQ(error("{"),
-            "this is no JSON: line 1, column 2: unexpected end of input; expected string literal");
+  EXPECT_EQ(
+      error("{"),
+      "this is not valid JSON: line 1, column 2: unexpected end of input; expected string literal");
   EXPECT_EQ(error("{\"x\": 1,\n \"y\": 2,,\n"),
-            "this is no JSON: line 2, column 9: unexpected ','; expected string literal");
+            "this is not valid JSON: line 2, column 9: unexpected ','; expected string literal");
   EXPECT_EQ(error("{\"x\": 1,\n}"),
-            "this is no JSON: line 2, column 1: unexpected '}'; expected string literal");
-  EXPECT_EQ(error("{} // done").substr(0, 34), "this is no JSON: line 1, column 4:");
-  EXPECT_EQ(error("{'x': 1}").substr(0, 34), "this is no JSON: line 1, column 2:");
+            "this is not valid JSON: line 2, column 1: unexpected '}'; expected string literal");
+  EXPECT_EQ(error("{} // done").substr(0, 34), "this is not valid JSON: line 1, column 4:");
+  EXPECT_EQ(error("{'x': 1}").substr(0, 34), "this is not valid JSON: line 1, column 2:");
   EXPECT_EQ(error("\xef\xbb\xbf{}"),
-            "this is no JSON: begins with a byte-order mark; save it as UTF-8 without one");
+            "this is not valid JSON: begins with a byte-order mark; save it as UTF-8 without one");
 }
 
 TEST(FromJson, NothingIsNoValueButNone) {
@@ -34,9 +35,9 @@ TEST(FromJson, NothingIsNoValueButNone) {
 
 TEST(FromJson, AKeyThatOccursTwiceIsNamedWithItsPlace) {
   EXPECT_EQ(ErrorOf<sample::Point>(R"({"x":1,"y":2,"z":3,"y":4})"),
-            "this is no JSON: line 1, column 20: key 'y' occurs twice");
+            "this is not valid JSON: line 1, column 20: key 'y' occurs twice");
   EXPECT_EQ(ErrorOf<std::vector<sample::Point>>(R"([{},{"x":1,"x":1}])"),
-            "this is no JSON: line 1, column 12: [1]: key 'x' occurs twice");
+            "this is not valid JSON: line 1, column 12: [1]: key 'x' occurs twice");
 }
 
 TEST(FromJson, NestsNoDeeperThan64) {
@@ -44,9 +45,9 @@ TEST(FromJson, NestsNoDeeperThan64) {
     return std::string(depth, '[') + std::string(depth, ']');
   };
   EXPECT_EQ(ErrorOf<double>(nested(64)), "expected a number, got an array of 1");
-  EXPECT_EQ(ErrorOf<double>(nested(65)), "this is no JSON: nesting deeper than 64");
+  EXPECT_EQ(ErrorOf<double>(nested(65)), "this is not valid JSON: nesting deeper than 64");
   EXPECT_EQ(ErrorOf<double>(std::string(1'000'000, '[')),
-            "this is no JSON: nesting deeper than 64");
+            "this is not valid JSON: nesting deeper than 64");
 }
 
 TEST(JsonOfPrograms, KeepsItsOrderAndNestsNoDeeperThan64) {
@@ -101,15 +102,16 @@ TEST(FromJson, IntegersAreExactBeyondTwoToThe53) {
 
 TEST(FromJson, NumbersThatNoDoubleHoldsAreRefused) {
   EXPECT_NE(ErrorOf<double>("1e999").find("1e999"), std::string::npos);
-  EXPECT_EQ(ErrorOf<double>("1e-400"), "this is no JSON: no double holds the number 1e-400");
+  EXPECT_EQ(ErrorOf<double>("1e-400"),
+            "this is not valid JSON: no double can hold the number 1e-400");
   EXPECT_EQ(ErrorOf<float>("1e-50").substr(0, 40), "expected a number that float32 can hold,");
   EXPECT_EQ(ErrorOf<std::chrono::duration<double>>("1e-10"),
             "expected a number of seconds, in steps of 1e-9, got number 1e-10");
   EXPECT_EQ(*FromJson<float>(ToJson(std::numeric_limits<float>::max())),
             std::numeric_limits<float>::max());
   EXPECT_EQ(ErrorOf<float>("3.41e38").substr(0, 40), "expected a number that float32 can hold,");
-  EXPECT_EQ(ErrorOf<double>("NaN").substr(0, 17), "this is no JSON: ");
-  EXPECT_EQ(ErrorOf<double>("Infinity").substr(0, 17), "this is no JSON: ");
+  EXPECT_EQ(ErrorOf<double>("NaN").substr(0, 17), "this is not valid JSON: ");
+  EXPECT_EQ(ErrorOf<double>("Infinity").substr(0, 17), "this is not valid JSON: ");
   EXPECT_EQ(ErrorOf<double>("\"NaN\""), "expected a number, got string 'NaN'");
   EXPECT_EQ(*FromJson<int>("-0"), 0);
   EXPECT_TRUE(std::signbit(*FromJson<double>("-0.0")));
@@ -124,7 +126,7 @@ TEST(FromJson, IsTheSameInEveryLocale) {
     ASSERT_TRUE(locales.Use(name)) << "localedef did not make " << name;
     EXPECT_EQ(*FromJson<double>("0.123"), 0.123) << name;
     EXPECT_EQ(*FromJson<double>("-1.5e-3"), -1.5e-3) << name;
-    EXPECT_EQ(ErrorOf<double>("0,123").substr(0, 17), "this is no JSON: ") << name;
+    EXPECT_EQ(ErrorOf<double>("0,123").substr(0, 17), "this is not valid JSON: ") << name;
     EXPECT_EQ(ToJson(0.25), "0.25") << name;
     EXPECT_EQ(ParseOrderedJson("[0.5]")->dump(), "[0.5]") << name;
   }
@@ -133,9 +135,10 @@ TEST(FromJson, IsTheSameInEveryLocale) {
 TEST(FromJson, AStringIsValidUtf8WithoutNul) {
   for (const char* bad : {"\"\xff\"", "\"\xc0\xaf\"", "\"\xed\xa0\x80\"", "\"\xe2\x82\"",
                           R"("\ud800")", "\"a\x01\""}) {
-    EXPECT_EQ(ErrorOf<std::string>(bad).substr(0, 17), "this is no JSON: ") << bad;
+    EXPECT_EQ(ErrorOf<std::string>(bad).substr(0, 17), "this is not valid JSON: ") << bad;
   }
-  EXPECT_EQ(ErrorOf<std::string>(std::string("\"a\0b\"", 5)).substr(0, 17), "this is no JSON: ");
+  EXPECT_EQ(ErrorOf<std::string>(std::string("\"a\0b\"", 5)).substr(0, 17),
+            "this is not valid JSON: ");
   EXPECT_EQ(ErrorOf<std::string>(R"("a\u0000b")"),
             "expected a string without \\u0000, got string 'a\\x00b'");
   EXPECT_EQ(*FromJson<std::string>(R"("\ud83e\uddbe")"), "\xf0\x9f\xa6\xbe");

@@ -205,11 +205,11 @@ TEST(ToJson, SaysWhyABodyIsNone) {
     return json ? "accepted" : json.error().message;
   };
   EXPECT_EQ(error(SchemaOf<double>(), std::vector<std::byte>(7)),
-            "these 7 bytes are no float64: no float64 where one belongs");
+            "these 7 bytes are not a valid float64: expected float64, found none");
   EXPECT_EQ(error(SchemaOf<bool>(), {std::byte{2}}),
-            "these 1 bytes are no bool: no bool where one belongs");
+            "these 1 bytes are not a valid bool: expected bool, found none");
   EXPECT_EQ(error(SchemaOf<double>(), std::vector<std::byte>(9)),
-            "these 9 bytes are no float64: something follows it");
+            "these 9 bytes are not a valid float64: there is more data after its end");
 }
 
 TEST(ToJson, AcceptsWhatDecodeAccepts) {

@@ -142,7 +142,7 @@ TEST_P(HungPeers, LeaveTheOthersWaitingTheirTurn) {
   const auto found = std::ranges::find(all, *waiting, &tendon::ConnectionDescription::id);
   ASSERT_NE(found, all.end());
   EXPECT_EQ(found->state, ConnectionState::kPending);
-  EXPECT_EQ(found->reason, "process 'robot' is being asked");
+  EXPECT_EQ(found->reason, "process 'robot' has not answered yet");
 
   links_->TimeOut(hung->address());
   EXPECT_TRUE(

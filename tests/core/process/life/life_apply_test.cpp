@@ -159,8 +159,8 @@ TEST_P(LifeApply, WhatDoesNotComeToBeSuspendedIsStopped) {
   const auto made = executor.Execute(plan.steps[0]);
 
   ASSERT_FALSE(made);
-  EXPECT_THAT(made.error().message, testing::StartsWith("it was to be suspended: "));
-  EXPECT_THAT(made.error().message, testing::EndsWith("; so it was stopped"));
+  EXPECT_THAT(made.error().message, testing::StartsWith("it could not be suspended: "));
+  EXPECT_THAT(made.error().message, testing::EndsWith("; it was stopped instead"));
   EXPECT_EQ(robot_->Find("arm")->state(), tendon::ComponentState::kFinished);
 }
 
@@ -176,7 +176,7 @@ TEST_P(LifeApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
   const auto made = executor.Execute(plan.steps[0]);
 
   ASSERT_FALSE(made);
-  EXPECT_THAT(made.error().message, testing::HasSubstr("process 'robot' was started anew"));
+  EXPECT_THAT(made.error().message, testing::HasSubstr("process 'robot' was restarted"));
   EXPECT_TRUE(robot_->components().empty());
 }
 

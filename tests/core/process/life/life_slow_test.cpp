@@ -97,7 +97,7 @@ TEST_P(SlowLife, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
   EXPECT_EQ(started.error().code, ErrorCode::kTimeout);
   EXPECT_THAT(started.error().message, HasSubstr("; outcome unknown; see: gcm show robot/slow"));
   EXPECT_THAT(Steps(), ElementsAre("create slow", "start slow, unknown"));
-  EXPECT_THAT(Undone(), HasSubstr("): robot/slow is ready since; "));
+  EXPECT_THAT(Undone(), HasSubstr("): robot/slow is ready now; "));
 
   Open();
   ASSERT_TRUE(EventuallyTrue([&] { return Known("slow").state == ComponentState::kActive; }));
@@ -144,8 +144,8 @@ TEST_P(SlowLife, WhatWasNotBegunInTimeIsNotDoneLater) {
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().code, ErrorCode::kFailed);
   EXPECT_THAT(late.error().message,
-              HasSubstr("has not begun in time to create robot/lamp: nothing was done, "
-                        "and will not be"));
+              HasSubstr("did not begin in time to create robot/lamp: nothing was done, "
+                        "and the order is cancelled"));
   Open();
   EXPECT_EQ(Reason(made.get()), "");
   EXPECT_EQ(Reason(Create("Lamp", "after")), "");
@@ -167,7 +167,7 @@ TEST_P(SlowLife, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnections) {
 
   ASSERT_FALSE(removed);
   EXPECT_THAT(removed.error().message,
-              HasSubstr("'hung' is not taken out, for it has not stopped in time"));
+              HasSubstr("'hung' is not removed, because it did not stop in time"));
   EXPECT_EQ(robot_->connections().size(), 1U);
   EXPECT_NE(robot_->Find("hung"), nullptr);
 }

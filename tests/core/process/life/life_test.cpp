@@ -74,8 +74,8 @@ TEST_P(Life, ALoadedClassIsFoundWithoutItsLibrary) {
   const tendon::message::LifeOrder order{
       .verb = LifeVerb::kCreate, .process = "robot", .component = "lamp", .class_name = "Lamp"};
   EXPECT_EQ(Reason(Steer(*client_, order)),
-            "no library that process 'robot' has loaded has a class 'Lamp'; load one that has it, "
-            "or name it");
+            "no library that process 'robot' has loaded has a class 'Lamp'; load the library that "
+            "has it, or name that library");
   ASSERT_EQ(Reason(Load("lamps")), "");
 
   EXPECT_EQ(Reason(Steer(*client_, order)), "");
@@ -108,8 +108,9 @@ TEST_P(Life, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
   EXPECT_EQ(Reason(Order(LifeVerb::kStop, "lamp")),
             "component 'lamp' is constructed, not active; there is nothing to stop");
   EXPECT_EQ(Reason(Order(LifeVerb::kRemove, "plant")),
-            "component 'plant' cannot be removed from afar, for the program of process 'robot' has "
-            "made it by itself; it can be started and stopped");
+            "component 'plant' cannot be removed remotely, because the program of process 'robot' "
+            "created "
+            "it itself; it can only be started and stopped");
   EXPECT_THAT(Reason(Order(LifeVerb::kStart, "lam")),
               HasSubstr("no component 'robot/lam'; did you mean 'lamp'?"));
 
@@ -126,8 +127,8 @@ TEST_P(Life, AProcessWithoutPlugInsMakesNothingButStartsWhatItHas) {
       [&] { return client_->catalogue().FindComponent("desk", "plant") != nullptr; }));
 
   EXPECT_EQ(Reason(Steer(*client_, {.verb = LifeVerb::kLoad, .process = "desk", .library = "x"})),
-            "process 'desk' makes no components from afar, for its program has none of the classes "
-            "of plug-ins; the program lcm has");
+            "process 'desk' cannot create components on request, because its program does not load "
+            "plug-ins; the program lcm does");
   EXPECT_EQ(
       Reason(Steer(*client_, {.verb = LifeVerb::kStart, .process = "desk", .component = "plant"})),
       "");
@@ -170,7 +171,7 @@ TEST_P(Life, AnOrderForAnEarlierInstanceIsNotGivenToTheNextOne) {
                                     .process = "robot",
                                     .instance = robot_->instance() + 1,
                                     .component = "lamp"})),
-            "process 'robot' was started anew meanwhile: nothing was done; look at it and ask "
+            "process 'robot' was restarted meanwhile: nothing was done; check it and try "
             "again");
 
   EXPECT_EQ(robot_->Find("lamp")->state(), ComponentState::kConstructed);
@@ -197,7 +198,7 @@ TEST_P(Life, AComponentConfiguredAnewKeepsItsConnections) {
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "lamp")), "");
   EXPECT_EQ(Reason(Configure("lamp", R"({"brightness": 0.75})")),
-            "component 'lamp' is active; stop it first to configure it anew");
+            "component 'lamp' is active; stop it first to configure it again");
   ASSERT_EQ(Reason(Order(LifeVerb::kStop, "lamp")), "");
   EXPECT_THAT(Reason(Configure("lamp", R"({"brightness": 7})")), HasSubstr("from 0 to 1"));
   EXPECT_EQ(Known("lamp").configuration, "");
@@ -260,8 +261,8 @@ TEST_P(Life, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {
   EXPECT_THAT(change(seen, R"({"brightness": 0.75})"),
               testing::MatchesRegex(
                   "the configuration of robot/lamp was changed meanwhile by test at "
-                  "....-..-.. ..:..:..: nothing was done; look at it with gcm show robot/lamp, and "
-                  "ask again"));
+                  "....-..-.. ..:..:..: nothing was done; check it with gcm show robot/lamp, and "
+                  "try again"));
 
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.5})");
   EXPECT_THAT(Steps(), testing::ElementsAre("create lamp", "configure lamp"));
@@ -301,7 +302,7 @@ TEST_P(Life, TheProviderOfAConnectionTellsWhomItServes) {
   };
   ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
   EXPECT_EQ(served().error().code, ErrorCode::kNotFound);
-  EXPECT_EQ(served().error().message, "process 'robot' serves nothing to desk/operator/Robot");
+  EXPECT_EQ(served().error().message, "process 'robot' has no connection from desk/operator/Robot");
 
   ASSERT_TRUE(desk->Connect(wire.required, wire.provided));
   EXPECT_TRUE(EventuallyActive(*desk, 1));
@@ -334,8 +335,8 @@ TEST(LifeCycle, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) 
   ASSERT_EQ(obey({.verb = LifeVerb::kCreate, .class_name = "Lamp", .library = "lamps"}), "");
 
   EXPECT_EQ(configure(R"({"brightness":0.25})"),
-            "the configuration of robot/lamp was changed meanwhile: nothing was done; look at it "
-            "with gcm show robot/lamp, and ask again");
+            "the configuration of robot/lamp was changed meanwhile: nothing was done; check it "
+            "with gcm show robot/lamp, and try again");
   EXPECT_EQ(configure(""), "");
   EXPECT_THAT(configure(""), HasSubstr("changed meanwhile"));
   life.Stop();

@@ -64,7 +64,7 @@ TEST_P(LifeUndo, RefusesWhereTheComponentHasChangedSince) {
   ASSERT_TRUE(robot_->Start("lamp").ok());  // by its program
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").state == ComponentState::kActive; }));
 
-  EXPECT_THAT(Undone(), testing::HasSubstr("): robot/lamp is active since; stop it first; "));
+  EXPECT_THAT(Undone(), testing::HasSubstr("): robot/lamp is active now; stop it first; "));
 
   EXPECT_NE(robot_->Find("lamp"), nullptr);
 }
@@ -88,7 +88,7 @@ TEST_P(LifeUndo, AComponentThatCannotBeConnectedAsBeforeIsThereButDoesNotRun) {
   ASSERT_TRUE(robot_->Remove("lamp").ok());
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").name.empty(); }));
 
-  EXPECT_THAT(Undone(), testing::HasSubstr("it is there again, but does not run, for it is not "
+  EXPECT_THAT(Undone(), testing::HasSubstr("it exists again, but does not run, because it is not "
                                            "connected as before"));
 
   EXPECT_EQ(robot_->Find("switch")->state(), ComponentState::kConstructed);
@@ -100,8 +100,8 @@ TEST_P(LifeUndo, AComponentMadeAgainRunsInItsThreadAndAfterItsLeader) {
   ASSERT_TRUE(robot_->RunAfter("second", "first").ok());
   ASSERT_EQ(
       Reason(Order(LifeVerb::kRemove, "first")),
-      "component 'first' cannot be removed from afar, for 'second' runs after it; remove that "
-      "first");
+      "component 'first' cannot be removed remotely, because 'second' runs after it; remove that "
+      "component first");
   auto& task = dynamic_cast<tendon::ThreadedTask&>(*robot_->Find("second"));
   const tendon::ThreadOptions options{.spin = std::chrono::microseconds(20)};
   task.SetThreadOptions(options);
@@ -152,7 +152,7 @@ TEST_P(LifeUndo, AStopIsNotUndoneWhereOneThatRanAfterItHasChanged) {
   ASSERT_TRUE(robot_->Remove("second").ok());  // by its program
   ASSERT_TRUE(EventuallyTrue([&] { return Known("second").name.empty(); }));
 
-  EXPECT_THAT(Undone(), testing::HasSubstr("): robot/second is no longer there; "));
+  EXPECT_THAT(Undone(), testing::HasSubstr("): robot/second no longer exists; "));
 
   EXPECT_EQ(robot_->Find("first")->state(), ComponentState::kFinished);
 }
@@ -235,9 +235,9 @@ TEST_P(LifeUndo, OnlyTheStepThatIsMeantIsTakenBack) {
       3 * kLong, [&](auto handler) { client_->Undo(handler, 1); });
 
   ASSERT_FALSE(undone);
-  EXPECT_THAT(
-      undone.error().message,
-      testing::HasSubstr("step 1 is not the newest any more, but step 2 (start robot/lamp"));
+  EXPECT_THAT(undone.error().message,
+              testing::HasSubstr(
+                  "step 1 is not the newest any more; the newest is step 2 (start robot/lamp"));
   EXPECT_EQ(Known("lamp").state, ComponentState::kActive);
 }
 

@@ -68,7 +68,7 @@ TEST_P(LogOfProcess, ReachesAViewerWithAllThatBelongsToARecord) {
 
   ASSERT_TRUE(EventuallyHears("robot", "arm", "is warm"));
   EXPECT_EQ(keeper->Of("robot", "arm").front().level, LogLevel::kWarning);
-  EXPECT_TRUE(EventuallyHears("gcm", "gcm", "process 'robot' is there"));
+  EXPECT_TRUE(EventuallyHears("gcm", "gcm", "process 'robot' is available"));
 }
 
 /// As of the window that hosts a GCM.
@@ -78,7 +78,7 @@ TEST_P(LogOfProcess, IsThereOnceThoughTheGcmIsAProcessOfTheSameProgram) {
   Log(LogLevel::kInfo, "arm", "once");
   own.reset();  // has sent all it had
 
-  ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: said good-bye"));
+  ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: left"));
   EXPECT_EQ(keeper->Of("gcm", "arm").size(), 1U);
 }
 

@@ -22,7 +22,7 @@ class ViewingTest : public NetworkTest {
             return entry->process.address;
           }
           return tendon::Error{tendon::ErrorCode::kNotFound,
-                               "process '" + process + "' is not there"};
+                               "process '" + process + "' is not available"};
         },
         {.instance = tendon::os::RandomNumber(),
          .name = "viewer",

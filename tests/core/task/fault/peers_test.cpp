@@ -104,7 +104,7 @@ TEST_P(PeersOfAFaultedTask, AreSeenByToolsAsPendingWithTheReason) {
   for (const auto& connection : manager.connections()) {
     EXPECT_EQ(connection.state, ConnectionState::kPending);
     EXPECT_EQ(connection.reason, "component 'arm' is faulted: " + arm.fault() +
-                                     "; it is connected again once that was started");
+                                     "; it is connected again when that component is started");
   }
   arm.throws = Script::kNone;
   ASSERT_TRUE(manager.Start("arm").ok());

@@ -68,7 +68,8 @@ TEST_F(ThreadlessServer, IsFaultedByWhatIsNoStandardExceptionToo) {
 
   EXPECT_EQ(client.poke(), Status::kFailed);
 
-  EXPECT_EQ(arm.fault(), "a command or event handler: an exception that is no std::exception");
+  EXPECT_EQ(arm.fault(),
+            "a command or event handler: an exception that does not derive from std::exception");
 }
 
 TEST_F(ThreadlessServer, NamesWhatHasLedToItsFault) {

@@ -85,7 +85,7 @@ TEST_F(CurveEditorTest, WhatIsWrongIsRefusedWhereItIsTyped) {
   CurveEditor& editor = Open();
 
   Type(editor, "curveEditor.factor", "fast");
-  EXPECT_EQ(Status(editor), "The scale “fast” is no number");
+  EXPECT_EQ(Status(editor), "The scale “fast” is not a number");
   EXPECT_FALSE(editor.findChild<QPushButton*>("curveEditor.accept")->isEnabled());
   QTest::keyClick(&editor, Qt::Key_Return);
   EXPECT_TRUE(editor.isVisible());
