@@ -14,6 +14,23 @@
 
 namespace tendon {
 
+/// The argument of one call before it is encoded. The command decides where it is encoded, so that
+/// it needs no copy. Used by one thread, during the call.
+class ArgumentWriter {
+ public:
+  ArgumentWriter() = default;
+  ArgumentWriter(const ArgumentWriter&) = delete;
+  ArgumentWriter& operator=(const ArgumentWriter&) = delete;
+  virtual ~ArgumentWriter() = default;
+
+  /// Bytes of the encoded argument.
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Encodes the argument into `place`, which has size() bytes. May throw what the codec throws.
+  virtual void WriteTo(std::span<std::byte> place) const = 0;
+  /// The encoded argument in memory of the caller, valid during the call. May throw likewise.
+  [[nodiscard]] virtual std::span<const std::byte> Encoded() const = 0;
+};
+
 /// A command bound for one connection: created when two interfaces are connected, destroyed after
 /// the connection. It has two interfaces: a typed one for callers with the same types, and an
 /// encoded one (CDR bodies) for proxies, consoles and plug-ins that were built with other types.
@@ -28,8 +45,13 @@ class CommandBase {
 
   /// Returns kInvalid if `in` cannot be decoded. Writes the reply to `out` only on success.
   virtual Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) = 0;
-  /// The same, but waits for at most `timeout` until the call was executed. Replaces the content of
-  /// `out`, which keeps its capacity.
+  /// The same for an argument that is not encoded yet. A command that keeps the encoded argument
+  /// overrides it and encodes the argument where it is kept.
+  virtual Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& out) {
+    return ExecuteEncoded(in.Encoded(), out);
+  }
+  /// ExecuteEncoded(), but waits for at most `timeout` until the call was executed. Replaces the
+  /// content of `out`, which keeps its capacity.
   virtual Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                              std::chrono::nanoseconds /*timeout*/) {
     return Status::kUnsupported;
@@ -107,6 +129,11 @@ class Command : public CommandBase {
     return status;
   }
 
+ protected:
+  static void Put(const Out& answer, AnswerSink& out) {
+    EncodeTo(answer, out.Room(EncodedSize(answer)));
+  }
+
  private:
   struct Values {
     In in{};
@@ -114,9 +141,6 @@ class Command : public CommandBase {
   };
 
   static void Put(const Out& answer, std::vector<std::byte>& out) { Encode(answer, out); }
-  static void Put(const Out& answer, AnswerSink& out) {
-    EncodeTo(answer, out.Room(EncodedSize(answer)));
-  }
 
   template <typename Sink, typename Call>
   Status Convert(std::span<const std::byte> in, Sink& out, Call call) {

@@ -270,12 +270,19 @@ FrameHeader Channel::HeaderOf(MessageType type, std::uint64_t request, std::uint
 
 Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
                      std::span<const std::byte> body, Lane lane, Way way) {
-  if (body.size() > kMaxBodySize) return Status::kInvalid;
   const FrameHeader header = HeaderOf(type, request, handle, body.size());
+  return SendBy(header, body, lane, [&] { return SendPiece(header, body, way); });
+}
+
+/// Sends the message in parts, or with `send_whole`.
+template <typename SendWhole>
+Status Channel::SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
+                       SendWhole send_whole) {
+  if (body.size() > kMaxBodySize) return Status::kInvalid;
   if (parts_.MustTake(lane, FrameHeader::kSize + body.size())) {
     return parts_.Add(*link_, lane, header, body);
   }
-  const Status sent = SendPiece(header, body, way);
+  const Status sent = send_whole();
   Resume();
   return sent;
 }
@@ -289,6 +296,18 @@ Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> 
 Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                        Lane lane) {
   return is_open() ? Send(type, 0, handle, body, lane) : Status::kNotConnected;
+}
+
+Status Channel::NotifyInPlace(MessageType type, std::uint32_t handle, std::span<std::byte> frame,
+                              Lane lane) {
+  assert(frame.size() >= FrameHeader::kSize);
+  if (!is_open()) return Status::kNotConnected;
+  const auto body = frame.subspan(FrameHeader::kSize);
+  const FrameHeader header = HeaderOf(type, 0, handle, body.size());
+  return SendBy(header, body, lane, [&] {
+    WriteHeader(header, frame.first<FrameHeader::kSize>());
+    return link_->Send(frame);
+  });
 }
 
 Lane Channel::NewLane() {

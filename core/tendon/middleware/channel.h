@@ -59,6 +59,10 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                 Lane lane = kCommonLane);
   template <Message T>
   Status Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane = kCommonLane);
+  /// Notify() without a copy of the body, which follows FrameHeader::kSize bytes of room in
+  /// `frame`: the header is written there.
+  Status NotifyInPlace(MessageType type, std::uint32_t handle, std::span<std::byte> frame,
+                       Lane lane = kCommonLane);
 
   /// Returns a new lane for messages from this end, unique at this end.
   [[nodiscard]] Lane NewLane();
@@ -159,6 +163,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                                             std::uint32_t handle, std::size_t size);
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
               std::span<const std::byte> body, Lane lane = kCommonLane, Way way = &Link::Send);
+  template <typename SendWhole>
+  Status SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
+                SendWhole send_whole);
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Way way = &Link::Send);
   [[nodiscard]] bool MayReturn(std::size_t size);

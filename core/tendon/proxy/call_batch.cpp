@@ -17,9 +17,9 @@ void CallBatch::AddTimed(std::uint32_t handle, std::span<const std::byte> argume
 
 std::byte* CallBatch::AddHead(std::uint32_t handle, std::size_t argument_size) {
   const auto size = static_cast<std::uint32_t>(argument_size);
-  const std::size_t start = body_.size();
-  body_.resize(start + sizeof handle + sizeof size + (argument_size + 7) / 8 * 8);
-  std::byte* place = body_.data() + start;
+  const std::size_t start = std::max(frame_.size(), FrameHeader::kSize);
+  frame_.resize(start + sizeof handle + sizeof size + (argument_size + 7) / 8 * 8);
+  std::byte* place = frame_.data() + start;
   std::memcpy(place, &handle, sizeof handle);
   std::memcpy(place + sizeof handle, &size, sizeof size);
   ++calls_;
@@ -28,8 +28,8 @@ std::byte* CallBatch::AddHead(std::uint32_t handle, std::size_t argument_size) {
 
 void CallBatch::Clear() {
   constexpr std::size_t kKept = std::size_t{1} << 20U;
-  if (body_.capacity() > kKept) Bytes().swap(body_);
-  body_.clear();
+  if (frame_.capacity() > kKept) Bytes().swap(frame_);
+  frame_.clear();
   calls_ = 0;
 }
 

@@ -12,8 +12,9 @@
 
 namespace tendon {
 
-/// Several calls or events in the body of one frame, so that a burst costs one frame. The format of
-/// each call: u32 handle, u32 size, the argument, and padding to 8; little-endian.
+/// Several calls or events in the body of one frame, so that a burst costs one frame. For each
+/// call: u32 handle, u32 size, the argument, and padding to 8; little-endian. In front of the body
+/// is room for the header of the frame.
 class CallBatch {
  public:
   /// The most bytes of a call in addition to its argument.
@@ -27,14 +28,18 @@ class CallBatch {
 
   [[nodiscard]] bool empty() const { return calls_ == 0; }
   [[nodiscard]] std::size_t calls() const { return calls_; }
-  [[nodiscard]] const Bytes& body() const { return body_; }
+  [[nodiscard]] std::span<const std::byte> body() const {
+    return std::span(frame_).subspan(empty() ? 0 : FrameHeader::kSize);
+  }
+  /// The body and the room for the header; empty without calls.
+  [[nodiscard]] std::span<std::byte> frame() { return frame_; }
 
  private:
   /// Writes the head of a call and returns the memory for its argument.
   std::byte* AddHead(std::uint32_t handle, std::size_t size);
 
   std::size_t calls_ = 0;
-  Bytes body_;
+  Bytes frame_;
 };
 
 /// Calls `visit(handle, argument)` for each call in `body`, which is untrusted. Stops at the first

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <tendon/interface/inbox.h>
-#include <tendon/interface/offer.h>
 #include <tendon/interface/required_interface.h>
 #include <tendon/lockfree/budget.h>
-#include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/proxy/call_batch.h>
@@ -18,7 +16,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace tendon {
 
@@ -143,29 +140,6 @@ class Outbox {
   // Calls taken from the inbox, but not sent.
   CallBatch batch_;
   std::optional<Question> question_;  // to be sent after the batch
-};
-
-/// The overflow policy of `member`, given the members that keep the latest only.
-[[nodiscard]] Overflow OverflowOf(const std::vector<std::string>& latest_only,
-                                  const std::string& member);
-
-/// A command of another process, or a handler of its events. Calls are sent to that process. Takes
-/// encoded values only, and copies them into buffers that keep their capacity. A member that keeps
-/// only the latest call does so here as well.
-class QueuedOfferProxy final : public Offer {
- public:
-  QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
-
-  [[nodiscard]] Mailbox::SlotShape shape() const override;
-  [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
-
-  /// Number of refused calls: no room, too large, or not connected.
-  [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
-
- private:
-  Outbox& outbox_;
-  std::uint32_t handle_;
-  mutable SharedCounter<> refused_;
 };
 
 }  // namespace tendon

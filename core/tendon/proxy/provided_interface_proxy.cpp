@@ -3,6 +3,7 @@
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/mirrored_read_proxy.h>
 #include <tendon/proxy/provided_interface_proxy.h>
+#include <tendon/proxy/queued_command_proxy.h>
 #include <tendon/proxy/read_proxy.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include <tendon/proxy/loss_report.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/queued_command_proxy.h>
 #include <tendon/proxy/worker_pool.h>
 
 #include <functional>

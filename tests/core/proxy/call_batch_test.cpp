@@ -59,6 +59,21 @@ TEST(CallBatch, WithTimesIsReadAsItWasWritten) {
   EXPECT_EQ(read, calls);
 }
 
+TEST(CallBatch, HasRoomForTheHeaderOfItsFrame) {
+  CallBatch batch;
+  EXPECT_TRUE(batch.frame().empty());
+  EXPECT_TRUE(batch.body().empty());
+  for (int round = 0; round < 2; ++round) {
+    batch.Add(1, Filled(8, round));
+    batch.Add(2, Filled(8, round));
+
+    EXPECT_EQ(batch.body().size(), 32U);
+    EXPECT_EQ(batch.frame().size(), tendon::FrameHeader::kSize + 32U);
+    EXPECT_EQ(batch.body().data(), batch.frame().data() + tendon::FrameHeader::kSize);
+    batch.Clear();
+  }
+}
+
 TEST(CallBatch, ThatIsCutOffGivesItsWholeCalls) {
   CallBatch batch;
   batch.Add(1, Filled(8, 1));

@@ -1,3 +1,6 @@
+#include <support/peers/traced_channel.h>
+#include <tendon/proxy/queued_command_proxy.h>
+
 #include <thread>
 
 #include "core/proxy/interface_proxies.h"
@@ -53,6 +56,47 @@ TEST_F(NarrowOutbox, GivesBackWhatIsDropped) {
   }
 
   for (int i = 0; i < 3; ++i) EXPECT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
+}
+
+/// An outbox with one command, on a channel that notes where frames lie.
+struct TracedOutbox {
+  TracedOutbox(const test::TracedChannel& channel, std::uint32_t handle)
+      : outbox(channel.get(), message::kCommands, wakeup, "server"),
+        offer(DescribeMember<int, None>("Push", CommandKind::kWrite), outbox, handle) {}
+
+  void Send(int number) {
+    BytesSink nothing(bytes);
+    EXPECT_EQ(command->ExecuteEncoded(EncodeBody(number), nothing), Status(Status::kQueued));
+    EXPECT_EQ(outbox.Send(), 1U);
+  }
+
+  Wakeup<> wakeup;
+  Outbox outbox;
+  QueuedOfferProxy offer;
+  Mailbox& mailbox = outbox.inbox().Open(4, {}, CallerThreads::kOneThread);
+  std::unique_ptr<CommandBase> command = offer.Bind(&mailbox);
+  Bytes bytes;
+};
+
+TEST(Outbox, SendsEachBatchFromWhereItWasCollected) {
+  const test::TracedChannel channel;
+  TracedOutbox first(channel, 1);
+  TracedOutbox second(channel, 2);
+
+  first.Send(10);
+  second.Send(20);
+  first.Send(30);
+
+  const auto places = channel.PlacesOf(message::kCommands);
+  ASSERT_EQ(places.size(), 3U);
+  EXPECT_NE(places[0], places[1]) << "there is no common buffer";
+  EXPECT_EQ(places[0], places[2]) << "a batch keeps its memory";
+  ASSERT_TRUE(EventuallyTrue([&] { return channel.notices().size() == 3; }));
+  ForEachCall(channel.notices()[2].body,
+              [](std::uint32_t handle, std::span<const std::byte> argument) {
+                EXPECT_EQ(handle, 1U);
+                EXPECT_EQ(Bytes(argument.begin(), argument.end()), EncodeBody(30));
+              });
 }
 
 }  // namespace

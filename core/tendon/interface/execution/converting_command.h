@@ -19,9 +19,9 @@ class ConvertingCommand final : public Command<In, Out> {
 
   Status Execute(const In& in, Out& out) override {
     typename Scratch<Bodies>::Use bodies(bodies_);
-    Encode(in, bodies->in);
+    const Encoder argument(in, bodies->in);
     Decoder answer(bodies->out, out);
-    const Status status = target_.ExecuteEncoded(bodies->in, answer);
+    const Status status = target_.ExecuteFrom(argument, answer);
     return status && !answer.Finish() ? Status(Status::kInvalid) : status;
   }
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
@@ -37,6 +37,24 @@ class ConvertingCommand final : public Command<In, Out> {
   struct Bodies {
     std::vector<std::byte> in;
     std::vector<std::byte> out;
+  };
+
+  /// Encodes the argument where the target wants it.
+  class Encoder final : public ArgumentWriter {
+   public:
+    /// A target that wants encoded bytes gets them in `room`.
+    Encoder(const In& in, std::vector<std::byte>& room) : in_(in), room_(room) {}
+
+    [[nodiscard]] std::size_t size() const override { return EncodedSize(in_); }
+    void WriteTo(std::span<std::byte> place) const override { EncodeTo(in_, place); }
+    [[nodiscard]] std::span<const std::byte> Encoded() const override {
+      Encode(in_, room_);
+      return room_;
+    }
+
+   private:
+    const In& in_;
+    std::vector<std::byte>& room_;
   };
 
   /// Decodes a reply in place.

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <memory>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 
@@ -48,6 +49,18 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     std::byte* argument = nullptr;
     const Status claimed = Claim(in, argument);
     if (claimed) mailbox_->Publish(argument, *this);
+    return claimed;
+  }
+
+  /// Decodes the argument where it waits, without a copy. So a malformed argument uses a slot until
+  /// the server passes it by, and gets the status of the mailbox if that refuses the call.
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+    if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
+    std::byte* argument = nullptr;
+    const Status claimed = ClaimDecoded(in, argument);
+    if (!claimed) return claimed;
+    mailbox_->Publish(argument, *this);
+    this->Put(Out{}, out);
     return claimed;
   }
 
@@ -119,6 +132,23 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       if (!copied) mailbox_->GiveUp(argument);
       return copied;
     }
+  }
+  /// Claim() for an encoded argument. Also kInvalid; kFailed if the codec threw.
+  Status ClaimDecoded(std::span<const std::byte> in, std::byte*& argument) {
+    argument = mailbox_->Claim();
+    if (argument == nullptr) return mailbox_->refusal();
+    const Status decoded = Host::Contain(nullptr, [&]() -> Status {
+      In* value = nullptr;
+      if constexpr (kLiesInSlot<In>) {
+        value = new (argument) In{};
+      } else {
+        value = &arguments_[mailbox_->SlotOf(argument)];
+      }
+      if constexpr (std::is_same_v<In, None>) return Status::kQueued;
+      return Decode(in, *value) ? Status::kQueued : Status::kInvalid;
+    });
+    if (!decoded) mailbox_->GiveUp(argument);
+    return decoded;
   }
   template <typename T>
   static Status Copy(const T& from, T& to) {

@@ -9,6 +9,8 @@
 namespace tendon {
 namespace {
 
+/// Where the body begins in the memory of a writer: behind the room for the frame's header.
+constexpr std::size_t kBody = FrameHeader::kSize;
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::size_t kStampSize = 16;  // tick and time
 constexpr std::size_t kReferenceSize = 8;
@@ -26,25 +28,25 @@ constexpr std::size_t PlaceSize(std::uint32_t size) {
 
 RowBatchWriter::RowBatchWriter(std::vector<std::uint32_t> sizes)
     : sizes_(std::move(sizes)),
-      first_row_(Padded(kHeaderSize + sizes_.size() * sizeof(std::uint32_t))),
+      first_row_(kBody + Padded(kHeaderSize + sizes_.size() * sizeof(std::uint32_t))),
       row_size_(kStampSize) {
   for (const std::uint32_t size : sizes_) row_size_ += PlaceSize(size);
-  body_.resize(first_row_);
-  std::ranges::copy(std::as_bytes(std::span(sizes_)), body_.begin() + kHeaderSize);
+  frame_.resize(first_row_);
+  std::ranges::copy(std::as_bytes(std::span(sizes_)), frame_.begin() + kBody + kHeaderSize);
 }
 
 void RowBatchWriter::Clear() {
-  body_.resize(first_row_);
+  frame_.resize(first_row_);
   loose_.clear();
   rows_ = 0;
   is_joined_ = false;
 }
 
 void RowBatchWriter::BeginRow(std::uint64_t tick, std::int64_t time) {
-  position_ = body_.size();
-  body_.resize(position_ + row_size_);  // filled with zeroes
-  std::memcpy(body_.data() + position_, &tick, sizeof tick);
-  std::memcpy(body_.data() + position_ + sizeof tick, &time, sizeof time);
+  position_ = frame_.size();
+  frame_.resize(position_ + row_size_);  // filled with zeroes
+  std::memcpy(frame_.data() + position_, &tick, sizeof tick);
+  std::memcpy(frame_.data() + position_ + sizeof tick, &time, sizeof time);
   position_ += kStampSize;
   column_ = 0;
   ++rows_;
@@ -52,7 +54,7 @@ void RowBatchWriter::BeginRow(std::uint64_t tick, std::int64_t time) {
 
 void RowBatchWriter::AddCell(std::span<const std::byte> cell) {
   const std::uint32_t size = sizes_[column_++];
-  std::byte* place = body_.data() + position_;
+  std::byte* place = frame_.data() + position_;
   position_ += PlaceSize(size);
   if (size != 0) {
     assert(cell.size() == size);
@@ -67,32 +69,32 @@ void RowBatchWriter::AddCell(std::span<const std::byte> cell) {
   loose_.resize(Padded(loose_.size()));
 }
 
-std::span<const std::byte> RowBatchWriter::Finish(message::RowsHeader header) {
+std::span<std::byte> RowBatchWriter::FinishFrame(message::RowsHeader header) {
   if (!is_joined_) JoinLooseCells();
   header.rows = static_cast<std::uint32_t>(rows_);
   header.columns = static_cast<std::uint32_t>(sizes_.size());
-  EncodeTo(header, std::span(body_).first(kHeaderSize));
-  return body_;
+  EncodeTo(header, std::span(frame_).subspan(kBody, kHeaderSize));
+  return frame_;
 }
 
 /// Appends the cells of variable size and makes their offsets absolute.
 void RowBatchWriter::JoinLooseCells() {
   is_joined_ = true;
-  const auto start = static_cast<std::uint32_t>(body_.size());
+  const auto start = static_cast<std::uint32_t>(frame_.size() - kBody);
   std::size_t place = first_row_;
   for (std::size_t row = 0; row < rows_; ++row) {
     place += kStampSize;
     for (const std::uint32_t size : sizes_) {
       if (size == 0) {
         std::uint32_t offset = 0;
-        std::memcpy(&offset, body_.data() + place, sizeof offset);
+        std::memcpy(&offset, frame_.data() + place, sizeof offset);
         offset += start;
-        std::memcpy(body_.data() + place, &offset, sizeof offset);
+        std::memcpy(frame_.data() + place, &offset, sizeof offset);
       }
       place += PlaceSize(size);
     }
   }
-  body_.insert(body_.end(), loose_.begin(), loose_.end());
+  frame_.insert(frame_.end(), loose_.begin(), loose_.end());
 }
 
 std::optional<RowBatchReader> RowBatchReader::Open(std::span<const std::byte> body) {

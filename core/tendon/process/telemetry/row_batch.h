@@ -25,22 +25,28 @@ class RowBatchWriter {
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// Bytes of the finished body.
-  [[nodiscard]] std::size_t size() const { return body_.size() + loose_.size(); }
-  /// Returns the body. Fills in `rows` and `columns` of the header; the caller sets the other
-  /// fields, which may differ between viewers.
-  std::span<const std::byte> Finish(message::RowsHeader header);
+  [[nodiscard]] std::size_t size() const {
+    return frame_.size() - FrameHeader::kSize + loose_.size();
+  }
+  /// Returns the body. Fills in `rows` and `columns` of the header; the rest may differ between
+  /// viewers.
+  std::span<const std::byte> Finish(const message::RowsHeader& header) {
+    return FinishFrame(header).subspan(FrameHeader::kSize);
+  }
+  /// The same, with room for the header of the frame before the body: for Channel::NotifyInPlace().
+  std::span<std::byte> FinishFrame(message::RowsHeader header);
 
  private:
   void JoinLooseCells();
 
   const std::vector<std::uint32_t> sizes_;
-  std::size_t first_row_ = 0;
+  std::size_t first_row_ = 0;  // in the frame
   std::size_t row_size_ = 0;
   std::size_t rows_ = 0;
   std::size_t column_ = 0;
-  std::size_t position_ = 0;  // position of the next cell
+  std::size_t position_ = 0;  // of the next cell, in the frame
   bool is_joined_ = false;
-  Bytes body_;
+  Bytes frame_;  // room for its header, and the body
   Bytes loose_;  // cells of variable size, until they are appended to the rows
 };
 

@@ -100,18 +100,19 @@ void RowStream::Send(std::uint64_t lost, std::uint64_t next_tick) {
 void RowStream::SendAll(Viewer& viewer, std::uint64_t lost, std::uint64_t next_tick) {
   viewer.lost_table += lost;
   if (batch_.rows() == 0 && viewer.lost_table == 0 && !viewer.is_owed) return;
-  const auto body = batch_.Finish(
+  const auto frame = batch_.FinishFrame(
       {.rows_before = viewer.rows_before, .lost_table = viewer.lost_table, .next_tick = next_tick});
   viewer.rows_before += batch_.rows();  // even if refused: the viewer sees the gap
-  viewer.is_owed = !viewer.channel->Notify(message::kRows, viewer.handle, body, viewer.lane);
+  viewer.is_owed =
+      !viewer.channel->NotifyInPlace(message::kRows, viewer.handle, frame, viewer.lane);
   if (!viewer.is_owed) viewer.lost_table = 0;
 }
 
 void RowStream::SendNewest(Viewer& viewer, std::uint64_t next_tick) {
   if (batch_.rows() == 0 || viewer.is_busy || viewer.next_tick > newest_tick_) return;
-  const auto body =
-      batch_.Finish({.rows_before = viewer.rows_before, .lost_table = 0, .next_tick = next_tick});
-  if (!viewer.channel->Notify(message::kRows, viewer.handle, body, viewer.lane)) return;
+  const auto frame = batch_.FinishFrame(
+      {.rows_before = viewer.rows_before, .lost_table = 0, .next_tick = next_tick});
+  if (!viewer.channel->NotifyInPlace(message::kRows, viewer.handle, frame, viewer.lane)) return;
   viewer.is_busy = true;
   viewer.next_tick = newest_tick_ + 1;
   ++viewer.rows_before;

@@ -64,6 +64,23 @@ TEST(RowBatch, CanBeWrittenAgainAndForOtherViewers) {
   }
 }
 
+TEST(RowBatch, HasRoomForTheHeaderOfItsFrame) {
+  RowBatchWriter writer({12, 0});
+  writer.BeginRow(5, 500);
+  writer.AddCell(Filled(12, 1));
+  writer.AddCell(Filled(3, 2));
+
+  const std::size_t size = writer.size();
+  const std::span<std::byte> frame = writer.FinishFrame({.next_tick = 7});
+
+  const auto body = frame.subspan(tendon::FrameHeader::kSize);
+  EXPECT_EQ(body.size(), size);
+  const auto reader = RowBatchReader::Open(body);
+  ASSERT_TRUE(reader);
+  EXPECT_EQ(Copy(reader->cell(0, 1)), Filled(3, 2));
+  EXPECT_EQ(Copy(writer.Finish({.next_tick = 7})), Copy(body));
+}
+
 TEST(RowBatch, MayHaveNoRowsAndNoColumns) {
   RowBatchWriter writer({});
   const Bytes body = Copy(writer.Finish({}));

@@ -1,0 +1,326 @@
+#include <tendon/base/clock.h>
+#include <tendon/interface/command.h>
+#include <tendon/interface/execution/host.h>
+#include <tendon/interface/execution/latest_value.h>
+#include <tendon/proxy/queued_command_proxy.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+namespace {
+
+/// kQueued, or why an argument of `size` bytes cannot be sent.
+Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
+  if (!outbox.is_open()) return Status::kNotConnected;
+  if (size <= kMaxPayload) return Status::kQueued;
+  outbox.RefusePayload(handle, size);
+  return Status::kInvalid;
+}
+
+/// An argument that was encoded elsewhere.
+class EncodedArgument final : public ArgumentWriter {
+ public:
+  explicit EncodedArgument(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
+  void WriteTo(std::span<std::byte> place) const override {
+    std::ranges::copy(bytes_, place.begin());
+  }
+  [[nodiscard]] std::span<const std::byte> Encoded() const override { return bytes_; }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
+ public:
+  QueuedCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
+                     SharedCounter<>& refused, Mailbox& mailbox)
+      : CommandBase(layout::kNone, layout::kNone),
+        outbox_(outbox),
+        must_wait_(WaitsForServer(command.signature.kind)),
+        handle_(handle),
+        refused_(refused),
+        mailbox_(mailbox),
+        callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
+        pool_(mailbox.storage()) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+    return ExecuteFrom(EncodedArgument(in), out);
+  }
+  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+    if (must_wait_) return Status::kUnsupported;
+    const Status posted = Post(in);
+    if (!posted) refused_.Add();
+    return posted;
+  }
+
+  Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
+                     std::chrono::nanoseconds timeout) override {
+    if (Channel::IsThreadOfMiddleware()) return Status::kWouldDeadlock;
+    if (const Status can = CheckPayload(outbox_, handle_, in.size()); !can) return can;
+    const SteadyTime deadline = DeadlineAfter(timeout);
+    if (const auto ending = WaitAtOnce(in, out, deadline)) return *ending;
+    CompletionPool& completions = mailbox_.completions();
+    const auto record = completions.Take();
+    if (!record) {
+      mailbox_.CountRefused();
+      return Status::kQueueFull;
+    }
+    std::byte* room = nullptr;
+    if (const Status claimed = Claim(EncodedArgument(in), in.size(), room); !claimed) {
+      completions[*record].Free();
+      return claimed;
+    }
+    std::uint64_t call = 0;
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      call = callers_->Enter(*record, deadline);
+      return Status::kQueued;
+    });
+    if (!entered) {
+      mailbox_.GiveUp(room);
+      completions[*record].Free();
+      return entered;
+    }
+    completions.Assign(mailbox_.SlotOf(room), *record);
+    mailbox_.Publish(room, awaited_);
+    return Await(*record, call, deadline, out);
+  }
+
+ private:
+  /// The entry for calls whose callers wait.
+  class Awaited final : public Mailbox::Entry {
+   public:
+    explicit Awaited(QueuedCommandProxy& command) : command_(command) {}
+
+    void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
+      const auto call = command_.callers_->Start(RecordOf(slot));
+      if (call) command_.Hand(*call, command_.pool_[slot]);
+      command_.FreeIfMany(slot);
+    }
+    void DropSlot(std::size_t slot) noexcept override { command_.callers_->Drop(RecordOf(slot)); }
+
+   private:
+    [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept {
+      return command_.mailbox_.completions().RecordOf(slot);
+    }
+
+    QueuedCommandProxy& command_;
+  };
+
+  /// If nothing must be sent before, sends the call in the caller's thread, which wakes no other
+  /// thread. Else returns nothing, without an effect.
+  std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
+                                   SteadyTime deadline) {
+    if (SteadyClock().Now() >= deadline) return {};
+    Outbox::Turn turn = outbox_.TakeTurn();
+    if (!turn || mailbox_.size() != 0 || !mailbox_.is_open()) return {};
+    const auto record = mailbox_.completions().Take();
+    if (!record) return {};
+    std::uint64_t call = 0;
+    std::uint64_t sent = 0;
+    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      Outbox::Question question = QuestionOf(0, {});
+      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
+      question.argument.assign(in.begin(), in.end());
+      call = question.call = callers_->Enter(*record, deadline);
+      (void)callers_->Start(*record);  // succeeds: the caller is this thread
+      sent = outbox_.SendNow(turn, std::move(question));
+      return Status::kQueued;
+    });
+    turn.unlock();
+    if (call == 0) {
+      mailbox_.completions()[*record].Free();
+      return entered;
+    }
+    const Status status = Await(*record, call, deadline, out);
+    if (status == Status(Status::kDone)) outbox_.OnExecuted(sent, mailbox_);
+    return status;
+  }
+
+  Status Post(const ArgumentWriter& in) {
+    const std::size_t size = in.size();
+    if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
+    if (!outbox_.waiting_bytes().Take(size)) {
+      mailbox_.CountRefused();
+      return Status::kQueueFull;
+    }
+    std::byte* room = nullptr;
+    const Status claimed = Claim(in, size, room);
+    if (claimed) {
+      mailbox_.Publish(room, *this);
+    } else {
+      outbox_.waiting_bytes().Give(size);
+    }
+    return claimed;
+  }
+
+  /// Sets `room` and has the argument written there. kQueued, or why not; kFailed if the codec
+  /// threw.
+  Status Claim(const ArgumentWriter& in, std::size_t size, std::byte*& room) {
+    room = mailbox_.Claim();
+    if (room == nullptr) return outbox_.is_open() ? mailbox_.refusal() : Status::kNotConnected;
+    const std::size_t slot = mailbox_.SlotOf(room);
+    const Status written = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
+      in.WriteTo(RoomIn(slot, size));
+      return Status::kQueued;
+    });
+    if (!written) {
+      FreeIfMany(slot);
+      mailbox_.GiveUp(room);
+    }
+    return written;
+  }
+
+  /// The buffer of a claimed slot. It grows to the size needed and not beyond, and copies nothing
+  /// of the argument before.
+  Bytes& RoomIn(std::size_t slot, std::size_t size) {
+    Bytes& argument = pool_[slot];
+    const std::size_t before = argument.capacity();
+    if (before < size) {
+      argument = Bytes(size);
+      grown_.Add(argument.capacity() - before);
+    }
+    argument.resize(size);
+    return argument;
+  }
+
+  Status Await(std::size_t record, std::uint64_t call, SteadyTime deadline,
+               std::vector<std::byte>& out) {
+    using Ending = Completion<>::Ending;
+    CompletionPool& completions = mailbox_.completions();
+    const auto is_over = [&] { return completions.cancelled() || !outbox_.is_open(); };
+    const Ending ending = completions[record].Await(is_over, deadline);
+    const bool is_sent = callers_->Leave(call, ending);
+    if (ending == Ending::kDone) {
+      const Status status = Host::Contain(nullptr, [&] {
+        if (completions[record].status()) out = callers_->answer(record);
+        return completions[record].status();
+      });
+      completions[record].Free();
+      return status;
+    }
+    if (ending == Ending::kStarted && is_sent) return Status::kOutcomeUnknown;
+    return is_over() ? Status::kNotConnected : Status::kTimeout;
+  }
+
+  [[nodiscard]] Outbox::Question QuestionOf(std::uint64_t call, Bytes argument) const {
+    return {.handle = handle_, .argument = std::move(argument), .callers = callers_, .call = call};
+  }
+  void Hand(std::uint64_t call, const Bytes& argument) { outbox_.Take(QuestionOf(call, argument)); }
+
+  void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
+    outbox_.waiting_bytes().Give(pool_[slot].size());
+    outbox_.Take(handle_, pool_[slot]);
+    FreeIfMany(slot);
+  }
+  void DropSlot(std::size_t slot) noexcept override {
+    outbox_.waiting_bytes().Give(pool_[slot].size());
+  }
+
+  /// Buffers are kept up to a total: saving allocations is not worth unlimited memory.
+  void FreeIfMany(std::size_t slot) noexcept {
+    constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
+    if (grown_.value() - freed_.value() <= kMostKept) return;
+    freed_.Add(pool_[slot].capacity());
+    Bytes().swap(pool_[slot]);
+  }
+
+  Outbox& outbox_;
+  const bool must_wait_;
+  const std::uint32_t handle_;
+  SharedCounter<>& refused_;  // of the offer
+  Mailbox& mailbox_;
+  const std::shared_ptr<OutstandingCalls<>> callers_;
+  Awaited awaited_{*this};
+  SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
+  SharedCounter<> freed_;    // of those, bytes freed again
+  std::vector<Bytes> pool_;  // arguments, by slot; see FreeIfMany()
+};
+
+/// Behaves as LatestCommand: a newer call replaces an older one that waits, here or at the other
+/// end. Calls whose callers wait are queued as usual.
+class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
+ public:
+  LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
+                     SharedCounter<>& refused, Mailbox& mailbox)
+      : CommandBase(layout::kNone, layout::kNone),
+        outbox_(outbox),
+        handle_(handle),
+        refused_(refused),
+        queued_(outbox, command, handle, refused, mailbox),
+        newest_(mailbox) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+    return ExecuteFrom(EncodedArgument(in), out);
+  }
+  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+    const Status posted = Post(in);
+    if (!posted) refused_.Add();
+    return posted;
+  }
+  Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
+                     std::chrono::nanoseconds timeout) override {
+    return queued_.WaitEncoded(in, out, timeout);
+  }
+
+ private:
+  Status Post(const ArgumentWriter& in) {
+    const std::size_t size = in.size();
+    if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
+    return newest_.Post(*this, [&]() -> const Bytes& {  // memory may be short
+      written_.resize(size);
+      in.WriteTo(written_);
+      return written_;
+    });
+  }
+
+  void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
+    if (const Bytes* argument = newest_.Take()) outbox_.Take(handle_, *argument);
+  }
+  void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
+
+  Outbox& outbox_;
+  const std::uint32_t handle_;
+  SharedCounter<>& refused_;  // of the offer
+  QueuedCommandProxy queued_;
+  Bytes written_;  // only of the posting thread
+  LatestValue<Bytes> newest_;
+};
+
+}  // namespace
+
+Overflow OverflowOf(const std::vector<std::string>& latest_only, const std::string& member) {
+  const bool is_one = std::ranges::find(latest_only, member) != latest_only.end();
+  return is_one ? Overflow::kLatestOnly : Overflow::kRefuse;
+}
+
+QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox,
+                                   std::uint32_t handle)
+    : Offer(std::move(description)), outbox_(outbox), handle_(handle) {
+  outbox_.refused_payloads().Add(handle_, this->description().name);
+}
+
+Mailbox::SlotShape QueuedOfferProxy::shape() const {
+  constexpr std::size_t kTokens = 2;  // the most that a LatestCommand posts
+  return {.reserve = keeps_latest_only() ? kTokens : 0};
+}
+
+std::unique_ptr<CommandBase> QueuedOfferProxy::Bind(Mailbox* mailbox) const {
+  if (keeps_latest_only()) {
+    return std::make_unique<LatestCommandProxy>(outbox_, description(), handle_, refused_,
+                                                *mailbox);
+  }
+  return std::make_unique<QueuedCommandProxy>(outbox_, description(), handle_, refused_, *mailbox);
+}
+
+}  // namespace tendon

@@ -1,0 +1,129 @@
+#include <gtest/gtest.h>
+#include <tendon/interface/execution/converting_command.h>
+
+#include <algorithm>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "support/allocation_guard.h"
+#include "support/encoded.h"
+
+namespace tendon_test {
+namespace {
+
+using tendon::AnswerSink;
+using tendon::ArgumentWriter;
+using tendon::CommandBase;
+using tendon::None;
+using tendon::Status;
+using tendon::test::Encoded;
+using Bytes = std::vector<std::byte>;
+
+/// Has the argument written to `kept`.
+class KeepingTarget final : public CommandBase {
+ public:
+  KeepingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& /*out*/) override {
+    ADD_FAILURE() << "the argument was encoded elsewhere";
+    return Status::kFailed;
+  }
+  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+    if (!accepts) return Status::kQueueFull;
+    kept.resize(in.size());
+    in.WriteTo(kept);
+    return Status::kQueued;
+  }
+
+  bool accepts = true;
+  Bytes kept;
+};
+
+/// Wants encoded bytes, and returns them.
+class EchoingTarget final : public CommandBase {
+ public:
+  EchoingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+    std::ranges::copy(in, out.Room(in.size()).begin());
+    return Status::kDone;
+  }
+};
+
+/// A number whose codec counts how often it writes.
+struct WrittenNumber {
+  static inline int writes = 0;
+
+  double number = 0.0;
+
+  bool operator==(const WrittenNumber&) const = default;
+};
+
+}  // namespace
+}  // namespace tendon_test
+
+template <>
+struct tendon::payload::SubstituteFor<tendon_test::WrittenNumber> {
+  using Type = double;
+
+  static Type From(const tendon_test::WrittenNumber& value) {
+    ++tendon_test::WrittenNumber::writes;
+    return value.number;
+  }
+  static bool Into(double number, tendon_test::WrittenNumber& value) {
+    value.number = number;
+    return true;
+  }
+};
+
+namespace tendon_test {
+namespace {
+
+TEST(ConvertingCommand, EncodesTheArgumentOnceWhereTheTargetKeepsIt) {
+  KeepingTarget target;
+  tendon::ConvertingCommand<WrittenNumber, None> command(target);
+  WrittenNumber::writes = 0;
+  None nothing;
+
+  EXPECT_EQ(command.Execute(WrittenNumber{2.5}, nothing), Status::kQueued);
+
+  EXPECT_EQ(WrittenNumber::writes, 1);
+  EXPECT_EQ(target.kept, Encoded(2.5));
+}
+
+TEST(ConvertingCommand, EncodesNothingThatTheTargetRefuses) {
+  KeepingTarget target;
+  target.accepts = false;
+  tendon::ConvertingCommand<WrittenNumber, None> command(target);
+  WrittenNumber::writes = 0;
+  None nothing;
+
+  EXPECT_EQ(command.Execute(WrittenNumber{2.5}, nothing), Status::kQueueFull);
+
+  EXPECT_EQ(WrittenNumber::writes, 0);
+}
+
+TEST(ConvertingCommand, AllocatesOnlyWhereTheTargetKeepsTheArgument) {
+  KeepingTarget target;
+  target.kept.reserve(1000);
+  tendon::ConvertingCommand<std::string, None> command(target);
+  const std::string text(100, 'x');
+  None nothing;
+
+  const tendon::AllocationGuard guard;  // not even for the first call
+  EXPECT_EQ(command.Execute(text, nothing), Status::kQueued);
+}
+
+TEST(ConvertingCommand, HandsBytesToATargetThatWantsThem) {
+  EchoingTarget target;
+  tendon::ConvertingCommand<std::string, std::string> command(target);
+  std::string answer;
+
+  EXPECT_EQ(command.Execute("to and fro", answer), Status::kDone);
+
+  EXPECT_EQ(answer, "to and fro");
+}
+
+}  // namespace
+}  // namespace tendon_test

@@ -1,0 +1,188 @@
+#include <tendon/proxy/queued_command_proxy.h>
+
+#include <algorithm>
+#include <new>
+#include <set>
+
+#include "core/proxy/interface_proxies.h"
+#include "support/allocation_guard.h"
+#include "support/wait.h"
+
+namespace tendon {
+namespace {
+
+/// An argument of some size, each byte of which is `fill`. Notes where it is written.
+class TracedArgument final : public ArgumentWriter {
+ public:
+  explicit TracedArgument(std::size_t size, std::byte fill = {}) : size_(size), fill_(fill) {}
+
+  [[nodiscard]] std::size_t size() const override { return size_; }
+  void WriteTo(std::span<std::byte> place) const override {
+    EXPECT_EQ(place.size(), size_);
+    if (throws) throw std::bad_alloc();
+    std::ranges::fill(place, fill_);
+    places.push_back(place.data());
+  }
+  [[nodiscard]] std::span<const std::byte> Encoded() const override {
+    ADD_FAILURE() << "the argument was encoded elsewhere";
+    return {};
+  }
+
+  bool throws = false;
+  mutable std::vector<const std::byte*> places;
+
+ private:
+  std::size_t size_;
+  std::byte fill_;
+};
+
+/// The command "Load" of another process, which has an outbox to itself.
+class RemoteCommand : public InterfaceProxies, public testing::WithParamInterface<Overflow> {
+ protected:
+  static constexpr std::size_t kCapacity = 4;
+  static constexpr std::size_t kSize = 1000;
+
+  RemoteCommand() {
+    client_end->is_deaf = true;  // to credit for what it has not sent itself
+    offer.SetOverflow(GetParam());
+    mailbox = &outbox.inbox().Open(kCapacity, offer.shape(), CallerThreads::kManyThreads);
+    command = offer.Bind(mailbox);
+  }
+
+  Status Call(const ArgumentWriter& argument) { return command->ExecuteFrom(argument, nothing); }
+
+  Wakeup<> wakeup;
+  Outbox outbox{channel, message::kCommands, wakeup, "server", {.waiting_bytes = 4 * kSize}};
+  QueuedOfferProxy offer{provided.description().commands[1], outbox, kServerHandle + 2};
+  Mailbox* mailbox = nullptr;
+  std::unique_ptr<CommandBase> command;
+  Bytes bytes;
+  BytesSink nothing{bytes};
+};
+
+TEST_P(RemoteCommand, WritesItsArgumentOnce) {
+  const TracedArgument argument(kSize);
+
+  EXPECT_EQ(Call(argument), Status(Status::kQueued));
+
+  EXPECT_EQ(argument.places.size(), 1U);
+  EXPECT_EQ(outbox.Send(), 1U);
+}
+
+TEST_P(RemoteCommand, AllocatesNothingOnceWarm) {
+  TracedArgument argument(kSize);
+  argument.places.reserve(100);
+  const auto call_all = [&] {
+    for (std::size_t i = 0; i < kCapacity; ++i) EXPECT_EQ(Call(argument), Status(Status::kQueued));
+  };
+  for (int round = 0; round < 3; ++round) {
+    call_all();
+    while (mailbox->DropOne()) continue;
+  }
+
+  const AllocationGuard guard;
+  call_all();
+}
+
+TEST_P(RemoteCommand, IsNotHeldUpByAnArgumentThatThrows) {
+  TracedArgument broken(4 * kSize);
+  broken.throws = true;
+  for (std::size_t i = 0; i < 2 * kCapacity; ++i) {
+    EXPECT_EQ(Call(broken), Status(Status::kFailed)) << i;
+    outbox.Send();
+  }
+
+  const TracedArgument argument(4 * kSize);  // as many bytes as may wait
+  EXPECT_EQ(Call(argument), Status(Status::kQueued));
+
+  EXPECT_EQ(outbox.Send(), 1U);
+  EXPECT_EQ(offer.refused(), 2 * kCapacity);
+}
+
+TEST_P(RemoteCommand, WritesNoArgumentThatIsTooLarge) {
+  const TracedArgument argument(kMaxPayload + 1);
+
+  EXPECT_EQ(Call(argument), Status(Status::kInvalid));
+
+  EXPECT_TRUE(argument.places.empty());
+  EXPECT_EQ(mailbox->size(), 0U);
+  EXPECT_EQ(offer.refused(), 1U);
+}
+
+TEST_P(RemoteCommand, WritesNoArgumentOnceItsOutboxIsClosed) {
+  const TracedArgument argument(kSize);
+  outbox.Close();
+
+  EXPECT_EQ(Call(argument), Status(Status::kNotConnected));
+
+  EXPECT_TRUE(argument.places.empty());
+}
+
+TEST_P(RemoteCommand, WritesNoArgumentIntoAClosedMailbox) {
+  const TracedArgument argument(kSize);
+  mailbox->Close();
+
+  EXPECT_EQ(Call(argument), Status(Status::kNotConnected));
+
+  EXPECT_TRUE(argument.places.empty());
+  EXPECT_EQ(mailbox->size(), 0U);
+}
+
+TEST_P(RemoteCommand, SendsEncodedBytesAsWell) {
+  const Bytes values = EncodeBody(std::vector<double>(7));
+
+  EXPECT_EQ(command->ExecuteEncoded(values, nothing), Status(Status::kQueued));
+  EXPECT_EQ(outbox.Send(), 1U);
+
+  EXPECT_TRUE(EventuallyTrue([&] {
+    server_inbox.ExecuteQueued();
+    return !loads.empty();
+  }));
+  EXPECT_EQ(loads, std::vector{std::size_t{7}});
+}
+
+INSTANTIATE_TEST_SUITE_P(, RemoteCommand, testing::Values(Overflow::kRefuse, Overflow::kLatestOnly),
+                         [](const auto& overflow) {
+                           return overflow.param == Overflow::kRefuse ? "Queued" : "LatestOnly";
+                         });
+
+/// Has a slot for each call that waits.
+class QueuedRemoteCommand : public RemoteCommand {};
+
+TEST_P(QueuedRemoteCommand, WritesEachArgumentIntoTheBufferOfItsSlot) {
+  const TracedArgument argument(kSize);
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < kCapacity; ++i) {
+      EXPECT_EQ(Call(argument), Status(Status::kQueued));
+    }
+    EXPECT_EQ(Call(argument), Status(Status::kQueueFull));
+    EXPECT_EQ(outbox.Send(), kCapacity);
+  }
+
+  ASSERT_EQ(argument.places.size(), 2 * kCapacity) << "what is refused is not written";
+  const auto second = argument.places.begin() + kCapacity;
+  EXPECT_TRUE(std::equal(argument.places.begin(), second, second)) << "slots keep their buffers";
+  EXPECT_EQ(std::set<const std::byte*>(argument.places.begin(), second).size(), kCapacity);
+}
+
+TEST_P(QueuedRemoteCommand, SendsASmallerArgumentAfterALargerOne) {
+  for (const std::size_t count : {100, 7, 50}) {
+    const Bytes values = EncodeBody(std::vector<double>(count));
+    for (std::size_t i = 0; i < kCapacity; ++i) {
+      EXPECT_EQ(command->ExecuteEncoded(values, nothing), Status(Status::kQueued));
+    }
+    EXPECT_EQ(outbox.Send(), kCapacity);
+    EXPECT_TRUE(EventuallyTrue([&] {
+      server_inbox.ExecuteQueued();
+      return !loads.empty() && loads.size() % kCapacity == 0 && loads.back() == count;
+    }));
+  }
+
+  EXPECT_EQ(loads, (std::vector<std::size_t>{100, 100, 100, 100, 7, 7, 7, 7, 50, 50, 50, 50}));
+}
+
+INSTANTIATE_TEST_SUITE_P(, QueuedRemoteCommand, testing::Values(Overflow::kRefuse),
+                         [](const auto& /*overflow*/) { return "Queued"; });
+
+}  // namespace
+}  // namespace tendon
