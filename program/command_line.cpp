@@ -59,7 +59,7 @@ std::string Words(const CLI::ParseError& mistake) {
   return words;
 }
 
-/// The remedy, if known: "; write 0.5s: the decimal sign is a point".
+/// The remedy, if known: "; write 0.5s: use a point as the decimal sign".
 std::string Hint(tendon::NumberWord word, const std::string& unit) {
   if (word.meant.empty()) return {};
   for (std::string& one : word.meant) one += unit;

@@ -124,8 +124,8 @@ configure_and_build() {
     fail "Preset $preset does not build; what is above says why."
 }
 
-# configure PRESET: in its folder, which is there. Says nothing, unless something is wrong. Where the folder was made with
-# another compiler, CMake forgets all that the preset says, and goes on: then it begins anew.
+# configure PRESET: in its folder, which exists. Says nothing, unless something is wrong. If the folder was made with
+# another compiler, CMake forgets all that the preset says, and goes on: then it starts afresh.
 configure() {
   local log="$TENDON_ROOT/build/$1/configure.log"
   : >"$log"

@@ -12,11 +12,11 @@ namespace {
 
 using tendon::graph::Rect;
 
-std::string Quoted(const std::string& text) { return "\"" + Plain(text) + "\""; }
+std::string DotText(const std::string& text) { return "\"" + Plain(text) + "\""; }
 
 /// The name of a component's node.
 std::string NodeOf(const tendon::InterfaceName& end) {
-  return Quoted(end.process + "/" + end.component);
+  return DotText(end.process + "/" + end.component);
 }
 
 /// Converts positions for Graphviz: to points, with y upwards from the bottom.
@@ -65,10 +65,10 @@ class Arrangement {
 void Print(const tendon::Catalogue& catalogue, const Arrangement& arrangement, std::ostream& out) {
   out << "digraph system {\n  rankdir=LR;\n  node [shape=box];\n" << arrangement.OfGraph();
   for (const auto& [name, entry] : catalogue.processes()) {
-    out << "  subgraph " << Quoted("cluster_" + name) << " {\n    label=" << Quoted(name) << ";\n"
+    out << "  subgraph " << DotText("cluster_" + name) << " {\n    label=" << DotText(name) << ";\n"
         << arrangement.OfProcess(name);
     for (const auto& [component, description] : entry.components) {
-      out << "    " << NodeOf({name, component, ""}) << " [label=" << Quoted(component)
+      out << "    " << NodeOf({name, component, ""}) << " [label=" << DotText(component)
           << arrangement.OfNode(name + "/" + component) << "];\n";
     }
     out << "  }\n";
@@ -77,7 +77,7 @@ void Print(const tendon::Catalogue& catalogue, const Arrangement& arrangement, s
     const bool is_active = connection.state == tendon::ConnectionState::kActive;
     out << "  " << NodeOf(connection.required) << " -> " << NodeOf(connection.provided)
         << " [label="
-        << Quoted(connection.required.interface + " -> " + connection.provided.interface)
+        << DotText(connection.required.interface + " -> " + connection.provided.interface)
         << (is_active ? "" : ", style=dashed") << "];\n";
   }
   out << "}\n";

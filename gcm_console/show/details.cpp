@@ -5,6 +5,8 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
 
+#include <cmath>
+#include <string>
 #include <utility>
 
 namespace console {
@@ -138,8 +140,11 @@ ordered_json JsonOf(Context& context, const Catalogue& catalogue, const Place& p
 }
 
 std::string ExpiryText(double seconds) {
-  constexpr double kMilliseconds = 1e3;  // per second
-  return seconds < 1.0 ? Short(seconds * kMilliseconds) + " ms" : Short(seconds) + " s";
+  constexpr double kMilliseconds = 1e3;     // per second
+  constexpr double kRoundsToOne = 0.99995;  // with four digits
+  constexpr double kManyDigits = 1e4;       // which would be written with an exponent
+  if (seconds < kRoundsToOne) return Short(seconds * kMilliseconds) + " ms";
+  return (seconds < kManyDigits ? Short(seconds) : std::to_string(std::llround(seconds))) + " s";
 }
 
 }  // namespace console

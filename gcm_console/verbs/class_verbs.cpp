@@ -358,7 +358,7 @@ std::vector<Verb> ClassVerbs() {
          AddDryRun(app, *arguments);
          return [arguments](Context& context) { return Create(context, *arguments); };
        }},
-      {"configure", "create a component that does not run again, with another configuration",
+      {"configure", "recreate a component that does not run, with another configuration",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
          Names(app.add_option("component", arguments->component, "process/component"),

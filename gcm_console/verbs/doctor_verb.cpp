@@ -104,7 +104,8 @@ class Doctor {
     for (const auto& [name, entry] : catalogue.processes()) {
       const bool answers = ExamineProcess(**client, entry);
       if (IsPresent(entry.process)) {
-        ExaminePlugins(name, answers ? AskForPlugins(entry.process) : entry.process.plugins);
+        ExaminePlugins(name, answers ? AskForPlugins(entry.process) : entry.process.plugins,
+                       answers);
       }
       ExamineComponents(entry);
     }
@@ -283,14 +284,18 @@ class Doctor {
     return known ? known->loaded : process.plugins;
   }
   /// Checks that the process runs the code in its plug-ins' files.
+  /// Without `answers`, the plug-ins are those that the process has reported last.
   void ExaminePlugins(const std::string& process,
-                      const std::vector<tendon::PluginDescription>& plugins) {
+                      const std::vector<tendon::PluginDescription>& plugins, bool answers) {
     for (const tendon::PluginDescription& plugin : plugins) {
       const std::string what = "plug-in " + process + " " + plugin.name;
       if (const auto old = FindOldPlugin(process, plugin)) {
         Bad(what, old->finding, old->remedy);
-      } else {
+      } else if (answers) {
         Good(what, PluginText(plugin));
+      } else {
+        findings_.push_back({what, Finding::Verdict::kUnknown,
+                             PluginText(plugin) + ", as the process has reported last"});
       }
     }
   }

@@ -218,7 +218,7 @@ Result<void> CheckForget(const Catalogue& catalogue, const Ours& /*ours*/,
   if (!IsPresent((*entry)->process)) return {};
   return Error{
       ErrorCode::kFailed,
-      "process '" + process + "' is running; only a process that is gone can be forgotten"};
+      "process '" + process + "' is not gone; only a process that is gone can be forgotten"};
 }
 
 Result<void> Forget(Context& context, const std::string& process) {

@@ -222,7 +222,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
     if (options.follow || std::chrono::steady_clock::now() - begin < context.settings().timeout) {
       continue;
     }
-    if (!kept.records.empty()) (void)PrintKept(std::move(kept), options, context);
+    if (!kept.records.empty() || kept.lost > 0) (void)PrintKept(std::move(kept), options, context);
     return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
   }
 }

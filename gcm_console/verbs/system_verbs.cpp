@@ -284,7 +284,7 @@ std::uint64_t NewestStep(Context& context) {
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// "; take it back with: gcm undo 8", if there are steps after `former`, all by the same program.
+/// "; undo it with: gcm undo 8", if there are steps after `former`, all by the same program.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });

@@ -151,7 +151,7 @@ class ListEntry final : public Entry {
   [[nodiscard]] QStringList notices() const override { return OfAll(&Entry::notices); }
 
  private:
-  /// "[2]: write 0.5: the decimal sign is a point".
+  /// "[2]: write 0.5: use a point as the decimal sign".
   [[nodiscard]] QStringList OfAll(QStringList (Entry::*sentences)() const) const {
     QStringList all;
     for (std::size_t i = 0; i < elements_.size(); ++i) {

@@ -1482,7 +1482,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
     </message>
     <message>
-        <source>Grey values are %1 old</source>
+        <source>Everything grey is as it was %1 ago</source>
         <translation>Graues zeigt den Stand vor %1</translation>
     </message>
     <message>

@@ -1482,7 +1482,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
     </message>
     <message>
-        <source>Grey values are %1 old</source>
+        <source>Everything grey is as it was %1 ago</source>
         <translation>Ce qui est gris date d&apos;il y a %1</translation>
     </message>
     <message>

@@ -40,7 +40,7 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
 /// Empty if it is not a picture. Takes a second for about ten million pixels.
 [[nodiscard]] std::optional<RawPicture> PictureOf(const std::string& json);
 
-/// Converts to an image; The error, kInvalid, says which sizes do not match, or which value is
+/// Converts to an image. The error, kInvalid, says which sizes do not match, or which value is
 /// unknown. Any thread.
 [[nodiscard]] Result<QImage> Draw(const RawPicture& picture);
 

@@ -124,14 +124,16 @@ std::optional<QString> NetworkReports::valueOf(const console::ReceivedEvent& eve
 void NetworkReports::drain() {
   console::EventInbox::Content content = inbox_->Take();
   learn(content);
-  for (const auto& [path, count] : content.lost) Q_EMIT eventsLost(ToQString(path), count);
-  for (console::ReceivedEvent& event : content.events) waiting_.push_back(std::move(event));
-  std::map<std::string, std::uint64_t> too_many;
+  console::LostEvents lost = content.lost;
+  for (auto& [event, lost_before] : content.events) {
+    lost += lost_before;
+    waiting_.push_back(std::move(event));
+  }
   while (waiting_.size() > kMostAtOnce) {
-    ++too_many[waiting_.front().path];
+    ++lost.by_path[waiting_.front().path];
     waiting_.pop_front();
   }
-  for (const auto& [path, count] : too_many) Q_EMIT eventsLost(ToQString(path), count);
+  for (const auto& [path, count] : lost.by_path) Q_EMIT eventsLost(ToQString(path), count);
   std::vector<ReceivedEvent> heard;
   std::deque<console::ReceivedEvent> unread;
   for (console::ReceivedEvent& event : waiting_) {

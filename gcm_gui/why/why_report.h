@@ -15,7 +15,7 @@ struct WhyReport {
   std::optional<RefusedConnection> refusal;  ///< the last refusal of this connection
   QStringList leftovers;                     ///< LeftoverTexts() of a connection that was tried
 
-  /// "fails at step 5 of 7", "connected and working", "nothing keeps it from being connected".
+  /// "fails at step 5 of 7", "connected and working", "nothing prevents the connection".
   [[nodiscard]] QString verdict() const;
   /// "refused at 12:04:31: no answer from desk", or empty.
   [[nodiscard]] QString history() const;

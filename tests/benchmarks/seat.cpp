@@ -5,7 +5,7 @@
 namespace tendon::benchmark {
 
 Seat::Seat(Processor processor) {
-  constexpr int kPriority = 10;
+  constexpr int kSeatPriority = 10;
   const pthread_t self = pthread_self();
   pthread_getaffinity_np(self, sizeof(processors_), &processors_);
   pthread_getschedparam(self, &policy_, &parameters_);
@@ -14,7 +14,7 @@ Seat::Seat(Processor processor) {
   CPU_SET(static_cast<unsigned>(static_cast<int>(processor) % os::ProcessorCount()), &one);
   pthread_setaffinity_np(self, sizeof(one), &one);  // both do without where they are refused
   sched_param real_time{};
-  real_time.sched_priority = kPriority;
+  real_time.sched_priority = kSeatPriority;
   pthread_setschedparam(self, SCHED_FIFO, &real_time);
 }
 

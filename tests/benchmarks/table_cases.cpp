@@ -119,7 +119,7 @@ double ReadMutexBesideWriter(std::uint64_t reads) {
 }  // namespace
 
 std::vector<Case> TableCases(const Effort& effort) {
-  constexpr double kBoth = 2;
+  constexpr double kReaderAndWriter = 2;
   constexpr double kOneAtATime = 1;  // who waits for a mutex sleeps
   const std::uint64_t alone = effort.Times(100'000);
   const std::uint64_t beside_writer = effort.Times(5'000);
@@ -141,7 +141,7 @@ std::vector<Case> TableCases(const Effort& effort) {
        .what = "reads beside a fast writer, 1 kB / mutex",
        .gate = 0.7,
        .stretch = 0.35,
-       .repetition = SideBySide({with(beside_writer, ReadTableBesideWriter), kBoth},
+       .repetition = SideBySide({with(beside_writer, ReadTableBesideWriter), kReaderAndWriter},
                                 {with(beside_writer, ReadMutexBesideWriter), kOneAtATime})},
       {.id = "S4",
        .what = "advance of a row, 64 B / seqlock store",

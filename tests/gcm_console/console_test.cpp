@@ -412,7 +412,7 @@ TEST_F(ConsoleTest, RefusalsHaveOneSentenceAndTheirExitCode) {
       {{"get", "robot/arm/Control.Stop"}, program::kUsage, "use gcm call"},
       {{"ls", "robot/arm/Control.Mov"}, program::kNotFound, "no member 'robot/arm/Control.Mov'"},
       {{"ls", "robot/arm/state.Joints.position"}, program::kUsage, "gcm get"},
-      {{"watch", "robot/arm/Control.GetJoints"}, program::kNotFound, "no column"},
+      {{"watch", "robot/arm/Control.GetJoints"}, program::kNotFound, "is not a column"},
   };
   for (const Case& one : cases) {
     const Outcome outcome = Gcm(one.words);

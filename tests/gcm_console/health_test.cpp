@@ -115,7 +115,7 @@ TEST_F(HealthTest, WhoHasLeftIsNoFaultAndWhoIsLostIsOne) {
   ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));
 
   idle->Signal(SIGTERM);
-  EXPECT_TRUE(EventuallyMatches({"doctor"}, "-    process idle +left: left"));
+  EXPECT_TRUE(EventuallyMatches({"doctor"}, "-    process idle +left: deregistered"));
 
   idle = StartIdle();
   ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));

@@ -25,6 +25,8 @@ TEST(ExpiryText, HasFourDigitsInMillisecondsBelowASecond) {
   EXPECT_EQ(console::ExpiryText(2.5), "2.5 s");
   EXPECT_EQ(console::ExpiryText(1.23456), "1.235 s");
   EXPECT_EQ(console::ExpiryText(3600.0), "3600 s");
+  EXPECT_EQ(console::ExpiryText(0.99996), "1 s");
+  EXPECT_EQ(console::ExpiryText(12345.6), "12346 s");
 }
 
 using LookTest = DemoFixture;

@@ -161,8 +161,9 @@ TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
   EXPECT_EQ(Gcm({"forget", "robot", "--dry-run"}).out, "robot\twould be forgotten\n");
   EXPECT_EQ(Gcm({"forget", "robot"}).out, "robot\tforgotten\n");
   EXPECT_THAT(Gcm({"ls"}).out, testing::Not(HasSubstr("robot")));
-  EXPECT_EQ(Gcm({"forget", "desk"}).err,
-            "gcm: desk: process 'desk' is running; only a process that is gone can be forgotten\n");
+  EXPECT_EQ(
+      Gcm({"forget", "desk"}).err,
+      "gcm: desk: process 'desk' is not gone; only a process that is gone can be forgotten\n");
   EXPECT_EQ(Gcm({"--read-only", "kill", "desk"}).exit_code, program::kDenied);
   Apply();
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));

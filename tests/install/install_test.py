@@ -42,9 +42,9 @@ def check_headers(include):
                 sys.exit(f"{header.relative_to(include)} includes <{name}>, which is not installed")
 
 
-def build_lamp(arguments, prefix, folder):
+def build_lamp(arguments, compiler, prefix, folder):
     run(arguments.cmake, "-S", LAMP, "-B", folder, f"-DCMAKE_PREFIX_PATH={prefix}",
-        f"-DCMAKE_CXX_COMPILER={arguments.compiler}", f"-DCOMPONENTS={';'.join(libraries(arguments))}")
+        f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCOMPONENTS={';'.join(libraries(arguments))}")
     run(arguments.cmake, "--build", folder)
 
 
@@ -101,8 +101,9 @@ def run_lamp(prefix, plugins, folder):
 
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("--cmake", "--compiler", "--build"):
+    for name in ("--cmake", "--build"):
         parser.add_argument(name, required=True)
+    parser.add_argument("--compiler", action="append", required=True)
     parser.add_argument("parts", nargs="+")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
@@ -111,9 +112,11 @@ def main():
         install(arguments, prefix)
         check_headers(prefix / "include")
         check_pages(prefix / "share")
-        build_lamp(arguments, prefix, folder / "build")
-        run_lamp(prefix, folder / "build", folder)
-    print("the installed plug-in runs in the installed lcm")
+        for compiler in arguments.compiler:
+            plugins = folder / Path(compiler).name
+            build_lamp(arguments, compiler, prefix, plugins)
+            run_lamp(prefix, plugins, folder)
+            print(f"the plug-in that {compiler} has built runs in the installed lcm")
 
 
 if __name__ == "__main__":

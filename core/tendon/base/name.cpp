@@ -82,9 +82,8 @@ Result<void> CheckName(std::string_view what, std::string_view name) {
                                           rule};
   }
   if (name.size() > kMaxLength) {
-    return Error{ErrorCode::kInvalid, kind + " name '" + ToAscii(name.substr(0, 20)) +
-                                          "...' has " + std::to_string(name.size()) +
-                                          " characters" + rule};
+    return Error{ErrorCode::kInvalid, kind + " name '" + ToAscii(name.substr(0, 20)) + "...' has " +
+                                          std::to_string(name.size()) + " characters" + rule};
   }
   return {};
 }

@@ -32,7 +32,7 @@ struct ConnectionFlaw {
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 
-/// For example "3 calls found no room".
+/// For example "3 calls found the mailbox full".
 [[nodiscard]] std::string ToString(const ConnectionFlaw& flaw);
 
 }  // namespace tendon

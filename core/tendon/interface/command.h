@@ -25,8 +25,9 @@ class ArgumentWriter {
 
   /// Bytes of the encoded argument.
   [[nodiscard]] virtual std::size_t size() const = 0;
-  /// Encodes the argument into `place`, which has size() bytes. May throw what the codec throws.
-  virtual void WriteTo(std::span<std::byte> place) const = 0;
+  /// Encodes the argument into `place`, which has size() bytes. False if it has another size now.
+  /// May throw what the codec throws.
+  [[nodiscard]] virtual bool WriteTo(std::span<std::byte> place) const = 0;
   /// The encoded argument in memory of the caller, valid during the call. May throw likewise.
   [[nodiscard]] virtual std::span<const std::byte> Encoded() const = 0;
 };

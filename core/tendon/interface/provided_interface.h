@@ -146,9 +146,10 @@ class ProvidedInterface {
                                   return Status::kDone;
                                 });
   }
-  /// For a value that never changes after the method has returned it: an image, a map. Callers in
-  /// this process share the value without a copy. Null gives kNoSample. The method runs in the
-  /// caller's thread, which frees the value if it is the last holder.
+  /// For a value that never changes after the method has returned it: an image, a map. It is
+  /// encoded in place for another process; callers in this process get a copy. Null gives
+  /// kNoSample. The method runs in the caller's thread, which frees the value if it is the last
+  /// holder.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         PlacedName name, ThreadSafe) {

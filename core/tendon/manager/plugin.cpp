@@ -94,9 +94,10 @@ std::string DescribePluginAbi(std::uint64_t abi) {
   const auto part = [abi](unsigned shift, std::uint64_t mask) {
     return std::to_string(abi >> shift & mask);
   };
-  const std::string strings = (abi & 0xffU) == 1 ? "" : " with old strings";
+  const std::string strings = (abi & 1U) != 0 ? "" : " with old strings";
+  const std::string containers = (abi & 2U) != 0 ? " with debug containers" : "";
   return "tendon " + part(48, 0xffff) + "." + part(32, 0xffff) + ", C++ ABI " + part(8, 0xffffff) +
-         strings;
+         strings + containers;
 }
 
 Result<Plugin> LoadPlugin(const fs::path& file, std::chrono::milliseconds patience) {

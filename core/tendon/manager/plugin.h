@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// Describes a result of TendonPluginAbi(): "tendon 0.1, C++ ABI 1017".
+/// Describes a result of TendonPluginAbi(): "tendon 0.1, C++ ABI 1002".
 [[nodiscard]] std::string DescribePluginAbi(std::uint64_t abi);
 
 /// A loaded plug-in: its content and its classes.

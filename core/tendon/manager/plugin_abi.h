@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/base/cxx_abi.h>
+
 #include <cstdint>
 
 /// Identifies the build of a plug-in: the version of these headers and the compiler's binary
@@ -9,7 +11,5 @@ extern "C" [[gnu::used, gnu::visibility("default")]] inline std::uint64_t
 TendonPluginAbi() noexcept {
   constexpr std::uint64_t kMajor = 0;
   constexpr std::uint64_t kMinor = 1;
-  constexpr std::uint64_t kCompiler = __GXX_ABI_VERSION;
-  constexpr std::uint64_t kStrings = _GLIBCXX_USE_CXX11_ABI;
-  return kMajor << 48U | kMinor << 32U | kCompiler << 8U | kStrings;
+  return kMajor << 48U | kMinor << 32U | tendon::kCxxAbi << 8U | tendon::kCxxLibraryAbi;
 }

@@ -56,7 +56,7 @@ template <typename Owner, typename Member>
 Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
 
 namespace payload {
-
+/// A field of a FieldList, and its place.
 template <std::size_t kIndex, typename AField>
 struct FieldAt {
   AField field;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/cxx_abi.h>
 #include <tendon/payload/payload.h>
 
 #include <cstddef>
@@ -60,7 +61,7 @@ template <Payload T>
 Layout LayoutOf() {
   static const Layout value = [] {
     constexpr std::uint64_t kSeed = 0xcbf29ce484222325;  // of FNV-1a
-    const Layout seed = layout::Mix(layout::Mix(kSeed, __GXX_ABI_VERSION), _GLIBCXX_USE_CXX11_ABI);
+    const Layout seed = layout::Mix(layout::Mix(kSeed, kCxxAbi), kCxxLibraryAbi);
     return layout::Of<T>(seed) | 1U;  // never kNone
   }();
   return value;

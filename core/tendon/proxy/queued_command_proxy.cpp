@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,8 +33,9 @@ class EncodedArgument final : public ArgumentWriter {
   explicit EncodedArgument(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
   [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
-  void WriteTo(std::span<std::byte> place) const override {
+  [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
     std::ranges::copy(bytes_, place.begin());
+    return true;
   }
   [[nodiscard]] std::span<const std::byte> Encoded() const override { return bytes_; }
 
@@ -171,8 +173,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (room == nullptr) return outbox_.is_open() ? mailbox_.refusal() : Status::kNotConnected;
     const std::size_t slot = mailbox_.SlotOf(room);
     const Status written = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      in.WriteTo(RoomIn(slot, size));
-      return Status::kQueued;
+      return in.WriteTo(RoomIn(slot, size)) ? Status::kQueued : Status::kFailed;
     });
     if (!written) {
       FreeIfMany(slot);
@@ -279,7 +280,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
     return newest_.Post(*this, [&]() -> const Bytes& {  // memory may be short
       written_.resize(size);
-      in.WriteTo(written_);
+      if (!in.WriteTo(written_)) throw std::length_error("the argument has changed");
       return written_;
     });
   }

@@ -179,10 +179,13 @@ class RequiredInterfaceProxy::QueuedCommandCount {
   RequiredInterfaceProxy& proxy_;
 };
 
-void RequiredInterfaceProxy::LogRefused(std::size_t function) {
+void RequiredInterfaceProxy::LogDropped(std::size_t function, const std::string& reason) {
   complaints_.Add("a call of '" + function_names_[function] + "' from " + channel_->peer().name +
-                  " was dropped: " + std::to_string(capacity_) +
-                  " are already queued, or memory is short");
+                  " was dropped: " + reason);
+}
+
+void RequiredInterfaceProxy::LogRefused(std::size_t function) {
+  LogDropped(function, std::to_string(capacity_) + " are already queued, or memory is short");
 }
 
 /// True if a call of this command must wait in the line.
@@ -209,6 +212,9 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   // A refused command counts as executed.
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
+    if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
+      LogDropped(function, "its argument cannot be decoded");
+    }
     if (status != Status(Status::kQueueFull)) return CountReceived(Watch::kClosely);
     // This may not be the peer's fault: a reply confirms all calls before it, even queued ones.
     if (!commands_) {

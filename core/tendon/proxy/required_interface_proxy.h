@@ -94,6 +94,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   class QueuedCommandCount;
 
   /// Logs a refused call: the peer has exceeded its credit, or there is no memory.
+  void LogDropped(std::size_t function, const std::string& reason);
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;

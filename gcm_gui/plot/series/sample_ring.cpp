@@ -54,7 +54,7 @@ bool SampleRing::takeKind(const Sample& sample) {
 // True if the sample belongs at the end. Records the gap before it.
 bool SampleRing::continues(const Sample& sample) {
   if (empty()) {
-    epoch_begins_ = has_no_value_ = false;
+    epoch_begins_ = has_no_value_ = stands_still_ = standstill_ends_ = false;
     lost_before_ = 0;
     base_index_ = end_;
     base_tick_ = sample.tick;

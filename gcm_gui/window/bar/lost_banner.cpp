@@ -40,7 +40,7 @@ void LostBanner::setNow(qint64 now) {
 void LostBanner::refresh() {
   setVisible(link_.state() == LinkState::State::kLost);
   since_->show(StateMark::kLost,
-               Words::tr("Grey values are %1 old").arg(AgeText(now_ - link_.since())));
+               Words::tr("Everything grey is as it was %1 ago").arg(AgeText(now_ - link_.since())));
   setAccessibleName(text());
 }
 

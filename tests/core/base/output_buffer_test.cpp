@@ -125,6 +125,8 @@ TEST_F(OutputBufferTest, WritesAgainOnceTheProgramGoesOn) {
   ASSERT_TRUE(tendon::os::TerminationAsked(std::chrono::seconds(1)));
   tendon::os::HoldTerminationSignals();
   out.clear();
+  out.flush();
+  EXPECT_TRUE(out.good()) << "nothing waits to be written";
   std::string seen;
   std::thread reader([&] { seen = ReadAll(); });
   out << "next" << std::flush;

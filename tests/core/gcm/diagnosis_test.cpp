@@ -364,9 +364,8 @@ TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
 
   EXPECT_FALSE(IsKept(diagnosis));
   EXPECT_EQ(LeftoverTexts(diagnosis),
-            (std::vector<std::string>{
-                "left over: unknown, because process 'desk' is not available",
-                "left over: nothing in robot"}));
+            (std::vector<std::string>{"left over: unknown, because process 'desk' is not available",
+                                      "left over: nothing in robot"}));
   robot_.state = ProcessState::kLost;
   Enter(robot_);
   EXPECT_FALSE(IsKept(Examine()));

@@ -200,7 +200,7 @@ TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
   Join("robot", 1);
 
   EXPECT_EQ(registry_.Forget("robot").error().message,
-            "process 'robot' is running; only a process that is gone can be forgotten");
+            "process 'robot' is not gone; only a process that is gone can be forgotten");
   EXPECT_EQ(registry_.Forget("robott").error().message,
             "no process 'robott'; did you mean 'robot'?");
 }

@@ -103,12 +103,12 @@ TEST_P(Replacing, WhoIsNotThereReplacesNoConnectionThatWorks) {
           "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
           "its replacement must be available first: no process 'robbot'; did you mean 'robot'?"}));
   ASSERT_TRUE(spare->Leave());
-  EXPECT_EQ(
-      Replace(*client_, kSpare).error(),
-      (Error{ErrorCode::kFailed,
-             "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
-             "its replacement must be available first: process 'spare' has left (left); start it "
-             "again first"}));
+  EXPECT_EQ(Replace(*client_, kSpare).error(),
+            (Error{ErrorCode::kFailed,
+                   "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
+                   "its replacement must be available first: process 'spare' has left "
+                   "(deregistered); start it "
+                   "again first"}));
 
   EXPECT_EQ(Connection(), before);
   EXPECT_EQ(desk_->orders().size(), 1U);
@@ -139,7 +139,7 @@ TEST_P(Replacing, AnUndoBreaksNoConnectionThatWorksForAProcessThatIsGone) {
               testing::HasSubstr(
                   "): desk/teleoperation/Robot stays connected to "
                   "robot/arm/Control, because its replacement must be available first: process "
-                  "'spare' has left (left); start it again first; "));
+                  "'spare' has left (deregistered); start it again first; "));
   EXPECT_TRUE(IsConnectedTo(kControl));
   EXPECT_FALSE(Steps(*client_).back().undone);
 }

@@ -32,8 +32,7 @@ class KeepingTarget final : public CommandBase {
   Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
     if (!accepts) return Status::kQueueFull;
     kept.resize(in.size());
-    in.WriteTo(kept);
-    return Status::kQueued;
+    return in.WriteTo(kept) ? Status::kQueued : Status::kFailed;
   }
 
   bool accepts = true;

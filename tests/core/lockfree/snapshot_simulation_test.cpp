@@ -55,12 +55,12 @@ TEST(SnapshotSimulation, NeedsItsAcquires) {
 
 template <typename Atomics>
 Report ExploreLease() {
-  struct Shared {
+  struct Leased {
     TryLock<Atomics> lease;
     Plain<int> value{0};
   };
   return Explore([](Scenario& scenario) {
-    const auto shared = std::make_shared<Shared>();
+    const auto shared = std::make_shared<Leased>();
     for (int thread = 0; thread < 2; ++thread) {
       scenario.Thread([=] {
         if (!shared->lease.TryTake()) return;

@@ -135,8 +135,8 @@ TEST(Wakeup, ManyPostersWakeOneSleeper) {
 
   std::uint64_t seen = 0;
   while (seen < 2 * kPosts) {
-    ASSERT_TRUE(
-        wakeup.WaitUntil([&] { return posted.load(std::memory_order_acquire) > seen; }, After(60s)));
+    ASSERT_TRUE(wakeup.WaitUntil([&] { return posted.load(std::memory_order_acquire) > seen; },
+                                 After(60s)));
     seen = posted;
   }
 }

@@ -57,7 +57,8 @@ std::string ErrorOfGoal(std::string_view json) {
   return goal ? "accepted" : goal.error().message;
 }
 
-std::string JsonOf(const std::string& speed, const std::string& retries, const std::string& timeout) {
+std::string JsonOf(const std::string& speed, const std::string& retries,
+                   const std::string& timeout) {
   return R"({"speed":)" + speed + R"(,"retries":)" + retries + R"(,"timeout":)" + timeout +
          R"(,"note":""})";
 }

@@ -117,9 +117,9 @@ TEST(FirstDifference, NamesAnotherShape) {
   EXPECT_EQ(DifferenceOfFields({"position", "rad", Schema::Array(kDouble, 7)},
                                {"position", "rad", Schema::Array(kDouble, 6)}),
             "position of arm.JointState: float64[7] needed, float64[6] offered");
-  EXPECT_EQ(
-      DifferenceOfFields({"p", "", Schema::Array(kDouble, 7)}, {"p", "", Schema::Sequence(kDouble)}),
-      "p of arm.JointState: float64[7] needed, float64[] offered");
+  EXPECT_EQ(DifferenceOfFields({"p", "", Schema::Array(kDouble, 7)},
+                               {"p", "", Schema::Sequence(kDouble)}),
+            "p of arm.JointState: float64[7] needed, float64[] offered");
   EXPECT_EQ(DifferenceOfFields({"p", "", Schema::Sequence(Schema::Array(kDouble, 3))},
                                {"p", "", Schema::Sequence(Schema::Array(kDouble, 4))}),
             "p of arm.JointState: float64[3][] needed, float64[4][] offered");

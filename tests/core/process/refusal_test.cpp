@@ -131,11 +131,12 @@ class RefusedForItsTypes : public RemoteConnection {
   /// Asks robot for a connection that needs MoveTo of this type, and returns what it says.
   std::string WhyRefused(const Schema& schema,
                          Foreigner::Manner manner = Foreigner::Manner::kHonest) {
-    const auto channel = Channel::Open(*middleware, robot->address(),
-                                       {.instance = tendon::os::RandomNumber(),
-                                        .name = "desk",
-                                        .cookie = *tendon::LoopbackCookie()},
-                                       std::make_shared<Foreigner>(schema, manner), kRefusalPatience);
+    const auto channel =
+        Channel::Open(*middleware, robot->address(),
+                      {.instance = tendon::os::RandomNumber(),
+                       .name = "desk",
+                       .cookie = *tendon::LoopbackCookie()},
+                      std::make_shared<Foreigner>(schema, manner), kRefusalPatience);
     EXPECT_TRUE(channel.ok()) << channel.error().message;
     OpenInterface open{.required = kRobot, .provided = kControl, .handle = 1, .capacity = 64};
     open.description.name = "Robot";
@@ -144,8 +145,8 @@ class RefusedForItsTypes : public RemoteConnection {
          .signature = {tendon::CommandKind::kWrite, schema.fingerprint(),
                        tendon::FingerprintOf<tendon::None>()},
          .in_type = schema.name()});
-    const auto opened =
-        (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0, open, kRefusalPatience);
+    const auto opened = (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0,
+                                                             open, kRefusalPatience);
     (*channel)->Close();
     EXPECT_FALSE(opened.ok());
     if (opened.ok()) return "accepted";

@@ -17,11 +17,12 @@ class TracedArgument final : public ArgumentWriter {
   explicit TracedArgument(std::size_t size, std::byte fill = {}) : size_(size), fill_(fill) {}
 
   [[nodiscard]] std::size_t size() const override { return size_; }
-  void WriteTo(std::span<std::byte> place) const override {
+  [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
     EXPECT_EQ(place.size(), size_);
     if (throws) throw std::bad_alloc();
     std::ranges::fill(place, fill_);
     places.push_back(place.data());
+    return !changes;
   }
   [[nodiscard]] std::span<const std::byte> Encoded() const override {
     ADD_FAILURE() << "the argument was encoded elsewhere";
@@ -29,6 +30,7 @@ class TracedArgument final : public ArgumentWriter {
   }
 
   bool throws = false;
+  bool changes = false;  ///< its size, between size() and WriteTo()
   mutable std::vector<const std::byte*> places;
 
  private:
@@ -99,6 +101,16 @@ TEST_P(RemoteCommand, IsNotHeldUpByAnArgumentThatThrows) {
   EXPECT_EQ(offer.refused(), 2 * kCapacity);
 }
 
+TEST_P(RemoteCommand, SendsNothingOfAnArgumentThatChangesMeanwhile) {
+  TracedArgument changing(kSize);
+  changing.changes = true;
+
+  EXPECT_EQ(Call(changing), Status(Status::kFailed));
+
+  EXPECT_EQ(outbox.Send(), 0U);
+  EXPECT_EQ(offer.refused(), 1U);
+}
+
 TEST_P(RemoteCommand, WritesNoArgumentThatIsTooLarge) {
   const TracedArgument argument(kMaxPayload + 1);
 
@@ -166,15 +178,15 @@ TEST_P(QueuedRemoteCommand, WritesEachArgumentIntoTheBufferOfItsSlot) {
 }
 
 TEST_P(QueuedRemoteCommand, SendsASmallerArgumentAfterALargerOne) {
-  for (const std::size_t count : {100, 7, 50}) {
-    const Bytes values = EncodeBody(std::vector<double>(count));
+  for (const std::size_t length : {100, 7, 50}) {
+    const Bytes values = EncodeBody(std::vector<double>(length));
     for (std::size_t i = 0; i < kCapacity; ++i) {
       EXPECT_EQ(command->ExecuteEncoded(values, nothing), Status(Status::kQueued));
     }
     EXPECT_EQ(outbox.Send(), kCapacity);
     EXPECT_TRUE(EventuallyTrue([&] {
       server_inbox.ExecuteQueued();
-      return !loads.empty() && loads.size() % kCapacity == 0 && loads.back() == count;
+      return !loads.empty() && loads.size() % kCapacity == 0 && loads.back() == length;
     }));
   }
 

@@ -53,7 +53,7 @@ TEST_F(CertificateTest, OfACaIsNobodys) {
 
 TEST(Certificate, IsNotLookedForInALongText) {
   EXPECT_THAT(Refusal(std::string(kMaxCertificateSize + 1, '-')), HasSubstr("the longest has"));
-  EXPECT_THAT(Refusal("hello"), HasSubstr("no certificate"));
+  EXPECT_THAT(Refusal("hello"), HasSubstr("is not a certificate"));
 }
 
 TEST(Certificate, DatesAreInUtc) {

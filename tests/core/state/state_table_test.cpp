@@ -78,7 +78,7 @@ TEST_F(StateTableTest, AVariableThatIsNoColumnIsAWiringMistake) {
 
 TEST_F(StateTableTest, TheFirstMemberOfAColumnIsNotThatColumn) {
   AddBoth();
-  EXPECT_THAT(Refusal([&] { (void)table_.Find(sample_.position); }), HasSubstr("no column"));
+  EXPECT_THAT(Refusal([&] { (void)table_.Find(sample_.position); }), HasSubstr("is not a column"));
 }
 
 TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {

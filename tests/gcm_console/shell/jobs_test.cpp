@@ -112,7 +112,7 @@ TEST_F(JobsTest, WhatDoesNotLastIsRefusedAndSoAreTheyWithoutAPrompt) {
   shell->Type("ls &\r");
   EXPECT_TRUE(
       shell->Shows("gcm: only watch, events, hz and log can run in the background, but 'ls' "
-                   "does not"))
+                   "cannot"))
       << shell->seen();
 
   const Outcome piped =

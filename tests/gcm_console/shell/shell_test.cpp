@@ -212,7 +212,8 @@ TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
   });
 
   int waiting = 0;  // bytes that nobody reads
-  EXPECT_TRUE(EventuallyTrue([&] { return ioctl(ends[0], FIONREAD, &waiting) == 0 && waiting > 0; }));
+  EXPECT_TRUE(
+      EventuallyTrue([&] { return ioctl(ends[0], FIONREAD, &waiting) == 0 && waiting > 0; }));
   pthread_kill(typist.native_handle(), SIGINT);
   EXPECT_EQ(interrupted.get_future().get(), program::kInterrupted);
   std::string seen;

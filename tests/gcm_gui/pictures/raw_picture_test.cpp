@@ -99,7 +99,7 @@ TEST(RawPicture, WhatDoesNotFitIsSaidAndNotDrawn) {
       {Grey(4, 2, 7), "2 rows of 4 bytes do not fit data of 7 bytes"},
       {Grey(4, 2, 9), "2 rows of 4 bytes do not fit data of 9 bytes"},
       {short_rows, "4 pixels of mono8 take 4 bytes a row, but step says 3"},
-      {unknown, "a picture of encoding '32FC1' is not drawn"},
+      {unknown, "a picture of encoding '32FC1' cannot be drawn"},
       {Grey(0, 2, 0), "a picture of 0 × 2 pixels has none to draw"},
       {Grey(std::uint64_t{1} << 40U, 2, 4), "too large to be drawn"},
       {Grey(2, ~std::uint64_t{0}, 4), "too large to be drawn"}};

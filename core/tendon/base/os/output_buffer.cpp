@@ -41,10 +41,18 @@ std::streamsize OutputBuffer::xsputn(const char* text, std::streamsize size) {
   return Add({text, static_cast<std::size_t>(size)}) ? size : 0;
 }
 
-int OutputBuffer::sync() { return WriteAll() ? 0 : -1; }
+int OutputBuffer::sync() {
+  ForgetInterruption();
+  return WriteAll() ? 0 : -1;
+}
+
+/// It ends when the program goes on.
+void OutputBuffer::ForgetInterruption() {
+  if (failure_ == EINTR && !WasTerminationAsked()) failure_ = 0;
+}
 
 bool OutputBuffer::Add(std::string_view text) {
-  if (failure_ == EINTR && !WasTerminationAsked()) failure_ = 0;
+  ForgetInterruption();
   errno = failure_;
   if (failure_ != 0) return false;
   waiting_ += text;

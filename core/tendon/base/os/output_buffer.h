@@ -31,6 +31,7 @@ class OutputBuffer final : public std::streambuf {
 
  private:
   [[nodiscard]] bool Add(std::string_view text);
+  void ForgetInterruption();
   [[nodiscard]] bool WriteAll();
   /// False if the process is asked to terminate.
   [[nodiscard]] bool WaitForRoom() const;

@@ -248,7 +248,7 @@ Result<void> Registry::Forget(const std::string& process) {
   if (FindByName(process) != nullptr) {
     return Error{
         ErrorCode::kFailed,
-        "process '" + process + "' is running; only a process that is gone can be forgotten"};
+        "process '" + process + "' is not gone; only a process that is gone can be forgotten"};
   }
   if (expected_.contains(process)) {
     return Error{

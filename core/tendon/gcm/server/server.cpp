@@ -257,7 +257,7 @@ void Server::TakeHealth(const Request& request) {
 
 void Server::Leave(const Request& request) {
   Locked([&] {
-    registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "it left the GCM");
+    registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "deregistered");
     Answer(request, Result<void>());
   });
 }

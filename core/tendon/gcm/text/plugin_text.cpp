@@ -17,11 +17,11 @@ std::optional<OldPlugin> FindOldPlugin(const std::string& process,
                                        const PluginDescription& plugin) {
   if (plugin.state == PluginState::kCurrent) return std::nullopt;
   const bool is_gone = plugin.state == PluginState::kGone;
-  return OldPlugin{
-      .finding = "process '" + process + "' runs " + PluginText(plugin) + "; the file " +
-                 (is_gone ? "is missing" : "was " + PluginChangeText(plugin)),
-      .remedy = is_gone ? "restore it before you restart the process"
-                        : "restart the process to use it"};
+  return OldPlugin{.finding = "process '" + process + "' runs " + PluginText(plugin) +
+                              "; the file " +
+                              (is_gone ? "is missing" : "was " + PluginChangeText(plugin)),
+                   .remedy = is_gone ? "restore it before you restart the process"
+                                     : "restart the process to use it"};
 }
 
 std::string OldPluginText(const std::string& process, const PluginDescription& plugin) {

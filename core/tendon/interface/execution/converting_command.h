@@ -46,7 +46,9 @@ class ConvertingCommand final : public Command<In, Out> {
     Encoder(const In& in, std::vector<std::byte>& room) : in_(in), room_(room) {}
 
     [[nodiscard]] std::size_t size() const override { return EncodedSize(in_); }
-    void WriteTo(std::span<std::byte> place) const override { EncodeTo(in_, place); }
+    [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
+      return EncodeTo(in_, place) == place.size();
+    }
     [[nodiscard]] std::span<const std::byte> Encoded() const override {
       Encode(in_, room_);
       return room_;

@@ -49,8 +49,8 @@ struct NumberWord {
 /// True if a double cannot hold this number of seconds to the nanosecond.
 [[nodiscard]] bool IsFinerThanDouble(std::string_view seconds);
 
-/// Says what the flaw is and what to write instead: "write 0.5: the decimal sign is a point". Empty
-/// without a flaw.
+/// Says what the flaw is and what to write instead: "write 0.5: use a point as the decimal sign".
+/// Empty without a flaw.
 [[nodiscard]] std::string FlawText(const NumberWord& word);
 
 }  // namespace tendon

@@ -37,7 +37,8 @@ class SlowRead : public RemoteConnection {
   void ExpectAllElseIsServed(Operator& caller) {
     plant::Move move;
     EXPECT_TRUE(EventuallyTrue([&] { return caller.get_move(move) == Status(Status::kDone); }));
-    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kSlowCodePatience), Status(Status::kDone));
+    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kSlowCodePatience),
+              Status(Status::kDone));
     EXPECT_TRUE(EventuallyQueued([&] { return caller.stop(); }));
   }
 };
@@ -375,7 +376,8 @@ TEST_P(SlowHandler, HoldsUpNothingElseThatItsProcessHears) {
 
   plant::Move move;
   EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(move) == Status(Status::kDone); }));
-  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kSlowCodePatience), Status(Status::kDone));
+  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kSlowCodePatience),
+            Status(Status::kDone));
   EXPECT_TRUE(EventuallyTrue([&] { return user->Process() > 0 && user->moved.size() >= 11; }));
   EXPECT_TRUE(desk->is_joined());
 

@@ -78,7 +78,7 @@ TEST_P(LogOfProcess, IsThereOnceThoughTheGcmIsAProcessOfTheSameProgram) {
   Log(LogLevel::kInfo, "arm", "once");
   own.reset();  // has sent all it had
 
-  ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: left"));
+  ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: deregistered"));
   EXPECT_EQ(keeper->Of("gcm", "arm").size(), 1U);
 }
 

@@ -295,6 +295,16 @@ TEST(SampleRing, ASlowSourceThatRunsHasNoGaps) {
   EXPECT_TRUE(ring.gaps().empty());
 }
 
+TEST(SampleRing, ASlowSourceThatStoodStillBeforeItsFirstRowHasNoGap) {
+  SampleRing ring;
+  ring.noteStandstill();
+  ring.append(std::vector{Row(1, 1000)});
+  ring.endStandstill();
+  ring.append(std::vector{Row(2, 2000)});
+
+  EXPECT_TRUE(ring.gaps().empty());
+}
+
 TEST(SampleRing, OfRowsWithoutTheElementThoseBeforeAreLostAlone) {
   Sample nothing = Count(5, 0);
   nothing.value = std::numeric_limits<double>::quiet_NaN();
