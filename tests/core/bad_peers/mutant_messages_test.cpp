@@ -180,7 +180,7 @@ class MutantMessages : public RemoteConnection {
   std::unique_ptr<GcmClient> viewer;
 };
 
-constexpr int kMutants = test::kIsSanitized ? 1'000 : 10'000;
+const int kMutants = test::IsSanitized() ? 1'000 : 10'000;
 /// Of what is kept after as many again.
 constexpr std::size_t kFlat = std::size_t{16} << 20U;
 

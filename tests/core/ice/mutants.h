@@ -17,12 +17,12 @@ namespace tendon::ice {
 
 /// How many mutants a program must bear. A sanitizer slows each down some ten times, and looks at
 /// fewer.
-inline constexpr int kMutants = test::kIsSanitized ? 2'000 : 20'000;
+inline const int kMutants = test::IsSanitized() ? 2'000 : 20'000;
 
 /// How many inside TLS, where most of them cost a handshake: 20,000 if TENDON_FULL_FAULTS is set.
 inline int MutantsInTls() {
   if (std::getenv("TENDON_FULL_FAULTS") != nullptr) return 20'000;
-  return test::kIsSanitized ? 200 : 4'000;
+  return test::IsSanitized() ? 200 : 4'000;
 }
 
 /// Messages that were right until one to four of their bytes were changed: always the same ones.

@@ -93,7 +93,7 @@ class PlotFlow : public FlowFixture {
 // in silence.
 TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
   const test::StallMeter stalls;
-  const auto may_lose = [&] { return test::kIsSanitized || stalls.has_stood_still(); };
+  const auto may_lose = [&] { return test::IsSanitized() || stalls.has_stood_still(); };
   const QString system = Write("arms.json", SystemOfArms());
   const auto load = StartLcm("load", system.toStdString());
   window_->plots().openLayout(Write("arms.plots.json", LayoutOfArms()));

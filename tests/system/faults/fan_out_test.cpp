@@ -14,9 +14,9 @@
 namespace faults {
 namespace {
 
-using tendon::test::kIsSanitized;
+using tendon::test::IsSanitized;
 
-constexpr std::uint64_t kRows = kIsSanitized ? 200 : 1000;
+const std::uint64_t kRows = IsSanitized() ? 200 : 1000;
 
 bool HasMemoryLimit(pid_t process) {
   rlimit limit{};
@@ -56,7 +56,7 @@ TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
 
   EXPECT_TRUE(Eventually([&] {
     const auto verdict = stopped->verdict();
-    return (kIsSanitized || verdict.counted > 0) && verdict.received > before_it_stopped + 100;
+    return (IsSanitized() || verdict.counted > 0) && verdict.received > before_it_stopped + 100;
   })) << ToString(stopped->verdict());
   const StreamChecker::Verdict missed = stopped->verdict();
   Tell("stopped: " + ToString(missed));
@@ -69,7 +69,7 @@ TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
     EXPECT_EQ(verdict.missing, verdict.counted);
     EXPECT_EQ(verdict.repeated, 0U);
     most_missing = std::max(most_missing, verdict.missing);
-    if (kIsSanitized || MachineStoodStill()) continue;
+    if (IsSanitized() || MachineStoodStill()) continue;
     EXPECT_LE(verdict.missing * 20, verdict.received) << ToString(verdict);
   }
   std::ostringstream told;
