@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "support/machine/sanitized.h"
 #include "system/faults/harness/fault_test.h"
 #include "system/faults/harness/footprint.h"
 
@@ -102,12 +103,9 @@ class Overload : public FaultTest {
 
   /// A thousand rows of 8 KiB that are kept anywhere are far more than a twentieth.
   static bool IsSteady(const Footprint& before, const Footprint& now) {
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    return IsFlat(before, now);
-#else
     constexpr std::size_t kTwentieth = 20;
-    return IsFlat(before, now) && now.resident <= before.resident + before.resident / kTwentieth;
-#endif
+    return IsFlat(before, now) && (tendon::test::IsSanitized() ||
+                                   now.resident <= before.resident + before.resident / kTwentieth);
   }
 };
 

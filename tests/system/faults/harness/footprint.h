@@ -7,6 +7,8 @@
 #include <ostream>
 #include <string>
 
+#include "support/machine/sanitized.h"
+
 namespace faults {
 
 /// What a process takes of the machine.
@@ -39,11 +41,8 @@ inline std::size_t AddressSpaceOf(int pid) {
   return pages * kPage;
 }
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-inline constexpr std::size_t kMemory = std::size_t{256} << 20U;  // they keep what was freed
-#else
-inline constexpr std::size_t kMemory = std::size_t{16} << 20U;
-#endif
+/// A sanitizer keeps what was freed.
+inline const std::size_t kMemory = std::size_t{tendon::test::IsSanitized() ? 256U : 16U} << 20U;
 
 /// No descriptor more, no thread but those that a pool keeps for a while, no memory to speak of.
 inline bool IsFlat(const Footprint& before, const Footprint& now) {
