@@ -66,6 +66,6 @@ install(FILES ${PROJECT_BINARY_DIR}/tendon-config.cmake ${PROJECT_BINARY_DIR}/te
 if(TARGET tendon_ice)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/python/tendon DESTINATION share/tendon/python COMPONENT python
     FILES_MATCHING PATTERN "*.py" PATTERN messages.txt PATTERN __pycache__ EXCLUDE)
-  install(FILES ${PROJECT_SOURCE_DIR}/core/tendon/ice/slice/tendon.ice
+  install(FILES ${PROJECT_SOURCE_DIR}/core/tendon/ice/tendon.ice
     DESTINATION share/tendon/python/tendon/middleware COMPONENT python)
 endif()

@@ -4,7 +4,7 @@
 #include <gcm_console/help/help_text.h>
 #include <gcm_console/line/command_line.h>
 #include <gcm_console/report.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 
 #include <cerrno>
 #include <exception>

@@ -1,6 +1,6 @@
 #include <gcm_console/context.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/text.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 #include <gcm_console/report.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <functional>

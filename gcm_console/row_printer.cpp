@@ -37,7 +37,7 @@ void RowPrinter::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   now->schemas = columns;
   now->is_left_out.assign(wanted_.size(), false);
   for (const Wanted& wanted : wanted_) {
-    const auto channel = tendon::FindChannel(columns.at(wanted.column), wanted.path.field);
+    const auto channel = tendon::FindNumericField(columns.at(wanted.column), wanted.path.field);
     now->numbers.push_back(channel ? std::optional(*channel) : std::nullopt);
   }
   const std::scoped_lock lock(mutex_);

@@ -3,7 +3,7 @@
 #include <gcm_console/inbox_queue.h>
 #include <tendon/base/dropping_queue.h>
 #include <tendon/base/path.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 #include <tendon/process/telemetry_client.h>
 
 #include <cstddef>
@@ -79,8 +79,8 @@ class RowPrinter final : public tendon::RowSink {
   /// How to read the columns of one subscription.
   struct Columns {
     std::vector<tendon::Schema> schemas;
-    std::vector<std::optional<tendon::PlotChannel>> numbers;  // set for numbers, the usual case
-    std::vector<bool> is_left_out;                            // by path; guarded by mutex_
+    std::vector<std::optional<tendon::NumericField>> numbers;  // set for numbers, the usual case
+    std::vector<bool> is_left_out;                             // by path; guarded by mutex_
   };
   /// A received row.
   struct KeptRow {

@@ -1,16 +1,13 @@
 #include <lcm/lcm_program.h>
-#include <tendon/base/counted.h>
-#include <tendon/base/find_named.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/system/leaders.h>
 #include <tendon/manager/component_loader.h>
-#include <tendon/manager/transition_to.h>
 #include <tendon/manager/unsatisfied_interface.h>
 #include <tendon/process/membership/advertised_address.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <algorithm>
 #include <chrono>
@@ -148,7 +145,7 @@ enum class Told { kGoOn, kEnd };
 Result<Told> Join(const tendon::Process& process, const Options& options) {
   constexpr auto kLook = 10ms;
   const auto deadline = std::chrono::steady_clock::now() + options.timeout;
-  while (!tendon::os::TerminationAsked(kLook)) {
+  while (!tendon::os::TerminationRequested(kLook)) {
     const auto joined = process.WaitUntilJoined(0ms);
     if (joined) return Told::kGoOn;
     const ErrorCode code = joined.error().code;
@@ -212,7 +209,7 @@ Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& compo
       const auto met = CheckNeeds(component, needs);
       return met ? Result<Told>(Told::kGoOn) : met.error();
     }
-    if (tendon::os::TerminationAsked(kLook)) return Told::kEnd;
+    if (tendon::os::TerminationRequested(kLook)) return Told::kEnd;
   }
 }
 
@@ -223,7 +220,7 @@ Result<Told> BringToState(const Share& share, tendon::Process& process,
     const auto told = AwaitNeeds(process, component, options);
     if (!told || *told == Told::kEnd) return told;
   }
-  const auto begun = TransitionTo(process, component, state);
+  const auto begun = process.TransitionTo(component, state);
   return begun ? Result<Told>(Told::kGoOn) : begun.error();
 }
 
@@ -232,7 +229,7 @@ Told Start(const Share& share, tendon::Process& process, const Options& options)
   MakeConnections(share, process);
   std::vector<std::string> resting;
   for (const auto& one : share.components) {
-    if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) return Told::kEnd;
+    if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) return Told::kEnd;
     const bool rests_later = one.state == ComponentState::kSuspended && Leads(share, one);
     const auto state = rests_later ? ComponentState::kActive : one.state;
     const auto begun = BringToState(share, process, one.name, state, options);

@@ -1,7 +1,7 @@
 #include <program/command_line.h>
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
-#include <tendon/payload/json/number_word.h>
+#include <tendon/base/text.h>
+#include <tendon/payload/json/number_literal.h>
 
 #include <algorithm>
 #include <array>
@@ -60,14 +60,14 @@ std::string Words(const CLI::ParseError& mistake) {
 }
 
 /// The remedy, if known: "; write 0.5s: use a point as the decimal sign".
-std::string Hint(tendon::NumberWord word, const std::string& unit) {
+std::string Hint(tendon::NumberLiteral word, const std::string& unit) {
   if (word.meant.empty()) return {};
   for (std::string& one : word.meant) one += unit;
   return "; " + FlawText(word);
 }
 
 /// A finite number above 0.
-std::optional<double> Positive(const tendon::NumberWord& word) {
+std::optional<double> Positive(const tendon::NumberLiteral& word) {
   double number = 0.0;
   const char* const end = word.json.data() + word.json.size();
   const bool is_finite = std::from_chars(word.json.data(), end, number).ptr == end;
@@ -82,7 +82,7 @@ std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
     const bool is_in_unit = text.ends_with(unit);
     if (!is_in_unit && factor != 1.0) continue;
     const std::string number = text.substr(0, text.size() - (is_in_unit ? unit.size() : 0));
-    const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kFloat64, number);
+    const tendon::NumberLiteral word = tendon::ReadNumberLiteral(Kind::kFloat64, number);
     hint = Hint(word, std::string(is_in_unit ? unit : ""));
     const auto seconds = Positive(word);
     const bool is_time = seconds && std::isfinite(*seconds * factor) && *seconds * factor > 0.0;
@@ -109,7 +109,7 @@ std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
 }
 
 std::string TransformPositive(std::string& text) {
-  const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kFloat64, text);
+  const tendon::NumberLiteral word = tendon::ReadNumberLiteral(Kind::kFloat64, text);
   if (const auto number = Positive(word)) {
     text = TextOf(*number);
     return {};
@@ -118,7 +118,7 @@ std::string TransformPositive(std::string& text) {
 }
 
 std::string TransformCount(std::string& text) {
-  const tendon::NumberWord word = tendon::ReadNumberWord(Kind::kUint64, text);
+  const tendon::NumberLiteral word = tendon::ReadNumberLiteral(Kind::kUint64, text);
   if (word.flaw == Flaw::kNone && word.json != "0") {
     text = word.json;  // CLI11 would read 010 as 8
     return {};
@@ -137,7 +137,7 @@ std::string TransformDuration(std::string& text) {
 
 std::string TransformMilliseconds(std::string& text) {
   constexpr double kLongest = 3600000.0;
-  const bool is_plain = tendon::ReadNumberWord(Kind::kFloat64, text).flaw == Flaw::kNone;
+  const bool is_plain = tendon::ReadNumberLiteral(Kind::kFloat64, text).flaw == Flaw::kNone;
   std::string hint;
   const double milliseconds = SecondsIn(is_plain ? text + "ms" : text, hint).value_or(0.0) * 1000.0;
   const double whole = std::round(milliseconds);

@@ -11,8 +11,8 @@ namespace program {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command);
 
-/// For CLI::Option::transform(). They read numbers like tendon::ReadNumberWord(), the same in every
-/// locale, and say what to write instead of an invalid number.
+/// For CLI::Option::transform(). They read numbers like tendon::ReadNumberLiteral(), the same in
+/// every locale, and say what to write instead of an invalid number.
 ///
 /// A number above zero.
 std::string TransformPositive(std::string& text);

@@ -1,7 +1,7 @@
 #include <program/fan_out.h>
 
 #ifdef TENDON_WITH_ICE
-#include <tendon/ice/broadcast/broker.h>
+#include <tendon/ice/broker.h>
 #endif
 
 namespace program {

@@ -1,5 +1,5 @@
 #include <program/network_options.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/process.h>
 #include <tendon/security/credentials.h>

@@ -1,6 +1,6 @@
 #include <gcm_console/call/argument_words.h>
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/payload/json/typed_value.h>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/payload/json.h>
@@ -73,7 +73,7 @@ class EventWriter {
       if (is_full()) return true;
       WriteLost(lost_before);
       Write(event);
-      if (tendon::os::TerminationAsked(0ms)) return false;
+      if (tendon::os::TerminationRequested(0ms)) return false;
     }
     if (!is_full()) WriteLost(content.lost);
     return true;
@@ -196,7 +196,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
   };
   bool has_more = false;
   while (wants_more()) {
-    is_interrupted = tendon::os::TerminationAsked(has_more ? 0ms : 20ms);
+    is_interrupted = tendon::os::TerminationRequested(has_more ? 0ms : 20ms);
     const EventInbox::Content content = inbox->Take();
     has_more = content.has_more;
     if (content.is_catalog_new) listeners.Follow(options.patterns);

@@ -1,7 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/graph/sheet.h>
 #include <gcm_console/graph/sheet_metrics.h>
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

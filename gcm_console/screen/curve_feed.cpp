@@ -5,7 +5,7 @@
 namespace console {
 namespace {
 
-using tendon::PlotChannel;
+using tendon::NumericField;
 using tendon::Result;
 
 /// True if `path` is equal to `whole` or below it.
@@ -15,11 +15,12 @@ bool IsWithin(const std::string& path, const std::string& whole) {
 }
 
 /// The number at this path, or all numbers below it.
-Result<std::vector<PlotChannel>> NumbersOf(const tendon::Schema& schema, const std::string& field) {
-  auto one = tendon::FindChannel(schema, field);
+Result<std::vector<NumericField>> NumbersOf(const tendon::Schema& schema,
+                                            const std::string& field) {
+  auto one = tendon::FindNumericField(schema, field);
   if (one) return std::vector{*std::move(one)};
-  std::vector<PlotChannel> all = tendon::Channels(schema);
-  std::erase_if(all, [&](const PlotChannel& channel) { return !IsWithin(channel.path, field); });
+  std::vector<NumericField> all = tendon::NumericFields(schema);
+  std::erase_if(all, [&](const NumericField& channel) { return !IsWithin(channel.path, field); });
   if (all.empty()) return one.error();
   return all;
 }
@@ -45,7 +46,7 @@ void CurveFeed::Add(const RowPrinter::Wanted& wanted, const tendon::Schema& sche
     return;
   }
   tendon::Path title = wanted.path;
-  for (const PlotChannel& number : *numbers) {
+  for (const NumericField& number : *numbers) {
     title.field = number.path;
     if (curves_.size() == kMostCurves) {
       return left_out_.push_back(ToString(title) + " and later numbers are left out: at most " +

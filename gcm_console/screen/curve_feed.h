@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/row_printer.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 #include <tendon/process/telemetry_client.h>
 
 #include <deque>
@@ -16,7 +16,7 @@ namespace console {
 struct Curve {
   struct Sample {
     double time = 0.0;                          ///< s on the source's clock
-    std::optional<tendon::ChannelValue> value;  ///< empty if the row has no value
+    std::optional<tendon::NumericValue> value;  ///< empty if the row has no value
   };
   std::string title;
   std::string unit;
@@ -52,7 +52,7 @@ class CurveFeed final : public tendon::RowSink {
  private:
   struct Source {
     std::size_t column = 0;
-    tendon::PlotChannel channel;
+    tendon::NumericField channel;
   };
   void Add(const RowPrinter::Wanted& wanted, const tendon::Schema& schema);
 

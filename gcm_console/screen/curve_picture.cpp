@@ -2,7 +2,7 @@
 #include <gcm_console/screen/braille.h>
 #include <gcm_console/screen/curve_picture.h>
 #include <gcm_console/screen/screen.h>
-#include <tendon/payload/channel_axis.h>
+#include <tendon/payload/numeric_axis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,15 @@ constexpr int kRowsOfALabel = 3;           // approximately
 /// A curve with its scale.
 struct Drawing {
   const Curve& curve;
-  tendon::ChannelAxis axis;
+  tendon::NumericAxis axis;
 };
 
-tendon::ChannelAxis AxisOf(const Curve& curve, int most_labels) {
-  std::vector<tendon::ChannelValue> values;
+tendon::NumericAxis AxisOf(const Curve& curve, int most_labels) {
+  std::vector<tendon::NumericValue> values;
   for (const auto& sample : curve.samples) {
     if (sample.value) values.push_back(*sample.value);
   }
-  return tendon::ChannelAxis::Fitted(curve.schema, values, most_labels);
+  return tendon::NumericAxis::Fitted(curve.schema, values, most_labels);
 }
 
 std::string Aligned(const std::string& text, std::size_t width) {
@@ -47,10 +47,10 @@ std::size_t MarginOf(const std::vector<Drawing>& drawings) {
 }
 
 /// The label beside each row; if labels overlap, the outer ones remain.
-std::vector<std::string> TextsOf(const tendon::ChannelAxis& axis, int height) {
+std::vector<std::string> TextsOf(const tendon::NumericAxis& axis, int height) {
   std::vector<std::string> texts(static_cast<std::size_t>(height) / 4);
   const auto& labels = axis.labels();
-  const auto put = [&](const tendon::ChannelAxis::Label& label) {
+  const auto put = [&](const tendon::NumericAxis::Label& label) {
     const auto row = static_cast<std::size_t>(std::lround((1.0 - label.part) * (height - 1))) / 4;
     if (texts[row].empty()) texts[row] = Plain(label.text);
   };

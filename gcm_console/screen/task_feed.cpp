@@ -3,7 +3,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/standstill.h>
 #include <tendon/gcm/waiting.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <algorithm>
 #include <chrono>
@@ -38,8 +38,8 @@ class TaskFeed::Listener final : public tendon::RowSink {
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
     const std::scoped_lock lock(mutex_);
     const auto find = [&](std::size_t column,
-                          const char* field) -> std::optional<tendon::PlotChannel> {
-      auto channel = tendon::FindChannel(columns.at(column), field);
+                          const char* field) -> std::optional<tendon::NumericField> {
+      auto channel = tendon::FindNumericField(columns.at(column), field);
       return channel ? std::optional(*std::move(channel)) : std::nullopt;
     };
     cycles_ = find(0, ".cycles");
@@ -54,8 +54,8 @@ class TaskFeed::Listener final : public tendon::RowSink {
     if (batch.count == 0) return 0;
     const std::size_t row = batch.count - 1;
     written_ = NewestTimeOf(batch);
-    const auto value = [&](const std::optional<tendon::PlotChannel>& channel, std::size_t column) {
-      return channel ? ReadChannel(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
+    const auto value = [&](const std::optional<tendon::NumericField>& channel, std::size_t column) {
+      return channel ? ReadAsDouble(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
     };
     figures_.skipped = static_cast<std::uint64_t>(value(skipped_, 1));
     const double period = value(period_, 0);
@@ -87,12 +87,12 @@ class TaskFeed::Listener final : public tendon::RowSink {
   std::mutex mutex_;
   TaskFigures figures_;
   std::optional<std::chrono::nanoseconds> written_;
-  std::optional<tendon::PlotChannel> cycles_;
-  std::optional<tendon::PlotChannel> period_;
-  std::optional<tendon::PlotChannel> late_;
-  std::optional<tendon::PlotChannel> latest_;
-  std::optional<tendon::PlotChannel> compute_;
-  std::optional<tendon::PlotChannel> skipped_;
+  std::optional<tendon::NumericField> cycles_;
+  std::optional<tendon::NumericField> period_;
+  std::optional<tendon::NumericField> late_;
+  std::optional<tendon::NumericField> latest_;
+  std::optional<tendon::NumericField> compute_;
+  std::optional<tendon::NumericField> skipped_;
 };
 
 TaskFeed::~TaskFeed() {

@@ -1,5 +1,5 @@
 #include <gcm_console/shell/job_lines.h>
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 
 #include <utility>
 

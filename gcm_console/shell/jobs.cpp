@@ -53,7 +53,7 @@ class Jobs::Job {
   void AskForTheEnd() {
     const std::scoped_lock lock(mutex_);
     is_unwanted_ = true;
-    if (interruption_ != nullptr) interruption_->Ask();
+    if (interruption_ != nullptr) interruption_->Request();
   }
 
  private:

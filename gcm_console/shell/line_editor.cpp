@@ -127,7 +127,7 @@ class LineEditor final : public LineReader {
   /// Reads a character like libedit, and prints lines that arrive meanwhile.
   int ReadLetter(wchar_t* letter) {
     constexpr std::chrono::milliseconds kTurn(50);
-    while (ShowLines() && !tendon::os::KeyWaits(kTurn)) {
+    while (ShowLines() && !tendon::os::IsKeyPressed(kTurn)) {
     }
     el_set(editor_.get(), EL_GETCFN, EL_BUILTIN_GETCFN);
     const int count = el_wgetc(editor_.get(), letter);

@@ -63,7 +63,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   int failure = program::kOk;
   for (const Command& command : *commands) {
     // Also true for a signal during a command that could not be interrupted.
-    if (tendon::os::TerminationAsked(std::chrono::milliseconds(0))) {
+    if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) {
       GoOn(streams);
       return program::kInterrupted;
     }

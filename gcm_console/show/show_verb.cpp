@@ -8,7 +8,7 @@
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/find_named.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/common_fields.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/matching_read.h>

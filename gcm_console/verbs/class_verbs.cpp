@@ -3,7 +3,7 @@
 #include <gcm_console/parameters/parameter_source.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/find_named.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>

@@ -7,9 +7,9 @@
 #include <gcm_console/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/clock.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
+#include <tendon/base/text.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <CLI/CLI.hpp>
@@ -447,7 +447,7 @@ bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
     missed[*table] += row.lost_before;
     missed[*table].viewer += writer.is_latest() ? 0 : 1;
   }
-  const bool is_left = !wants_more && !tendon::os::WasTerminationAsked();
+  const bool is_left = !wants_more && !tendon::os::WasTerminationRequested();
   if (writer.is_full() || is_left) return wants_more;  // closed by the reader: no loss
   for (const auto& [table, lost] : missed) writer.Miss(table, lost);
   return wants_more;
@@ -482,12 +482,12 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   bool interrupted = false;
   std::optional<Error> broken;
   while (wants_more && !interrupted && !broken) {
-    interrupted = tendon::os::TerminationAsked(watching.has_more() ? 0ms : 20ms);
+    interrupted = tendon::os::TerminationRequested(watching.has_more() ? 0ms : 20ms);
     if (lost_gcm) broken = lost_gcm->reason();
     if (lost_gcm && !broken) broken = watching.interruption();
     if (!interrupted) wants_more = WriteRows(writer, watching.Take());
     context.out().flush();
-    interrupted = interrupted || tendon::os::TerminationAsked(0ms);
+    interrupted = interrupted || tendon::os::TerminationRequested(0ms);
     if (wants_more && !interrupted) remarks.Look();
     const auto mistake = watching.mistake();  // the cause was already reported
     if (!broken) watching.Complain(context.err());

@@ -5,7 +5,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/screen/asking_turns.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/plugin_text.h>
 #include <tendon/gcm/waiting.h>

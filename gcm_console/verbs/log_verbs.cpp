@@ -3,9 +3,9 @@
 #include <gcm_console/outcomes.h>
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text/wall_time.h>
 
@@ -181,7 +181,7 @@ bool PrintNew(const LogInbox::Content& content, const LogOptions& options, Conte
   for (const auto& [record, lost_before] : content.records) {
     PrintLost(lost_before, context);
     if (IsWanted(record, options)) Print(record, context);
-    if (tendon::os::TerminationAsked(0ms)) return false;
+    if (tendon::os::TerminationRequested(0ms)) return false;
   }
   PrintLost(content.lost, context);
   return true;
@@ -198,7 +198,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   bool is_current = false;
   bool has_more = false;
   while (true) {
-    bool is_interrupted = tendon::os::TerminationAsked(has_more ? 0ms : 20ms);
+    bool is_interrupted = tendon::os::TerminationRequested(has_more ? 0ms : 20ms);
     const LogInbox::Content content = inbox->Take();
     has_more = content.has_more;
     if (!is_current) {

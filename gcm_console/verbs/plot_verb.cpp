@@ -106,7 +106,7 @@ Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotO
     screen.emplace(context.out());
   }
   while (true) {
-    if (tendon::os::TerminationAsked(keyboard ? 0ms : 50ms)) return program::kInterrupted;
+    if (tendon::os::TerminationRequested(keyboard ? 0ms : 50ms)) return program::kInterrupted;
     if (const auto mistake = plotting.mistake()) return *mistake;
     if (keyboard) {
       Show(plotting, options.window, *screen);

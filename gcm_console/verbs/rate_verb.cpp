@@ -163,7 +163,7 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
            (options.seconds == 0.0 || passed.count() < options.seconds);
   };
   while (wants_more() && !is_interrupted) {
-    is_interrupted = tendon::os::TerminationAsked(20ms);
+    is_interrupted = tendon::os::TerminationRequested(20ms);
     if (const std::string complaint = meter->TakeComplaint(); !complaint.empty()) {
       context.err() << "gcm: " << Plain(complaint) << '\n';
     }

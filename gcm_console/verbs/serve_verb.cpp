@@ -2,7 +2,7 @@
 #include <program/fan_out.h>
 #include <program/lcm_launch.h>
 #include <tendon/base/log.h>
-#include <tendon/base/os/private_file.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/base/os/termination.h>

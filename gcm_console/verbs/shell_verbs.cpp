@@ -2,7 +2,7 @@
 #include <gcm_console/shell/shell.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/os/process.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

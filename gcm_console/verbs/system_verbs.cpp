@@ -1,8 +1,8 @@
 #include <gcm_console/report.h>
 #include <gcm_console/verb.h>
 #include <gcm_console/wire/disputed_types.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
@@ -340,7 +340,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
         context.out() << number << '/' << plan.steps.size() << "  " << sign << Plain(ToString(step))
                       << (came.reason.empty() ? "" : ": " + Plain(came.reason)) << std::endl;
       },
-      [] { return tendon::os::TerminationAsked(std::chrono::milliseconds(0)); });
+      [] { return tendon::os::TerminationRequested(std::chrono::milliseconds(0)); });
   if (is_json) {
     context.PrintJson({{"steps", std::move(steps)},
                        {"obstacles", plan.obstacles},

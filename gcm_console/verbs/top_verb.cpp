@@ -5,10 +5,10 @@
 #include <gcm_console/screen/screen.h>
 #include <gcm_console/screen/task_feed.h>
 #include <gcm_console/verb.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/standstill.h>
 #include <tendon/gcm/text/health_text.h>
 
@@ -203,7 +203,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   auto all = LookAt(feed, options);
   const auto is_awaited = [](const auto& one) { return one.is_awaited; };
   while (std::ranges::any_of(all, is_awaited) && std::chrono::steady_clock::now() < deadline) {
-    if (tendon::os::TerminationAsked(20ms)) return program::kInterrupted;
+    if (tendon::os::TerminationRequested(20ms)) return program::kInterrupted;
     all = LookAt(feed, options);
   }
   Arrange(all, options);
@@ -300,7 +300,7 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
                 is_of_connections ? kConnectionKeyLine : kKeyLine, tendon::os::TerminalRows());
     if (const auto key = keyboard.NextKey(200ms)) Press(*key, keys, options);
     screen.PauseIfAsked(keyboard);
-    if (tendon::os::TerminationAsked(0ms)) return program::kInterrupted;
+    if (tendon::os::TerminationRequested(0ms)) return program::kInterrupted;
   }
   return program::kOk;
 }

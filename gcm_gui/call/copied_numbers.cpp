@@ -1,6 +1,6 @@
 #include <gcm_gui/call/copied_numbers.h>
 #include <gcm_gui/language/words.h>
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 
 #include <QRegularExpression>
 
@@ -16,7 +16,7 @@ QString WithoutBlanksAround(QString text) {
 /// True for three or more parts such as "0.1,0.2,0.3", which cannot be one number.
 bool IsListWithoutBlanks(const QString& text) {
   if (text.count(',') < 2) return false;
-  return ReadNumberWord(Schema::Kind::kFloat64, text.toStdString()).meant.empty();
+  return ReadNumberLiteral(Schema::Kind::kFloat64, text.toStdString()).meant.empty();
 }
 
 /// True for "1 234.5", with any of the usual thousands separators.

@@ -50,7 +50,7 @@ class NumberEntry final : public Entry {
 
   /// An invalid number is returned as text.
   [[nodiscard]] Json value() const override {
-    const NumberWord word = field_.word();
+    const NumberLiteral word = field_.word();
     if (word.flaw != NumberFlaw::kNone) return field_.text().toStdString();
     const bool is_fine = field_.isDuration() && IsFinerThanDouble(word.json);
     return is_fine ? Json(word.json) : *ParseOrderedJson(word.json);

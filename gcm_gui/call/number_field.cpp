@@ -65,12 +65,12 @@ void NumberField::setHelp(const QString& help) {
   showChange();
 }
 
-NumberWord NumberField::word() const {
-  return ReadNumberWord(schema_.kind(), text().toStdString());
+NumberLiteral NumberField::word() const {
+  return ReadNumberLiteral(schema_.kind(), text().toStdString());
 }
 
 QString NumberField::refusal() const {
-  const NumberWord found = word();
+  const NumberLiteral found = word();
   if (found.flaw != NumberFlaw::kNone) return NumberFlawText(found, unit_);
   if (!range_) return {};
   const std::optional<double> number = DoubleOf(found.json);
@@ -121,7 +121,7 @@ QString NumberField::refusalOfList(const QStringList& words) const {
                                   .arg(row_.size());
   }
   for (qsizetype i = 0; i < words.size(); ++i) {
-    const NumberWord word = ReadNumberWord(row_[i]->schema_.kind(), words[i].toStdString());
+    const NumberLiteral word = ReadNumberLiteral(row_[i]->schema_.kind(), words[i].toStdString());
     if (word.flaw == NumberFlaw::kNone) continue;
     return QStringLiteral("“%1”: %2").arg(words[i], NumberFlawText(word, unit_));
   }

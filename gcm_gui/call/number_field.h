@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 #include <tendon/payload/schema.h>
 
 #include <QLineEdit>
@@ -27,7 +27,7 @@ class NumberField : public QLineEdit {
   void setRow(const QList<NumberField*>& fields) { row_ = fields; }
   void setHelp(const QString& help);
 
-  [[nodiscard]] NumberWord word() const;
+  [[nodiscard]] NumberLiteral word() const;
   [[nodiscard]] bool isDuration() const { return schema_.kind() == Schema::Kind::kDuration; }
   /// The reason why the text is not a number of the type, and what to write; empty if it is valid.
   [[nodiscard]] QString refusal() const;

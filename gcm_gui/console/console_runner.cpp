@@ -74,7 +74,7 @@ ConsoleRunner::~ConsoleRunner() {
   if (!thread_.joinable()) return;
   std::unique_lock lock(desk_->mutex);
   desk_->is_ending = true;
-  if (desk_->interruption != nullptr) desk_->interruption->Ask();
+  if (desk_->interruption != nullptr) desk_->interruption->Request();
   desk_->change.notify_all();
   const bool is_done =
       desk_->change.wait_for(lock, FileWriter::kPatience, [this] { return desk_->is_done; });
@@ -107,7 +107,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
     if (desk->is_ending) break;
     Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
-    if (desk->is_interrupted) interruption.Ask();  // it may be older than this object
+    if (desk->is_interrupted) interruption.Request();  // it may be older than this object
     lock.unlock();
     Fence::run(kThread, [&] {
       if (!shell || shell->has_ended()) shell.emplace(desk->settings);
@@ -146,7 +146,7 @@ void ConsoleRunner::interrupt() {
   if (!is_running_) return;
   const std::scoped_lock lock(desk_->mutex);
   desk_->is_interrupted = true;
-  if (desk_->interruption != nullptr) desk_->interruption->Ask();
+  if (desk_->interruption != nullptr) desk_->interruption->Request();
 }
 
 void ConsoleRunner::complete(const QString& line) {

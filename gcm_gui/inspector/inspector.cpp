@@ -20,8 +20,8 @@
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/state_label.h>
 #include <gcm_gui/views/tab_panel.h>
-#include <tendon/base/find_named.h>
 #include <tendon/base/path.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/matching_read.h>
 #include <tendon/gcm/text/wall_time.h>
 #include <tendon/gcm/waiting.h>

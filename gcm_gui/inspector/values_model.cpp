@@ -121,7 +121,7 @@ QVariant ValuesModel::valueOf(const Place& place, int role) const {
   const bool has_numbers = block->isKnown() && !block->values.channels->empty();
   Quantity value{block->isKnown() && !has_numbers ? block->values.text : QStringLiteral("…"), {}};
   if (has_numbers) {
-    const PlotChannel& shape = (*block->values.channels)[channel];
+    const NumericField& shape = (*block->values.channels)[channel];
     value.unit = ToQString(shape.unit);
     if (channel < block->values.values.size()) {
       value = QuantityOf(shape, block->values.values[channel]);
@@ -241,7 +241,7 @@ void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
 void ValuesModel::addToTrends(Block& block) {
   block.trends.resize(block.values.values.size());
   for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
-    QList<std::optional<ChannelValue>>& trend = block.trends[channel];
+    QList<std::optional<NumericValue>>& trend = block.trends[channel];
     trend.append(block.values.values[channel]);
     if (trend.size() > kTrend) trend.removeFirst();
   }

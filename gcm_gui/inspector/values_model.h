@@ -69,7 +69,7 @@ class ValuesModel : public QAbstractTableModel {
     QString column;
     QString name;
     ColumnValues values = {};
-    std::vector<QList<std::optional<ChannelValue>>> trends = {};  // by channel
+    std::vector<QList<std::optional<NumericValue>>> trends = {};  // by channel
     std::vector<SteadyTime> changed = {};                         // by channel
     SteadyTime awaited = SteadyTime::max();                       // start of the wait for an answer
     QString refusal = {};                                         // why no answer came, if known

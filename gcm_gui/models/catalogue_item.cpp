@@ -256,7 +256,7 @@ std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
 }
 
 std::vector<std::unique_ptr<CatalogueItem>> BuildChannels(
-    const CatalogueItem& column, const std::vector<PlotChannel>& channels) {
+    const CatalogueItem& column, const std::vector<NumericField>& channels) {
   CatalogueItem root;
   root.path = column.path;
   root.gone = column.gone;

@@ -3,7 +3,7 @@
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_of.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <QString>
 #include <cstdint>
@@ -73,6 +73,6 @@ struct CatalogueItem {
 /// The rows below a column with these channels, grouped by field and index. A column that is a
 /// single number has none.
 [[nodiscard]] std::vector<std::unique_ptr<CatalogueItem>> BuildChannels(
-    const CatalogueItem& column, const std::vector<PlotChannel>& channels);
+    const CatalogueItem& column, const std::vector<NumericField>& channels);
 
 }  // namespace tendon::gui

@@ -6,7 +6,7 @@
 
 namespace tendon::gui {
 
-QString NumberFlawText(const NumberWord& word, const QString& unit) {
+QString NumberFlawText(const NumberLiteral& word, const QString& unit) {
   QStringList meant;
   for (const std::string& one : word.meant) meant << ToQString(one);
   const QString write = meant.join(Words::tr(" or "));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 
 #include <QString>
 
@@ -8,6 +8,6 @@ namespace tendon::gui {
 
 /// The mistake in a typed number and what to write instead, in the user's language: "write 0.5: the
 /// decimal sign is a point". Empty if the number is valid. `unit` may be empty.
-[[nodiscard]] QString NumberFlawText(const NumberWord& word, const QString& unit = {});
+[[nodiscard]] QString NumberFlawText(const NumberLiteral& word, const QString& unit = {});
 
 }  // namespace tendon::gui

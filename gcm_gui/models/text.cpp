@@ -31,8 +31,8 @@ Quantity DurationOf(double seconds) {
 }
 
 /// False for states and counts, which are shown with all digits.
-bool IsRounded(const ChannelValue& value) {
-  return value.is_real() || value.kind() == ChannelValue::Kind::kDuration;
+bool IsRounded(const NumericValue& value) {
+  return value.is_real() || value.kind() == NumericValue::Kind::kDuration;
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ QString NumberText(double value) {
   return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
 }
 
-Quantity QuantityOf(const PlotChannel& channel, const std::optional<ChannelValue>& value) {
+Quantity QuantityOf(const NumericField& channel, const std::optional<NumericValue>& value) {
   const QString unit = ToQString(channel.unit);
   if (!value) return {QStringLiteral("–"), unit};
   if (!IsRounded(*value)) return {ToQString(ToString(channel.schema, *value)), unit};
@@ -59,7 +59,7 @@ Quantity QuantityOf(const PlotChannel& channel, const std::optional<ChannelValue
   return {NumberText(real), unit};
 }
 
-QString WholeText(const PlotChannel& channel, const std::optional<ChannelValue>& value) {
+QString WholeText(const NumericField& channel, const std::optional<NumericValue>& value) {
   if (!value || !IsRounded(*value)) return {};
   const Quantity whole{ToQString(ToString(*value)), ToQString(channel.unit)};
   const Quantity shown = QuantityOf(channel, value);

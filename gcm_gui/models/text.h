@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/interface/interface_description.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <QString>
 #include <cstdint>
@@ -25,12 +25,12 @@ struct Quantity {
 
 /// A number formatted as its channel requires: "on", "true", "12", "0.2013" "rad"; "–" for none.
 /// Integers keep all digits. Durations below a second get a suitable unit: "19.6" "µs".
-[[nodiscard]] Quantity QuantityOf(const PlotChannel& channel,
-                                  const std::optional<ChannelValue>& value);
+[[nodiscard]] Quantity QuantityOf(const NumericField& channel,
+                                  const std::optional<NumericValue>& value);
 
 /// All digits with the unit, if QuantityOf() rounds: "0.20134000000000002 rad"; otherwise empty.
-[[nodiscard]] QString WholeText(const PlotChannel& channel,
-                                const std::optional<ChannelValue>& value);
+[[nodiscard]] QString WholeText(const NumericField& channel,
+                                const std::optional<NumericValue>& value);
 
 /// The rate of a period in seconds: "1 kHz", "50 Hz", "0.5 Hz"; empty for none.
 [[nodiscard]] QString RateOfPeriodText(double period);

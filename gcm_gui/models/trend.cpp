@@ -1,18 +1,18 @@
 #include <gcm_gui/models/trend.h>
-#include <tendon/payload/channel_axis.h>
+#include <tendon/payload/numeric_axis.h>
 
 #include <limits>
 #include <vector>
 
 namespace tendon::gui {
 
-Trend TrendOf(const Schema& channel, const QList<std::optional<ChannelValue>>& values) {
+Trend TrendOf(const Schema& channel, const QList<std::optional<NumericValue>>& values) {
   constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
-  std::vector<ChannelValue> known;
+  std::vector<NumericValue> known;
   for (const auto& value : values) {
     if (value) known.push_back(*value);
   }
-  const ChannelAxis axis = ChannelAxis::Tight(channel, known);
+  const NumericAxis axis = NumericAxis::Tight(channel, known);
   Trend trend{.parts = {}, .is_stepped = IsStepped(channel)};
   trend.parts.reserve(values.size());
   for (const auto& value : values) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/payload/channel_value.h>
+#include <tendon/payload/numeric_value.h>
 
 #include <QList>
 #include <QMetaType>
@@ -16,7 +16,7 @@ struct Trend {
 
 /// The trend of a channel's latest values; nullopt stands for a row without a value.
 [[nodiscard]] Trend TrendOf(const Schema& channel,
-                            const QList<std::optional<ChannelValue>>& values);
+                            const QList<std::optional<NumericValue>>& values);
 
 }  // namespace tendon::gui
 

@@ -24,9 +24,9 @@ bool HasSequence(const Schema& schema) {
   }
 }
 
-bool SameShape(const std::vector<PlotChannel>& a, const std::vector<PlotChannel>& b) {
+bool SameShape(const std::vector<NumericField>& a, const std::vector<NumericField>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const PlotChannel& x, const PlotChannel& y) { return x.path == y.path; });
+                    [](const NumericField& x, const NumericField& y) { return x.path == y.path; });
 }
 
 /// Drops the samples above the limit; returns their number.
@@ -45,15 +45,15 @@ std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting)
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-ExactNumber NumberOf(const PlotChannel& channel, std::span<const std::byte> body) {
+ExactNumber NumberOf(const NumericField& channel, std::span<const std::byte> body) {
   const auto value = ReadExactly(channel, body);
   if (!value) return kNone;
   // States are stored as signed integers, like the numbers in ValueNames.
   const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
-  if (value->kind() == ChannelValue::Kind::kSigned || is_state) {
+  if (value->kind() == NumericValue::Kind::kSigned || is_state) {
     return ExactNumber::Signed(value->integer());
   }
-  if (value->kind() == ChannelValue::Kind::kUnsigned) {
+  if (value->kind() == NumericValue::Kind::kUnsigned) {
     return ExactNumber::Unsigned(static_cast<std::uint64_t>(value->integer()));
   }
   return value->real();
@@ -86,7 +86,7 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   schema_ = columns.front();
   is_picture_ = DescribesPicture(*schema_);
   varies_ = !is_picture_ && HasSequence(*schema_);
-  shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(*schema_));
+  shape_ = std::make_shared<const std::vector<NumericField>>(NumericFields(*schema_));
   if (is_healed) {  // a renewed subscription, not the first
     newest_row_.clear();
     is_healed_ = true;
@@ -98,7 +98,7 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
 
 void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
   if (!schema_) return;
-  auto channel = FindChannel(*schema_, field);
+  auto channel = FindNumericField(*schema_, field);
   if (channel.ok()) {
     tap.names = NamesOf(channel->schema);
     tap.channel = std::move(*channel);
@@ -219,9 +219,9 @@ ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
 
 ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
   if (varies_ && !row.empty()) {
-    auto channels = Channels(*schema_, row);
+    auto channels = NumericFields(*schema_, row);
     if (!SameShape(channels, *shape_)) {
-      shape_ = std::make_shared<const std::vector<PlotChannel>>(std::move(channels));
+      shape_ = std::make_shared<const std::vector<NumericField>>(std::move(channels));
     }
   }
   return shape_;
@@ -238,7 +238,7 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   values.rows = rows_;
   values.time = newest_time_;
   values.values.reserve(values.channels->size());
-  for (const PlotChannel& channel : *values.channels) {
+  for (const NumericField& channel : *values.channels) {
     values.values.push_back(ReadExactly(channel, newest_row_));
   }
   if (is_picture_) {

@@ -64,7 +64,7 @@ class ColumnFeed final : public RowSink {
 
  private:
   struct Tap {
-    std::optional<PlotChannel> channel;
+    std::optional<NumericField> channel;
     std::vector<Run> runs;
     std::size_t waiting = 0;  // samples in `runs`
     std::optional<QString> stale;

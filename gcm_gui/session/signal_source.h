@@ -3,7 +3,7 @@
 #include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/value_names.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <QObject>
 #include <QSet>
@@ -19,13 +19,13 @@ namespace tendon::gui {
 struct RawPicture;
 
 /// The numbers in a column, in wire order; a new list if their number changes.
-using ChannelList = std::shared_ptr<const std::vector<PlotChannel>>;
+using ChannelList = std::shared_ptr<const std::vector<NumericField>>;
 
 /// The newest row of one column, decoded.
 struct ColumnValues {
   ChannelList channels;  ///< never null
   /// By channel; no value if the row does not have it. Empty before the first row.
-  std::vector<std::optional<ChannelValue>> values;
+  std::vector<std::optional<NumericValue>> values;
   QString text;                                    ///< of a column without numbers, as JSON
   std::shared_ptr<const RawPicture> picture = {};  ///< of a column with a picture; otherwise null
   std::uint64_t rows = 0;                          ///< the number of rows so far, this one included

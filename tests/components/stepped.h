@@ -46,7 +46,7 @@ class Stepped final : public T {
   }
   void Pause() override { this->SetState(tendon::ComponentState::kSuspended); }
   tendon::Result<void> Resume() override {
-    if (this->TellOfResume()) this->SetState(tendon::ComponentState::kActive);
+    if (this->ReportResume()) this->SetState(tendon::ComponentState::kActive);
     return {};
   }
   void Halt() override { this->SetState(tendon::ComponentState::kFinished); }

@@ -110,7 +110,7 @@ class LaterAnswerContract : public Contract {
     pair_ = {};
   }
   std::unique_ptr<ReplySlot> Ask() {
-    EXPECT_EQ(asker_->Ask(FrameOf(1)), Status(Status::kQueued));
+    EXPECT_EQ(asker_->Send(FrameOf(1), Delivery::kDirect), Status(Status::kQueued));
     return keeper_->Take();
   }
 

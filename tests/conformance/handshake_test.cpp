@@ -158,7 +158,7 @@ TEST_P(CookieContract, WhoPassesOnWhatOthersSayIsDenied) {
 
 TEST_P(ChannelContract, StrangersAreLetInWhereTheAcceptorSaysSo) {
   Start(Channel::Acceptor(
-      HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, Strangers::kAllowed));
+      HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, UnauthenticatedPeers::kAllowed));
   Hello hello = HelloOf("desk");
   hello.cookie = 0;
 

@@ -104,11 +104,11 @@ TEST_P(PortContract, ImpossibleSizesAreTurnedAway) {
 
 /// The largest frame of a stranger, and `more` bytes.
 Bytes StrangersFrame(std::uint32_t number, std::size_t more) {
-  return FrameOf(number, kMaxStrangersFrameSize - FrameHeader::kSize + more);
+  return FrameOf(number, kMaxUnauthenticatedFrameSize - FrameHeader::kSize + more);
 }
 
 TEST_P(LifetimeContract, AStrangerMaySendSmallFramesAndNoLargeOne) {
-  for (const std::size_t more : {std::size_t{1}, kMaxPieceSize - kMaxStrangersFrameSize}) {
+  for (const std::size_t more : {std::size_t{1}, kMaxPieceSize - kMaxUnauthenticatedFrameSize}) {
     Host host(Host::Guests::kStrangers);
     Start(host.accept());
     const auto recorder = std::make_shared<Recorder>();

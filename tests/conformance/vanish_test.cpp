@@ -84,7 +84,7 @@ TEST_P(PortContract, AnOpenerThatVanishedIsNoticedAlthoughItWaitsForAnAnswer) {
   const auto link = Open(std::make_shared<Recorder>());
   ASSERT_TRUE(link) << link.error().message;
   const auto keeper = asked.get_future().get();
-  ASSERT_EQ((*link)->Ask(FrameOf(1)), Status::kQueued);
+  ASSERT_EQ((*link)->Send(FrameOf(1), Delivery::kDirect), Status::kQueued);
   const auto answer = keeper->Take();
 
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);

@@ -2,10 +2,10 @@
 
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/handshake.h>
-#include <tendon/middleware/requests/reply_batch.h>
+#include <tendon/middleware/reply_batch.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <algorithm>
 #include <array>
@@ -33,15 +33,15 @@ void DecodeBySchema(Bytes bytes) {
     const auto again = tendon::FromJson(*schema, *json);
     Require(!again || tendon::ToJson(*schema, *again).ok(), "what was read prints");
   }
-  const auto channels = tendon::Channels(*schema, body);
-  for (std::size_t i = 0; i < std::min(channels.size(), kMostRead); ++i) {
-    const auto number = tendon::ReadChannel(channels[i], body);
-    Require(number.has_value(), "a channel of a body reads");
-    const auto found = tendon::FindChannel(*schema, channels[i].path);
-    Require(found && found->route == channels[i].route, "a channel is found by its path");
-    const auto again = tendon::ReadChannel(*found, body);
+  const auto fields = tendon::NumericFields(*schema, body);
+  for (std::size_t i = 0; i < std::min(fields.size(), kMostRead); ++i) {
+    const auto number = tendon::ReadAsDouble(fields[i], body);
+    Require(number.has_value(), "a field of a body reads");
+    const auto found = tendon::FindNumericField(*schema, fields[i].path);
+    Require(found && found->route == fields[i].route, "a field is found by its path");
+    const auto again = tendon::ReadAsDouble(*found, body);
     Require(again && std::memcmp(&*again, &*number, sizeof(double)) == 0,
-            "a channel reads the same however it was found");
+            "a field reads the same however it was found");
   }
 }
 
@@ -56,21 +56,21 @@ void ReadSchema(Bytes bytes) {
   Require(!tendon::FirstDifference(*schema, *canonical), "a type does not differ from itself");
   Require(schema->minimum_size() >= 1, "every value takes a byte");
   (void)tendon::RosMessage(*schema);
-  (void)tendon::Channels(*schema);
+  (void)tendon::NumericFields(*schema);
 }
 
 /// Frames one after the other, as the first that an end hears on a link. Version 0 stands for ours,
 /// so that the corpus remains valid when that is raised.
 void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
   const tendon::Hello mine{.instance = 1, .name = "robot", .session = 2, .cookie = 7};
-  tendon::Handshake handshake(role, mine, "127.0.0.1:1", tendon::Strangers::kRefused);
+  tendon::Handshake handshake(role, mine, "127.0.0.1:1", tendon::UnauthenticatedPeers::kRefused);
   if (role == tendon::Handshake::Role::kOpener) (void)handshake.Greet();
   while (true) {
-    auto header = tendon::ReadFrameHeader(bytes, tendon::kMaxStrangersFrameSize);
+    auto header = tendon::ReadFrameHeader(bytes, tendon::kMaxUnauthenticatedFrameSize);
     if (!header) return;
     if (header->version == 0) header->version = tendon::FrameHeader::kProtocolVersion;
     const std::size_t size = tendon::FrameHeader::kSize + header->size;
-    Require(size <= tendon::kMaxStrangersFrameSize, "a stranger's frame is bounded");
+    Require(size <= tendon::kMaxUnauthenticatedFrameSize, "a stranger's frame is bounded");
     if (bytes.size() < size) return;
     Require(tendon::ReadWholeFrame(bytes.first(size)).has_value(), "a whole frame is one");
     const Bytes inner = bytes.subspan(tendon::FrameHeader::kSize, header->size);

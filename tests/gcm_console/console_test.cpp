@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
-#include <tendon/base/counted.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <csignal>

@@ -4,7 +4,7 @@ import unittest
 
 from tendon import Invalid
 from tendon.middleware.frame import (HEADER_SIZE, MAGIC, MAX_PIECE_SIZE, MAX_REPLIES,
-                                     MAX_REPLIES_SIZE, MAX_STRANGERS_FRAME_SIZE, PROTOCOL_VERSION,
+                                     MAX_REPLIES_SIZE, MAX_UNAUTHENTICATED_FRAME_SIZE, PROTOCOL_VERSION,
                                      Header, claimed_size, read_frame, read_replies, write_frame)
 
 HEADER = Header(type=0x201, request=5, handle=9)
@@ -31,8 +31,8 @@ class Frame(unittest.TestCase):
         self.assertIsNone(claiming(MAX_PIECE_SIZE - HEADER_SIZE + 1))
 
     def test_of_a_stranger_is_small(self):
-        large = write_frame(HEADER, bytes(MAX_STRANGERS_FRAME_SIZE))
-        self.assertIsNone(read_frame(large, MAX_STRANGERS_FRAME_SIZE))
+        large = write_frame(HEADER, bytes(MAX_UNAUTHENTICATED_FRAME_SIZE))
+        self.assertIsNone(read_frame(large, MAX_UNAUTHENTICATED_FRAME_SIZE))
         self.assertIsNotNone(read_frame(large))
 
 

@@ -48,7 +48,7 @@ thread_local LogDeferral* the_deferral = nullptr;
 void Log(LogLevel level, std::string_view source, std::string_view message) {
   if (!IsLogged(level)) return;
   const LogTime now = std::chrono::system_clock::now();
-  if (the_deferral != nullptr) return the_deferral->PutAside(now, level, source, message);
+  if (the_deferral != nullptr) return the_deferral->Defer(now, level, source, message);
   LogDeferred(now, level, source, message);
 }
 
@@ -69,10 +69,10 @@ void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::str
   for (const LogSink& sink : sinks.others) sink(level, source, message);
 }
 
-DeferLogging::DeferLogging(LogDeferral& deferral) noexcept
+LogDeferralScope::LogDeferralScope(LogDeferral& deferral) noexcept
     : before_(std::exchange(the_deferral, &deferral)) {}
 
-DeferLogging::~DeferLogging() { the_deferral = before_; }
+LogDeferralScope::~LogDeferralScope() { the_deferral = before_; }
 
 void SetLogLevel(LogLevel level) { TheSinks().console->set_level(ToSpdlog(level)); }
 

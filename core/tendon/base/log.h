@@ -12,7 +12,8 @@ enum class LogLevel : std::int32_t { kDebug, kInfo, kWarning, kError };
 
 /// Logs one line for people, to stderr and to every sink. `source` is the name of a component or a
 /// part. Any thread. In a task's Run() it never waits, allocates or calls the operating system:
-/// another thread logs a copy about 20 ms later (DeferLogging). Elsewhere it locks and allocates.
+/// another thread logs a copy about 20 ms later (LogDeferralScope). Elsewhere it locks and
+/// allocates.
 void Log(LogLevel level, std::string_view source, std::string_view message);
 
 /// Drops records below `level`; kInfo by default.
@@ -32,20 +33,20 @@ using LogTime = std::chrono::system_clock::time_point;
 class LogDeferral {
  public:
   /// Runs in the thread that logs; the texts are valid only during the call.
-  virtual void PutAside(LogTime time, LogLevel level, std::string_view source,
-                        std::string_view message) noexcept = 0;
+  virtual void Defer(LogTime time, LogLevel level, std::string_view source,
+                     std::string_view message) noexcept = 0;
 
  protected:
   ~LogDeferral() = default;
 };
 
 /// While it lives, the log records of its thread go to a deferral. May be nested.
-class DeferLogging {
+class LogDeferralScope {
  public:
-  explicit DeferLogging(LogDeferral& deferral) noexcept;
-  DeferLogging(const DeferLogging&) = delete;
-  DeferLogging& operator=(const DeferLogging&) = delete;
-  ~DeferLogging();
+  explicit LogDeferralScope(LogDeferral& deferral) noexcept;
+  LogDeferralScope(const LogDeferralScope&) = delete;
+  LogDeferralScope& operator=(const LogDeferralScope&) = delete;
+  ~LogDeferralScope();
 
  private:
   LogDeferral* before_;

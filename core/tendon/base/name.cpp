@@ -1,5 +1,5 @@
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <vector>

@@ -1,4 +1,4 @@
-#include <tendon/base/find_named.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/payload/codec.h>
 

@@ -1,4 +1,4 @@
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/connection_health.h>
 
 namespace tendon {

@@ -134,7 +134,7 @@ std::string SeenFrom(const std::string& host) { return " (seen from host " + hos
 /// The remedy for a pending connection, which is retried automatically, perhaps without success.
 std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
                          const std::string& reason) {
-  if (os::TellsOfNoRoute(reason)) {
+  if (os::IsNoRouteError(reason)) {
     return FixOfUnreached(provided.name, required.host, {ErrorCode::kUnreachable, reason});
   }
   if (!provided.reason.empty()) return provided.name + " " + provided.reason;
@@ -273,7 +273,7 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   }
   const bool is_made = diagnosis.steps.at(kReached).verdict == Verdict::kGood;
   DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
-  if (is_trying && os::TellsOfNoRoute(step.text)) return;  // the required side knows best
+  if (is_trying && os::IsNoRouteError(step.text)) return;  // the required side knows best
   const std::string fix = FixOfUnreached(name, os::HostName(), round_trip.error());
   step = {Verdict::kBad,
           is_trying ? step.text : round_trip.error().message + SeenFrom(os::HostName()),
@@ -283,7 +283,7 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 }
 
 std::string FixOfUnreached(const std::string& name, const std::string& host, const Error& reason) {
-  if (os::TellsOfNoRoute(reason.message)) {
+  if (os::IsNoRouteError(reason.message)) {
     return "give host " + host +
            " a route to it; if it can be reached at another address from "
            "there: start " +

@@ -1,6 +1,6 @@
-#include <tendon/base/counted.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/history.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

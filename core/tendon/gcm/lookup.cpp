@@ -1,4 +1,4 @@
-#include <tendon/base/find_named.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/interface/compatibility.h>
 

@@ -1,6 +1,5 @@
-#include <tendon/base/find_named.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

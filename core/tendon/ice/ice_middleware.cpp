@@ -3,7 +3,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/broadcast/ice_broadcast.h>
+#include <tendon/ice/ice_broadcast.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/pending_handshakes.h>
 #include <tendon/ice/sequence_size_check.h>
@@ -56,7 +56,7 @@ std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& 
   IceInternal::getInstanceTimer(communicator)
       ->scheduleRepeated(std::make_shared<PendingCallsTimer>(links),
                          IceUtil::Time::milliSeconds(PendingCalls::kOpenAtMost.count()));
-  if (tls) tls->Judge(*communicator);
+  if (tls) tls->CheckPeersOf(*communicator);
   return communicator;
 }
 
@@ -119,7 +119,7 @@ class IceMiddleware final : public Middleware {
         tls_(std::move(tls)),
         communicator_(MakeCommunicator(tls_, links_)),
         opened_(communicator_->createObjectAdapter("")),
-        fan_out_(communicator_, tls_ != nullptr) {
+        broadcast_(communicator_, tls_ != nullptr) {
     if (!RefusesImpossibleSizes(communicator_)) {
       Log(LogLevel::kWarning, "ice",
           "this build of Ice accepts impossible sizes: any program on this machine can exhaust its "
@@ -139,19 +139,19 @@ class IceMiddleware final : public Middleware {
     return tls_ ? &tls_->certificate() : nullptr;
   }
   /// With TLS, needs the certificate of a process, because the broker connects to each listener.
-  [[nodiscard]] FanOut* fan_out() override {
-    return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &fan_out_;
+  [[nodiscard]] Broadcast* broadcast() override {
+    return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &broadcast_;
   }
 
   Result<std::unique_ptr<Listener>> Listen(const std::string& address, AcceptLink accept) override {
     const auto place = ParseAllowedAddress(address, 0, exposure_);
     if (!place) return place.error();
-    const std::uint64_t door = NewNumber();
+    const std::uint64_t listener = NewNumber();
     try {
       const auto adapter = MakeListeningAdapter(
-          *communicator_, std::string(PendingHandshakes::kDoor) + std::to_string(door),
+          *communicator_, std::string(PendingHandshakes::kListener) + std::to_string(listener),
           EndpointAt(*place));
-      const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), door);
+      const auto servant = std::make_shared<AcceptingServant>(links_, std::move(accept), listener);
       adapter->add(servant, EndpointIdentity());
       adapter->activate();
       const std::uint16_t port = PortOf(*adapter);
@@ -256,7 +256,7 @@ class IceMiddleware final : public Middleware {
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
   const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections opened here
-  IceBroadcast fan_out_;
+  IceBroadcast broadcast_;
   std::mutex mutex_;
   std::uint64_t last_number_ = 0;
 };

@@ -8,7 +8,8 @@
 
 namespace tendon {
 
-/// Carries frames as invocations over ZeroC Ice (slice/tendon.ice); oneway, except for Link::Ask().
+/// Carries frames as invocations over ZeroC Ice (tendon.ice); oneway, except for
+/// Delivery::kDirect.
 /// Both directions use the opener's connection. Has a communicator of its own with fixed settings:
 /// ICE_CONFIG is ignored. `exposure` says whether addresses of other machines are allowed; if so, a
 /// warning is logged. Makes the process ignore SIGPIPE.

@@ -18,9 +18,9 @@ std::string Place(std::string host, int port) {
   return ToString(HostPort{std::move(host), static_cast<std::uint16_t>(port)});
 }
 
-Ends EndsIfOpen(const Ice::Connection& connection) {
+SocketAddresses AddressesIfOpen(const Ice::Connection& connection) {
   try {
-    if (const auto address = AddressIn(connection.getInfo())) return EndsOf(*address);
+    if (const auto address = AddressIn(connection.getInfo())) return AddressesOf(*address);
   } catch (const Ice::Exception&) {
     // Closed already.
   }
@@ -35,13 +35,13 @@ std::string FailureOfPeer(const Ice::Exception& why) {
   return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
 }
 
-/// Makes a refusal frame, which replaces the answer to `question`.
-Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std::string& failure) {
+/// Makes a refusal frame, which replaces the answer to `request`.
+Bytes RefusalOf(const FrameHeader& request, const std::string& peer, const std::string& failure) {
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
   FrameHeader header;
   header.type = MessageType::kRefusal;
-  header.request = question.request;
+  header.request = request.request;
   header.size = static_cast<std::uint32_t>(body.size());
   Bytes refusal;
   WriteFrame(header, body, refusal);
@@ -49,10 +49,10 @@ Bytes RefusalOf(const FrameHeader& question, const std::string& peer, const std:
 }
 
 /// Used for a link that is about to be closed.
-bool IsUnheard(const std::string& local, const std::string& peer) {
+bool IsUnacknowledged(const std::string& local, const std::string& peer) {
   const auto here = ParseAddress(local, 1);
   const auto there = ParseAddress(peer, 1);
-  return here && there && os::DropUnheard(here->port, there->port);
+  return here && there && os::ResetIfUnacknowledged(here->port, there->port);
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::Connection
   return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info);
 }
 
-Ends EndsOf(const Ice::IPConnectionInfo& address) {
+SocketAddresses AddressesOf(const Ice::IPConnectionInfo& address) {
   return {.local = Place(address.localAddress, address.localPort),
           .peer = Place(address.remoteAddress, address.remotePort)};
 }
@@ -80,36 +80,31 @@ void AdoptSocket(const Ice::Connection& connection) {
   }
 }
 
-IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t door)
+IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t listener)
     : connection_(std::move(connection)),
       two_way_(connection_->createProxy(EndpointIdentity())),
       oneway_(two_way_->ice_oneway()),
-      door_(door),
-      peer_(EndsIfOpen(*connection_).peer),
-      local_(EndsIfOpen(*connection_).local),
+      listener_(listener),
+      peer_(AddressesIfOpen(*connection_).peer),
+      local_(AddressesIfOpen(*connection_).local),
       certificate_(CertificateOf(*connection_)) {}
 
-Status IceLink::Send(std::span<const std::byte> frame) {
-  if (!ReadWholeFrame(frame, kMaxPieceSize)) return Status::kInvalid;
-  return Begin(oneway_, "frame", frame);
-}
-
-/// Makes a two-way call of Ice, which returns an immediate answer without another thread or
-/// message. No thread waits in Ice. The acceptor uses Send(), because no caller waits for its
-/// requests.
-Status IceLink::Ask(std::span<const std::byte> frame) {
-  if (door_ != 0) return Send(frame);
+/// A direct frame is a two-way call of Ice, which returns an immediate answer without another
+/// thread or message. No thread waits in Ice. The acceptor queues its frames, because no caller
+/// waits for its requests.
+Status IceLink::Send(std::span<const std::byte> frame, Delivery delivery) {
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
   if (!header) return Status::kInvalid;
+  if (delivery == Delivery::kQueued || listener_ != 0) return Begin(oneway_, "frame", frame);
   return Begin(two_way_, "ask", frame, *header);
 }
 
-/// Sends one message; `question` is the header of a request sent by Ask().
+/// Sends one message; `request` is the header of a direct request.
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
-                      std::span<const std::byte> bytes,
-                      const std::optional<FrameHeader>& question) {
+                      std::span<const std::byte> bytes, const std::optional<FrameHeader>& request) {
   const auto message = std::make_shared<OutgoingMessage>(
-      peer, shared_from_this(), OutgoingMessage::Told{bytes.size(), returned_.value()}, question);
+      peer, shared_from_this(), OutgoingMessage::SendAccounting{bytes.size(), returned_.value()},
+      request);
   if (const Status may = Enter(bytes.size()); !may) return may;
   try {
     message->Send(operation, bytes);
@@ -133,9 +128,9 @@ void IceLink::OnSent(std::size_t& size, std::uint64_t returned_before) {
   {
     const std::scoped_lock lock(mutex_);
     unsent_ -= std::exchange(size, 0);
-    left_.Set(std::max(left_.Get(), returned_before));
+    confirmed_.Set(std::max(confirmed_.Get(), returned_before));
   }
-  is_sign_on_way_.Set(false);
+  is_marker_on_way_.Set(false);
 }
 
 void IceLink::OnNotSent(std::size_t& size) {
@@ -143,11 +138,11 @@ void IceLink::OnNotSent(std::size_t& size) {
   unsent_ -= std::exchange(size, 0);
 }
 
-void IceLink::OnFailed(std::size_t& size, const std::optional<FrameHeader>& question,
+void IceLink::OnFailed(std::size_t& size, const std::optional<FrameHeader>& request,
                        const Ice::Exception& why) {
   OnNotSent(size);
-  const std::string failure = question ? FailureOfPeer(why) : std::string();
-  if (!failure.empty()) Deliver(RefusalOf(*question, peer_, failure));
+  const std::string failure = request ? FailureOfPeer(why) : std::string();
+  if (!failure.empty()) Deliver(RefusalOf(*request, peer_, failure));
 }
 
 bool IceLink::StartClosing(const Error& reason) {
@@ -164,15 +159,15 @@ void IceLink::Close() {
 
 void IceLink::Fail(const Error& reason) {
   if (!StartClosing(reason)) return;
-  open_calls_.Release();  // otherwise Ice would not close the connection
-  const bool is_unheard = door_ == 0 && IsUnheard(local_, peer_);
-  connection_->close(is_unheard ? Ice::ConnectionClose::Forcefully
-                                : Ice::ConnectionClose::Gracefully);
+  pending_calls_.Release();  // otherwise Ice would not close the connection
+  const bool is_unacknowledged = listener_ == 0 && IsUnacknowledged(local_, peer_);
+  connection_->close(is_unacknowledged ? Ice::ConnectionClose::Forcefully
+                                       : Ice::ConnectionClose::Gracefully);
 }
 
 void IceLink::CloseAtOnce() {
   StartClosing({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
-  open_calls_.Release();
+  pending_calls_.Release();
   connection_->close(Ice::ConnectionClose::Forcefully);
 }
 
@@ -193,10 +188,10 @@ void IceLink::CheckAdmission() {
 
 /// Sends a marker, which the peer ignores. When the marker was sent, all earlier replies were sent
 /// too.
-void IceLink::SendSign() {
-  if (is_sign_on_way_.Get()) return;
-  is_sign_on_way_.Set(true);
-  if (!Begin(oneway_, "ice_ping", {})) is_sign_on_way_.Set(false);
+void IceLink::SendMarker() {
+  if (is_marker_on_way_.Get()) return;
+  is_marker_on_way_.Set(true);
+  if (!Begin(oneway_, "ice_ping", {})) is_marker_on_way_.Set(false);
 }
 
 bool IceLink::DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer) {
@@ -205,12 +200,12 @@ bool IceLink::DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer) 
   if (limit == 0) return true;
   if (!ReadWholeFrame(frame, limit)) return false;
   if (!handler_) return true;
-  if (OnWay() >= kManyReturned) SendSign();
+  if (OnWay() >= kManyReturned) SendMarker();
   if (!MayReturn()) {
     handler_->OnFrame(frame);
     return true;
   }
-  handler_->OnAsked(frame, answer);
+  handler_->OnDirectFrame(frame, answer);
   CountReturned(answer.size());
   return true;
 }
@@ -219,17 +214,17 @@ void IceLink::OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                        std::shared_ptr<const void> owner) {
   OnNotSent(size);
   const auto frame = ReadOnlyParameter(answer);
-  if (frame && (frame->empty() || HandOn(*frame, kMaxFrameSize, std::move(owner)))) return;
+  if (frame && (frame->empty() || Forward(*frame, kMaxFrameSize, std::move(owner)))) return;
   Fail(NoFrame(peer_));
 }
 
 bool IceLink::Deliver(std::span<const std::byte> frame) {
-  return HandOn(frame, kMaxPieceSize, nullptr);
+  return Forward(frame, kMaxPieceSize, nullptr);
 }
 
 /// Delivers a frame. An admitted peer may send `most` bytes.
-bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
-                     std::shared_ptr<const void> owner) {
+bool IceLink::Forward(std::span<const std::byte> frame, std::size_t most,
+                      std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
@@ -245,7 +240,7 @@ bool IceLink::HandOn(std::span<const std::byte> frame, std::size_t most,
 
 void IceLink::OnGone() {
   StartClosing({ErrorCode::kUnreachable, peer_ + " closed the connection"});
-  open_calls_.Release();
+  pending_calls_.Release();
   const std::scoped_lock delivery(delivery_);  // after the last frame
   if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(*reason_);
 }
@@ -272,7 +267,7 @@ void Links::ReleaseOldCalls(SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     for (const auto& [connection, link] : links_) all.push_back(link);
   }
-  for (const auto& link : all) link->open_calls().ReleaseOld(now);
+  for (const auto& link : all) link->pending_calls().ReleaseOld(now);
 }
 
 std::shared_ptr<IceLink> Links::Find(const std::shared_ptr<Ice::Connection>& connection) {
@@ -281,19 +276,21 @@ std::shared_ptr<IceLink> Links::Find(const std::shared_ptr<Ice::Connection>& con
   return found == links_.end() ? nullptr : found->second;
 }
 
-std::shared_ptr<IceLink> Links::Find(const Ends& ends) {
+std::shared_ptr<IceLink> Links::Find(const SocketAddresses& addresses) {
   const std::scoped_lock lock(mutex_);
   const auto found = std::ranges::find_if(links_, [&](const auto& one) {
-    return one.second->local() == ends.local && one.second->peer() == ends.peer;
+    return one.second->local() == addresses.local && one.second->peer() == addresses.peer;
   });
   return found == links_.end() ? nullptr : found->second;
 }
 
-void Links::CloseAll(std::uint64_t door) {
-  const auto is_meant = [door](const auto& one) { return door == 0 || one.second->door_ == door; };
+void Links::CloseAll(std::uint64_t listener) {
+  const auto is_meant = [listener](const auto& one) {
+    return listener == 0 || one.second->listener_ == listener;
+  };
   std::vector<std::shared_ptr<IceLink>> meant;
   std::unique_lock lock(mutex_);
-  if (door == 0) is_shut_ = true;
+  if (listener == 0) is_shut_ = true;
   for (const auto& one : links_) {
     if (is_meant(one)) meant.push_back(one.second);
   }

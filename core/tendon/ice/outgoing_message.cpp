@@ -24,12 +24,12 @@ void OutgoingMessage::Send(const std::string& operation, std::span<const std::by
 }
 
 void OutgoingMessage::handleInvokeSent(bool /*at_once*/, OutgoingAsyncBase* /*self*/) const {
-  link_->OnSent(counted_, told_.returned_before);
+  link_->OnSent(counted_, accounting_.returned_before);
 }
 
 void OutgoingMessage::handleInvokeException(const Ice::Exception& why,
                                             OutgoingAsyncBase* /*self*/) const {
-  link_->OnFailed(counted_, question_, why);
+  link_->OnFailed(counted_, request_, why);
 }
 
 void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self) const {

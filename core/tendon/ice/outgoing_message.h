@@ -19,18 +19,18 @@ namespace tendon::ice {
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
   /// The data that the link needs when the message was sent.
-  struct Told {
+  struct SendAccounting {
     std::size_t size = 0;  ///< as counted by the link
     std::uint64_t returned_before = 0;
   };
-  /// `peer` is two-way if an answer is expected; then `question` is the header.
+  /// `peer` is two-way if an answer is expected; then `request` is the header.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
-                  const Told& told, const std::optional<FrameHeader>& question)
+                  const SendAccounting& accounting, const std::optional<FrameHeader>& request)
       : OutgoingAsync(peer, false),
         link_(std::move(link)),
-        told_(told),
-        counted_(told.size),
-        question_(question) {}
+        accounting_(accounting),
+        counted_(accounting.size),
+        request_(request) {}
 
   /// Starts to send; never waits. Throws if Ice has ended; then the link gets no outcome.
   void Send(const std::string& operation, std::span<const std::byte> bytes);
@@ -38,7 +38,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
  private:
   // Called by Ice; the first three decide whether it calls the others.
   bool handleSent(bool is_done, bool was_sent) override {
-    return !was_sent && (is_done || told_.size >= kLarge);
+    return !was_sent && (is_done || accounting_.size >= kLarge);
   }
   bool handleException(const Ice::Exception& /*why*/) override { return true; }
   bool handleResponse(bool /*ok*/) override { return true; }
@@ -51,9 +51,9 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 
   const std::shared_ptr<IceLink> link_;
-  const Told told_;
+  const SendAccounting accounting_;
   mutable std::size_t counted_;  // bytes still counted by the link
-  const std::optional<FrameHeader> question_;
+  const std::optional<FrameHeader> request_;
 };
 
 }  // namespace tendon::ice

@@ -7,42 +7,42 @@ namespace tendon::ice {
 namespace {
 
 /// Checks one connection after kPatience.
-class Look final : public IceUtil::TimerTask {
+class AdmissionCheck final : public IceUtil::TimerTask {
  public:
-  Look(std::shared_ptr<Links> links, Ends ends)
-      : links_(std::move(links)), ends_(std::move(ends)) {}
+  AdmissionCheck(std::shared_ptr<Links> links, SocketAddresses addresses)
+      : links_(std::move(links)), addresses_(std::move(addresses)) {}
 
   void runTimerTask() override {
-    if (const auto link = links_->Find(ends_)) return link->CheckAdmission();
-    os::ShutDown(ends_.local, ends_.peer);
+    if (const auto link = links_->Find(addresses_)) return link->CheckAdmission();
+    os::ShutDown(addresses_.local, addresses_.peer);
   }
 
  private:
   const std::shared_ptr<Links> links_;
-  const Ends ends_;
+  const SocketAddresses addresses_;
 };
 
 /// The observer of one connection, while that is open.
 class PendingHandshake final : public Ice::Instrumentation::ConnectionObserver {
  public:
-  PendingHandshake(IceUtil::TimerPtr timer, std::shared_ptr<Look> look)
-      : timer_(std::move(timer)), look_(std::move(look)) {}
+  PendingHandshake(IceUtil::TimerPtr timer, std::shared_ptr<AdmissionCheck> check)
+      : timer_(std::move(timer)), check_(std::move(check)) {}
 
   void attach() override {
     try {
-      timer_->schedule(look_, IceUtil::Time::seconds(PendingHandshakes::kPatience.count()));
+      timer_->schedule(check_, IceUtil::Time::seconds(PendingHandshakes::kPatience.count()));
     } catch (const IceUtil::Exception&) {
       // The communicator is being destroyed with all its connections.
     }
   }
-  void detach() override { timer_->cancel(look_); }
+  void detach() override { timer_->cancel(check_); }
   void failed(const std::string& /*exception*/) override {}
   void sentBytes(int /*count*/) override {}
   void receivedBytes(int /*count*/) override {}
 
  private:
   const IceUtil::TimerPtr timer_;
-  const std::shared_ptr<Look> look_;
+  const std::shared_ptr<AdmissionCheck> check_;
 };
 
 }  // namespace
@@ -56,11 +56,12 @@ std::shared_ptr<PendingHandshakes::OfConnection> PendingHandshakes::getConnectio
     const std::shared_ptr<Ice::ConnectionInfo>& info, const Endpoint& /*endpoint*/,
     Ice::Instrumentation::ConnectionState state, const std::shared_ptr<OfConnection>& /*before*/) {
   const bool is_new = state == Ice::Instrumentation::ConnectionState::ConnectionStateActive;
-  if (!is_new || !info->incoming || !info->adapterName.starts_with(kDoor)) return nullptr;
+  if (!is_new || !info->incoming || !info->adapterName.starts_with(kListener)) return nullptr;
   const auto where = AddressIn(info);
   const std::scoped_lock lock(mutex_);
   if (!where || !timer_) return nullptr;
-  return std::make_shared<PendingHandshake>(timer_, std::make_shared<Look>(links_, EndsOf(*where)));
+  return std::make_shared<PendingHandshake>(
+      timer_, std::make_shared<AdmissionCheck>(links_, AddressesOf(*where)));
 }
 
 }  // namespace tendon::ice

@@ -20,7 +20,7 @@ class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserve
  public:
   static constexpr std::chrono::seconds kPatience{3};
   /// The prefix of the names of watched adapters.
-  static constexpr std::string_view kDoor = "door";
+  static constexpr std::string_view kListener = "door";
 
   explicit PendingHandshakes(std::shared_ptr<Links> links) : links_(std::move(links)) {}
 

@@ -50,17 +50,17 @@ void PendingTlsHandshakes::OnFreed(void* parent, void* /*own*/, CRYPTO_EX_DATA* 
 void PendingTlsHandshakes::Begin(const SSL& link) {
   const SteadyTime now = SteadyClock().Now();
   const std::scoped_lock lock(mutex_);
-  if (begun_.size() >= kMany) {
-    for (const auto& [other, one] : begun_) {
+  if (unfinished_.size() >= kMany) {
+    for (const auto& [other, one] : unfinished_) {
       if (now - one.since > kPatience) os::ShutDown(one.socket);
     }
   }
-  begun_.emplace(&link, Begun{now, SSL_get_fd(&link)});
+  unfinished_.emplace(&link, Unfinished{now, SSL_get_fd(&link)});
 }
 
 void PendingTlsHandshakes::End(const SSL& link) {
   const std::scoped_lock lock(mutex_);
-  begun_.erase(&link);
+  unfinished_.erase(&link);
 }
 
 }  // namespace tendon::ice

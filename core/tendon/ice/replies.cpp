@@ -23,7 +23,7 @@ std::optional<std::span<std::byte>> ImmediateReply::MakeRoom(const FrameHeader& 
   return RoomIn(incoming_, header);
 }
 
-std::unique_ptr<ReplySlot> ImmediateReply::MakeLater() {
+std::unique_ptr<ReplySlot> ImmediateReply::MakeDeferred() {
   auto later = std::make_unique<DeferredReply>(link_.shared_from_this());
   auto call = IceInternal::IncomingAsync::create(incoming_);
   is_deferred_ = true;  // Ice accepts no immediate reply now
@@ -33,24 +33,24 @@ std::unique_ptr<ReplySlot> ImmediateReply::MakeLater() {
 
 void DeferredReply::Take(PendingCalls::Call call) noexcept {
   call_ = std::move(call);
-  link_->open_calls().Add(call_);
+  link_->pending_calls().Add(call_);
 }
 
 DeferredReply::~DeferredReply() {
   if (is_there()) return;
   if (has_begun()) {
     AnswerWithFailure(*call_);
-  } else if (link_->open_calls().Take(call_)) {
+  } else if (link_->pending_calls().Take(call_)) {
     AnswerWithNothing(*call_);
   }
 }
 
 std::optional<std::span<std::byte>> DeferredReply::MakeRoom(const FrameHeader& header) {
-  if (!link_->MayReturn() || !link_->open_calls().Take(call_)) return std::nullopt;
+  if (!link_->MayReturn() || !link_->pending_calls().Take(call_)) return std::nullopt;
   return RoomIn(*call_, header);
 }
 
-void DeferredReply::Leave() {
+void DeferredReply::OnEnd() {
   call_->endWriteParams();
   call_->completed();
   link_->CountReturned(size());

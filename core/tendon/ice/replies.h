@@ -22,7 +22,7 @@ class ImmediateReply final : public ReplySlot {
 
  private:
   std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override;
-  std::unique_ptr<ReplySlot> MakeLater() override;
+  std::unique_ptr<ReplySlot> MakeDeferred() override;
 
   IceLink& link_;
   IceInternal::Incoming& incoming_;
@@ -42,7 +42,7 @@ class DeferredReply final : public ReplySlot {
 
  private:
   std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override;
-  void Leave() override;
+  void OnEnd() override;
 
   const std::shared_ptr<IceLink> link_;
   PendingCalls::Call call_;

@@ -101,7 +101,7 @@ std::shared_ptr<IceLink> AcceptingServant::LinkOf(
   AdoptSocket(*connection);
   const std::scoped_lock lock(mutex_);
   if (!accept_) return nullptr;
-  auto link = std::make_shared<IceLink>(connection, door_);
+  auto link = std::make_shared<IceLink>(connection, listener_);
   auto handler = accept_(link);
   if (!handler) {
     link->CloseAtOnce();
@@ -117,7 +117,7 @@ void AcceptingServant::Stop() {
     const std::scoped_lock lock(mutex_);
     accept_ = nullptr;
   }
-  links()->CloseAll(door_);
+  links()->CloseAll(listener_);
 }
 
 }  // namespace tendon::ice

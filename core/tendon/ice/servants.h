@@ -12,7 +12,7 @@
 
 namespace tendon::ice {
 
-/// The endpoint of slice/tendon.ice, without generated code. Passes each frame to the link of its
+/// The endpoint of tendon.ice, without generated code. Passes each frame to the link of its
 /// connection.
 class EndpointServant : public Ice::Object {
  public:
@@ -36,8 +36,8 @@ class EndpointServant : public Ice::Object {
 /// The endpoint of a listener, which makes a link from each new connection.
 class AcceptingServant final : public EndpointServant {
  public:
-  AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t door)
-      : EndpointServant(std::move(links)), accept_(std::move(accept)), door_(door) {}
+  AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t listener)
+      : EndpointServant(std::move(links)), accept_(std::move(accept)), listener_(listener) {}
 
   /// Accepts no more connections and closes the accepted ones. After the return, all their handlers
   /// have got OnClosed().
@@ -48,7 +48,7 @@ class AcceptingServant final : public EndpointServant {
 
   std::mutex mutex_;
   AcceptLink accept_;
-  const std::uint64_t door_;
+  const std::uint64_t listener_;
 };
 
 }  // namespace tendon::ice

@@ -1,8 +1,8 @@
 #include <tendon/base/log.h>
+#include <tendon/base/rate_limited_warning.h>
 #include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
-#include <tendon/middleware/parts/part_sender.h>
-#include <tendon/middleware/rate_limited_warning.h>
+#include <tendon/middleware/part_sender.h>
 #include <tendon/process/access/audit_log.h>
 
 #include <string>

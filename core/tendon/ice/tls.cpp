@@ -51,7 +51,7 @@ Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
   // Absolute paths, because files are read again later, perhaps in another working directory.
   credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
                  .authority = std::filesystem::absolute(credentials.authority)};
-  auto own = openssl::ShownCertificate::Read(credentials);
+  auto own = openssl::LocalCertificate::Read(credentials);
   if (!own) return own.error();
   return std::make_shared<Tls>(Key{}, std::move(credentials), *std::move(own));
 }
@@ -67,7 +67,7 @@ void Tls::AddTo(Ice::Properties& settings) const {
   settings.setProperty("IceSSL.KeyFile", own_->key_file().string());
 }
 
-void Tls::Judge(const Ice::Communicator& communicator) {
+void Tls::CheckPeersOf(const Ice::Communicator& communicator) {
   const auto plugin = std::dynamic_pointer_cast<IceSSL::OpenSSL::Plugin>(
       communicator.getPluginManager()->getPlugin("IceSSL"));
   SSL_CTX_set_cert_cb(plugin->getContext(), &ShowOwnOf, this);
@@ -86,7 +86,7 @@ bool Tls::ShowOwn(SSL& link) {
 }
 
 bool Tls::IsGood(const Ice::ConnectionInfo& peer) {
-  const auto checked = CheckShownCertificate(
+  const auto checked = CheckPeerCertificate(
       ShownBy(dynamic_cast<const IceSSL::ConnectionInfo&>(peer)), authority_, Now());
   if (checked) return true;
   const auto place = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(peer.underlying);

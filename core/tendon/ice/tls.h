@@ -8,8 +8,8 @@
 #include <tendon/process/access/audit_log.h>
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
-#include <tendon/security/openssl/shown_certificate.h>
-#include <tendon/security/openssl/trusted_authority.h>
+#include <tendon/security/local_certificate.h>
+#include <tendon/security/trusted_authority.h>
 
 #include <cstdint>
 #include <memory>
@@ -33,7 +33,7 @@ class Tls : public std::enable_shared_from_this<Tls> {
   /// Adds TLS to the settings. Call it before a communicator is created with them.
   void AddTo(Ice::Properties& settings) const;
   /// Installs the checks of certificates. Call it before the first connection.
-  void Judge(const Ice::Communicator& communicator);
+  void CheckPeersOf(const Ice::Communicator& communicator);
 
   /// The error for a link to `place` that was not opened: Ice's reason against the peer's
   /// certificate, or our own reason.
@@ -47,13 +47,13 @@ class Tls : public std::enable_shared_from_this<Tls> {
   bool ShowOwn(SSL& link);
 
   Tls(Key /*only from Make()*/, Credentials credentials,
-      std::unique_ptr<openssl::ShownCertificate> own)
+      std::unique_ptr<openssl::LocalCertificate> own)
       : credentials_(std::move(credentials)),
         own_(std::move(own)),
         authority_(credentials_.authority) {}
 
  private:
-  struct Refused {
+  struct RefusedPeer {
     std::uint16_t port = 0;
     Error why;
     SteadyTime when;
@@ -62,12 +62,12 @@ class Tls : public std::enable_shared_from_this<Tls> {
   bool IsGood(const Ice::ConnectionInfo& peer);
 
   const Credentials credentials_;
-  const std::unique_ptr<openssl::ShownCertificate> own_;
+  const std::unique_ptr<openssl::LocalCertificate> own_;
   openssl::TrustedAuthority authority_;
   PendingTlsHandshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
-  std::optional<Refused> refused_;  // the last refused peer of an opened link
+  std::optional<RefusedPeer> refused_;  // the last refused peer of an opened link
 };
 
 /// The certificate of the peer; empty without TLS. Throws an Ice exception if the connection is

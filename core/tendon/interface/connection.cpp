@@ -56,7 +56,7 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
   std::unique_ptr<Connection> connection(new Connection(required, provided, required_name));
   connection->OpenMailboxes();
   connection->BindFunctions();
-  if (connection->is_told_here()) {
+  if (connection->is_notified_here()) {
     required.Announce(connection->peer_);
     connection->BindHandlers();
     required.AdmitPeer();
@@ -109,7 +109,7 @@ void Connection::OpenMailboxes() {
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
     events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
                                        &required_.event_time_);
-    if (required_.has_hearer()) events_->Hold();  // until OnConnected() has returned
+    if (required_.has_listener()) events_->Hold();  // until OnConnected() has returned
     peer_.events = events_;
   }
 }
@@ -151,7 +151,7 @@ void Connection::BindFunctions() {
 std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (!open_) return 0;
   open_ = false;
-  if (is_told_here()) required_.AnnounceNone();
+  if (is_notified_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
     // Waiting callers use the binding: serve or cancel them before it is destroyed.
@@ -177,17 +177,17 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   functions_.clear();
   queued_handlers_.clear();
   direct_handlers_.clear();
-  if (!is_told_here()) required_.AnnounceNone();  // after the last event was handled
-  TellClientGone(number);
+  if (!is_notified_here()) required_.AnnounceNone();  // after the last event was handled
+  ReportClientGone(number);
   return dropped;
 }
 
-void Connection::TellClientGone(std::uint64_t number) {
+void Connection::ReportClientGone(std::uint64_t number) {
   const bool has_called = std::ranges::any_of(
       members_, [](const BoundMember& member) { return member.command != nullptr; });
   const Host* const host = provided_.host();
-  if (!has_called || host == nullptr || !host->hears_of_connections()) return;
-  host->TellClientGone({.provided = &provided_, .name = client_, .connection = number});
+  if (!has_called || host == nullptr || !host->is_notified_of_connections()) return;
+  host->ReportClientGone({.provided = &provided_, .name = client_, .connection = number});
 }
 
 std::uint64_t Connection::taken() const {

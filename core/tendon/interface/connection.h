@@ -75,10 +75,10 @@ class Connection {
   void BindHandlers();
   /// True if the component of `required` has no thread, so that OnConnected() and OnDisconnected()
   /// run in the thread that changes the connection.
-  [[nodiscard]] bool is_told_here() const {
-    return required_.inbox() == nullptr && required_.has_hearer();
+  [[nodiscard]] bool is_notified_here() const {
+    return required_.inbox() == nullptr && required_.has_listener();
   }
-  void TellClientGone(std::uint64_t number);
+  void ReportClientGone(std::uint64_t number);
 
   RequiredInterface& required_;
   ProvidedInterface& provided_;

@@ -11,7 +11,7 @@ namespace tendon {
 
 /// The handlers of one event, whatever its type. One thread raises the event, or many if the
 /// component has no thread of its own. Managers subscribe handlers at any time.
-class EventBase : public Caller {
+class EventBase : public MemberCaller {
  public:
   ~EventBase() override;
 

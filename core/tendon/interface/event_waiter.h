@@ -58,8 +58,8 @@ class EventWaiter {
   /// Represents one connection, and lives as long as it.
   class Handler final : public Command<T, None> {
    public:
-    explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Tell(Status::kTimeout); }
-    ~Handler() override { Tell(Status::kNotConnected); }
+    explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Report(Status::kTimeout); }
+    ~Handler() override { Report(Status::kNotConnected); }
     Handler(const Handler&) = delete;
     Handler& operator=(const Handler&) = delete;
 
@@ -70,11 +70,11 @@ class EventWaiter {
       });
     }
     void SetSourceFaulted(bool faulted) override {
-      Tell(faulted ? Status::kNotActive : Status::kTimeout);
+      Report(faulted ? Status::kNotActive : Status::kTimeout);
     }
 
    private:
-    void Tell(Status::Code ending) {
+    void Report(Status::Code ending) {
       waiter_.ending_.Set(ending);
       waiter_.wakeup_.Notify();
     }

@@ -27,7 +27,7 @@ namespace tendon {
 /// task's own thread. Any thread may call them if the component has none, or if SetCallers() allows
 /// it.
 template <CommandKind kKind, typename In, typename Out>
-class Function final : public Caller {
+class Function final : public MemberCaller {
   static_assert(RequirePayload<In>() && RequirePayload<Out>());
   using Time = std::chrono::nanoseconds;
   static constexpr bool kIsVoid = kKind == CommandKind::kVoid;

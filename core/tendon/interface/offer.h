@@ -189,7 +189,7 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
 };
 
 /// The side that is at fault if code in the caller's thread throws.
-enum class Blame {
+enum class ExceptionPolicy {
   kCaller,     ///< the caller gets kFailed, because its argument may be the cause
   kComponent,  ///< in addition, the component is faulted
 };
@@ -199,18 +199,20 @@ enum class Blame {
 template <Payload In, Payload Out, typename Body>
 class DirectOffer final : public Offer {
  public:
-  DirectOffer(MemberDescription description, Body body, Blame blame)
-      : Offer(std::move(description)), body_(std::move(body)), blame_(blame) {}
+  DirectOffer(MemberDescription description, Body body, ExceptionPolicy exception_policy)
+      : Offer(std::move(description)),
+        body_(std::move(body)),
+        exception_policy_(exception_policy) {}
 
   [[nodiscard]] bool uses_mailbox() const override { return false; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
     return std::make_unique<DirectCommand<In, Out, Body>>(
-        body_, blame_ == Blame::kComponent ? host() : nullptr);
+        body_, exception_policy_ == ExceptionPolicy::kComponent ? host() : nullptr);
   }
 
  private:
   Body body_;
-  Blame blame_;
+  ExceptionPolicy exception_policy_;
 };
 
 }  // namespace tendon

@@ -218,7 +218,7 @@ class ProvidedInterface {
     const bool asks = kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
     return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
                         DescribeMember<In, Out>(std::move(name.text), kind), std::move(body),
-                        asks ? Blame::kCaller : Blame::kComponent),
+                        asks ? ExceptionPolicy::kCaller : ExceptionPolicy::kComponent),
                     name.place);
   }
 

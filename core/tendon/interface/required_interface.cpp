@@ -4,7 +4,7 @@
 
 namespace tendon {
 
-std::size_t RequiredInterface::AddCaller(Caller& caller, MemberDescription description,
+std::size_t RequiredInterface::AddCaller(MemberCaller& caller, MemberDescription description,
                                          SourcePlace place) {
   names_.Add("function", description.name, name_, place);
   callers_.push_back({std::move(description), &caller});
@@ -30,7 +30,7 @@ void RequiredInterface::Seal() {
 bool RequiredInterface::TakePeer() noexcept {
   const GuardedPointer<const Peer>::Call call(announced_);
   if (call.get() == nullptr) return false;
-  told_ = call.get()->number;
+  reported_peer_ = call.get()->number;
   generation_.Set(generation_.Get() + 1);
   return true;
 }
@@ -38,7 +38,7 @@ bool RequiredInterface::TakePeer() noexcept {
 void RequiredInterface::AdmitPeer() noexcept {
   const GuardedPointer<const Peer>::Call call(announced_);
   const Peer* const peer = call.get();
-  if (peer == nullptr || peer->number != told_) return;
+  if (peer == nullptr || peer->number != reported_peer_) return;
   binding_.SetByCaller(peer->members);
   if (peer->events != nullptr) peer->events->Release();
 }
@@ -54,7 +54,7 @@ void RequiredInterface::Announce(Peer& peer) {
   peer.number = ++peers_;
   peer_.Set(peer.number);  // set before the component can see the peer and compare numbers
   announced_.Exchange(&peer);
-  if (has_hearer()) return host_->TellPeerChanged(*this);
+  if (has_listener()) return host_->ReportPeerChanged(*this);
   if (TakePeer()) binding_.Exchange(peer.members);
 }
 
@@ -65,7 +65,7 @@ void RequiredInterface::Withdraw() noexcept {
 
 void RequiredInterface::AnnounceNone() {
   peer_.Set(kNoPeer);
-  if (has_hearer()) host_->TellPeerChanged(*this);
+  if (has_listener()) host_->ReportPeerChanged(*this);
 }
 
 void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {
@@ -85,7 +85,7 @@ void RequiredInterface::SetReadDeadline(std::chrono::milliseconds deadline) {
   read_deadline_ = deadline;
 }
 
-void RequiredInterface::MarkMirrored(const Caller& function) {
+void RequiredInterface::MarkMirrored(const MemberCaller& function) {
   const auto found = std::ranges::find(callers_, &function, &NamedCaller::caller);
   if (found == callers_.end()) {
     throw ConfigurationError("'" + name_ +

@@ -89,7 +89,7 @@ class RequiredInterface {
   }
 
   /// For members that are made at run time. Returns the index of `caller` in the binding.
-  std::size_t AddCaller(Caller& caller, MemberDescription description,
+  std::size_t AddCaller(MemberCaller& caller, MemberDescription description,
                         SourcePlace place = SourcePlace::current());
   Offer& AddOffer(std::unique_ptr<Offer> handler, SourcePlace place = SourcePlace::current());
   [[nodiscard]] BindingGate& binding() { return binding_; }
@@ -147,11 +147,11 @@ class RequiredInterface {
   enum class PeerChange { kNone, kGone, kNew };
   [[nodiscard]] PeerChange peer_change() const noexcept {
     const std::uint64_t peer = peer_.Get();
-    if (peer == told_) return PeerChange::kNone;
-    return told_ != kNoPeer ? PeerChange::kGone : PeerChange::kNew;
+    if (peer == reported_peer_) return PeerChange::kNone;
+    return reported_peer_ != kNoPeer ? PeerChange::kGone : PeerChange::kNew;
   }
   /// Called after kGone.
-  void ForgetPeer() noexcept { told_ = kNoPeer; }
+  void ForgetPeer() noexcept { reported_peer_ = kNoPeer; }
   /// Called after kNew: the next generation begins. False if the peer is disconnected meanwhile.
   bool TakePeer() noexcept;
   /// From now on calls reach the peer and its events are handled, unless it is disconnected
@@ -176,8 +176,8 @@ class RequiredInterface {
   // For connections, in a manager's thread.
 
   /// True if the component is notified of its peers and admits them itself.
-  [[nodiscard]] bool has_hearer() const {
-    return host_ != nullptr && host_->hears_of_connections();
+  [[nodiscard]] bool has_listener() const {
+    return host_ != nullptr && host_->is_notified_of_connections();
   }
   /// Sets the peer and gives it a number. `peer` must stay valid until Withdraw().
   void Announce(Peer& peer);
@@ -188,11 +188,11 @@ class RequiredInterface {
 
   struct NamedCaller {
     MemberDescription description;
-    Caller* caller;
+    MemberCaller* caller;
     bool is_mirrored = false;
   };
 
-  void MarkMirrored(const Caller& function);
+  void MarkMirrored(const MemberCaller& function);
 
   template <Payload In>
   static MemberDescription DescribeHandler(CommandKind kind, std::string name, Need need) {
@@ -212,7 +212,7 @@ class RequiredInterface {
     static_assert(RequirePayload<In>());
     AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
                  DescribeHandler<In>(kind, std::move(name.text), need), std::move(body),
-                 Blame::kComponent),
+                 ExceptionPolicy::kComponent),
              name.place);
   }
 
@@ -232,7 +232,7 @@ class RequiredInterface {
   std::uint64_t peers_ = 0;  // number of peers so far
   Published<std::uint64_t> peer_{kNoPeer};
   GuardedPointer<const Peer> announced_;
-  std::uint64_t told_ = kNoPeer;  // the peer that the component knows; used by its thread
+  std::uint64_t reported_peer_ = kNoPeer;  // the peer that the component knows; used by its thread
   Published<std::uint64_t> generation_{0};
   SteadyTime event_time_{};  // used by the component's thread
   SharedCounter<> lost_events_;

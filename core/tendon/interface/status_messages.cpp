@@ -4,13 +4,14 @@
 
 namespace tendon {
 
-Messages::Messages(ProvidedInterface& interface, std::string source) : source_(std::move(source)) {
+StatusMessages::StatusMessages(ProvidedInterface& interface, std::string source)
+    : source_(std::move(source)) {
   interface.AddEvent(status_, "Status");
   interface.AddEvent(warning_, "Warning");
   interface.AddEvent(error_, "Error");
 }
 
-void Messages::Send(LogLevel level, WriteEvent<std::string>& event, std::string_view text) {
+void StatusMessages::Send(LogLevel level, WriteEvent<std::string>& event, std::string_view text) {
   Scratch<std::string>::Use copy(text_);
   copy->assign(text);
   event(*copy);

@@ -15,12 +15,12 @@ namespace tendon {
 ///
 /// Thread safety: that of the component's events. Sending costs as much as Log(). In a cycle it
 /// allocates nothing once each mailbox slot has held the longest text.
-class Messages {
+class StatusMessages {
  public:
   /// Adds the events to `interface`; `source` is the name under which they are logged.
-  Messages(ProvidedInterface& interface, std::string source);
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
+  StatusMessages(ProvidedInterface& interface, std::string source);
+  StatusMessages(const StatusMessages&) = delete;
+  StatusMessages& operator=(const StatusMessages&) = delete;
 
   void SendStatus(std::string_view text) { Send(LogLevel::kInfo, status_, text); }
   void SendWarning(std::string_view text) { Send(LogLevel::kWarning, warning_, text); }

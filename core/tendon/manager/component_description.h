@@ -114,6 +114,15 @@ struct ConnectionDescription {
   bool operator==(const ConnectionDescription&) const = default;
 };
 
+/// Marks a connection as pending because `component`, at one of its ends, is faulted. `fault` is
+/// the component's fault(), which becomes the reason.
+inline void SetEndFaulted(ConnectionDescription& connection, const std::string& component,
+                          const std::string& fault) {
+  connection.state = ConnectionState::kPending;
+  connection.reason = "component '" + component + "' is faulted: " + fault +
+                      "; it is connected again when that component is started";
+}
+
 /// Statistics of a connection's calls and events since it was last made.
 struct ConnectionCounts {
   std::chrono::nanoseconds age{0};  ///< time since the connection was last made

@@ -1,6 +1,5 @@
-#include <tendon/manager/faulted_end.h>
 #include <tendon/manager/local_manager.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <algorithm>
 #include <thread>
@@ -76,7 +75,7 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
       if (entry.component->name() == added.name()) throw ExistsAlready(added.name(), entry.origin);
     }
     entries_.push_back(MakeEntry(std::move(component), std::move(origin)));
-    TakeIn(added);
+    Attach(added);
   }
   NotifyChanged();
   return added;
@@ -138,7 +137,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
 
 Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& component,
                                       SteadyTime deadline) {
-  if (turns_.IsInUse(*component)) return TurnTaken(component->name());
+  if (serializer_.IsInUse(*component)) return RequestInProgress(component->name());
   if (!component->is_at_rest()) {
     return Error{ErrorCode::kFailed,
                  "component '" + component->name() + "' is not removed, because it runs again"};
@@ -149,17 +148,17 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  LetGo(*component);  // again, because others could connect while it was stopping
+  Detach(*component);  // again, because others could connect while it was stopping
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
 }
 
-void LocalManager::TakeIn(Component& component) {
+void LocalManager::Attach(Component& component) {
   component.SetStateObserver([this] { NotifyChanged(); });
   if (const auto* task = dynamic_cast<const Task*>(&component)) watchdog_.Watch(*task);
 }
 
-void LocalManager::LetGo(Component& component) {
+void LocalManager::Detach(Component& component) {
   OnRemoving(component);
   DisconnectAll(component.name());
   component.SetStateObserver(nullptr);
@@ -286,7 +285,7 @@ Result<void> LocalManager::TryRunAfter(const std::string& component, const std::
                                          (task == nullptr ? component + "' has no thread"
                                                           : leader + "' does not run in cycles")};
   }
-  if (turns_.IsInUse(*task)) return TurnTaken(component);
+  if (serializer_.IsInUse(*task)) return RequestInProgress(component);
   return task->RunAfter(*leading, deadline);
 }
 

@@ -3,7 +3,7 @@
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
 #include <tendon/manager/component_description.h>
-#include <tendon/manager/orderly_end.h>
+#include <tendon/manager/orderly_shutdown.h>
 #include <tendon/manager/request_serializer.h>
 #include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
@@ -108,6 +108,12 @@ class LocalManager {
   /// Components that run after this one stop first. After the stop, waits for at most
   /// kDrainPatience until servers have executed the last calls of its Cleanup().
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
+  /// Brings a component at rest to the state that a file requests. For kActive, starts it; for
+  /// kSuspended, starts and then suspends it; for any other state, does nothing. If the suspension
+  /// fails within `patience`, stops the component, because it must not run. The error also says in
+  /// which state the component is left.
+  Result<void> TransitionTo(const std::string& component, ComponentState wanted,
+                            Patience patience = kPatience);
   /// Starts all components that are not active, one by one, in the order in which they were added,
   /// but leaders before the components that run after them. `patience` is the total time. Starts
   /// the others even if one fails; returns the first error.
@@ -178,7 +184,7 @@ class LocalManager {
     std::unique_ptr<Connection> connection;
   };
 
-  /// Seals the component; then it is ready for TakeIn().
+  /// Seals the component; then it is ready for Attach().
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
@@ -187,19 +193,19 @@ class LocalManager {
   using IsMeant = std::function<bool(const Component&)>;
   /// The components for which `is_meant` is true, each one after its clients and after the
   /// components that run after it.
-  [[nodiscard]] std::vector<OrderlyEnd::Member> InEndOrder(const IsMeant& is_meant) const;
+  [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;
   /// Waits until the calls of `client` are executed; logs a warning if `deadline` passes first.
   void LetExecute(const Component& client, SteadyTime deadline) const;
-  Result<void> Ask(const std::string& component, const Request& request, ComponentState wanted,
-                   Patience patience);
-  Result<void> AskAll(const Components& components, const Request& request, ComponentState wanted,
-                      Patience patience);
+  Result<void> RequestState(const std::string& component, const Request& request,
+                            ComponentState wanted, Patience patience);
+  Result<void> RequestStateOfAll(const Components& components, const Request& request,
+                                 ComponentState wanted, Patience patience);
   /// Makes a request after all earlier requests for the component; does not wait for its effect.
   Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
                            SteadyTime deadline);
-  [[nodiscard]] static Error TurnTaken(const std::string& component);
+  [[nodiscard]] static Error RequestInProgress(const std::string& component);
   [[nodiscard]] std::vector<std::string> component_names() const;
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and logs how many calls and events were dropped.
@@ -215,13 +221,13 @@ class LocalManager {
   Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);
   /// Afterwards, `given` is the former entry.
   Result<void> TryReplace(Entry& given, SteadyTime deadline);
-  void PutInPlace(Entry& given, Component& former);
-  void TakeIn(Component& component);
-  void LetGo(Component& component);
+  void ReplaceEntry(Entry& given, Component& former);
+  void Attach(Component& component);
+  void Detach(Component& component);
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
-  RequestSerializer turns_;  // serialises requests; guarded by mutex_
+  RequestSerializer serializer_;  // serialises requests; guarded by mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;

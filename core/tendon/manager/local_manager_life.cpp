@@ -1,7 +1,7 @@
 #include <tendon/base/dependency_order.h>
 #include <tendon/base/log.h>
 #include <tendon/manager/local_manager.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <algorithm>
 #include <thread>
@@ -32,7 +32,7 @@ Error NotReplaced(const std::string& component, const std::string& why) {
 }  // namespace
 
 Result<void> LocalManager::Start(const std::string& component, Patience patience) {
-  return Ask(component, &tendon::Start, ComponentState::kActive, patience);
+  return RequestState(component, &tendon::Start, ComponentState::kActive, patience);
 }
 
 Result<void> LocalManager::Start(const std::string& component, Patience patience,
@@ -40,16 +40,16 @@ Result<void> LocalManager::Start(const std::string& component, Patience patience
   const auto start = [proceed = std::move(proceed)](Component& one) {
     return one.Start(kNoWait, proceed);
   };
-  return Ask(component, start, ComponentState::kActive, patience);
+  return RequestState(component, start, ComponentState::kActive, patience);
 }
 
 Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
-  return Ask(component, &tendon::Suspend, ComponentState::kSuspended, patience);
+  return RequestState(component, &tendon::Suspend, ComponentState::kSuspended, patience);
 }
 
 Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
   if (patience <= kNoWait) {
-    return Ask(component, &tendon::Stop, ComponentState::kFinished, patience);
+    return RequestState(component, &tendon::Stop, ComponentState::kFinished, patience);
   }
   const auto found = Require(component);
   if (!found) return found.error();
@@ -57,33 +57,53 @@ Result<void> LocalManager::Stop(const std::string& component, Patience patience)
   (void)StopInOrder([&](const Component& one) { return RunsAfter(one, **found); }, deadline);
   const Patience left =
       std::max<Patience>(RequestSerializer::kShortest, deadline - SteadyClock().Now());
-  const auto stopped = AskAll({*found}, &tendon::Stop, ComponentState::kFinished, left);
+  const auto stopped = RequestStateOfAll({*found}, &tendon::Stop, ComponentState::kFinished, left);
   if (stopped) {
     LetExecute(**found, std::min<SteadyTime>(deadline, SteadyClock().Now() + kDrainPatience));
   }
   return stopped;
 }
 
+Result<void> LocalManager::TransitionTo(const std::string& component, ComponentState wanted,
+                                        Patience patience) {
+  if (!IsRunning(wanted)) return {};
+  auto done = Start(component, patience);
+  if (wanted == ComponentState::kActive) return done;
+  const auto is_at_rest = [&] {
+    const auto settings = SettingsOf(component);
+    return !settings || settings->is_at_rest;
+  };
+  if (done) done = Suspend(component, patience);
+  if (done || is_at_rest()) return done;
+  const auto stopped = Stop(component, kPatience);
+  const std::string before = "'" + component + "' could not be suspended: " + done.error().message;
+  if (stopped || is_at_rest()) {
+    return Error{done.error().code, before + "; it was stopped instead"};
+  }
+  return Error{done.error().code,
+               before + "; it may still run, because it does not stop: " + stopped.error().message};
+}
+
 Result<void> LocalManager::StartAll(Patience patience) {
   Components all = InOrder();
   std::erase_if(all, [](const auto& one) { return one->state() == ComponentState::kActive; });
-  return AskAll(all, &tendon::Start, ComponentState::kActive, patience);
+  return RequestStateOfAll(all, &tendon::Start, ComponentState::kActive, patience);
 }
 
 Result<void> LocalManager::SuspendAll(Patience patience) {
   Components all = InOrder();
   std::reverse(all.begin(), all.end());
   std::erase_if(all, [](const auto& one) { return one->state() != ComponentState::kActive; });
-  return AskAll(all, &tendon::Suspend, ComponentState::kSuspended, patience);
+  return RequestStateOfAll(all, &tendon::Suspend, ComponentState::kSuspended, patience);
 }
 
 Result<void> LocalManager::StopAll(Patience patience) {
   const auto any = [](const Component& /*one*/) { return true; };
   if (patience > kNoWait) return StopInOrder(any, DeadlineAfter(patience));
   Components all;
-  for (OrderlyEnd::Member& one : InEndOrder(any)) all.push_back(std::move(one.component));
+  for (OrderlyShutdown::Member& one : InEndOrder(any)) all.push_back(std::move(one.component));
   std::erase_if(all, [this](const auto& one) { return IsAtRest(*one); });
-  return AskAll(all, &tendon::Stop, ComponentState::kFinished, patience);
+  return RequestStateOfAll(all, &tendon::Stop, ComponentState::kFinished, patience);
 }
 
 void LocalManager::EndAll(SteadyTime deadline) {
@@ -96,7 +116,7 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
   const auto stop = [this](const std::shared_ptr<Component>& one) {
     return MakeRequest(one, &tendon::Stop, SteadyClock().Now());
   };
-  OrderlyEnd end(
+  OrderlyShutdown end(
       InEndOrder(is_meant),
       {.is_at_rest = [this](const Component& one) { return IsAtRest(one); },
        .stop = stop,
@@ -107,13 +127,13 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
 /// Also checks that no request is in progress, which might start the component.
 bool LocalManager::IsAtRest(const Component& component) const {
   const auto lock = Lock();
-  return component.is_at_rest() && !turns_.IsInUse(component);
+  return component.is_at_rest() && !serializer_.IsInUse(component);
 }
 
 void LocalManager::LetExecute(const Component& client, SteadyTime deadline) const {
   constexpr std::chrono::microseconds kBetweenLooks(500);
   while (HasCallsUnderWay(client)) {
-    if (SteadyClock().Now() >= deadline) return OrderlyEnd::LogNotExecuted(client);
+    if (SteadyClock().Now() >= deadline) return OrderlyShutdown::LogNotExecuted(client);
     std::this_thread::sleep_for(kBetweenLooks);
   }
 }
@@ -132,7 +152,7 @@ bool LocalManager::HasCallsUnderWay(const Component& client) const {
   });
 }
 
-std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
+std::vector<OrderlyShutdown::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
   const auto lock = Lock();
   std::map<std::string, std::size_t> numbers;  // numbers of the entries
   for (const Entry& entry : entries_) numbers.emplace(entry.component->name(), numbers.size());
@@ -153,7 +173,7 @@ std::vector<OrderlyEnd::Member> LocalManager::InEndOrder(const IsMeant& is_meant
     if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
     needed[client].push_back(server);
   }
-  std::vector<OrderlyEnd::Member> members;
+  std::vector<OrderlyShutdown::Member> members;
   std::map<std::size_t, std::size_t> places;  // position in the end order, by number
   std::vector<std::size_t> order = DependencyOrder(needed);
   std::reverse(order.begin(), order.end());
@@ -188,14 +208,14 @@ Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
   return {};
 }
 
-Result<void> LocalManager::Ask(const std::string& component, const Request& request,
-                               ComponentState wanted, Patience patience) {
+Result<void> LocalManager::RequestState(const std::string& component, const Request& request,
+                                        ComponentState wanted, Patience patience) {
   const auto found = Require(component);
-  return found ? AskAll({*found}, request, wanted, patience) : found.error();
+  return found ? RequestStateOfAll({*found}, request, wanted, patience) : found.error();
 }
 
-Result<void> LocalManager::AskAll(const Components& components, const Request& request,
-                                  ComponentState wanted, Patience patience) {
+Result<void> LocalManager::RequestStateOfAll(const Components& components, const Request& request,
+                                             ComponentState wanted, Patience patience) {
   const SteadyTime deadline = DeadlineAfter(patience);
   Result<void> outcome;
   for (const auto& one : components) {
@@ -211,8 +231,8 @@ Result<void> LocalManager::AskAll(const Components& components, const Request& r
 Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& component,
                                        const Request& request, SteadyTime deadline) {
   auto lock = Lock();
-  const RequestSerializer::Turn turn(turns_, *component, lock, deadline);
-  if (!turn.is_ours()) return TurnTaken(component->name());
+  const RequestSerializer::Turn turn(serializer_, *component, lock, deadline);
+  if (!turn.is_ours()) return RequestInProgress(component->name());
   if (Find(component->name()) != component.get()) {
     return Error{ErrorCode::kNotFound,
                  "component '" + component->name() + "' was removed meanwhile"};
@@ -220,7 +240,7 @@ Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& compone
   return WithoutLock(lock, [&] { return request(*component); });
 }
 
-Error LocalManager::TurnTaken(const std::string& component) {
+Error LocalManager::RequestInProgress(const std::string& component) {
   return {ErrorCode::kTimeout, "component '" + component +
                                    "' is still busy with an earlier request; it may be in "
                                    "its Configure(), Startup() or Cleanup()"};
@@ -261,7 +281,7 @@ Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   const auto present = Require(name);
   if (!present) return present.error();
   Component& former = **present;
-  if (turns_.IsInUse(former)) return TurnTaken(name);
+  if (serializer_.IsInUse(former)) return RequestInProgress(name);
   if (!former.is_at_rest()) return NotReplaced(name, "it runs; stop it first");
   const auto settings = SettingsOf(name);
   if (!settings->followers.empty()) {
@@ -278,22 +298,22 @@ Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
     const auto joined = follower->RunAfter(dynamic_cast<Task&>(**leader));
     if (!joined) return joined;
   }
-  PutInPlace(given, former);
+  ReplaceEntry(given, former);
   return {};
 }
 
-void LocalManager::PutInPlace(Entry& given, Component& former) {
+void LocalManager::ReplaceEntry(Entry& given, Component& former) {
   const std::string& name = former.name();
   std::vector<ConnectionDescription> own;
   for (const auto& [id, connection] : connections_) {
     const ConnectionDescription& ends = connection.description;
     if (ends.required.component == name || ends.provided.component == name) own.push_back(ends);
   }
-  LetGo(former);
+  Detach(former);
   const auto place =
       std::ranges::find(entries_, &former, [](const Entry& one) { return one.component.get(); });
   std::swap(*place, given);
-  TakeIn(*place->component);
+  Attach(*place->component);
   for (const ConnectionDescription& ends : own) (void)Join(ends.required, ends.provided);
 }
 

@@ -2,7 +2,7 @@
 #include <tendon/base/os/library_copy.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/shared_library.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/manager/plugin.h>
 #include <tendon/manager/plugin_abi.h>
 

@@ -21,14 +21,14 @@ PluginState StateOf(os::FileWatch::State state) {
 
 void PluginFiles::Add(const std::string& library, os::FileContent content) {
   {
-    const std::scoped_lock lock(look_mutex_);
+    const std::scoped_lock lock(update_mutex_);
     loaded_.push_back({library, os::FileWatch(std::move(content))});
   }
-  Look();
+  Update();
 }
 
-void PluginFiles::Look() {
-  const std::scoped_lock look(look_mutex_);
+void PluginFiles::Update() {
+  const std::scoped_lock look(update_mutex_);
   std::vector<PluginDescription> now;
   for (Loaded& one : loaded_) now.push_back(Describe(one));
   const std::scoped_lock lock(mutex_);
@@ -48,7 +48,7 @@ std::vector<PluginDescription> PluginFiles::descriptions() const {
 }
 
 PluginDescription PluginFiles::Describe(Loaded& loaded) {
-  const PluginState state = StateOf(loaded.file.Look());
+  const PluginState state = StateOf(loaded.file.Check());
   const os::FileContent& content = loaded.file.content();
   return {.name = loaded.library,
           .file = content.file.string(),

@@ -17,10 +17,11 @@ class PluginFiles {
   /// Adds a plug-in whose loaded content is `content`.
   void Add(const std::string& library, os::FileContent content);
   /// Checks all files for changes; may wait for the disk.
-  void Look();
+  void Update();
   /// Changes whenever descriptions() changes.
   [[nodiscard]] std::uint64_t revision() const;
-  /// The results of the last Look(), in the order of loading. Does not wait for a running Look().
+  /// The results of the last Update(), in the order of loading. Does not wait for a running
+  /// Update().
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
  private:
@@ -31,7 +32,7 @@ class PluginFiles {
 
   static PluginDescription Describe(Loaded& loaded);
 
-  std::mutex look_mutex_;  // one Look() at a time; locked before mutex_
+  std::mutex update_mutex_;  // one Update() at a time; locked before mutex_
   std::vector<Loaded> loaded_;
   mutable std::mutex mutex_;  // guards what follows
   std::vector<PluginDescription> descriptions_;

@@ -13,28 +13,28 @@ bool RunsAfter(const Component& component, const Component& leader) {
   return false;
 }
 
-RequestSerializer::Turn::Turn(RequestSerializer& turns, const Component& component,
+RequestSerializer::Turn::Turn(RequestSerializer& serializer, const Component& component,
                               std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline)
-    : turns_(turns), component_(component) {
+    : serializer_(serializer), component_(component) {
   const SteadyTime last = std::max<SteadyTime>(deadline, SteadyClock().Now() + kShortest);
-  while (!turns_.asked_.insert(&component_).second) {
+  while (!serializer_.in_progress_.insert(&component_).second) {
     const SteadyTime now = SteadyClock().Now();
     is_ours_ = now < last;
     if (!is_ours_) return;
     constexpr std::chrono::milliseconds kBetweenLooks(10);
-    turns_.ended_.wait_until(lock, std::min<SteadyTime>(last, now + kBetweenLooks));
+    serializer_.ended_.wait_until(lock, std::min<SteadyTime>(last, now + kBetweenLooks));
   }
 }
 
 RequestSerializer::Turn::~Turn() {
   if (!is_ours_) return;
-  turns_.asked_.erase(&component_);
-  turns_.ended_.notify_all();
+  serializer_.in_progress_.erase(&component_);
+  serializer_.ended_.notify_all();
 }
 
 bool RequestSerializer::IsInUse(const Component& component) const {
-  return std::ranges::any_of(asked_, [&component](const Component* asked) {
-    return asked == &component || RunsAfter(*asked, component);
+  return std::ranges::any_of(in_progress_, [&component](const Component* one) {
+    return one == &component || RunsAfter(*one, component);
   });
 }
 

@@ -21,7 +21,7 @@ class RequestSerializer {
    public:
     /// Releases the lock and waits until no other request for the component is in progress, for
     /// kShortest or longer. If `deadline` passes first, is_ours() is false.
-    Turn(RequestSerializer& turns, const Component& component,
+    Turn(RequestSerializer& serializer, const Component& component,
          std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
     Turn(const Turn&) = delete;
     Turn& operator=(const Turn&) = delete;
@@ -30,7 +30,7 @@ class RequestSerializer {
     [[nodiscard]] bool is_ours() const { return is_ours_; }
 
    private:
-    RequestSerializer& turns_;
+    RequestSerializer& serializer_;
     const Component& component_;
     bool is_ours_ = true;
   };
@@ -42,7 +42,7 @@ class RequestSerializer {
   static constexpr std::chrono::milliseconds kShortest{20};
 
  private:
-  std::set<const Component*> asked_;
+  std::set<const Component*> in_progress_;
   std::condition_variable_any ended_;
 };
 

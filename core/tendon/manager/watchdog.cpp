@@ -54,17 +54,17 @@ bool Watchdog::IsOverdue(std::chrono::duration<double> period,
   return period.count() > 0.0 && since_last_cycle > kPeriods * period + kGrace;
 }
 
-void Watchdog::Look(SteadyTime now) {
+void Watchdog::Inspect(SteadyTime now) {
   std::vector<Finding> findings;
   {
     const std::scoped_lock lock(mutex_);
-    for (Watched& one : tasks_) Judge(one, now, findings);
+    for (Watched& one : tasks_) Check(one, now, findings);
   }
   for (const Finding& one : findings) Log(one.level, one.task, one.text);
   if (!findings.empty()) on_change_();
 }
 
-void Watchdog::Judge(Watched& watched, SteadyTime now, std::vector<Finding>& findings) {
+void Watchdog::Check(Watched& watched, SteadyTime now, std::vector<Finding>& findings) {
   const Task& task = *watched.task;
   const std::chrono::duration<double> period = task.started_period();
   const std::chrono::nanoseconds elapsed = task.SinceLastCycle(now);
@@ -91,7 +91,7 @@ void Watchdog::Run() {
     stopped_.wait_for(lock, kBetweenLooks);
     if (stopping_) return;
     lock.unlock();
-    Look(SteadyClock().Now());
+    Inspect(SteadyClock().Now());
     lock.lock();
   }
 }

@@ -58,8 +58,8 @@ class Watchdog {
     std::string text;
   };
 
-  static void Judge(Watched& watched, SteadyTime now, std::vector<Finding>& findings);
-  void Look(SteadyTime now);
+  static void Check(Watched& watched, SteadyTime now, std::vector<Finding>& findings);
+  void Inspect(SteadyTime now);
   void Run();
 
   std::function<void()> on_change_;

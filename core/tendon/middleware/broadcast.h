@@ -15,7 +15,7 @@ namespace tendon {
 /// Multicast: one process publishes, any number of others receive, through a broker. The broker
 /// does not wait for a slow receiver, and does not report the messages that it misses. So messages
 /// must carry sequence numbers. Thread-safe.
-class FanOut {
+class Broadcast {
  public:
   /// The publisher's end of a topic. The topic ends when this object is destroyed, and is created
   /// again after a restart of the broker.
@@ -31,33 +31,34 @@ class FanOut {
   };
 
   /// A subscriber's end. Messages stop soon after it is destroyed.
-  class Reception {
+  class Subscription {
    public:
-    Reception() = default;
-    Reception(const Reception&) = delete;
-    Reception& operator=(const Reception&) = delete;
-    virtual ~Reception() = default;
+    Subscription() = default;
+    Subscription(const Subscription&) = delete;
+    Subscription& operator=(const Subscription&) = delete;
+    virtual ~Subscription() = default;
   };
 
   /// Called in a thread of the middleware, one call at a time, in order. The bytes are untrusted.
-  using Hear = std::function<void(std::span<const std::byte> message)>;
+  using MessageHandler = std::function<void(std::span<const std::byte> message)>;
 
   static constexpr std::size_t kMaxMessage = std::size_t{256} << 10U;
 
-  FanOut() = default;
-  FanOut(const FanOut&) = delete;
-  FanOut& operator=(const FanOut&) = delete;
-  virtual ~FanOut() = default;
+  Broadcast() = default;
+  Broadcast(const Broadcast&) = delete;
+  Broadcast& operator=(const Broadcast&) = delete;
+  virtual ~Broadcast() = default;
 
   /// Publishes a topic. Returns at once; the broker creates the topic soon after. `name` must be
   /// unique.
-  virtual std::unique_ptr<Topic> Speak(const std::string& broker, const std::string& name) = 0;
+  virtual std::unique_ptr<Topic> OpenTopic(const std::string& broker, const std::string& name) = 0;
 
   /// Subscribes to a topic; blocks until the broker has confirmed. If the topic does not exist yet,
   /// waits for it. Errors: kUnreachable, kDenied if the broker belongs to another user, kTimeout.
-  virtual Result<std::unique_ptr<Reception>> Listen(const std::string& broker,
-                                                    const std::string& name, Hear hear,
-                                                    std::chrono::milliseconds timeout) = 0;
+  virtual Result<std::unique_ptr<Subscription>> Subscribe(const std::string& broker,
+                                                          const std::string& name,
+                                                          MessageHandler handler,
+                                                          std::chrono::milliseconds timeout) = 0;
 };
 
 }  // namespace tendon

@@ -1,11 +1,16 @@
+#include <tendon/base/log.h>
+#include <tendon/base/rate_limited_warning.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/connect_cancellation.h>
-#include <tendon/middleware/rate_limited_warning.h>
-#include <tendon/middleware/requests/blocking_request.h>
-#include <tendon/middleware/requests/current_request.h>
+#include <tendon/middleware/large_message_in_progress.h>
 
+#include <algorithm>
 #include <cassert>
+#include <condition_variable>
+#include <mutex>
 #include <new>
+#include <stop_token>
+#include <thread>
 #include <utility>
 
 namespace tendon {
@@ -20,6 +25,61 @@ struct MiddlewareCallScope {
   MiddlewareCallScope(const MiddlewareCallScope&) = delete;
   MiddlewareCallScope& operator=(const MiddlewareCallScope&) = delete;
   ~MiddlewareCallScope() { --calls_from_middleware; }
+};
+
+class CurrentRequest;
+
+thread_local const CurrentRequest* current_request = nullptr;
+
+/// While it lives, this thread handles `request` of `channel`, whose reply may be written to `slot`
+/// (LinkHandler::OnDirectFrame()). One object at a time in a thread.
+class CurrentRequest {
+ public:
+  CurrentRequest(const Channel& channel, std::uint64_t request, ReplySlot& slot)
+      : channel_(channel), request_(request), slot_(slot) {
+    assert(current_request == nullptr);
+    current_request = this;
+  }
+  CurrentRequest(const CurrentRequest&) = delete;
+  CurrentRequest& operator=(const CurrentRequest&) = delete;
+  ~CurrentRequest() { current_request = nullptr; }
+
+  /// Null if this thread does not handle `request`.
+  [[nodiscard]] static ReplySlot* SlotOf(const Channel& channel, std::uint64_t request) {
+    const CurrentRequest* const here = current_request;
+    const bool is_it = here != nullptr && &here->channel_ == &channel && here->request_ == request;
+    return is_it ? &here->slot_ : nullptr;
+  }
+
+ private:
+  const Channel& channel_;
+  const std::uint64_t request_;
+  ReplySlot& slot_;
+};
+
+/// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost,
+/// as a sign of life for the peer while the middleware's thread handles a large message. If no
+/// thread can be started, only logs that.
+class ProgressSender {
+ public:
+  ProgressSender(const std::string& peer, std::function<void()> give) {
+    CallGuarded(peer, [&] {
+      thread_ = std::jthread([give = std::move(give)](const std::stop_token& stop) {
+        constexpr std::chrono::milliseconds kBetween(250);
+        std::mutex mutex;
+        std::condition_variable_any never;
+        std::unique_lock lock(mutex);
+        const SteadyTime end = SteadyClock().Now() + LargeMessageInProgress::kAtMost;
+        while (!never.wait_for(lock, stop, kBetween, [&] { return stop.stop_requested(); }) &&
+               SteadyClock().Now() < end) {
+          give();
+        }
+      });
+    });
+  }
+
+ private:
+  std::jthread thread_;
 };
 
 /// An invalid address counts as on this machine, which is the stricter case.
@@ -47,16 +107,17 @@ Result<Answer> CopyOf(std::span<const std::byte> answer) {
 }  // namespace
 
 Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHandler> handler,
-                 std::shared_ptr<Link> link, Strangers strangers)
+                 std::shared_ptr<Link> link, UnauthenticatedPeers unauthenticated)
     : mine_(std::move(mine)),
       is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
       assembly_([this](const FrameHeader& header) { return IsWanted(header); }),
       link_(std::move(link)) {
   if (!link_) return;
-  handshake_.emplace(Handshake::Role::kAcceptor, For(*link_, mine_), link_->local(),
-                     IsOnThisMachine(*link_) ? strangers : Strangers::kFromElsewhere,
-                     link_->certificate());
+  handshake_.emplace(
+      Handshake::Role::kAcceptor, For(*link_, mine_), link_->local(),
+      IsOnThisMachine(*link_) ? unauthenticated : UnauthenticatedPeers::kFromElsewhere,
+      link_->certificate());
 }
 
 Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std::string& address,
@@ -64,8 +125,8 @@ Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std
                                                std::shared_ptr<ChannelHandler> handler,
                                                std::chrono::milliseconds timeout) {
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  auto channel =
-      std::make_shared<Channel>(Key{}, mine, std::move(handler), nullptr, Strangers::kRefused);
+  auto channel = std::make_shared<Channel>(Key{}, mine, std::move(handler), nullptr,
+                                           UnauthenticatedPeers::kRefused);
   const auto link = middleware.Open(address, channel->AsLinkHandler(), timeout);
   if (!link) return link.error();
   const auto greeted = channel->Greet(*link, deadline);
@@ -74,15 +135,15 @@ Result<std::shared_ptr<Channel>> Channel::Open(Middleware& middleware, const std
 }
 
 AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
-                             Strangers strangers) {
+                             UnauthenticatedPeers unauthenticated) {
   return [mine = std::move(mine), choose = std::move(choose),
-          strangers](const std::shared_ptr<Link>& link) -> std::shared_ptr<LinkHandler> {
+          unauthenticated](const std::shared_ptr<Link>& link) -> std::shared_ptr<LinkHandler> {
     const MiddlewareCallScope mark;
     std::shared_ptr<LinkHandler> made;
     CallGuarded(link->peer(), [&] {
       auto handler = choose();
       if (!handler) return;
-      made = std::make_shared<Channel>(Key{}, mine, std::move(handler), link, strangers)
+      made = std::make_shared<Channel>(Key{}, mine, std::move(handler), link, unauthenticated)
                  ->AsLinkHandler();
     });
     return made;
@@ -102,8 +163,8 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
   });
   std::unique_lock lock(mutex_);
   link_ = link;
-  handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(), Strangers::kRefused,
-                     link->certificate());
+  handshake_.emplace(Handshake::Role::kOpener, For(*link, mine_), link->peer(),
+                     UnauthenticatedPeers::kRefused, link->certificate());
   const Bytes greeting = handshake_->Greet();
   lock.unlock();
   (void)Send(MessageType::kHello, 1, 0, greeting);  // if refused, OnClosed() follows
@@ -157,8 +218,8 @@ void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body
   CallGuarded(link_->peer(), [&] { OnGreeting(header, body); });
 }
 
-void Channel::OnAsked(std::span<const std::byte> frame, ReplySlot& answer) {
-  const Asked asked(*this, ReadWholeFrame(frame)->request, answer);
+void Channel::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) {
+  const CurrentRequest current(*this, ReadWholeFrame(frame)->request, answer);
   OnFrame(frame);
 }
 
@@ -244,6 +305,95 @@ void Channel::OnReplies(std::span<const std::byte> body) {
   }
 }
 
+void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
+  using Progress = PartAssembly::Progress;
+  PartAssembly::Frame frame;
+  const Progress progress = assembly_.Add(header.handle, part, frame);
+  taken_.Set(assembly_.taken());
+  given_up_.Set(assembly_.given_up());
+  last_part_.Set(SteadyClock().Now());
+  switch (progress) {
+    case Progress::kMoreToCome:
+      return;
+    case Progress::kNonsense:
+      return Fail({ErrorCode::kInvalid, peer_.name + " sent parts that are not a valid message"});
+    case Progress::kOutOfMemory:
+      return OnNoRoom("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
+    case Progress::kTooMuch:
+      return OnTooMuch(frame.header);
+    case Progress::kWhole:
+      break;
+  }
+  ReportTakenParts();
+  HandleLarge(std::move(frame));
+}
+
+/// Refuses a request. A notice has no answer, so the link ends; otherwise the notice would be lost
+/// silently.
+void Channel::OnTooMuch(const FrameHeader& header) {
+  constexpr const char* kWhy = "512 MiB of unfinished messages are already kept";
+  if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
+  CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
+}
+
+/// Called before any part of a large frame is stored, so that a peer need not send 64 MiB to be
+/// refused.
+bool Channel::IsWanted(const FrameHeader& header) {
+  if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
+    return requests_.IsAwaited(header.request);
+  }
+  std::optional<Error> refusal = Error{ErrorCode::kFailed, "the required role is unknown"};
+  CallGuarded(peer_.name, [&] { refusal = handler_->WhyNotTaken(*this, header); });
+  if (refusal && header.request != 0) SendRefusal(header.request, *refusal);
+  return !refusal;
+}
+
+/// The peer may pause between parts while it handles a large message, and this end does not read
+/// parts while it handles one.
+bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
+  return now >=
+         std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);
+}
+
+/// Handling may take long, and this thread does not read meanwhile. So a ProgressSender repeatedly
+/// sends the number of received bytes to the peer. A reply is moved to its requester, not copied.
+void Channel::HandleLarge(PartAssembly::Frame frame) {
+  std::optional<LargeMessageInProgress> mark;
+  std::optional<ProgressSender> sign;
+  if (frame.body.size() >= LargeMessageInProgress::kLeast) {
+    mark.emplace();
+    sign.emplace(peer_.name, [this] { SendTakenParts(); });
+  }
+  const FrameHeader& header = frame.header;
+  if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
+  if (HasOurVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
+}
+
+void Channel::OnPartsTaken(std::span<const std::byte> body) {
+  const auto taken = DecodeBody<std::uint64_t>(body);
+  last_part_.Set(SteadyClock().Now());
+  if (taken && parts_.OnTaken(*link_, *taken)) return;
+  Fail({ErrorCode::kInvalid, peer_.name + " acknowledged more than was sent to it"});
+}
+
+void Channel::ReportTakenParts() {
+  if (taken_.Get() != reported_taken_.Get()) SendTakenParts();
+}
+
+void Channel::SendTakenParts() {
+  const std::scoped_lock lock(reporting_);  // keeps the numbers in order
+  const std::uint64_t taken = taken_.Get();
+  const Bytes body = EncodeBody(taken);
+  const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
+  if (SendPiece(header, body)) reported_taken_.Set(taken);
+}
+
+/// Called after each send and arrival, and regularly, because the link may have room again.
+void Channel::Resume() {
+  ReportTakenParts();
+  parts_.Resume(*link_);
+}
+
 void Channel::OnClosed(const Error& reason) {
   const MiddlewareCallScope mark;
   const std::string peer = PeerName();
@@ -269,9 +419,9 @@ FrameHeader Channel::HeaderOf(MessageType type, std::uint64_t request, std::uint
 }
 
 Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-                     std::span<const std::byte> body, Lane lane, Way way) {
+                     std::span<const std::byte> body, Lane lane, Delivery delivery) {
   const FrameHeader header = HeaderOf(type, request, handle, body.size());
-  return SendBy(header, body, lane, [&] { return SendPiece(header, body, way); });
+  return SendBy(header, body, lane, [&] { return SendPiece(header, body, delivery); });
 }
 
 /// Sends the message in parts, or with `send_whole`.
@@ -279,7 +429,7 @@ template <typename SendWhole>
 Status Channel::SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
                        SendWhole send_whole) {
   if (body.size() > kMaxBodySize) return Status::kInvalid;
-  if (parts_.MustTake(lane, FrameHeader::kSize + body.size())) {
+  if (parts_.MustSendInParts(lane, FrameHeader::kSize + body.size())) {
     return parts_.Add(*link_, lane, header, body);
   }
   const Status sent = send_whole();
@@ -287,10 +437,11 @@ Status Channel::SendBy(const FrameHeader& header, std::span<const std::byte> bod
   return sent;
 }
 
-Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> body, Way way) {
+Status Channel::SendPiece(const FrameHeader& header, std::span<const std::byte> body,
+                          Delivery delivery) {
   thread_local Bytes frame;
   WriteFrame(header, body, frame);
-  return ((*link_).*way)(frame);
+  return link_->Send(frame, delivery);
 }
 
 Status Channel::Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -316,61 +467,125 @@ Lane Channel::NewLane() {
 }
 
 void Channel::Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
+                      std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane,
+                      Delivery delivery) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) return handler(WhyNotSent(Status::kNotConnected, PeerName(), body.size()));
-  const Status sent = Send(type, request, handle, body, lane);
+  const Status sent = Send(type, request, handle, body, lane, delivery);
   if (!sent) requests_.Finish(request, WhyNotSent(sent, PeerName(), body.size()));
 }
 
 Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                           std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
-  return TryStart(type, handle, body, timeout, std::move(handler), lane, &Link::Send);
-}
-
-Status Channel::TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                       std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane) {
-  return TryStart(type, handle, body, timeout, std::move(handler), lane, &Link::Ask);
-}
-
-Status Channel::TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                         std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane,
-                         Way way) {
+                           std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane,
+                           Delivery delivery) {
   const std::uint64_t request = is_open() ? requests_.Add(timeout, handler) : 0;
   if (request == 0) return Status::kNotConnected;
-  const Status sent = Send(type, request, handle, body, lane, way);
+  const Status sent = Send(type, request, handle, body, lane, delivery);
   if (!sent) requests_.Withdraw(request);
   return sent;
 }
 
 bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0; }
 
-Result<Bytes> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                            std::chrono::milliseconds timeout, Lane lane) {
-  auto answer = Await(type, handle, body, timeout, lane, &Link::Send);
-  if (!answer) return answer.error();
-  return (*std::move(answer)).TakeBytes();
-}
-
-Result<Answer> Channel::Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                            std::chrono::milliseconds timeout, Lane lane) {
-  return Await(type, handle, body, timeout, lane, &Link::Ask);
-}
-
-Result<Answer> Channel::Await(MessageType type, std::uint32_t handle,
-                              std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                              Lane lane, Way way) {
+Result<Answer> Channel::Call(MessageType type, std::uint32_t handle,
+                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
+                             Lane lane, Delivery delivery) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const SteadyTime deadline = SteadyClock().Now() + timeout;
   BlockingRequest answer(requests_);
   const Status sent = is_open() && answer.number() != 0
-                          ? Send(type, answer.number(), handle, body, lane, way)
+                          ? Send(type, answer.number(), handle, body, lane, delivery)
                           : Status(Status::kNotConnected);
   if (!sent) return WhyNotSent(sent, PeerName(), body.size());
   if (auto outcome = answer.WaitUntil(deadline)) return *std::move(outcome);
   return NoAnswer(PeerName(), timeout);
+}
+
+/// The slot in which this thread may write the reply to `request`; null if the reply must be sent
+/// as a message.
+ReplySlot* Channel::EmptySlotOf(std::uint64_t request) const {
+  ReplySlot* const slot = CurrentRequest::SlotOf(*this, request);
+  return slot != nullptr && !slot->has_begun() ? slot : nullptr;
+}
+
+/// True if a reply of this size may be the response to a direct request. Such a reply is not sent
+/// in parts, so it must be small, or the link fast.
+bool Channel::FitsInSlot(std::size_t size) {
+  if (!parts_.MustSendInParts(kOwnLane, size)) return true;
+  return size <= kMaxReturned && parts_.is_quick();
+}
+
+/// The slot for a reply of `size` bytes as the response to its request: `deferred`, or the slot of
+/// the request that this thread handles. Null if the reply must be sent as a message.
+ReplySlot* Channel::SlotFor(std::uint64_t request, std::size_t size, ReplySlot* deferred) {
+  ReplySlot* const answer = deferred != nullptr ? deferred : EmptySlotOf(request);
+  return answer != nullptr && FitsInSlot(FrameHeader::kSize + size) ? answer : nullptr;
+}
+
+std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size,
+                                         ReplySlot* deferred) {
+  ReplySlot* const answer = SlotFor(request, size, deferred);
+  if (answer == nullptr) return {};
+  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
+  return room.value_or(std::span<std::byte>());
+}
+
+void Channel::EndReply(std::uint64_t request, ReplySlot* deferred) {
+  ReplySlot* const answer = deferred != nullptr ? deferred : CurrentRequest::SlotOf(*this, request);
+  if (answer != nullptr && answer->has_begun()) answer->End();
+}
+
+/// Returns false if the reply must be sent as a message.
+bool Channel::ReplyInSlot(std::uint64_t request, std::span<const std::byte> body,
+                          ReplySlot* deferred) {
+  ReplySlot* const answer = SlotFor(request, body.size(), deferred);
+  if (answer == nullptr) return false;
+  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, body.size()));
+  if (!room) return false;
+  std::ranges::copy(body, room->begin());
+  answer->End();
+  return true;
+}
+
+/// Returns false if the reply was not sent. `deferred` is the slot of a deferred reply.
+bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
+                        ReplySlot* deferred) {
+  const bool is_alone = lane == kOwnLane;
+  if (is_alone &&
+      (ReplyInSlot(request, body, deferred) || ReplyBatcher::Keep(*this, request, body))) {
+    return true;
+  }
+  return SendReplyAlone(request, body, lane);
+}
+
+bool Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+  const Status sent = Send(MessageType::kReply, request, 0, body, lane);
+  if (sent || sent == Status::kNotConnected) return bool(sent);
+  const Error why = WhyNotSent(sent, PeerName(), body.size());
+  Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
+  SendRefusal(request, why);
+  return false;
+}
+
+/// If the link has no room for all replies, sends them one by one, because some may fit.
+void Channel::SendReplies(const ReplyBatch& batch) {
+  bool is_sent = false;
+  if (batch.replies() > 1) {
+    CallGuarded("answers", [&] {
+      is_sent = Send(MessageType::kReplies, 0, 0, batch.body(), kOwnLane) == Status::kQueued;
+    });
+  }
+  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch.body();
+  while (const auto one = TakeReply(rest)) {
+    CallGuarded("answer", [&] { SendReplyAlone(one->request, one->answer, kOwnLane); });
+  }
+}
+
+void Channel::SendRefusal(std::uint64_t request, const Error& error) {
+  // If this does not fit either, the peer's request times out.
+  (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 
 void Channel::Expire(SteadyTime now) {

@@ -7,14 +7,12 @@
 #include <tendon/middleware/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/middleware/parts/lane.h>
-#include <tendon/middleware/parts/part_assembly.h>
-#include <tendon/middleware/parts/part_sender.h>
-#include <tendon/middleware/parts/payload_limit.h>
-#include <tendon/middleware/requests/answer.h>
-#include <tendon/middleware/requests/pending_requests.h>
-#include <tendon/middleware/requests/reply_batch.h>
-#include <tendon/middleware/requests/responder.h>
+#include <tendon/middleware/part_assembly.h>
+#include <tendon/middleware/part_sender.h>
+#include <tendon/middleware/payload_limit.h>
+#include <tendon/middleware/pending_requests.h>
+#include <tendon/middleware/reply_batch.h>
+#include <tendon/middleware/responder.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -50,9 +48,9 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// For Middleware::Listen(): makes a channel from every link. `choose` returns its handler, or
   /// null to refuse the link. Peers on this machine must know the cookie in `mine`, unless
-  /// `strangers` admits them without it.
+  /// `unauthenticated` admits them without it.
   static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
-                             Strangers strangers = Strangers::kRefused);
+                             UnauthenticatedPeers unauthenticated = UnauthenticatedPeers::kRefused);
 
   /// Sends a notice; never blocks. Fails as Link::Send() does.
   Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
@@ -73,31 +71,26 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// in Expire(), or in this call if nothing could be sent. The handler gets the reply, the peer's
   /// refusal, kTimeout (outcome unknown) or kUnreachable (closed before an answer).
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-               std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
+               std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane,
+               Delivery delivery = Delivery::kQueued);
   /// Like Request(), but does not call the handler if the request cannot be sent now. Fails as
   /// Link::Send() does.
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
-                    Lane lane = kCommonLane);
+                    Lane lane = kCommonLane, Delivery delivery = Delivery::kQueued);
   template <Payload Reply, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
                std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
                Lane lane = kCommonLane);
 
-  /// TryRequest() through Link::Ask(): for callers that wait for an answer which the peer can give
-  /// at once.
-  Status TryAsk(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane);
-
   /// Returns true inside a call from a middleware, where a thread must not wait for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
-  /// Sends a request and waits for the reply. Refused in a thread of the middleware.
-  Result<Bytes> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                     std::chrono::milliseconds timeout, Lane lane = kCommonLane);
-  /// Call() for requests that the peer can answer at once. A large answer is not copied.
-  Result<Answer> Ask(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                     std::chrono::milliseconds timeout, Lane lane = kCommonLane);
+  /// Sends a request and waits for the reply. Refused in a thread of the middleware. A large answer
+  /// is not copied.
+  Result<Answer> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                      std::chrono::milliseconds timeout, Lane lane = kCommonLane,
+                      Delivery delivery = Delivery::kQueued);
   template <Payload Reply, Message T>
   Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
                      std::chrono::milliseconds timeout);
@@ -126,17 +119,15 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// `link` is an accepted link; null at the opener's end.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
-          Strangers strangers);
+          UnauthenticatedPeers unauthenticated);
 
  private:
   friend class ReplyBatcher;
   friend class Responder;
-  /// The function of Link that sends a frame: Send() or Ask().
-  using Way = Status (Link::*)(std::span<const std::byte> frame);
 
   void OnFrame(std::span<const std::byte> frame) override;
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
-  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override;
+  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override;
   void OnClosed(const Error& reason) override;
   void OnNoRoom(const char* limit, std::size_t size);
   void OnTooMuch(const FrameHeader& header);
@@ -152,8 +143,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] bool IsWanted(const FrameHeader& header);
   [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const;
   void OnPartsTaken(std::span<const std::byte> body);
-  void TellTaken();
-  void SendTaken();
+  void ReportTakenParts();
+  void SendTakenParts();
   void HandleLarge(PartAssembly::Frame frame);
   void Resume();
   void Opened(Hello peer);
@@ -162,26 +153,24 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   [[nodiscard]] static FrameHeader HeaderOf(MessageType type, std::uint64_t request,
                                             std::uint32_t handle, std::size_t size);
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
-              std::span<const std::byte> body, Lane lane = kCommonLane, Way way = &Link::Send);
+              std::span<const std::byte> body, Lane lane = kCommonLane,
+              Delivery delivery = Delivery::kQueued);
   template <typename SendWhole>
   Status SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
                 SendWhole send_whole);
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
-                   Way way = &Link::Send);
-  [[nodiscard]] bool MayReturn(std::size_t size);
-  [[nodiscard]] ReplySlot* WayBack(std::uint64_t request, std::size_t size, ReplySlot* later);
-  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, ReplySlot* later);
-  void EndReply(std::uint64_t request, ReplySlot* later);
-  bool Return(std::uint64_t request, std::span<const std::byte> body, ReplySlot* later);
+                   Delivery delivery = Delivery::kQueued);
+  [[nodiscard]] ReplySlot* EmptySlotOf(std::uint64_t request) const;
+  [[nodiscard]] bool FitsInSlot(std::size_t size);
+  [[nodiscard]] ReplySlot* SlotFor(std::uint64_t request, std::size_t size, ReplySlot* deferred);
+  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, ReplySlot* deferred);
+  void EndReply(std::uint64_t request, ReplySlot* deferred);
+  bool ReplyInSlot(std::uint64_t request, std::span<const std::byte> body, ReplySlot* deferred);
   bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                 ReplySlot* later);
+                 ReplySlot* deferred);
   bool SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendReplies(const ReplyBatch& batch);
   void SendRefusal(std::uint64_t request, const Error& error);
-  Status TryStart(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                  std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane, Way way);
-  Result<Answer> Await(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                       std::chrono::milliseconds timeout, Lane lane, Way way);
   [[nodiscard]] std::string PeerName() const;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
@@ -193,10 +182,10 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   PendingRequests requests_;
   PartSender parts_;
   Published<std::uint64_t> taken_{0};  // bytes of parts received
-  Published<std::uint64_t> told_taken_{0};
+  Published<std::uint64_t> reported_taken_{0};
   Published<SteadyTime> last_part_;
   Published<SteadyTime> given_up_{SteadyTime::max()};  // copy of assembly_.given_up()
-  std::mutex telling_;
+  std::mutex reporting_;
 
   Flag is_open_;  // set from the end of the handshake until there is a reason_
 
@@ -231,7 +220,7 @@ Result<Reply> Channel::Call(MessageType type, std::uint32_t handle, const T& val
                             std::chrono::milliseconds timeout) {
   const auto reply = Call(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout);
   if (!reply) return reply.error();
-  return DecodeBody<Reply>(*reply);
+  return DecodeBody<Reply>(reply->body());
 }
 
 }  // namespace tendon

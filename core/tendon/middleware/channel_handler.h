@@ -3,7 +3,7 @@
 #include <tendon/base/result.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/hello.h>
-#include <tendon/middleware/requests/responder.h>
+#include <tendon/middleware/responder.h>
 
 #include <memory>
 #include <optional>

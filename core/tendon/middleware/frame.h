@@ -41,14 +41,14 @@ struct FrameHeader {
   static constexpr std::size_t kSize = 24;
 };
 
-/// The largest frame, header included. Only a reply as the response of Link::Ask() may be this
-/// large, because we chose the peer that we asked.
+/// The largest frame, header included. Only a reply as the response of Delivery::kDirect may be
+/// this large, because we chose the peer that we asked.
 inline constexpr std::size_t kMaxFrameSize = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
 /// The largest frame in all other cases, because any peer can make us store it. Larger messages are
 /// sent in parts.
 inline constexpr std::size_t kMaxPieceSize = std::size_t{256} << 10U;
 /// The largest frame of a peer that is not authenticated yet.
-inline constexpr std::size_t kMaxStrangersFrameSize = std::size_t{64} << 10U;
+inline constexpr std::size_t kMaxUnauthenticatedFrameSize = std::size_t{64} << 10U;
 
 /// Writes header and body to `frame`, whose content is replaced and whose capacity is kept.
 void WriteFrame(const FrameHeader& header, std::span<const std::byte> body, Bytes& frame);

@@ -75,11 +75,11 @@ Handshake::Step StepWith(MessageType type, Bytes body) {
 
 }  // namespace
 
-Handshake::Handshake(Role role, Hello mine, std::string address, Strangers strangers,
-                     const Certificate* certificate)
+Handshake::Handshake(Role role, Hello mine, std::string address,
+                     UnauthenticatedPeers unauthenticated, const Certificate* certificate)
     : mine_(std::move(mine)),
       address_(std::move(address)),
-      strangers_(strangers),
+      unauthenticated_(unauthenticated),
       certificate_(certificate),
       stage_(role == Role::kOpener ? Stage::kChallenge : Stage::kHello) {}
 
@@ -187,8 +187,8 @@ Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
 
 bool Handshake::IsWelcome(const Proof& proof) const {
   if (certificate_ != nullptr) return true;  // TLS has authenticated the peer
-  if (strangers_ == Strangers::kFromElsewhere) return true;
-  if (AreEqual(proof.proof, Digest{})) return strangers_ == Strangers::kAllowed;
+  if (unauthenticated_ == UnauthenticatedPeers::kFromElsewhere) return true;
+  if (AreEqual(proof.proof, Digest{})) return unauthenticated_ == UnauthenticatedPeers::kAllowed;
   return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
 }
 

@@ -60,7 +60,7 @@ class Handshake {
 
   /// `address` is the acceptor's address as the opener knows it. `certificate` is the peer's, or
   /// null without TLS; it must outlive this object.
-  Handshake(Role role, Hello mine, std::string address, Strangers strangers,
+  Handshake(Role role, Hello mine, std::string address, UnauthenticatedPeers unauthenticated,
             const Certificate* certificate = nullptr);
 
   /// Returns the body of the opener's kHello.
@@ -94,7 +94,7 @@ class Handshake {
 
   const Hello mine_;
   const std::string address_;
-  const Strangers strangers_;
+  const UnauthenticatedPeers unauthenticated_;
   const Certificate* const certificate_;
   Stage stage_;
   message::Greeting opener_;

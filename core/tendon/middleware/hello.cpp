@@ -1,6 +1,6 @@
-#include <tendon/base/os/private_file.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/middleware/body.h>
 #include <tendon/middleware/hello.h>
 

@@ -33,7 +33,7 @@ Result<std::uint64_t> LoopbackCookie();
 
 /// Which peers without a certificate an acceptor admits: those that know the cookie; also those
 /// that send none (for tests); or all of them (peers on other machines, if Exposure allows these).
-enum class Strangers { kRefused, kAllowed, kFromElsewhere };
+enum class UnauthenticatedPeers { kRefused, kAllowed, kFromElsewhere };
 
 /// Decodes the body of a kRefusal; the message is printable.
 [[nodiscard]] Error ReadRefusal(std::span<const std::byte> body, const std::string& peer);

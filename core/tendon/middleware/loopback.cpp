@@ -1,32 +1,153 @@
+#include <tendon/base/clock.h>
+#include <tendon/base/os/thread.h>
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/middleware/loopback/courier.h>
 
+#include <cassert>
+#include <condition_variable>
+#include <cstdint>
 #include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <thread>
 #include <utility>
 
 namespace tendon {
 namespace loopback {
 
+class End;
+
+/// The thread of a LoopbackMiddleware, and its ends of links.
+class DeliveryThread {
+ public:
+  using Job = std::function<void()>;
+
+  DeliveryThread() : thread_([this] { Run(); }) {}
+  DeliveryThread(const DeliveryThread&) = delete;
+  DeliveryThread& operator=(const DeliveryThread&) = delete;
+  ~DeliveryThread() { assert(!thread_.joinable()); }
+
+  /// Executes the job soon, in order. Returns false after Stop().
+  bool Post(Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) return false;
+    jobs_.push_back(std::move(job));
+    changed_.notify_all();
+    return true;
+  }
+
+  /// Executes the job at that time; not after Stop().
+  void PostAt(SteadyTime due, Job job) {
+    const std::scoped_lock lock(mutex_);
+    if (stopped_) return;
+    later_.emplace(due, std::move(job));
+    changed_.notify_all();
+  }
+
+  /// Waits until all jobs posted before are done.
+  void Flush() {
+    assert(std::this_thread::get_id() != thread_.get_id());
+    std::unique_lock lock(mutex_);
+    const std::uint64_t target = done_ + jobs_.size() + (busy_ ? 1 : 0);
+    changed_.wait(lock, [&] { return done_ >= target; });
+  }
+
+  void Adopt(std::shared_ptr<End> end) {
+    const std::scoped_lock lock(mutex_);
+    ends_.insert(std::move(end));
+  }
+  void Forget(const std::shared_ptr<End>& end) {
+    const std::scoped_lock lock(mutex_);
+    ends_.erase(end);
+  }
+  std::set<std::shared_ptr<End>> ends() {
+    const std::scoped_lock lock(mutex_);
+    return ends_;
+  }
+
+  /// True if no more links are accepted.
+  [[nodiscard]] bool is_closing() const { return is_closing_.Get(); }
+
+  /// Closes every end. After the return, all their handlers have got OnClosed().
+  void Stop();
+  /// See LoopbackMiddleware.
+  void Crash();
+
+ private:
+  /// With the mutex held: moves delayed jobs that are due to the queue.
+  void TakeDue() {
+    const SteadyTime now = SteadyClock().Now();
+    while (!later_.empty() && later_.begin()->first <= now) {
+      jobs_.push_back(std::move(later_.begin()->second));
+      later_.erase(later_.begin());
+    }
+  }
+  void Await(std::unique_lock<std::mutex>& lock) {
+    TakeDue();
+    while (!stopped_ && jobs_.empty()) {
+      if (later_.empty()) {
+        changed_.wait(lock);
+      } else {
+        changed_.wait_until(lock, later_.begin()->first);
+      }
+      TakeDue();
+    }
+  }
+  void Run() {
+    os::NameThisThread("loopback");
+    std::unique_lock lock(mutex_);
+    while (true) {
+      Await(lock);
+      if (jobs_.empty()) return;
+      {
+        const Job job = std::move(jobs_.front());
+        jobs_.pop_front();
+        busy_ = true;
+        lock.unlock();
+        job();
+      }
+      lock.lock();
+      busy_ = false;
+      ++done_;
+      changed_.notify_all();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;
+  std::multimap<SteadyTime, Job> later_;
+  std::set<std::shared_ptr<End>> ends_;
+  std::uint64_t done_ = 0;
+  bool busy_ = false;
+  bool stopped_ = false;
+  Flag is_closing_{false};
+  std::thread thread_;  // last, because it uses the other members
+};
+
 /// The shared part of a listener.
-struct Door {
-  std::shared_ptr<Courier> courier;
+struct ListeningEndpoint {
+  std::shared_ptr<DeliveryThread> thread;
   std::string address;
   AcceptLink accept;
-  bool is_open = true;  // used only in the courier's thread
+  bool is_open = true;  // used only in the delivery thread
 
   void Enter(const std::shared_ptr<End>& end);
   /// Closes the links that it accepted. After the return, all their handlers have got OnClosed().
-  void Shut();
+  void Close();
 };
 
 /// A reply frame that waits to be delivered to the peer of `end`.
 class LoopbackReply final : public ReplySlot {
  public:
-  enum class When { kOnceAsked, kOnceLeft };
+  enum class When { kAfterRequest, kAtOnce };
   LoopbackReply(std::shared_ptr<loopback::End> end, When when)
       : end_(std::move(end)), when_(when) {}
 
-  void PassOn() const;
+  void Deliver() const;
 
  private:
   std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) override {
@@ -35,11 +156,11 @@ class LoopbackReply final : public ReplySlot {
     WriteHeader(header, frame.first<FrameHeader::kSize>());
     return frame.subspan(FrameHeader::kSize);
   }
-  void Leave() override {
-    if (when_ == When::kOnceLeft) PassOn();
+  void OnEnd() override {
+    if (when_ == When::kAtOnce) Deliver();
   }
-  std::unique_ptr<ReplySlot> MakeLater() override {
-    return std::make_unique<LoopbackReply>(end_, When::kOnceLeft);
+  std::unique_ptr<ReplySlot> MakeDeferred() override {
+    return std::make_unique<LoopbackReply>(end_, When::kAtOnce);
   }
 
   const std::shared_ptr<loopback::End> end_;
@@ -50,22 +171,23 @@ class LoopbackReply final : public ReplySlot {
 /// One end of a link. Each end has a pointer to the other one.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
-  End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<Courier> courier, std::string local,
-      std::string peer, const Door* door)
+  End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<DeliveryThread> thread,
+      std::string local, std::string peer, const ListeningEndpoint* endpoint)
       : network_(std::move(network)),
-        courier_(std::move(courier)),
+        thread_(std::move(thread)),
         local_name_(std::move(local)),
         peer_name_(std::move(peer)),
-        door_(door) {}
+        endpoint_(endpoint) {}
 
   void Begin(const std::shared_ptr<End>& other, std::shared_ptr<LinkHandler> handler) {
     other_ = other;
     handler_ = std::move(handler);
   }
 
-  Status Send(std::span<const std::byte> frame) override { return Pass(frame, Kind::kSent); }
-  Status Ask(std::span<const std::byte> frame) override { return Pass(frame, Kind::kAsked); }
-  void Answer(std::span<const std::byte> frame) { (void)Pass(frame, Kind::kAnswer); }
+  Status Send(std::span<const std::byte> frame, Delivery delivery) override {
+    return Transmit(frame, delivery == Delivery::kDirect ? Kind::kDirect : Kind::kQueued);
+  }
+  void Reply(std::span<const std::byte> frame) { (void)Transmit(frame, Kind::kReply); }
 
   void Admit() override {
     const std::scoped_lock lock(mutex_);
@@ -78,13 +200,13 @@ class End final : public Link, public std::enable_shared_from_this<End> {
 
   [[nodiscard]] std::string peer() const override { return peer_name_; }
   [[nodiscard]] std::string local() const override { return local_name_; }
-  [[nodiscard]] const Door* door() const { return door_; }
+  [[nodiscard]] const ListeningEndpoint* endpoint() const { return endpoint_; }
 
   /// Delivers the frames that were held.
   void Release() {
     const std::scoped_lock lock(mutex_);
-    for (Late& late : late_) {
-      if (late.due == kHeld) late.due = {};
+    for (DelayedFrame& delayed : delayed_) {
+      if (delayed.due == kHeld) delayed.due = {};
     }
     Expect(SteadyClock().Now());
   }
@@ -93,61 +215,60 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Crash() {
     {
       const std::scoped_lock lock(mutex_);
-      is_deaf_ = true;
-      is_dumb_ = true;
+      delivers_nothing_ = true;
+      sends_nothing_ = true;
     }
-    TellOther();
+    NotifyPeer();
   }
 
-  /// In the courier's thread, before any other call there.
+  /// In the delivery thread, before any other call there.
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
-  /// How a frame was sent. A reply to Ask() needs no room on the link.
-  enum class Kind { kSent, kAsked, kAnswer };
+  /// How a frame was sent. A reply to a direct request needs no room on the link.
+  enum class Kind { kQueued, kDirect, kReply };
 
-  struct Late {
+  struct DelayedFrame {
     Bytes frame;
-    Kind kind = Kind::kSent;
+    Kind kind = Kind::kQueued;
     SteadyTime due;
   };
   /// The largest frame that an admitted peer may send.
   static constexpr std::size_t MostOf(Kind kind) {
-    return kind == Kind::kAnswer ? kMaxFrameSize : kMaxPieceSize;
+    return kind == Kind::kReply ? kMaxFrameSize : kMaxPieceSize;
   }
 
   static constexpr SteadyTime kHeld = SteadyTime::max();
 
-  Status Pass(std::span<const std::byte> frame, Kind kind) {
+  Status Transmit(std::span<const std::byte> frame, Kind kind) {
     if (!ReadWholeFrame(frame, MostOf(kind))) return Status::kInvalid;
     const auto other = other_.lock();
     if (!other || !IsOpen()) return Status::kNotConnected;
-    const Verdict verdict =
-        network_->Decide({.bytes = frame, .from = local_name_, .to = peer_name_});
-    return verdict.fate == Fate::kDrop ? Status::kQueued : other->Take(frame, kind, verdict);
+    const Fault fault = network_->Decide({.bytes = frame, .from = local_name_, .to = peer_name_});
+    return fault.action == FaultAction::kDrop ? Status::kQueued : other->Take(frame, kind, fault);
   }
 
   bool IsOpen() {
     const std::scoped_lock lock(mutex_);
-    return !has_ended_ && !is_dumb_;
+    return !has_ended_ && !sends_nothing_;
   }
 
-  Status Take(std::span<const std::byte> frame, Kind kind, const Verdict& verdict) {
+  Status Take(std::span<const std::byte> frame, Kind kind, const Fault& fault) {
     const std::scoped_lock lock(mutex_);
     if (has_ended_) return Status::kNotConnected;
     const bool is_full = waiting_ != 0 && waiting_ + frame.size() > kSendWindow;
-    if (is_full && kind != Kind::kAnswer) return Status::kQueueFull;
+    if (is_full && kind != Kind::kReply) return Status::kQueueFull;
     waiting_ += frame.size();
     Bytes copy(frame.begin(), frame.end());
-    const bool is_held = verdict.fate == Fate::kHold;
-    if (late_.empty() && !is_held && verdict.delay.count() == 0) {
-      courier_->Post([self = shared_from_this(), frame = std::move(copy), kind] {
+    const bool is_held = fault.action == FaultAction::kHold;
+    if (delayed_.empty() && !is_held && fault.delay.count() == 0) {
+      thread_->Post([self = shared_from_this(), frame = std::move(copy), kind] {
         self->Deliver(frame, kind);
       });
       return Status::kQueued;
     }
-    const SteadyTime due = is_held ? kHeld : SteadyClock().Now() + verdict.delay;
-    late_.push_back({std::move(copy), kind, due});
+    const SteadyTime due = is_held ? kHeld : SteadyClock().Now() + fault.delay;
+    delayed_.push_back({std::move(copy), kind, due});
     if (is_held) {
       network_->Remember(weak_from_this());
     } else {
@@ -157,31 +278,31 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   }
 
   void Expect(SteadyTime due) {
-    courier_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
+    thread_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
   }
   /// Delivers in order: a delayed frame delays all frames behind it.
   void DeliverDue() {
     while (true) {
-      Late late;
+      DelayedFrame delayed;
       {
         const std::scoped_lock lock(mutex_);
-        if (late_.empty() || late_.front().due > SteadyClock().Now()) return;
-        late = std::move(late_.front());
-        late_.pop_front();
+        if (delayed_.empty() || delayed_.front().due > SteadyClock().Now()) return;
+        delayed = std::move(delayed_.front());
+        delayed_.pop_front();
       }
-      Deliver(late.frame, late.kind);
+      Deliver(delayed.frame, delayed.kind);
     }
   }
 
   void CloseFor(const Error& reason) {
     {
       const std::scoped_lock lock(mutex_);
-      is_deaf_ = true;
+      delivers_nothing_ = true;
     }
     Finish(reason);
-    TellOther();
+    NotifyPeer();
   }
-  void TellOther() {
+  void NotifyPeer() {
     if (const auto other = other_.lock()) {
       other->Finish({ErrorCode::kUnreachable, other->peer_name_ + " closed the connection"});
     }
@@ -190,47 +311,48 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Deliver(const Bytes& frame, Kind kind) {
     std::unique_lock lock(mutex_);
     waiting_ -= frame.size();
-    if (is_deaf_) return;
-    const bool fits = frame.size() <= (is_admitted_ ? MostOf(kind) : kMaxStrangersFrameSize);
+    if (delivers_nothing_) return;
+    const bool fits = frame.size() <= (is_admitted_ ? MostOf(kind) : kMaxUnauthenticatedFrameSize);
     lock.unlock();
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
-    if (kind != Kind::kAsked) return handler_->OnFrame(frame);
-    LoopbackReply answer(shared_from_this(), LoopbackReply::When::kOnceAsked);
-    handler_->OnAsked(frame, answer);
-    if (answer.is_there()) answer.PassOn();
+    if (kind != Kind::kDirect) return handler_->OnFrame(frame);
+    LoopbackReply answer(shared_from_this(), LoopbackReply::When::kAfterRequest);
+    handler_->OnDirectFrame(frame, answer);
+    if (answer.is_there()) answer.Deliver();
   }
 
   /// Calls OnClosed() after everything that was posted before.
   void Finish(const Error& reason) {
     const std::scoped_lock lock(mutex_);
     if (std::exchange(has_ended_, true)) return;
-    courier_->Post([self = shared_from_this(), reason] {
-      self->courier_->Forget(self);
+    thread_->Post([self = shared_from_this(), reason] {
+      self->thread_->Forget(self);
       if (const auto handler = std::exchange(self->handler_, nullptr)) handler->OnClosed(reason);
     });
   }
 
   const std::shared_ptr<LoopbackNetwork> network_;
-  const std::shared_ptr<Courier> courier_;
+  const std::shared_ptr<DeliveryThread> thread_;
   const std::string local_name_;
   const std::string peer_name_;
-  const Door* const door_;  // its listener, or null; only compared, never dereferenced
+  const ListeningEndpoint* const
+      endpoint_;  // its listener, or null; only compared, never dereferenced
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
   bool is_admitted_ = false;
-  std::size_t waiting_ = 0;  // bytes sent and not yet delivered
-  std::deque<Late> late_;    // still in the network
-  bool is_deaf_ = false;     // closed at this end: delivers nothing more
-  bool is_dumb_ = false;     // crashed: sends nothing more
-  bool has_ended_ = false;   // closed at either end: accepts nothing more
+  std::size_t waiting_ = 0;           // bytes sent and not yet delivered
+  std::deque<DelayedFrame> delayed_;  // still in the network
+  bool delivers_nothing_ = false;     // closed at this end: delivers nothing more
+  bool sends_nothing_ = false;        // crashed: sends nothing more
+  bool has_ended_ = false;            // closed at either end: accepts nothing more
 };
 
-void LoopbackReply::PassOn() const { end_->Answer(frame_); }
+void LoopbackReply::Deliver() const { end_->Reply(frame_); }
 
-void Courier::Stop() {
+void DeliveryThread::Stop() {
   Post([this] {
     is_closing_.Set(true);
     for (const auto& end : ends()) end->Close();
@@ -247,43 +369,43 @@ void Courier::Stop() {
   later_.clear();
 }
 
-void Courier::Crash() {
+void DeliveryThread::Crash() {
   is_closing_.Set(true);
   for (const auto& end : ends()) end->Crash();
 }
 
-void Door::Enter(const std::shared_ptr<End>& end) {
+void ListeningEndpoint::Enter(const std::shared_ptr<End>& end) {
   std::shared_ptr<LinkHandler> handler;
-  courier->Adopt(end);
-  if (is_open && !courier->is_closing()) handler = accept(end);
+  thread->Adopt(end);
+  if (is_open && !thread->is_closing()) handler = accept(end);
   end->SetHandler(handler);
   if (!handler) end->Close();
 }
 
-void Door::Shut() {
-  courier->Post([this] {
+void ListeningEndpoint::Close() {
+  thread->Post([this] {
     is_open = false;
-    for (const auto& end : courier->ends()) {
-      if (end->door() == this) end->Close();
+    for (const auto& end : thread->ends()) {
+      if (end->endpoint() == this) end->Close();
     }
   });
-  courier->Flush();  // closes the ends
-  courier->Flush();  // their handlers get OnClosed()
+  thread->Flush();  // closes the ends
+  thread->Flush();  // their handlers get OnClosed()
 }
 
 }  // namespace loopback
 
-void LoopbackNetwork::SetJudge(Judge judge) {
+void LoopbackNetwork::SetFaultInjector(FaultInjector fault_injector) {
   const std::scoped_lock lock(mutex_);
-  judge_ = std::move(judge);
+  fault_injector_ = std::move(fault_injector);
 }
 
-loopback::Verdict LoopbackNetwork::Decide(const loopback::Frame& frame) {
+loopback::Fault LoopbackNetwork::Decide(const loopback::Frame& frame) {
   std::unique_lock lock(mutex_);
-  if (!judge_) return loopback::kPass;
-  const Judge judge = judge_;
+  if (!fault_injector_) return loopback::kPass;
+  const FaultInjector fault_injector = fault_injector_;
   lock.unlock();
-  return judge(frame);
+  return fault_injector(frame);
 }
 
 void LoopbackNetwork::Remember(std::weak_ptr<loopback::End> holder) {
@@ -302,31 +424,32 @@ void LoopbackNetwork::ReleaseHeld() {
   }
 }
 
-bool LoopbackNetwork::Add(HostPort& address, const std::shared_ptr<loopback::Door>& door) {
+bool LoopbackNetwork::Add(HostPort& address,
+                          const std::shared_ptr<loopback::ListeningEndpoint>& endpoint) {
   const std::scoped_lock lock(mutex_);
-  if (address.port != 0) return doors_.emplace(ToString(address), door).second;
+  if (address.port != 0) return endpoints_.emplace(ToString(address), endpoint).second;
   do {
     address.port = static_cast<std::uint16_t>(++last_port_);
-  } while (address.port == 0 || !doors_.emplace(ToString(address), door).second);
+  } while (address.port == 0 || !endpoints_.emplace(ToString(address), endpoint).second);
   return true;
 }
 
 /// Does not remove an address that now belongs to another listener.
-void LoopbackNetwork::Remove(const loopback::Door& door) {
+void LoopbackNetwork::Remove(const loopback::ListeningEndpoint& endpoint) {
   const std::scoped_lock lock(mutex_);
-  const auto found = doors_.find(door.address);
-  if (found != doors_.end() && found->second.get() == &door) doors_.erase(found);
+  const auto found = endpoints_.find(endpoint.address);
+  if (found != endpoints_.end() && found->second.get() == &endpoint) endpoints_.erase(found);
 }
 
-void LoopbackNetwork::RemoveAll(const loopback::Courier& courier) {
+void LoopbackNetwork::RemoveAll(const loopback::DeliveryThread& thread) {
   const std::scoped_lock lock(mutex_);
-  std::erase_if(doors_, [&](const auto& one) { return one.second->courier.get() == &courier; });
+  std::erase_if(endpoints_, [&](const auto& one) { return one.second->thread.get() == &thread; });
 }
 
-std::shared_ptr<loopback::Door> LoopbackNetwork::Find(const std::string& address) {
+std::shared_ptr<loopback::ListeningEndpoint> LoopbackNetwork::Find(const std::string& address) {
   const std::scoped_lock lock(mutex_);
-  const auto found = doors_.find(address);
-  return found == doors_.end() ? nullptr : found->second;
+  const auto found = endpoints_.find(address);
+  return found == endpoints_.end() ? nullptr : found->second;
 }
 
 std::string LoopbackNetwork::NameOfNextCaller() {
@@ -335,29 +458,29 @@ std::string LoopbackNetwork::NameOfNextCaller() {
 }
 
 LoopbackMiddleware::LoopbackMiddleware(std::shared_ptr<LoopbackNetwork> network)
-    : network_(std::move(network)), courier_(std::make_shared<loopback::Courier>()) {}
+    : network_(std::move(network)), thread_(std::make_shared<loopback::DeliveryThread>()) {}
 
-LoopbackMiddleware::~LoopbackMiddleware() { courier_->Stop(); }
+LoopbackMiddleware::~LoopbackMiddleware() { thread_->Stop(); }
 
 void LoopbackMiddleware::Crash() {
-  network_->RemoveAll(*courier_);
-  courier_->Crash();
+  network_->RemoveAll(*thread_);
+  thread_->Crash();
 }
 
 Result<std::unique_ptr<Listener>> LoopbackMiddleware::Listen(const std::string& address,
                                                              AcceptLink accept) {
   auto place = ParseAddress(address, 0);
   if (!place) return place.error();
-  auto door = std::make_shared<loopback::Door>();
-  door->courier = courier_;
-  door->accept = std::move(accept);
-  if (!network_->Add(*place, door)) {
+  auto endpoint = std::make_shared<loopback::ListeningEndpoint>();
+  endpoint->thread = thread_;
+  endpoint->accept = std::move(accept);
+  if (!network_->Add(*place, endpoint)) {
     return Error{ErrorCode::kExists, address + " is in use by another program"};
   }
-  door->address = ToString(*place);
-  return MakeListener(door->address, [network = network_, door] {
-    network->Remove(*door);
-    door->Shut();
+  endpoint->address = ToString(*place);
+  return MakeListener(endpoint->address, [network = network_, endpoint] {
+    network->Remove(*endpoint);
+    endpoint->Close();
   });
 }
 
@@ -366,19 +489,19 @@ Result<std::shared_ptr<Link>> LoopbackMiddleware::Open(const std::string& addres
                                                        std::chrono::milliseconds /*timeout*/) {
   const auto place = ParseAddress(address, 1);
   if (!place) return place.error();
-  const auto door = network_->Find(ToString(*place));
-  if (courier_->is_closing()) return Error{ErrorCode::kUnreachable, "this process has crashed"};
-  if (!door) return Error{ErrorCode::kUnreachable, "nobody listens at " + address};
+  const auto endpoint = network_->Find(ToString(*place));
+  if (thread_->is_closing()) return Error{ErrorCode::kUnreachable, "this process has crashed"};
+  if (!endpoint) return Error{ErrorCode::kUnreachable, "nobody listens at " + address};
   const std::string caller = network_->NameOfNextCaller();
   const std::string called = ToString(*place);
-  const auto here = std::make_shared<loopback::End>(network_, courier_, caller, called, nullptr);
+  const auto here = std::make_shared<loopback::End>(network_, thread_, caller, called, nullptr);
   const auto there =
-      std::make_shared<loopback::End>(network_, door->courier, called, caller, door.get());
+      std::make_shared<loopback::End>(network_, endpoint->thread, called, caller, endpoint.get());
   here->Begin(there, std::move(handler));
   there->Begin(here, nullptr);
-  courier_->Adopt(here);
-  if (!door->courier->Post([door, there] { door->Enter(there); })) {
-    courier_->Forget(here);
+  thread_->Adopt(here);
+  if (!endpoint->thread->Post([endpoint, there] { endpoint->Enter(there); })) {
+    thread_->Forget(here);
     return Error{ErrorCode::kUnreachable, "nobody listens at " + address};
   }
   return std::shared_ptr<Link>(here);

@@ -17,9 +17,9 @@
 namespace tendon {
 
 namespace loopback {
-class Courier;
+class DeliveryThread;
 class End;
-struct Door;
+struct ListeningEndpoint;
 
 /// A frame that is being sent. The address of an accepting end is that of its listener; an opener
 /// has an address of its own.
@@ -29,49 +29,49 @@ struct Frame {
   std::string_view to;
 };
 
-enum class Fate { kPass, kDrop, kHold };
+enum class FaultAction { kPass, kDrop, kHold };
 
-/// The fate of a frame. The sender notices nothing until the link is full.
-struct Verdict {
-  Fate fate = Fate::kPass;
+/// The fault injected into a frame. The sender notices nothing until the link is full.
+struct Fault {
+  FaultAction action = FaultAction::kPass;
   std::chrono::nanoseconds delay{0};  ///< only for a frame that is delivered
 };
 
-inline constexpr Verdict kPass{};
-inline constexpr Verdict kDrop{.fate = Fate::kDrop};
+inline constexpr Fault kPass{};
+inline constexpr Fault kDrop{.action = FaultAction::kDrop};
 /// Holds the frame until ReleaseHeld(). As with every delay, later frames of the link wait behind
 /// it. Frames that wait when the link is closed are lost.
-inline constexpr Verdict kHold{.fate = Fate::kHold};
+inline constexpr Fault kHold{.action = FaultAction::kHold};
 }  // namespace loopback
 
 /// The network that the LoopbackMiddlewares of one process share: their addresses, and the faults
 /// that a test injects. Thread-safe.
 class LoopbackNetwork {
  public:
-  /// Called in the sender's thread. Null lets everything pass.
-  using Judge = std::function<loopback::Verdict(const loopback::Frame& frame)>;
-  void SetJudge(Judge judge);
+  /// Chooses the fault of each frame. Called in the sender's thread. Null lets everything pass.
+  using FaultInjector = std::function<loopback::Fault(const loopback::Frame& frame)>;
+  void SetFaultInjector(FaultInjector fault_injector);
   void ReleaseHeld();
 
  private:
   friend class LoopbackMiddleware;
   friend class loopback::End;
-  friend struct loopback::Door;
+  friend struct loopback::ListeningEndpoint;
 
-  loopback::Verdict Decide(const loopback::Frame& frame);
+  loopback::Fault Decide(const loopback::Frame& frame);
   void Remember(std::weak_ptr<loopback::End> holder);
   /// Fills in port 0. Returns false if the address is taken.
-  bool Add(HostPort& address, const std::shared_ptr<loopback::Door>& door);
-  void Remove(const loopback::Door& door);
-  void RemoveAll(const loopback::Courier& courier);
-  std::shared_ptr<loopback::Door> Find(const std::string& address);
+  bool Add(HostPort& address, const std::shared_ptr<loopback::ListeningEndpoint>& endpoint);
+  void Remove(const loopback::ListeningEndpoint& endpoint);
+  void RemoveAll(const loopback::DeliveryThread& thread);
+  std::shared_ptr<loopback::ListeningEndpoint> Find(const std::string& address);
   std::string NameOfNextCaller();
 
   std::mutex mutex_;
-  Judge judge_;
+  FaultInjector fault_injector_;
   std::vector<std::weak_ptr<loopback::End>> holders_;  // ends that hold frames back
   std::uint32_t last_port_ = 49151;
-  std::map<std::string, std::shared_ptr<loopback::Door>> doors_;
+  std::map<std::string, std::shared_ptr<loopback::ListeningEndpoint>> endpoints_;
 };
 
 /// The reference implementation of Middleware, within one process and without a socket. Each
@@ -93,7 +93,7 @@ class LoopbackMiddleware final : public Middleware {
 
  private:
   std::shared_ptr<LoopbackNetwork> network_;
-  std::shared_ptr<loopback::Courier> courier_;
+  std::shared_ptr<loopback::DeliveryThread> thread_;
 };
 
 }  // namespace tendon

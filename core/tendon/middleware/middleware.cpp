@@ -56,7 +56,7 @@ void LinkHandler::OnLentFrame(std::span<const std::byte> frame,
   OnFrame(frame);
 }
 
-void LinkHandler::OnAsked(std::span<const std::byte> frame, ReplySlot& /*answer*/) {
+void LinkHandler::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& /*answer*/) {
   OnFrame(frame);
 }
 

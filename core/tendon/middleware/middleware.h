@@ -17,10 +17,19 @@
 
 namespace tendon {
 
-class FanOut;
+class Broadcast;
 
 /// Bytes that may wait on a link for a slow peer.
 inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
+
+/// How a link delivers a frame.
+enum class Delivery {
+  kQueued,
+  /// For a request whose sender waits for the answer. If the peer answers at once, the answer may
+  /// use a shorter way back. Keeps the order relative to queued frames. A link without such a way
+  /// queues the frame.
+  kDirect,
+};
 
 /// A two-way, ordered connection that carries frames to one peer process. Thread-safe.
 class Link {
@@ -33,16 +42,11 @@ class Link {
   /// Copies one whole frame and sends it. Frames arrive in the order of the calls. Never blocks.
   /// kQueueFull: more than kSendWindow bytes would wait, so nothing was sent. kInvalid: not a frame
   /// of at most kMaxPieceSize. kNotConnected: the link is closed. kQueued does not mean delivered.
-  virtual Status Send(std::span<const std::byte> frame) = 0;
-
-  /// Send() for a request whose sender waits for the answer. If the peer answers at once, the
-  /// answer may use a shorter way back. Keeps the order relative to Send(). By default, calls
-  /// Send().
-  virtual Status Ask(std::span<const std::byte> frame) { return Send(frame); }
+  virtual Status Send(std::span<const std::byte> frame, Delivery delivery = Delivery::kQueued) = 0;
 
   /// Marks the peer as authenticated: it may now send frames of kMaxPieceSize. To limit the
   /// resources of unauthenticated peers, the link ends if a larger frame than
-  /// kMaxStrangersFrameSize arrives before, or, on an accepted link, if Admit() is not called
+  /// kMaxUnauthenticatedFrameSize arrives before, or, on an accepted link, if Admit() is not called
   /// within 3 s. Idempotent; may be called from a handler.
   virtual void Admit() = 0;
 
@@ -59,7 +63,7 @@ class Link {
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
-/// A reply frame that is the link's response to a request (Link::Ask()). The body is written
+/// A reply frame that is the link's response to a request (Delivery::kDirect). The body is written
 /// directly into the memory that the link sends. One thread at a time.
 class ReplySlot {
  public:
@@ -83,7 +87,7 @@ class ReplySlot {
   /// peer.
   void End() {
     is_there_ = true;
-    Leave();
+    OnEnd();
   }
 
   /// Returns another slot for the same reply, which any thread can write later; this slot stays
@@ -91,7 +95,7 @@ class ReplySlot {
   /// Begin(), or if the link cannot defer.
   [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
     if (has_begun_) return nullptr;
-    auto later = MakeLater();
+    auto later = MakeDeferred();
     has_begun_ = later != nullptr;
     return later;
   }
@@ -104,8 +108,8 @@ class ReplySlot {
  private:
   /// Also writes the header.
   virtual std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) = 0;
-  virtual void Leave() {}
-  virtual std::unique_ptr<ReplySlot> MakeLater() { return nullptr; }
+  virtual void OnEnd() {}
+  virtual std::unique_ptr<ReplySlot> MakeDeferred() { return nullptr; }
 
   bool has_begun_ = false;
   bool is_there_ = false;
@@ -128,10 +132,10 @@ class LinkHandler {
   /// calls OnFrame().
   virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
-  /// OnFrame() for a frame sent by Link::Ask(), on a link with a shorter way back. A reply written
-  /// to `answer`, an empty slot, uses that way, behind all frames sent during the call. By default,
-  /// calls OnFrame().
-  virtual void OnAsked(std::span<const std::byte> frame, ReplySlot& answer);
+  /// OnFrame() for a frame with Delivery::kDirect, on a link with a shorter way back. A reply
+  /// written to `answer`, an empty slot, uses that way, behind all frames sent during the call. By
+  /// default, calls OnFrame().
+  virtual void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer);
 
   /// Called exactly once, after the last frame, for whatever reason the link ended.
   virtual void OnClosed(const Error& reason) = 0;
@@ -176,7 +180,7 @@ class Middleware {
   /// Our certificate, shown to peers; null without TLS.
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
   /// Multicast to many processes through a broker; null if there is none. Ends with the middleware.
-  [[nodiscard]] virtual FanOut* fan_out() { return nullptr; }
+  [[nodiscard]] virtual Broadcast* broadcast() { return nullptr; }
 
   /// Listens at "host:port"; port 0 takes a free one. Errors: kExists, with the holder of the
   /// address if it is known; kDenied for an address that Exposure does not allow; kInvalid.

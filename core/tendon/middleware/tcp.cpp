@@ -1,8 +1,8 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/os/poller.h>
 #include <tendon/base/os/thread.h>
+#include <tendon/base/rate_limited_warning.h>
 #include <tendon/middleware/connect_cancellation.h>
-#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/middleware/tcp.h>
 
 #include <cassert>
@@ -22,23 +22,23 @@ using Watch = os::Poller::Watch;
 constexpr const char* kOutOfMemory = "out of memory (ulimit -v): ";
 
 /// An owner of a socket, called in the loop's thread.
-class Served {
+class SocketOwner {
  public:
-  virtual ~Served() = default;
+  virtual ~SocketOwner() = default;
   virtual void OnReady(bool readable, bool writable) = 0;
   virtual void OnTick(SteadyTime now) = 0;
   /// Called after a function of this object has thrown std::bad_alloc.
   virtual void OnOutOfMemory() = 0;
-  virtual void Shut() = 0;
+  virtual void CloseNow() = 0;
   /// The key of the listener that accepted it, or 0.
-  [[nodiscard]] virtual std::uint64_t door() const { return 0; }
+  [[nodiscard]] virtual std::uint64_t endpoint() const { return 0; }
 };
 
 /// The one thread of a TCP middleware.
-class Loop {
+class EventLoop {
  public:
   using Key = std::uint64_t;
-  Loop() : thread_([this] { Run(); }) {}
+  EventLoop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
   [[nodiscard]] RateLimitedWarning& complaints() { return complaints_; }
   /// Buffer for received bytes; only in the loop's thread.
@@ -48,19 +48,19 @@ class Loop {
     const std::scoped_lock lock(mutex_);
     return ++last_key_;
   }
-  void Add(Key key, std::shared_ptr<Served> served, const os::Socket& socket) {
+  void Add(Key key, std::shared_ptr<SocketOwner> owner, const os::Socket& socket) {
     const std::scoped_lock lock(mutex_);
-    served_.emplace(key, std::move(served));
+    owners_.emplace(key, std::move(owner));
     poller_.Add(socket, key, Watch::kReads);
   }
   void Remove(Key key, const os::Socket& socket) {
     const std::scoped_lock lock(mutex_);
     poller_.Remove(socket);
-    served_.erase(key);
+    owners_.erase(key);
   }
-  std::map<Key, std::shared_ptr<Served>> served() {
+  std::map<Key, std::shared_ptr<SocketOwner>> owners() {
     const std::scoped_lock lock(mutex_);
-    return served_;
+    return owners_;
   }
   /// Executes `task` soon, in the loop's thread. Returns false after Stop().
   bool Post(std::function<void()> task) {
@@ -85,7 +85,7 @@ class Loop {
   void Stop() {
     Execute([this] {
       Guarded([this] {
-        for (const auto& [key, one] : served()) Guarded([&it = *one] { it.Shut(); });
+        for (const auto& [key, one] : owners()) Guarded([&it = *one] { it.CloseNow(); });
       });
       const std::scoped_lock lock(mutex_);
       is_stopped_ = true;
@@ -118,14 +118,14 @@ class Loop {
       if (now < next_tick) continue;
       next_tick = now + kTick;
       Guarded([&] {
-        for (const auto& [key, one] : served()) Serve(*one, [&, &it = *one] { it.OnTick(now); });
+        for (const auto& [key, one] : owners()) Serve(*one, [&, &it = *one] { it.OnTick(now); });
       });
     }
   }
 
   /// Calls `function` of an object. Without memory, only this object is affected.
   template <typename Function>
-  static void Serve(Served& one, const Function& function) {
+  static void Serve(SocketOwner& one, const Function& function) {
     if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
   }
 
@@ -140,10 +140,10 @@ class Loop {
     return !is_stopped_;
   }
 
-  std::shared_ptr<Served> Find(Key key) {
+  std::shared_ptr<SocketOwner> Find(Key key) {
     const std::scoped_lock lock(mutex_);
-    const auto found = served_.find(key);
-    return found == served_.end() ? nullptr : found->second;
+    const auto found = owners_.find(key);
+    return found == owners_.end() ? nullptr : found->second;
   }
 
   os::Poller poller_;
@@ -153,19 +153,22 @@ class Loop {
   Key last_key_ = 0;
   bool is_stopped_ = false;
   std::vector<std::function<void()>> tasks_;
-  std::map<Key, std::shared_ptr<Served>> served_;
+  std::map<Key, std::shared_ptr<SocketOwner>> owners_;
   std::thread thread_;  // last, because it uses the other members
 };
 
-class TcpLink final : public Link, public Served, public std::enable_shared_from_this<TcpLink> {
+class TcpLink final : public Link,
+                      public SocketOwner,
+                      public std::enable_shared_from_this<TcpLink> {
  public:
-  TcpLink(std::shared_ptr<Loop> loop, os::Socket socket, Loop::Key door)
+  TcpLink(std::shared_ptr<EventLoop> loop, os::Socket socket, EventLoop::Key endpoint)
       : loop_(std::move(loop)),
         key_(loop_->NewKey()),
-        door_(door),
+        endpoint_(endpoint),
         peer_(os::PeerAddress(socket)),
         local_(os::LocalAddress(socket)),
-        deadline_(door == 0 ? SteadyTime::max() : SteadyClock().Now() + std::chrono::seconds(3)),
+        deadline_(endpoint == 0 ? SteadyTime::max()
+                                : SteadyClock().Now() + std::chrono::seconds(3)),
         socket_(std::move(socket)) {}
 
   void Begin(std::shared_ptr<LinkHandler> handler) {
@@ -179,13 +182,13 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     try {
       handler_ = accept(shared_from_this());
     } catch (...) {
-      Shut();
+      CloseNow();
       throw;
     }
-    if (!handler_) Shut();
+    if (!handler_) CloseNow();
   }
 
-  Status Send(std::span<const std::byte> frame) override {
+  Status Send(std::span<const std::byte> frame, Delivery /*delivery*/) override {
     if (!ReadWholeFrame(frame, kMaxPieceSize)) return Status::kInvalid;
     const std::scoped_lock lock(mutex_);
     if (!is_open()) return Status::kNotConnected;
@@ -221,14 +224,15 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     if (!is_open()) return;
     state_ = State::kClosing;
     deadline_ = SteadyClock().Now() + std::chrono::milliseconds(750);
-    loop_->Post([self = shared_from_this(), is_unheard = os::DropUnheard(socket_)] {
-      is_unheard ? self->Shut() : self->Flush();
-    });
+    loop_->Post(
+        [self = shared_from_this(), is_unacknowledged = os::ResetIfUnacknowledged(socket_)] {
+          is_unacknowledged ? self->CloseNow() : self->Flush();
+        });
   }
 
   [[nodiscard]] std::string peer() const override { return peer_; }
   [[nodiscard]] std::string local() const override { return local_; }
-  [[nodiscard]] Loop::Key door() const override { return door_; }
+  [[nodiscard]] EventLoop::Key endpoint() const override { return endpoint_; }
 
   void OnReady(bool readable, bool writable) override {
     if (writable) Flush();
@@ -236,12 +240,14 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   }
 
   void OnTick(SteadyTime now) override {
-    if (os::HasVanished(socket_)) return Finish({ErrorCode::kUnreachable, peer_ + " vanished"});
+    if (os::IsPeerUnreachable(socket_)) {
+      return Finish({ErrorCode::kUnreachable, peer_ + " vanished"});
+    }
     std::unique_lock lock(mutex_);
     if (now < deadline_) return;
-    const bool is_stranger = state_ == State::kStranger;
+    const bool is_unauthenticated = state_ == State::kUnauthenticated;
     lock.unlock();
-    if (!is_stranger) return Shut();
+    if (!is_unauthenticated) return CloseNow();
     Reject({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
   }
 
@@ -250,12 +256,12 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     Reject({ErrorCode::kFailed, kOutOfMemory + peer_ + " needed more"});
   }
 
-  void Shut() override {
+  void CloseNow() override {
     Finish({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
   }
 
  private:
-  enum class State { kStranger, kAdmitted, kClosing, kClosed };
+  enum class State { kUnauthenticated, kAdmitted, kClosing, kClosed };
 
   State state() {
     const std::scoped_lock lock(mutex_);
@@ -290,26 +296,27 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   void Read() {
     const auto received = os::ReceiveSome(socket_, loop_->scratch());
     const bool is_ending = state() >= State::kClosing;
-    if (!received && is_ending) return Shut();
+    if (!received && is_ending) return CloseNow();
     if (!received) return Finish({ErrorCode::kUnreachable, peer_ + " closed the connection"});
     if (is_ending) return;
     if (rest_.empty()) {
-      const auto rest = HandOn(*received);
+      const auto rest = DeliverFrames(*received);
       rest_.assign(rest.begin(), rest.end());
     } else {
       rest_.insert(rest_.end(), received->begin(), received->end());
-      const auto rest = HandOn(rest_);
+      const auto rest = DeliverFrames(rest_);
       rest_.erase(rest_.begin(), rest_.end() - static_cast<std::ptrdiff_t>(rest.size()));
       if (rest_.empty()) rest_ = {};
     }
   }
 
   /// Delivers the complete frames at the front and returns the remaining bytes.
-  std::span<const std::byte> HandOn(std::span<const std::byte> bytes) {
+  std::span<const std::byte> DeliverFrames(std::span<const std::byte> bytes) {
     for (State now = state(); bytes.size() >= FrameHeader::kSize && now < State::kClosing;
          now = state()) {
       const bool is_known = now == State::kAdmitted;
-      const auto header = ReadFrameHeader(bytes, is_known ? kMaxPieceSize : kMaxStrangersFrameSize);
+      const auto header =
+          ReadFrameHeader(bytes, is_known ? kMaxPieceSize : kMaxUnauthenticatedFrameSize);
       if (!header) {
         Reject(NoFrame(peer_));
         return {};
@@ -335,12 +342,13 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
     unsent_ = {};
     lock.unlock();
     const auto handler = std::exchange(handler_, nullptr);
-    if (handler) Loop::Guarded([&] { handler->OnClosed(reason); });  // others must still be closed
+    // Guarded, because others must still be closed.
+    if (handler) EventLoop::Guarded([&] { handler->OnClosed(reason); });
   }
 
-  const std::shared_ptr<Loop> loop_;
-  const Loop::Key key_;
-  const Loop::Key door_;
+  const std::shared_ptr<EventLoop> loop_;
+  const EventLoop::Key key_;
+  const EventLoop::Key endpoint_;
   const std::string peer_;
   const std::string local_;
 
@@ -349,7 +357,7 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
   Bytes rest_;  // received start of an incomplete frame
 
   std::mutex mutex_;
-  State state_ = State::kStranger;
+  State state_ = State::kUnauthenticated;
   SteadyTime deadline_;  // latest time for Admit(), or for the end of Close()
   os::Socket socket_;
   Bytes unsent_;  // not sent from index sent_ on
@@ -357,9 +365,10 @@ class TcpLink final : public Link, public Served, public std::enable_shared_from
 };
 
 /// The listening socket.
-class Door final : public Served, public std::enable_shared_from_this<Door> {
+class ListeningEndpoint final : public SocketOwner,
+                                public std::enable_shared_from_this<ListeningEndpoint> {
  public:
-  Door(std::shared_ptr<Loop> loop, os::Socket socket, AcceptLink accept)
+  ListeningEndpoint(std::shared_ptr<EventLoop> loop, os::Socket socket, AcceptLink accept)
       : loop_(std::move(loop)),
         key_(loop_->NewKey()),
         socket_(std::move(socket)),
@@ -386,17 +395,17 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
     loop_->complaints().Add(std::string(kOutOfMemory) + "a new connection is refused");
   }
 
-  void Shut() override {
+  void CloseNow() override {
     loop_->Remove(key_, socket_);
     socket_ = {};
-    for (const auto& [key, one] : loop_->served()) {
-      if (one->door() == key_) Loop::Guarded([&it = *one] { it.Shut(); });
+    for (const auto& [key, one] : loop_->owners()) {
+      if (one->endpoint() == key_) EventLoop::Guarded([&it = *one] { it.CloseNow(); });
     }
   }
 
  private:
-  const std::shared_ptr<Loop> loop_;
-  const Loop::Key key_;
+  const std::shared_ptr<EventLoop> loop_;
+  const EventLoop::Key key_;
   os::Socket socket_;
   const AcceptLink accept_;
 };
@@ -404,7 +413,7 @@ class Door final : public Served, public std::enable_shared_from_this<Door> {
 class TcpMiddleware final : public Middleware {
  public:
   explicit TcpMiddleware(Exposure exposure)
-      : exposure_(exposure), loop_(std::make_shared<Loop>()) {}
+      : exposure_(exposure), loop_(std::make_shared<EventLoop>()) {}
   ~TcpMiddleware() override { loop_->Stop(); }
 
   [[nodiscard]] std::string_view name() const override { return "tcp"; }
@@ -415,11 +424,13 @@ class TcpMiddleware final : public Middleware {
     auto socket = os::ListenAt(place->host, place->port);
     if (!socket) return socket.error();
     const std::string where = os::LocalAddress(*socket);
-    auto door = std::make_shared<Door>(loop_, *std::move(socket), std::move(accept));
-    door->Begin();
+    auto endpoint =
+        std::make_shared<ListeningEndpoint>(loop_, *std::move(socket), std::move(accept));
+    endpoint->Begin();
     WarnOfExposure(exposure_, "tcp");
-    return MakeListener(
-        where, [loop = loop_, door = std::move(door)] { loop->Execute([&] { door->Shut(); }); });
+    return MakeListener(where, [loop = loop_, endpoint = std::move(endpoint)] {
+      loop->Execute([&] { endpoint->CloseNow(); });
+    });
   }
 
   Result<std::shared_ptr<Link>> Open(const std::string& address,
@@ -436,7 +447,7 @@ class TcpMiddleware final : public Middleware {
 
  private:
   const Exposure exposure_;
-  const std::shared_ptr<Loop> loop_;
+  const std::shared_ptr<EventLoop> loop_;
 };
 
 }  // namespace

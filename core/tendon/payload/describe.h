@@ -15,7 +15,7 @@ namespace tendon {
 /// The primary template of kPayload: the type is not described.
 struct NotDescribed {};
 
-/// Describes a user's type once, beside the type; codec, fingerprint, schema, plot channels and
+/// Describes a user's type once, beside the type; codec, fingerprint, schema, numeric fields and
 /// JSON follow from it. Specialise it with Describe(...) or DescribeEnum(...).
 template <typename T>
 inline constexpr auto kPayload = NotDescribed{};

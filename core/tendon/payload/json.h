@@ -1,8 +1,8 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/payload/channel_value.h>
 #include <tendon/payload/codec.h>
+#include <tendon/payload/numeric_value.h>
 #include <tendon/payload/schema.h>
 
 #include <cassert>
@@ -23,7 +23,7 @@ namespace tendon {
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
 
 /// The same for one number: a bool, an integer, a float, an enum or a duration.
-[[nodiscard]] std::string ToJson(const Schema& number, const ChannelValue& value);
+[[nodiscard]] std::string ToJson(const Schema& number, const NumericValue& value);
 
 /// Converts JSON to a body. The value must have each field exactly once and in its range, at most
 /// 16 MiB and 64 levels. The error says where the mistake is, what was expected and what was found:

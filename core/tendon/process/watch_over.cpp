@@ -1,4 +1,4 @@
-#include <tendon/middleware/parts/large_message_in_progress.h>
+#include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/watch_over.h>
 #include <tendon/proxy/connection_messages.h>

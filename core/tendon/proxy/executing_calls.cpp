@@ -1,4 +1,4 @@
-#include <tendon/middleware/requests/reply_batcher.h>
+#include <tendon/middleware/reply_batch.h>
 #include <tendon/proxy/executing_calls.h>
 
 #include <algorithm>
@@ -10,44 +10,44 @@ namespace tendon {
 
 void ExecutingCalls::Answer(SteadyTime now, SteadyTime& next) {
   const ReplyBatcher together;
-  auto kept = begun_.begin();
-  for (Begun& begun : begun_) {
-    if (now >= begun.deadline || begun.command->HasEnded(begun.call)) {
-      End(begun, Status::kTimeout);
+  auto kept = executing_.begin();
+  for (ExecutingCall& executing : executing_) {
+    if (now >= executing.deadline || executing.command->HasEnded(executing.call)) {
+      End(executing, Status::kTimeout);
       continue;
     }
-    next = std::min({next, begun.deadline, now + kNextLook});
-    if (&begun != &*kept) *kept = std::move(begun);
+    next = std::min({next, executing.deadline, now + kNextLook});
+    if (&executing != &*kept) *kept = std::move(executing);
     ++kept;
   }
-  begun_.erase(kept, begun_.end());
+  executing_.erase(kept, executing_.end());
   // During a steady stream of calls, no call has to wake the network thread for its first check.
   if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 
 void ExecutingCalls::GiveUp() {
   const ReplyBatcher together;
-  for (Begun& begun : begun_) End(begun, Status::kNotConnected);
-  begun_.clear();
+  for (ExecutingCall& executing : executing_) End(executing, Status::kNotConnected);
+  executing_.clear();
 }
 
-void ExecutingCalls::End(Begun& begun, Status if_not_started) {
-  const Status status = begun.command->EndEncoded(begun.call, result_);
+void ExecutingCalls::End(ExecutingCall& executing, Status if_not_started) {
+  const Status status = executing.command->EndEncoded(executing.call, result_);
   if (!status) result_.clear();
-  owner_.OnEnd(begun, status == Status(Status::kTimeout) ? if_not_started : status, result_);
+  owner_.OnEnd(executing, status == Status(Status::kTimeout) ? if_not_started : status, result_);
 }
 
-void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question) {
+void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& argument) {
   const auto count = static_cast<std::uint64_t>(timeout.count());
-  question.resize(question.size() + sizeof count);
-  std::memcpy(question.data() + question.size() - sizeof count, &count, sizeof count);
+  argument.resize(argument.size() + sizeof count);
+  std::memcpy(argument.data() + argument.size() - sizeof count, &count, sizeof count);
 }
 
-std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question) {
+std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& argument) {
   std::uint64_t count = 0;
-  if (question.size() < sizeof count) return std::nullopt;
-  question = question.first(question.size() - sizeof count);
-  std::memcpy(&count, question.data() + question.size(), sizeof count);
+  if (argument.size() < sizeof count) return std::nullopt;
+  argument = argument.first(argument.size() - sizeof count);
+  std::memcpy(&count, argument.data() + argument.size(), sizeof count);
   const auto longest = static_cast<std::uint64_t>(kLongestWait.count());
   return std::chrono::nanoseconds(static_cast<std::int64_t>(std::min(count, longest)));
 }

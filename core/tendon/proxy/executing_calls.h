@@ -3,7 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
 #include <tendon/middleware/frame.h>
-#include <tendon/middleware/requests/responder.h>
+#include <tendon/middleware/responder.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +21,7 @@ namespace tendon {
 class ExecutingCalls {
  public:
   /// A call that `command` has begun. `command` lives until the call is answered.
-  struct Begun {
+  struct ExecutingCall {
     CommandBase* command = nullptr;
     std::size_t call = 0;
     SteadyTime since{};
@@ -35,7 +35,7 @@ class ExecutingCalls {
     virtual ~Owner() = default;
     /// Called when the call has ended, or will not be executed. If the status is good, the owner
     /// may move `result`.
-    virtual void OnEnd(Begun& begun, Status status, Bytes& result) = 0;
+    virtual void OnEnd(ExecutingCall& executing, Status status, Bytes& result) = 0;
   };
 
   /// Interval of checks without a notification: a call that is begun just as its server stops may
@@ -43,14 +43,14 @@ class ExecutingCalls {
   static constexpr std::chrono::milliseconds kNextLook{100};
 
   explicit ExecutingCalls(Owner& owner) : owner_(owner) {}
-  void Add(Begun begun) {
-    newest_ = begun.since;
-    begun_.push_back(std::move(begun));
+  void Add(ExecutingCall executing) {
+    newest_ = executing.since;
+    executing_.push_back(std::move(executing));
   }
   /// The time at which the network thread must first check a new call, if no notification comes
   /// before.
-  [[nodiscard]] static SteadyTime FirstLook(const Begun& begun) {
-    return std::min(begun.deadline, begun.since + 2 * kNextLook);
+  [[nodiscard]] static SteadyTime FirstLook(const ExecutingCall& executing) {
+    return std::min(executing.deadline, executing.since + 2 * kNextLook);
   }
   /// Answers the calls that have ended or timed out, in the order in which they were begun, many in
   /// one message. Lowers `next` to the time of the next check.
@@ -59,17 +59,17 @@ class ExecutingCalls {
   void GiveUp();
 
  private:
-  void End(Begun& begun, Status if_not_started);
+  void End(ExecutingCall& executing, Status if_not_started);
 
   Owner& owner_;
-  std::vector<Begun> begun_;
+  std::vector<ExecutingCall> executing_;
   SteadyTime newest_{};
   Bytes result_;
 };
 
 /// Appends the timeout to the body of kWait.
-void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& question);
+void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& argument);
 /// Removes the timeout and returns it; empty if it is missing.
-std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& question);
+std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& argument);
 
 }  // namespace tendon

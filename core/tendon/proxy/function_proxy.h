@@ -11,7 +11,7 @@ namespace tendon {
 
 /// A function that is created at run time from its description and is called with encoded values:
 /// on behalf of another process, a console or a script.
-class FunctionProxy final : public Caller {
+class FunctionProxy final : public MemberCaller {
  public:
   /// Adds itself to `interface`, which must live as long as this object is called. Throws
   /// ConfigurationError like any other member.

@@ -62,7 +62,7 @@ std::uint64_t Outbox::Room() const {
 }
 
 std::size_t Outbox::Send(std::size_t limit) {
-  refused_payloads_.Tell();
+  refused_payloads_.Report();
   const Turn turn(sending_, std::try_to_lock);
   has_waited_ = !turn;
   if (!turn) return 0;
@@ -72,7 +72,7 @@ std::size_t Outbox::Send(std::size_t limit) {
                      " were sent to it");
     return 0;
   }
-  return SendTaken(std::min(limit, Room()), &Channel::TryRequest);
+  return SendTaken(std::min(limit, Room()), Delivery::kQueued);
 }
 
 Outbox::Turn Outbox::TakeTurn() {
@@ -81,10 +81,10 @@ Outbox::Turn Outbox::TakeTurn() {
   return turn;
 }
 
-std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, Question question) {
+std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall call) {
   assert(turn.mutex() == &sending_ && turn.owns_lock() && !has_taken());
-  question_ = std::move(question);
-  SendTaken(1, &Channel::TryAsk);
+  blocking_call_ = std::move(call);
+  SendTaken(1, Delivery::kDirect);
   if (!has_taken()) return sent_;
   wakeup_.Notify();
   return 0;
@@ -92,7 +92,7 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, Question questi
 
 /// Sends the calls already taken, then those in the inbox, up to `limit`. Counts each call as it is
 /// sent.
-std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
+std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
   const Status no_room = Status::kQueueFull;
   const std::uint64_t before = sent_;
   while (true) {
@@ -104,11 +104,11 @@ std::size_t Outbox::SendTaken(std::size_t limit, Manner manner) {
       sent_ += batch_.calls();
       batch_.Clear();
     }
-    if (!question_) continue;
-    const Status asked = Ask(*question_, manner);
+    if (!blocking_call_) continue;
+    const Status asked = Request(*blocking_call_, delivery);
     if (asked == no_room) return sent_ - before;
     if (asked) ++sent_;
-    question_.reset();
+    blocking_call_.reset();
   }
 }
 
@@ -123,33 +123,33 @@ void Outbox::SendRest(std::chrono::milliseconds patience) {
 }
 
 void Outbox::Collect(std::size_t limit) {
-  while (!question_ && batch_.calls() < limit && batch_.body().size() < kFullBatch) {
+  while (!blocking_call_ && batch_.calls() < limit && batch_.body().size() < kFullBatch) {
     if (inbox_.ExecuteQueued(1) == 0) return;
   }
 }
 
 /// The timeout at the other end starts now and is a little shorter, so that its report arrives
 /// before the caller's own timeout.
-Status Outbox::Ask(Question& question, Manner manner) {
+Status Outbox::Request(BlockingCall& call, Delivery delivery) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const SteadyTime now = SteadyClock().Now();
-  const auto deadline = question.callers->Send(question.call, now);
+  const auto deadline = call.callers->Send(call.number, now);
   if (!deadline) return Status::kTimeout;
   const std::chrono::nanoseconds left = *deadline - now;
-  Bytes& body = question.argument;
+  Bytes& body = call.argument;
   const std::size_t size = body.size();
   AppendTimeout(left - std::min<std::chrono::nanoseconds>(left / 4, kWayBack), body);
-  const Status asked = ((*channel_).*manner)(
-      message::kWait, question.handle, body, std::chrono::ceil<std::chrono::milliseconds>(left),
-      [callers = question.callers, call = question.call](Result<Bytes> answer) {
-        callers->End(call, std::move(answer));
+  const Status asked = channel_->TryRequest(
+      message::kWait, call.handle, body, std::chrono::ceil<std::chrono::milliseconds>(left),
+      [callers = call.callers, number = call.number](Result<Bytes> answer) {
+        callers->End(number, std::move(answer));
       },
-      lane_);
+      lane_, delivery);
   body.resize(size);
   if (asked == Status(Status::kQueueFull)) {
-    question.callers->NotSent(question.call);
+    call.callers->NotSent(call.number);
   } else if (!asked) {
-    question.callers->Refuse(question.call, asked);
+    call.callers->Refuse(call.number, asked);
   }
   return asked;
 }

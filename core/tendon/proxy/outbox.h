@@ -7,7 +7,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/proxy/call_batch.h>
 #include <tendon/proxy/outstanding_calls.h>
-#include <tendon/proxy/refused_payloads.h>
+#include <tendon/proxy/proxy_reports.h>
 
 #include <chrono>
 #include <cstdint>
@@ -83,11 +83,11 @@ class Outbox {
   }
 
   /// A call whose caller waits.
-  struct Question {
+  struct BlockingCall {
     std::uint32_t handle = 0;
     Bytes argument;
     std::shared_ptr<OutstandingCalls<>> callers;
-    std::uint64_t call = 0;  ///< its number in `callers`
+    std::uint64_t number = 0;  ///< in `callers`
   };
 
   /// Returns a turn that is not held if other calls are taken already, the credit is used up, or
@@ -96,7 +96,7 @@ class Outbox {
   /// Sends a call without the mailbox, which must be empty. If the link is full, leaves the call to
   /// the network thread. Returns the total number of sent calls, including this one, or 0 if it was
   /// not sent yet.
-  std::uint64_t SendNow(const Turn& turn, Question question);
+  std::uint64_t SendNow(const Turn& turn, BlockingCall call);
   /// Called in a caller's thread after the last of `calls` sent calls was executed: the earlier
   /// ones were executed too, because one mailbox keeps their order. Notifies the network thread if
   /// calls wait in the mailbox `callers`.
@@ -108,17 +108,14 @@ class Outbox {
     if (times_of_ == nullptr) return batch_.Add(handle, argument);
     batch_.AddTimed(handle, argument, times_of_->event_time());
   }
-  void Take(Question question) { question_ = std::move(question); }
+  void Take(BlockingCall call) { blocking_call_ = std::move(call); }
 
  private:
-  /// Channel::TryRequest() or Channel::TryAsk().
-  using Manner = decltype(&Channel::TryRequest);
-
-  [[nodiscard]] bool has_taken() const { return !batch_.empty() || question_; }
+  [[nodiscard]] bool has_taken() const { return !batch_.empty() || blocking_call_; }
   [[nodiscard]] std::uint64_t Room() const;
-  std::size_t SendTaken(std::size_t limit, Manner manner);
+  std::size_t SendTaken(std::size_t limit, Delivery delivery);
   void Collect(std::size_t limit);
-  [[nodiscard]] Status Ask(Question& question, Manner manner);
+  [[nodiscard]] Status Request(BlockingCall& call, Delivery delivery);
 
   const std::shared_ptr<Channel> channel_;
   const MessageType type_;
@@ -139,7 +136,7 @@ class Outbox {
   std::uint64_t sent_ = 0;
   // Calls taken from the inbox, but not sent.
   CallBatch batch_;
-  std::optional<Question> question_;  // to be sent after the batch
+  std::optional<BlockingCall> blocking_call_;  // to be sent after the batch
 };
 
 }  // namespace tendon

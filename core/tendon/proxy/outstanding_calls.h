@@ -34,13 +34,13 @@ class OutstandingCalls {
   /// Adds a call and returns its number. The caller owns the record.
   std::uint64_t Enter(std::size_t record, SteadyTime deadline) {
     const std::scoped_lock lock(mutex_);
-    const Awaited awaited{.record = record, .deadline = deadline};
+    const OutstandingCall outstanding{.record = record, .deadline = deadline};
     if (spare_.empty()) {
-      awaited_.emplace(last_ + 1, awaited);
+      calls_.emplace(last_ + 1, outstanding);
     } else {
       spare_.key() = last_ + 1;
-      spare_.mapped() = awaited;
-      awaited_.insert(std::move(spare_));
+      spare_.mapped() = outstanding;
+      calls_.insert(std::move(spare_));
     }
     of_record_[record] = ++last_;
     return last_;
@@ -50,13 +50,15 @@ class OutstandingCalls {
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
-    spare_ = awaited_.extract(call);
+    spare_ = calls_.extract(call);
     assert(!spare_.empty());
-    const Awaited& awaited = spare_.mapped();
+    const OutstandingCall& outstanding = spare_.mapped();
     // The thread that would free the record can no longer find the call, except if it found it
     // before.
-    if (ending == Ending::kStarted && !awaited.has_ended) completions_[awaited.record].Free();
-    return awaited.is_sent;
+    if (ending == Ending::kStarted && !outstanding.has_ended) {
+      completions_[outstanding.record].Free();
+    }
+    return outstanding.is_sent;
   }
   /// The answer of the call with this record, once it is done.
   [[nodiscard]] const Bytes& answer(std::size_t record) const { return answers_[record]; }
@@ -74,28 +76,28 @@ class OutstandingCalls {
   void Drop(std::size_t record) noexcept {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return;
-    Finish(awaited_.at(of_record_[record]), Status::kNotConnected);
+    Finish(calls_.at(of_record_[record]), Status::kNotConnected);
   }
   /// Marks the call as sent and returns its caller's deadline. Empty if the caller has left or the
   /// deadline has passed; then the call must not be sent.
   [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
-    const auto found = awaited_.find(call);
-    if (found == awaited_.end() || found->second.deadline <= now) return std::nullopt;
+    const auto found = calls_.find(call);
+    if (found == calls_.end() || found->second.deadline <= now) return std::nullopt;
     found->second.is_sent = true;
     return found->second.deadline;
   }
   /// Undoes Send(): the call may be sent later.
   void NotSent(std::uint64_t call) {
     const std::scoped_lock lock(mutex_);
-    const auto found = awaited_.find(call);
-    if (found != awaited_.end()) found->second.is_sent = false;
+    const auto found = calls_.find(call);
+    if (found != calls_.end()) found->second.is_sent = false;
   }
   /// Ends a call that will not be sent, with this reason.
   void Refuse(std::uint64_t call, Status why) {
     const std::scoped_lock lock(mutex_);
-    const auto found = awaited_.find(call);
-    if (found == awaited_.end()) return;
+    const auto found = calls_.find(call);
+    if (found == calls_.end()) return;
     found->second.is_sent = false;
     Finish(found->second, why);
   }
@@ -103,30 +105,31 @@ class OutstandingCalls {
   /// Any thread: ends a call with the reply to kWait, or with the reason why there is none.
   void End(std::uint64_t call, Result<Bytes> answer) {
     const std::scoped_lock lock(mutex_);
-    const auto found = awaited_.find(call);
-    if (found == awaited_.end()) return;
-    Awaited& awaited = found->second;
-    Finish(awaited, TakeOutcome(std::move(answer), answers_[awaited.record]));
+    const auto found = calls_.find(call);
+    if (found == calls_.end()) return;
+    OutstandingCall& outstanding = found->second;
+    Finish(outstanding, TakeOutcome(std::move(answer), answers_[outstanding.record]));
   }
 
  private:
-  struct Awaited {
+  struct OutstandingCall {
     std::size_t record = 0;
     SteadyTime deadline{};
     bool is_sent = false;
     bool has_ended = false;  // the record was finished, which frees it if no caller waits
   };
 
-  void Finish(Awaited& awaited, Status status) noexcept {
-    awaited.has_ended = true;
-    completions_[awaited.record].Finish(status);
+  void Finish(OutstandingCall& outstanding, Status status) noexcept {
+    outstanding.has_ended = true;
+    completions_[outstanding.record].Finish(status);
   }
 
   Pool& completions_;
   Mutex mutex_;
   std::uint64_t last_ = 0;
-  std::map<std::uint64_t, Awaited> awaited_;                    // from Enter() to Leave()
-  typename std::map<std::uint64_t, Awaited>::node_type spare_;  // memory reused for the next call
+  std::map<std::uint64_t, OutstandingCall> calls_;  // from Enter() to Leave()
+  // Memory reused for the next call.
+  typename std::map<std::uint64_t, OutstandingCall>::node_type spare_;
   std::vector<std::uint64_t> of_record_;
   std::vector<Bytes> answers_;  // indexed by record
 };

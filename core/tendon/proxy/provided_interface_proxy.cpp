@@ -1,7 +1,7 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/interface/connection.h>
 #include <tendon/proxy/function_proxy.h>
-#include <tendon/proxy/mirrored_read_proxy.h>
+#include <tendon/proxy/mirrored_read.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 #include <tendon/proxy/queued_command_proxy.h>
 #include <tendon/proxy/read_proxy.h>
@@ -160,7 +160,7 @@ bool ProvidedInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   for (std::size_t i = 0; i < events_.size(); ++i) {
     if (events_[i]) loss_report_.Set(i, events_[i]->lost_here());
   }
-  loss_report_.Tell(now, next);
+  loss_report_.Report(now, next);
   return sent > 0;
 }
 

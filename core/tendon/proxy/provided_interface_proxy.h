@@ -3,10 +3,10 @@
 #include <tendon/interface/provided_interface.h>
 #include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/event_proxy.h>
-#include <tendon/proxy/loss_report.h>
-#include <tendon/proxy/mirrored_value.h>
+#include <tendon/proxy/mirrored_read.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/proxy_reports.h>
 #include <tendon/proxy/worker_pool.h>
 
 #include <chrono>

@@ -94,15 +94,15 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       return entered;
     }
     completions.Assign(mailbox_.SlotOf(room), *record);
-    mailbox_.Publish(room, awaited_);
+    mailbox_.Publish(room, blocking_entry_);
     return Await(*record, call, deadline, out);
   }
 
  private:
   /// The entry for calls whose callers wait.
-  class Awaited final : public Mailbox::Entry {
+  class BlockingCallEntry final : public Mailbox::Entry {
    public:
-    explicit Awaited(QueuedCommandProxy& command) : command_(command) {}
+    explicit BlockingCallEntry(QueuedCommandProxy& command) : command_(command) {}
 
     void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
       const auto call = command_.callers_->Start(RecordOf(slot));
@@ -131,12 +131,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     std::uint64_t call = 0;
     std::uint64_t sent = 0;
     const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      Outbox::Question question = QuestionOf(0, {});
-      question.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
-      question.argument.assign(in.begin(), in.end());
-      call = question.call = callers_->Enter(*record, deadline);
+      Outbox::BlockingCall blocking_call = BlockingCallOf(0, {});
+      blocking_call.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
+      blocking_call.argument.assign(in.begin(), in.end());
+      call = blocking_call.number = callers_->Enter(*record, deadline);
       (void)callers_->Start(*record);  // succeeds: the caller is this thread
-      sent = outbox_.SendNow(turn, std::move(question));
+      sent = outbox_.SendNow(turn, std::move(blocking_call));
       return Status::kQueued;
     });
     turn.unlock();
@@ -214,10 +214,13 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return is_over() ? Status::kNotConnected : Status::kTimeout;
   }
 
-  [[nodiscard]] Outbox::Question QuestionOf(std::uint64_t call, Bytes argument) const {
-    return {.handle = handle_, .argument = std::move(argument), .callers = callers_, .call = call};
+  [[nodiscard]] Outbox::BlockingCall BlockingCallOf(std::uint64_t call, Bytes argument) const {
+    return {
+        .handle = handle_, .argument = std::move(argument), .callers = callers_, .number = call};
   }
-  void Hand(std::uint64_t call, const Bytes& argument) { outbox_.Take(QuestionOf(call, argument)); }
+  void Hand(std::uint64_t call, const Bytes& argument) {
+    outbox_.Take(BlockingCallOf(call, argument));
+  }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
     outbox_.waiting_bytes().Give(pool_[slot].size());
@@ -242,7 +245,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   SharedCounter<>& refused_;  // of the offer
   Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
-  Awaited awaited_{*this};
+  BlockingCallEntry blocking_entry_{*this};
   SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
   SharedCounter<> freed_;    // of those, bytes freed again
   std::vector<Bytes> pool_;  // arguments, by slot; see FreeIfMany()

@@ -8,7 +8,7 @@ namespace tendon {
 namespace {
 
 /// The status of a failed read, which has no side effects, so that its outcome is never unknown.
-Status ToStatus(const Error& error) {
+Status StatusOf(const Error& error) {
   if (const auto refusal = StatusOfRefusal(error)) return *refusal;
   switch (error.code) {
     case ErrorCode::kTimeout:
@@ -32,9 +32,9 @@ class ReadCommandProxy final : public CommandBase {
       remote_.refused_payloads->Log(name_, in.size());
       return Status::kInvalid;
     }
-    const auto answer =
-        remote_.channel->Ask(message::kRead, remote_.handle, in, remote_.deadline, kOwnLane);
-    if (!answer) return ToStatus(answer.error());
+    const auto answer = remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline,
+                                              kOwnLane, Delivery::kDirect);
+    if (!answer) return StatusOf(answer.error());
     std::span<const std::byte> value = answer->body();
     const Status status = TakeStatus(value);
     if (status) out.Take(value);

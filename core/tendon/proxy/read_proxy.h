@@ -3,7 +3,7 @@
 #include <tendon/interface/offer.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/proxy/refused_payloads.h>
+#include <tendon/proxy/proxy_reports.h>
 
 #include <chrono>
 #include <cstdint>

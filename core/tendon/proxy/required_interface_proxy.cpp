@@ -1,5 +1,5 @@
-#include <tendon/base/printable.h>
-#include <tendon/middleware/parts/large_message_in_progress.h>
+#include <tendon/base/text.h>
+#include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/proxy/read_proxy.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
@@ -124,8 +124,8 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
   const std::scoped_lock lock(mutex_);
   connection_ = &connection;
   server_ = std::move(server);
-  told_.accepting = IsAccepting();
-  return told_.accepting;
+  reported_.accepting = IsAccepting();
+  return reported_.accepting;
 }
 
 /// Asks the side that executes calls: the task, or the component if it has no thread.
@@ -150,7 +150,7 @@ bool RequiredInterfaceProxy::Drain(SteadyTime deadline) const {
 
 void RequiredInterfaceProxy::EndCredit() {
   const std::scoped_lock lock(mutex_);
-  begun_.GiveUp();
+  executing_.GiveUp();
   connection_ = nullptr;
   server_ = {};
 }
@@ -215,15 +215,15 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
     if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
       LogDropped(function, "its argument cannot be decoded");
     }
-    if (status != Status(Status::kQueueFull)) return CountReceived(Watch::kClosely);
+    if (status != Status(Status::kQueueFull)) return CountReceived(CreditReporting::kPrompt);
     // This may not be the peer's fault: a reply confirms all calls before it, even queued ones.
     if (!commands_) {
       LogRefused(function);
-      return CountReceived(Watch::kClosely);
+      return CountReceived(CreditReporting::kPrompt);
     }
   }
   auto place = std::make_shared<QueuedCommandCount>(*this);
-  CountReceived(Watch::kClosely, 1);
+  CountReceived(CreditReporting::kPrompt, 1);
   const bool is_posted = PostTo(
       *commands_, argument, [function, place = std::move(place)](auto& self, const Bytes& bytes) {
         self.WaitForRoom(function, SteadyTime::max());
@@ -234,13 +234,13 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (!is_posted) LogRefused(function);
 }
 
-void RequiredInterfaceProxy::CountReceived(Watch watch, std::uint64_t in_line) {
+void RequiredInterfaceProxy::CountReceived(CreditReporting reporting, std::uint64_t in_line) {
   std::unique_lock lock(mutex_);
   ++received_;
   waiting_in_line_ += in_line;
-  if (watch_ >= watch) return;
-  if (watch == Watch::kNowAndThen) owed_since_ = SteadyClock().Now();
-  watch_ = watch;
+  if (reporting_ >= reporting) return;
+  if (reporting == CreditReporting::kRelaxed) owed_since_ = SteadyClock().Now();
+  reporting_ = reporting;
   lock.unlock();
   thread_->Notify();
 }
@@ -285,28 +285,29 @@ bool RequiredInterfaceProxy::CanBeSent(std::size_t function, std::size_t size) {
   return false;
 }
 
-void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::byte> question,
+void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::byte> argument,
                                     Responder responder) {
-  const auto timeout = TakeTimeout(question);
+  const auto timeout = TakeTimeout(argument);
   if (!timeout || function >= functions_.size() || !CanBeAwaited(functions_[function]->kind())) {
     return responder.Refuse({ErrorCode::kInvalid, "no such command in " + interface_.name()});
   }
   const SteadyTime now = SteadyClock().Now();
-  ExecutingCalls::Begun begun{.since = now,
-                              .deadline = now + *timeout,
-                              .function = function,
-                              .responder = std::move(responder)};
-  const Watch watch = begun.responder.Defer() ? Watch::kNowAndThen : Watch::kClosely;
+  ExecutingCalls::ExecutingCall executing{.since = now,
+                                          .deadline = now + *timeout,
+                                          .function = function,
+                                          .responder = std::move(responder)};
+  const CreditReporting reporting =
+      executing.responder.Defer() ? CreditReporting::kRelaxed : CreditReporting::kPrompt;
   if (!MustWaitInLine(function)) {
-    const Status status = Begin(begun, question, answer_);
-    CountReceived(watch);
-    return OnBegun(std::move(begun), status, answer_);
+    const Status status = Begin(executing, argument, answer_);
+    CountReceived(reporting);
+    return OnStarted(std::move(executing), status, answer_);
   }
-  const auto shared = std::make_shared<ExecutingCalls::Begun>(std::move(begun));
+  const auto shared = std::make_shared<ExecutingCalls::ExecutingCall>(std::move(executing));
   auto place = std::make_shared<QueuedCommandCount>(*this);
-  CountReceived(watch, 1);
+  CountReceived(reporting, 1);
   const bool is_posted = PostTo(
-      *commands_, question, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
+      *commands_, argument, [shared, place = std::move(place)](auto& self, const Bytes& bytes) {
         self.WaitForRoom(shared->function, shared->deadline);
         if (self.are_commands_dropped_.Get()) {
           return ReplyWith(Status::kNotConnected, shared->responder);
@@ -314,36 +315,38 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
         Bytes spare;
         const bool is_over = SteadyClock().Now() >= shared->deadline;
         const Status status = is_over ? Status::kTimeout : self.Begin(*shared, bytes, spare);
-        self.OnBegun(std::move(*shared), status, spare);
+        self.OnStarted(std::move(*shared), status, spare);
       });
   if (!is_posted) ReplyWith(Status::kQueueFull, shared->responder);
 }
 
-Status RequiredInterfaceProxy::Begin(ExecutingCalls::Begun& begun,
+Status RequiredInterfaceProxy::Begin(ExecutingCalls::ExecutingCall& executing,
                                      std::span<const std::byte> argument, Bytes& result) {
-  return functions_[begun.function]->Begin(argument, result, thread_->wakeup(), begun.command,
-                                           begun.call);
+  return functions_[executing.function]->Begin(argument, result, thread_->wakeup(),
+                                               executing.command, executing.call);
 }
 
-void RequiredInterfaceProxy::OnBegun(ExecutingCalls::Begun begun, Status status, Bytes& result) {
-  if (status != Status(Status::kQueued)) return OnEnd(begun, status, result);
-  SteadyTime look = ExecutingCalls::FirstLook(begun);
+void RequiredInterfaceProxy::OnStarted(ExecutingCalls::ExecutingCall executing, Status status,
+                                       Bytes& result) {
+  if (status != Status(Status::kQueued)) return OnEnd(executing, status, result);
+  SteadyTime look = ExecutingCalls::FirstLook(executing);
   {
     const std::scoped_lock lock(mutex_);
     // The connection was closed meanwhile, so the call was executed or dropped.
-    if (connection_ == nullptr) return OnEnd(begun, Status::kOutcomeUnknown, result);
+    if (connection_ == nullptr) return OnEnd(executing, Status::kOutcomeUnknown, result);
     // The call ended before Add(), so no further notification comes.
-    if (begun.command->HasEnded(begun.call)) look = begun.since;
-    begun_.Add(std::move(begun));
+    if (executing.command->HasEnded(executing.call)) look = executing.since;
+    executing_.Add(std::move(executing));
   }
   thread_->NotifyBy(look);
 }
 
-void RequiredInterfaceProxy::OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) {
-  if (!CanBeSent(begun.function, result.size())) status = Status::kFailed;
+void RequiredInterfaceProxy::OnEnd(ExecutingCalls::ExecutingCall& executing, Status status,
+                                   Bytes& result) {
+  if (!CanBeSent(executing.function, result.size())) status = Status::kFailed;
   if (!status) result.clear();
   AppendStatus(status, result);
-  begun.responder.Reply(result, kOwnLane);
+  executing.responder.Reply(result, kOwnLane);
 }
 
 void RequiredInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
@@ -370,15 +373,16 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   if (outbox_.is_held_up()) next = std::min(next, now + kUntilLinkHasRoom);
   SendCredit(now, next);
   for (std::size_t i = 0; i < handlers_.size(); ++i) loss_report_.Set(i, handlers_[i]->refused());
-  loss_report_.Tell(now, next);
+  loss_report_.Report(now, next);
   return sent > 0;
 }
 
 /// True if a report must be sent now. A report of executed calls can wait, unless they reach half
 /// the peer's credit and no replies have reported them.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
-  if (credit.accepting != told_.accepting || credit.fault != told_.fault) return true;
-  return watch_ != Watch::kNowAndThen && 2 * (credit.executed - told_.executed) >= capacity_;
+  if (credit.accepting != reported_.accepting || credit.fault != reported_.fault) return true;
+  return reporting_ != CreditReporting::kRelaxed &&
+         2 * (credit.executed - reported_.executed) >= capacity_;
 }
 
 /// Sends a report now and then even if replies have reported the calls, because a peer ignores a
@@ -389,27 +393,29 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kUntilNextLook(1);
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
-  begun_.Answer(now, next);
+  executing_.Answer(now, next);
   if (!channel_->is_open()) return;
   // In this order, so that a call posted meanwhile makes the result too small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();
   const std::uint64_t executed = received - std::min(waiting, received);
-  const message::Credit credit{
-      .executed = std::max(executed, told_.executed), .accepting = IsAccepting(), .fault = Fault()};
-  const bool is_close = watch_ != Watch::kNowAndThen;
+  const message::Credit credit{.executed = std::max(executed, reported_.executed),
+                               .accepting = IsAccepting(),
+                               .fault = Fault()};
+  const bool is_close = reporting_ != CreditReporting::kRelaxed;
   const auto latest = is_close ? kLatest : kLatestBehindAnswers;
-  if (credit == told_) {
+  if (credit == reported_) {
     owed_since_ = now;
   } else if (IsUrgent(credit) || now - owed_since_ >= latest) {
-    if (channel_->Notify(message::kCredit, handle_, credit)) told_ = credit;
+    if (channel_->Notify(message::kCredit, handle_, credit)) reported_ = credit;
   }
-  if (told_.executed == received && credit == told_) {
-    watch_ = Watch::kNone;
+  if (reported_.executed == received && credit == reported_) {
+    reporting_ = CreditReporting::kIdle;
     return;
   }
-  if (watch_ == Watch::kNone) watch_ = Watch::kClosely;
-  const bool is_later = watch_ == Watch::kNowAndThen && now - owed_since_ < kLatestBehindAnswers;
+  if (reporting_ == CreditReporting::kIdle) reporting_ = CreditReporting::kPrompt;
+  const bool is_later =
+      reporting_ == CreditReporting::kRelaxed && now - owed_since_ < kLatestBehindAnswers;
   next = std::min(next, is_later ? owed_since_ + kLatestBehindAnswers : now + kUntilNextLook);
 }
 

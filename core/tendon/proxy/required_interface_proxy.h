@@ -1,14 +1,14 @@
 #pragma once
 
+#include <tendon/base/rate_limited_warning.h>
 #include <tendon/interface/connection.h>
 #include <tendon/interface/required_interface.h>
-#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/executing_calls.h>
 #include <tendon/proxy/function_proxy.h>
-#include <tendon/proxy/loss_report.h>
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
+#include <tendon/proxy/proxy_reports.h>
 #include <tendon/proxy/queued_command_proxy.h>
 #include <tendon/proxy/worker_pool.h>
 
@@ -77,7 +77,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
   /// Replies after the call was executed or refused.
-  void OnWait(std::size_t function, std::span<const std::byte> question, Responder responder);
+  void OnWait(std::size_t function, std::span<const std::byte> argument, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -88,7 +88,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   bool CanBeSent(std::size_t function, std::size_t size);
   /// How often the network thread checks whether it must report to the peer: never; seldom, if
   /// replies have probably reported everything; or often.
-  enum class Watch { kNone, kNowAndThen, kClosely };
+  enum class CreditReporting { kIdle, kRelaxed, kPrompt };
 
   /// While it lives, a command counts as waiting in the line.
   class QueuedCommandCount;
@@ -105,10 +105,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   bool PostTo(SerialExecutor& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
             Bytes& spare);
-  Status Begin(ExecutingCalls::Begun& begun, std::span<const std::byte> argument, Bytes& result);
-  void OnBegun(ExecutingCalls::Begun begun, Status status, Bytes& result);
-  void CountReceived(Watch watch, std::uint64_t in_line = 0);
-  void OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) override;
+  Status Begin(ExecutingCalls::ExecutingCall& executing, std::span<const std::byte> argument,
+               Bytes& result);
+  void OnStarted(ExecutingCalls::ExecutingCall executing, Status status, Bytes& result);
+  void CountReceived(CreditReporting reporting, std::uint64_t in_line = 0);
+  void OnEnd(ExecutingCalls::ExecutingCall& executing, Status status, Bytes& result) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
   [[nodiscard]] bool IsUrgent(const message::Credit& credit) const;
@@ -139,10 +140,10 @@ class RequiredInterfaceProxy final : public NetworkJob,
   Server server_;
   std::uint64_t received_ = 0;
   std::uint64_t waiting_in_line_ = 0;  // number of received commands
-  Watch watch_ = Watch::kNone;
-  message::Credit told_;
+  CreditReporting reporting_ = CreditReporting::kIdle;
+  message::Credit reported_;
   SteadyTime owed_since_{};  // begin of the wait for the next report
-  ExecutingCalls begun_{*this};
+  ExecutingCalls executing_{*this};
 };
 
 }  // namespace tendon

@@ -1,5 +1,5 @@
 #include <tendon/base/os/thread.h>
-#include <tendon/middleware/requests/pending_requests.h>
+#include <tendon/middleware/pending_requests.h>
 #include <tendon/proxy/worker_pool.h>
 
 #include <chrono>

@@ -1,7 +1,6 @@
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/private_file.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/openssl/pem.h>
+#include <tendon/security/pem.h>
 
 #include <array>
 #include <cstdio>

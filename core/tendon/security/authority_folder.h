@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/security/openssl/handles.h>
+#include <tendon/security/openssl_handles.h>
 
 #include <filesystem>
 #include <string>

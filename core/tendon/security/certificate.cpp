@@ -1,5 +1,5 @@
 #include <tendon/security/certificate.h>
-#include <tendon/security/openssl/pem.h>
+#include <tendon/security/pem.h>
 
 #include <array>
 #include <cstdio>

@@ -1,11 +1,11 @@
 #include <tendon/base/name.h>
-#include <tendon/base/os/private_file.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_authority.h>
-#include <tendon/security/openssl/making.h>
-#include <tendon/security/openssl/pem.h>
+#include <tendon/security/certificate_builder.h>
+#include <tendon/security/pem.h>
 
 #include <algorithm>
 #include <optional>
@@ -236,8 +236,8 @@ Result<void> CertificateAuthority::CheckIssue(const Request& request, const fs::
   return {};
 }
 
-Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& request,
-                                                                 const fs::path& out) const {
+Result<CertificateAuthority::IssuedCertificate> CertificateAuthority::Issue(
+    const Request& request, const fs::path& out) const {
   const AuthorityFolder files{folder_};
   const auto authority = Read(files);
   if (!authority) return authority.error();
@@ -258,9 +258,9 @@ Result<CertificateAuthority::Issued> CertificateAuthority::Issue(const Request& 
   if (auto done = WritePrivateFile(issued.certificate, text); !done) return done.error();
   auto described = openssl::Describe(*certificate);
   if (!described) return described.error();
-  return Issued{.certificate = *std::move(described),
-                .certificate_file = issued.certificate,
-                .key_file = issued.key};
+  return IssuedCertificate{.certificate = *std::move(described),
+                           .certificate_file = issued.certificate,
+                           .key_file = issued.key};
 }
 
 Result<std::vector<std::string>> CertificateAuthority::Revocable(const std::string& name) const {

@@ -40,7 +40,7 @@ class CertificateAuthority {
     std::chrono::days validity{365};
   };
   /// The new certificate and its files.
-  struct Issued {
+  struct IssuedCertificate {
     Certificate certificate;
     std::filesystem::path certificate_file;
     std::filesystem::path key_file;  ///< 0600
@@ -48,7 +48,7 @@ class CertificateAuthority {
   /// Creates a key and a certificate, NAME.key and NAME.crt in the folder `out`, which is created
   /// if missing. Never overwrites a file. A name may have several certificates, so that a new one
   /// can be issued before the old one expires.
-  Result<Issued> Issue(const Request& request, const std::filesystem::path& out) const;
+  Result<IssuedCertificate> Issue(const Request& request, const std::filesystem::path& out) const;
   /// Returns the error that Issue() would return before it writes anything.
   [[nodiscard]] Result<void> CheckIssue(const Request& request,
                                         const std::filesystem::path& out) const;

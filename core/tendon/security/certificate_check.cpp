@@ -2,8 +2,8 @@
 #include <openssl/x509_vfy.h>
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_check.h>
-#include <tendon/security/openssl/pem.h>
-#include <tendon/security/openssl/trusted_authority.h>
+#include <tendon/security/pem.h>
+#include <tendon/security/trusted_authority.h>
 
 #include <ctime>
 #include <system_error>
@@ -127,8 +127,8 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
       .certificate = *std::move(checked), .key = *std::move(key), .warning = std::move(warning)};
 }
 
-Result<Certificate> CheckShownCertificate(std::string_view pem,
-                                          openssl::TrustedAuthority& authority, sys_seconds now) {
+Result<Certificate> CheckPeerCertificate(std::string_view pem, openssl::TrustedAuthority& authority,
+                                         sys_seconds now) {
   const auto certificate = openssl::ReadCertificate(pem.substr(0, kMaxCertificateSize));
   if (!certificate) return Error{ErrorCode::kDenied, "its certificate cannot be read"};
   const auto described = openssl::Describe(*certificate);

@@ -38,8 +38,7 @@ Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
 
 /// The same for the certificate (PEM) of a peer that has proved that it owns the key. Errors begin
 /// with "the certificate of 'robot'".
-Result<Certificate> CheckShownCertificate(std::string_view pem,
-                                          openssl::TrustedAuthority& authority,
-                                          std::chrono::sys_seconds now);
+Result<Certificate> CheckPeerCertificate(std::string_view pem, openssl::TrustedAuthority& authority,
+                                         std::chrono::sys_seconds now);
 
 }  // namespace tendon

@@ -1,5 +1,5 @@
 #include <tendon/task/callback_task.h>
-#include <tendon/task/cycle/task_life.h>
+#include <tendon/task/task_life.h>
 
 namespace tendon {
 

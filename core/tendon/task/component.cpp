@@ -259,7 +259,7 @@ Result<void> Component::Launch() {
 void Component::Pause() { SetState(ComponentState::kSuspended); }
 
 Result<void> Component::Resume() {
-  if (TellOfResume()) SetState(ComponentState::kActive);
+  if (ReportResume()) SetState(ComponentState::kActive);
   return {};
 }
 
@@ -269,9 +269,9 @@ void Component::Halt() {
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
 
-bool Component::TellOfPeers(RequiredInterface& interface) {
+bool Component::ReportPeers(RequiredInterface& interface) {
   using Change = RequiredInterface::PeerChange;
-  const bool is_told_first = interface.callers() == CallerThreads::kManyThreads;
+  const bool is_notified_first = interface.callers() == CallerThreads::kManyThreads;
   while (true) {
     const Change change = interface.peer_change();
     if (change == Change::kNone) return true;
@@ -281,17 +281,17 @@ bool Component::TellOfPeers(RequiredInterface& interface) {
       continue;
     }
     if (!interface.TakePeer()) return true;
-    if (!is_told_first) interface.AdmitPeer();
+    if (!is_notified_first) interface.AdmitPeer();
     if (!RunGuarded("OnConnected", [&] { OnConnected(interface); })) {
       if (inbox_) interface.ForgetPeer();  // OnConnected() runs again at the next start
       return false;
     }
     // If the component has no thread, the caller of this function admits the peer.
-    if (is_told_first && inbox_) interface.AdmitPeer();
+    if (is_notified_first && inbox_) interface.AdmitPeer();
   }
 }
 
-bool Component::TellOfGoneClient(const DisconnectedClient& client) {
+bool Component::ReportGoneClient(const DisconnectedClient& client) {
   return RunGuarded("OnClientGone", [&] {
     for (Expiry* const expiry : expiries_) {
       if (expiry->IsOf(client.connection)) expiry->End();
@@ -300,25 +300,25 @@ bool Component::TellOfGoneClient(const DisconnectedClient& client) {
   });
 }
 
-bool Component::TellOfConnections() {
+bool Component::ReportConnections() {
   for (const auto& one : required_) {
     // A component without a thread is notified by the threads that change its connections.
-    if (inbox_ && !TellOfPeers(*one)) return false;
+    if (inbox_ && !ReportPeers(*one)) return false;
   }
   bool is_good = true;
   gone_clients_.Take(
-      [&](const DisconnectedClient& client) { is_good = is_good && TellOfGoneClient(client); });
+      [&](const DisconnectedClient& client) { is_good = is_good && ReportGoneClient(client); });
   return is_good;
 }
 
-bool Component::TellBeforeStartup() {
+bool Component::ReportBeforeStartup() {
   for (Expiry* const expiry : expiries_) expiry->Disarm();
   gone_clients_.Take([](const DisconnectedClient& /*client*/) {});
-  return TellOfConnections();
+  return ReportConnections();
 }
 
-bool Component::TellOfResume() {
-  return TellOfConnections() && RunGuarded("OnResume", [this] {
+bool Component::ReportResume() {
+  return ReportConnections() && RunGuarded("OnResume", [this] {
            EndExpired(SteadyClock().Now());
            OnResume();
          });
@@ -338,13 +338,13 @@ SteadyTime Component::next_expiry() const noexcept {
   return next;
 }
 
-void Component::HearOfPeer(RequiredInterface& interface) { (void)TellOfPeers(interface); }
+void Component::OnPeerChange(RequiredInterface& interface) { (void)ReportPeers(interface); }
 
-void Component::HearOfGoneClient(DisconnectedClient client) {
-  if (!is_at_rest()) (void)TellOfGoneClient(client);
+void Component::OnDisconnectedClient(DisconnectedClient client) {
+  if (!is_at_rest()) (void)ReportGoneClient(client);
 }
 
-void Component::KeepGoneClient(DisconnectedClient client) {
+void Component::QueueGoneClient(DisconnectedClient client) {
   if (is_at_rest()) return;
   const auto is_same = [&client](const DisconnectedClient& one) {
     return one.provided == client.provided && one.name == client.name;

@@ -160,21 +160,21 @@ class Component {
   // false if one of these functions has thrown; then the component is faulted.
 
   /// Calls OnConnected(), OnDisconnected() and OnClientGone() for all changes.
-  bool TellOfConnections();
-  /// Calls TellOfConnections(), then OnResume().
-  bool TellOfResume();
+  bool ReportConnections();
+  /// Calls ReportConnections(), then OnResume().
+  bool ReportResume();
   /// Calls OnConnected() and OnDisconnected() before a start. Does not call OnClientGone(): the
   /// effects of a client's calls ended with the last run.
-  bool TellBeforeStartup();
+  bool ReportBeforeStartup();
   /// Ends the effects of commands that were not renewed by `now`.
   void EndExpired(SteadyTime now);
   /// The time at which the next effect of a command expires; the largest time if there is none.
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
   /// Called in a manager's thread when the peer of `interface` has changed, or a client is gone.
-  virtual void HearOfPeer(RequiredInterface& interface);
-  virtual void HearOfGoneClient(DisconnectedClient client);
-  void KeepGoneClient(DisconnectedClient client);
+  virtual void OnPeerChange(RequiredInterface& interface);
+  virtual void OnDisconnectedClient(DisconnectedClient client);
+  void QueueGoneClient(DisconnectedClient client);
 
   /// Runs one of the author's functions. An exception faults the component; then `where` names the
   /// place in the error text.
@@ -204,15 +204,15 @@ class Component {
   // protected ones.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
-  bool TellOfPeers(RequiredInterface& interface);
-  bool TellOfGoneClient(const DisconnectedClient& client);
+  bool ReportPeers(RequiredInterface& interface);
+  bool ReportGoneClient(const DisconnectedClient& client);
 
   std::string name_;
   Host host_{Host::Listeners{
       .on_exception = [this](const std::string& reason) { FaultFromOutside(reason); },
-      .on_peer_changed = [this](RequiredInterface& interface) { HearOfPeer(interface); },
+      .on_peer_changed = [this](RequiredInterface& interface) { OnPeerChange(interface); },
       .on_client_gone =
-          [this](DisconnectedClient client) { HearOfGoneClient(std::move(client)); }}};
+          [this](DisconnectedClient client) { OnDisconnectedClient(std::move(client)); }}};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;

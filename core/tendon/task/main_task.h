@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/task/callback_task.h>
-#include <tendon/task/cycle/cycle_grid.h>
+#include <tendon/task/cycle_grid.h>
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/task/cycle/cycle_grid.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/cycle_grid.h>
+#include <tendon/task/threaded_task.h>
 
 #include <chrono>
 #include <string>

@@ -1,12 +1,12 @@
-#include <tendon/task/cycle/task_life.h>
 #include <tendon/task/signal_task.h>
+#include <tendon/task/task_life.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace tendon {
 
-SignalTask::SignalTask(std::string name) : ThreadedTask(std::move(name), Posts::kWake) {}
+SignalTask::SignalTask(std::string name) : ThreadedTask(std::move(name), PostWakeup::kWake) {}
 
 SignalTask::~SignalTask() { Join(); }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <string>
 

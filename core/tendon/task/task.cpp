@@ -1,19 +1,78 @@
-#include <tendon/base/counted.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
-#include <tendon/task/cycle/task_life.h>
-#include <tendon/task/state_interface.h>
+#include <tendon/base/text.h>
+#include <tendon/task/cycle_log.h>
 #include <tendon/task/task.h>
-#include <tendon/task/thread/cycle_log.h>
+#include <tendon/task/task_life.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace tendon {
+namespace {
 
-Task::Task(std::string name, Posts posts)
+/// Reads the newest cell of one column as it is stored in the table: a CDR body.
+class ColumnReadCommand final : public CommandBase {
+ public:
+  ColumnReadCommand(const StateTable& table, std::size_t column)
+      : CommandBase(layout::kNone, layout::kNone), table_(table), column_(column) {}
+
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+    Scratch<std::vector<std::uint64_t>>::Use row(row_);
+    row->resize(table_.row_words());
+    while (true) {
+      const std::uint64_t next = table_.next_tick();
+      if (next == 0) return Status::kNoSample;
+      std::int64_t time = 0;
+      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // overwritten
+      const std::span<const std::byte> cell = table_.cell(*row, column_);
+      if (cell.empty()) return Status::kNoSample;
+      out.Take(cell);
+      return Status::kDone;
+    }
+  }
+
+ private:
+  const StateTable& table_;
+  std::size_t column_;
+  Scratch<std::vector<std::uint64_t>> row_;
+};
+
+class ColumnOffer final : public Offer {
+ public:
+  ColumnOffer(MemberDescription description, const StateTable& table, std::size_t column)
+      : Offer(std::move(description)), table_(table), column_(column) {}
+
+  [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
+    return std::make_unique<ColumnReadCommand>(table_, column_);
+  }
+
+ private:
+  const StateTable& table_;
+  std::size_t column_;
+};
+
+/// Adds one read command per column to `interface`, through which others read the table. The
+/// commands return encoded values, which a caller with the column's type converts. `table` must
+/// outlive `interface`.
+void AddColumnReads(const StateTable& table, ProvidedInterface& interface) {
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    const ColumnBase& column = *table.columns()[i];
+    MemberDescription description = DescribeMember<None, None>(column.name(), CommandKind::kRead);
+    description.signature.out = column.fingerprint();
+    description.out_type = column.schema().TypeName();
+    interface.AddOffer(std::make_unique<ColumnOffer>(std::move(description), table, i))
+        .SetSource({&table, &column});
+  }
+}
+
+}  // namespace
+
+Task::Task(std::string name, PostWakeup post_wakeup)
     : Component(std::move(name),
-                std::make_unique<Inbox>(posts == Posts::kWake ? &wakeup_ : nullptr)),
+                std::make_unique<Inbox>(post_wakeup == PostWakeup::kWake ? &wakeup_ : nullptr)),
       log_(CycleLog::OfThisProcess()) {
   tables_.push_back(std::make_unique<StateTable>("state"));
   state_table().Add(meter_.cycle(), "Cycle");
@@ -90,7 +149,7 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
   meter_.Begin(begin, due);
   doing_ = "Run";
   const bool is_good = RunGuarded(doing_, [this] {
-    const DeferLogging put_aside(*log_);
+    const LogDeferralScope deferral_scope(*log_);
     Run();
     EndExpiredNow();
   });
@@ -122,7 +181,7 @@ void Task::AddOverruns(std::uint64_t cycles) {
 
 void Task::ObeyOrders() {
   orders_seen_ = orders_.Get();
-  TaskLife::Obey(*this);
+  TaskLife::ExecuteOrders(*this);
 }
 
 void Task::EndFollowers() {
@@ -141,7 +200,7 @@ void Task::PrepareStart() {
 
 void Task::GiveOrder(LifeRequest request, bool ends_start) {
   order_.Set({.number = order_.Get().number + 1, .request = request, .ends_start = ends_start});
-  TaskLife::CallThread(*this);
+  TaskLife::WakeThread(*this);
   TaskLife::RootOf(*this).ServeWaiting();
 }
 
@@ -166,16 +225,16 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
   return leader == nullptr ? Result<void>() : TaskLife::RemoveFollower(*leader, *this, deadline);
 }
 
-void Task::HearOfPeer(RequiredInterface& interface) {
-  TaskLife::CallThread(*this);
+void Task::OnPeerChange(RequiredInterface& interface) {
+  TaskLife::WakeThread(*this);
   // The order matters: a start before CallThread() is visible here, and a start after it calls
   // OnConnected().
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 
-void Task::HearOfGoneClient(DisconnectedClient client) {
-  KeepGoneClient(std::move(client));
-  TaskLife::CallThread(*this);
+void Task::OnDisconnectedClient(DisconnectedClient client) {
+  QueueGoneClient(std::move(client));
+  TaskLife::WakeThread(*this);
 }
 
 void Task::FaultFromOutside(const std::string& reason) {
@@ -185,7 +244,7 @@ void Task::FaultFromOutside(const std::string& reason) {
     outside_reason_ = reason;
   }
   has_failed_outside_.Set(true);
-  TaskLife::CallThread(*this);
+  TaskLife::WakeThread(*this);
 }
 
 }  // namespace tendon

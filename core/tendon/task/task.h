@@ -4,7 +4,7 @@
 #include <tendon/lockfree/wakeup.h>
 #include <tendon/state/state_table.h>
 #include <tendon/task/component.h>
-#include <tendon/task/cycle/cycle_meter.h>
+#include <tendon/task/cycle_meter.h>
 
 #include <chrono>
 #include <cstdint>
@@ -20,7 +20,7 @@ class Task;
 class TaskLife;
 
 /// Whether a posted call wakes the thread that makes the cycles.
-enum class Posts {
+enum class PostWakeup {
   kWait,  ///< the post waits until a cycle executes it
   kWake,  ///< the post wakes a thread that sleeps on Task::wakeup()
 };
@@ -59,7 +59,7 @@ class Task : public Component {
   }
 
  protected:
-  explicit Task(std::string name, Posts posts = Posts::kWait);
+  explicit Task(std::string name, PostWakeup post_wakeup = PostWakeup::kWait);
   ~Task() override;
 
   /// The table `state`: variables added to it are recorded once a cycle, after Run().
@@ -99,7 +99,7 @@ class Task : public Component {
   /// Called when the task has become active, after a start or a resumption.
   virtual void OnActive() {}
 
-  /// Notified of orders, and of posts with Posts::kWake.
+  /// Notified of orders, and of posts with PostWakeup::kWake.
   Wakeup<>& wakeup() { return wakeup_; }
   /// Time between two rows, from which the default length of tables follows: about one second.
   [[nodiscard]] virtual std::chrono::nanoseconds row_period() const;
@@ -119,8 +119,8 @@ class Task : public Component {
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
-  void HearOfPeer(RequiredInterface& interface) override;
-  void HearOfGoneClient(DisconnectedClient client) override;
+  void OnPeerChange(RequiredInterface& interface) override;
+  void OnDisconnectedClient(DisconnectedClient client) override;
 
  private:
   friend TaskLife;  // the rest of a task's work; see there

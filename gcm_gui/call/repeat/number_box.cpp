@@ -41,7 +41,7 @@ QString NumberBox::bareText(const QString& text) const {
 QString NumberBox::refusalOf(const QString& text) const {
   if (!specialValueText().isEmpty() && text == specialValueText()) return {};
   const auto kind = numbers_ == Numbers::kWhole ? Schema::Kind::kInt32 : Schema::Kind::kFloat64;
-  const NumberWord word = ReadNumberWord(kind, bareText(text).toStdString());
+  const NumberLiteral word = ReadNumberLiteral(kind, bareText(text).toStdString());
   if (word.flaw != NumberFlaw::kNone) return NumberFlawText(word, suffix().trimmed());
   bool is_number = false;
   const double number = QString::fromStdString(word.json).toDouble(&is_number);
@@ -60,7 +60,8 @@ QValidator::State NumberBox::validate(QString& text, int& /*place*/) const {
 
 double NumberBox::valueFromText(const QString& text) const {
   if (!specialValueText().isEmpty() && text == specialValueText()) return minimum();
-  const NumberWord word = ReadNumberWord(Schema::Kind::kFloat64, bareText(text).toStdString());
+  const NumberLiteral word =
+      ReadNumberLiteral(Schema::Kind::kFloat64, bareText(text).toStdString());
   bool is_number = false;
   const double number = QString::fromStdString(word.json).toDouble(&is_number);
   return is_number ? number : value();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 
 #include <QDoubleSpinBox>
 #include <QString>

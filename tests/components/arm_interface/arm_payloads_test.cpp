@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 namespace arm {
 namespace {
 
 template <typename T>
 std::string UnitOf(const char* path) {
-  const auto channel = tendon::FindChannel(tendon::SchemaOf<T>(), path);
-  return channel ? channel->unit : channel.error().message;
+  const auto field = tendon::FindNumericField(tendon::SchemaOf<T>(), path);
+  return field ? field->unit : field.error().message;
 }
 
 TEST(ArmPayloads, CarryTheirUnits) {

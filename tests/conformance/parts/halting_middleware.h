@@ -29,10 +29,10 @@ class HaltingMiddleware final : public test::WrappedMiddleware {
     HaltingLink(std::shared_ptr<Link> below, int parts)
         : WrappedLink(std::move(below)), left_(parts) {}
 
-    Status Send(std::span<const std::byte> frame) override {
+    Status Send(std::span<const std::byte> frame, Delivery delivery) override {
       const bool is_part = ReadWholeFrame(frame)->type == MessageType::kPart;
       if (is_part && left_.fetch_sub(1) <= 0) return Status::kQueueFull;
-      return WrappedLink::Send(frame);
+      return WrappedLink::Send(frame, delivery);
     }
 
    private:

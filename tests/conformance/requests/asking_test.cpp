@@ -51,7 +51,8 @@ class PromptClerk final : public ChannelHandler {
 /// Who asks waits for the answer, which may take a shorter way than other messages.
 Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
                        std::chrono::milliseconds timeout = kLong) {
-  auto answer = channel.Ask(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane);
+  auto answer = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,
+                             Delivery::kDirect);
   if (!answer) return answer.error();
   return (*std::move(answer)).TakeBytes();
 }
@@ -84,13 +85,13 @@ TEST_P(ChannelContract, WhatIsAskedComesBehindWhatWasSaidBeforeAndBeforeWhatIsSa
 
   for (std::uint32_t i = 0; i < kRounds; ++i) {
     ASSERT_TRUE(channel_->Notify(kTell, 0, None{}));
-    const Status asked = channel_->TryAsk(
+    const Status asked = channel_->TryRequest(
         kHowMany, 0, {}, kLong,
         [&](Result<Bytes> answer) {
           const std::scoped_lock lock(mutex);
           heard.push_back(answer ? *DecodeBody<std::uint32_t>(*answer) : 0);
         },
-        kOwnLane);
+        kOwnLane, Delivery::kDirect);
     ASSERT_TRUE(asked);
   }
 
@@ -106,10 +107,10 @@ TEST_P(ChannelContract, WhatWasAskedIsAnsweredBehindWhatWasSentBefore) {
   Connect(std::make_shared<PromptClerk>(), client);
   for (std::uint32_t i = 1; i <= 50; ++i) {
     std::promise<std::uint32_t> told;
-    ASSERT_TRUE(channel_->TryAsk(
+    ASSERT_TRUE(channel_->TryRequest(
         kTellThenAnswer, 0, {}, kLong,
         [&](Result<Bytes> answer) { told.set_value(answer ? client->notices_.load() : 0); },
-        kOwnLane));
+        kOwnLane, Delivery::kDirect));
     EXPECT_EQ(told.get_future().get(), i);
   }
 }
@@ -131,7 +132,8 @@ TEST_P(ChannelContract, AQuestionTooLargeForOnePieceIsAnsweredToo) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  const auto answer = channel_->Ask(kTellThenAnswer, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane);
+  const auto answer = channel_->Call(kTellThenAnswer, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane,
+                                     Delivery::kDirect);
 
   ASSERT_TRUE(answer) << answer.error().message;
   EXPECT_EQ(answer->body().size(), 3 * kMaxPieceSize);
@@ -202,7 +204,8 @@ TEST_P(ChannelContract, BothEndsMayAskAtTheSameTime) {
     for (int i = 0; i < 200; ++i) answers += static_cast<int>(AskClerk(*channel_, kHowMany).ok());
   });
   for (int i = 0; i < 200; ++i) {
-    answers += static_cast<int>(back->Ask(kHowMany, 0, {}, kLong, kOwnLane).ok());
+    answers +=
+        static_cast<int>(back->Call(kHowMany, 0, {}, kLong, kOwnLane, Delivery::kDirect).ok());
   }
   there.get();
 

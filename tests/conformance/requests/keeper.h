@@ -20,7 +20,7 @@ class Keeper final : public LinkHandler {
   explicit Keeper(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
 
   void OnFrame(std::span<const std::byte> /*frame*/) override { Put(nullptr); }
-  void OnAsked(std::span<const std::byte> /*frame*/, ReplySlot& answer) override {
+  void OnDirectFrame(std::span<const std::byte> /*frame*/, ReplySlot& answer) override {
     auto later = answer.Defer();
     EXPECT_NE(later, nullptr);
     EXPECT_EQ(answer.Defer(), nullptr) << "it is deferred once";

@@ -3,7 +3,6 @@
 #include <tendon/middleware/channel_handler.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/connection_messages.h>
-#include <tendon/proxy/mirror_messages.h>
 #include <tendon/task/periodic_task.h>
 
 #include <array>

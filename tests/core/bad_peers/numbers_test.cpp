@@ -2,8 +2,8 @@
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/client/log_feed.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/middleware/parts/part_sender.h>
-#include <tendon/middleware/requests/blocking_request.h>
+#include <tendon/middleware/part_sender.h>
+#include <tendon/middleware/pending_requests.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_subscription.h>
 #include <tests/core/gcm/samples.h>
@@ -152,7 +152,9 @@ TEST(BadInput63, AnAnswerWhoseNumberGoesBackOrJumpsIsNobodys) {
 /// Takes all that is sent.
 class Hole final : public Link {
  public:
-  Status Send(std::span<const std::byte> /*frame*/) override { return Status::kQueued; }
+  Status Send(std::span<const std::byte> /*frame*/, Delivery /*delivery*/) override {
+    return Status::kQueued;
+  }
   void Admit() override {}
   void Close() override {}
   [[nodiscard]] std::string peer() const override { return "peer"; }

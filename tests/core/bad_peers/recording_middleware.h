@@ -47,13 +47,9 @@ class RecordingMiddleware final : public WrappedMiddleware {
           records_(std::move(records)),
           address_(std::move(address)) {}
 
-    Status Send(std::span<const std::byte> frame) override {
+    Status Send(std::span<const std::byte> frame, Delivery delivery) override {
       Keep(frame);
-      return WrappedLink::Send(frame);
-    }
-    Status Ask(std::span<const std::byte> frame) override {
-      Keep(frame);
-      return below().Ask(frame);
+      return below().Send(frame, delivery);
     }
 
    private:

@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tests/core/gcm/bench.h>
 #include <tests/support/record.h>
 

@@ -85,15 +85,15 @@ TEST_F(FileContentTest, OfNoFileIsRefused) {
 TEST_F(FileContentTest, IsOtherOnceTheFileHasOtherBytesAndTheSameOnceItHasTheOldOnes) {
   folder.Write("file", "code");
   FileWatch watch = Watch();
-  EXPECT_EQ(watch.Look(), FileWatch::State::kSame);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 
   folder.Write("file", "Code");  // as long as before
-  EXPECT_EQ(watch.Look(), FileWatch::State::kOther);
-  EXPECT_EQ(watch.Look(), FileWatch::State::kOther);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
   EXPECT_GE(watch.written_now(), watch.content().stamp.written);
 
   folder.Write("file", "code");
-  EXPECT_EQ(watch.Look(), FileWatch::State::kSame);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 }
 
 TEST_F(FileContentTest, IsOtherWhateverTheTimeOfTheFileSays) {
@@ -104,7 +104,7 @@ TEST_F(FileContentTest, IsOtherWhateverTheTimeOfTheFileSays) {
   folder.Write("file", "Code");
   fs::last_write_time(file, written);
 
-  EXPECT_EQ(watch.Look(), FileWatch::State::kOther);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
 }
 
 TEST_F(FileContentTest, IsTheSameWhereTheFileWasOnlyTouchedOrCopied) {
@@ -112,11 +112,11 @@ TEST_F(FileContentTest, IsTheSameWhereTheFileWasOnlyTouchedOrCopied) {
   FileWatch watch = Watch();
 
   fs::last_write_time(file, fs::last_write_time(file) + std::chrono::hours(1));
-  EXPECT_EQ(watch.Look(), FileWatch::State::kSame);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 
   fs::copy_file(file, folder.path() / "copy");
   fs::rename(folder.path() / "copy", file);
-  EXPECT_EQ(watch.Look(), FileWatch::State::kSame);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 }
 
 TEST_F(FileContentTest, IsGoneWithTheFileAndThereAgainWithIt) {
@@ -124,11 +124,11 @@ TEST_F(FileContentTest, IsGoneWithTheFileAndThereAgainWithIt) {
   FileWatch watch = Watch();
 
   fs::remove(file);
-  EXPECT_EQ(watch.Look(), FileWatch::State::kGone);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kGone);
   EXPECT_EQ(watch.written_now(), 0);
 
   folder.Write("file", "code");
-  EXPECT_EQ(watch.Look(), FileWatch::State::kSame);
+  EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 }
 
 }  // namespace

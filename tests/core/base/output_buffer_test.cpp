@@ -91,7 +91,8 @@ TEST_F(OutputBufferTest, AWriteThatWaitsEndsWhenSomebodyAsksForTheEnd) {
 
   asker.join();
   EXPECT_FALSE(out.good());
-  EXPECT_TRUE(tendon::os::TerminationAsked(std::chrono::milliseconds(0))) << "it is still asked";
+  EXPECT_TRUE(tendon::os::TerminationRequested(std::chrono::milliseconds(0)))
+      << "it is still asked";
   tendon::os::HoldTerminationSignals();
 }
 
@@ -100,7 +101,7 @@ TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);
   pthread_kill(pthread_self(), SIGINT);
-  ASSERT_TRUE(tendon::os::TerminationAsked(std::chrono::seconds(1)));
+  ASSERT_TRUE(tendon::os::TerminationRequested(std::chrono::seconds(1)));
 
   out << "there is room for this" << std::flush;
   EXPECT_TRUE(out.good());
@@ -108,7 +109,7 @@ TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
 
   EXPECT_FALSE(out.good());
   tendon::os::HoldTerminationSignals();
-  EXPECT_FALSE(tendon::os::WasTerminationAsked()) << "it goes on";
+  EXPECT_FALSE(tendon::os::WasTerminationRequested()) << "it goes on";
 }
 
 TEST_F(OutputBufferTest, WritesAgainOnceTheProgramGoesOn) {
@@ -122,7 +123,7 @@ TEST_F(OutputBufferTest, WritesAgainOnceTheProgramGoesOn) {
   out << "too early" << std::flush;
   ASSERT_FALSE(out.good()) << "it is still asked to end";
 
-  ASSERT_TRUE(tendon::os::TerminationAsked(std::chrono::seconds(1)));
+  ASSERT_TRUE(tendon::os::TerminationRequested(std::chrono::seconds(1)));
   tendon::os::HoldTerminationSignals();
   out.clear();
   out.flush();

@@ -19,7 +19,7 @@ TEST(Termination, AHeldSignalIsSeenAndDoesNotKill) {
       {
         HoldTerminationSignals();
         SignalMyself();
-        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+        _exit(TerminationRequested(60s) ? kWasAsked : 0);
       },
       testing::ExitedWithCode(kWasAsked), "");
 }
@@ -28,7 +28,7 @@ TEST(Termination, NobodyHasAsked) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
-        _exit(TerminationAsked(1ms) ? kWasAsked : 0);
+        _exit(TerminationRequested(1ms) ? kWasAsked : 0);
       },
       testing::ExitedWithCode(0), "");
 }
@@ -39,10 +39,10 @@ TEST(Termination, OnlyAnInterruptIsForgotten) {
         HoldTerminationSignals();
         kill(getpid(), SIGINT);
         ForgetInterrupt();
-        if (TerminationAsked(1ms)) _exit(0);
+        if (TerminationRequested(1ms)) _exit(0);
         SignalMyself();
         ForgetInterrupt();
-        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+        _exit(TerminationRequested(60s) ? kWasAsked : 0);
       },
       testing::ExitedWithCode(kWasAsked), "");
 }
@@ -52,7 +52,7 @@ TEST(Termination, ASecondSignalKills) {
       {
         HoldTerminationSignals();
         SignalMyself();
-        static_cast<void>(TerminationAsked(60s));
+        static_cast<void>(TerminationRequested(60s));
         SignalMyself();
         _exit(0);
       },
@@ -76,7 +76,7 @@ TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
         HoldTerminationSignals();
         { const TerminationUnblockScope impatient; }
         SignalMyself();
-        _exit(TerminationAsked(60s) ? kWasAsked : 0);
+        _exit(TerminationRequested(60s) ? kWasAsked : 0);
       },
       testing::ExitedWithCode(kWasAsked), "");
 }
@@ -87,11 +87,11 @@ TEST(Termination, AThreadWithAnInterruptionHearsThatAlone) {
         const std::jthread window([] {
           HoldTerminationSignals();
           Interruption interruption;
-          if (TerminationAsked(1ms)) _exit(0);
-          const std::jthread user([&] { interruption.Ask(); });
-          if (!TerminationAsked(60s)) _exit(0);
-          interruption.Ask();  // does not kill
-          if (WaitForTermination() != SIGINT || TerminationAsked(1ms)) _exit(0);
+          if (TerminationRequested(1ms)) _exit(0);
+          const std::jthread user([&] { interruption.Request(); });
+          if (!TerminationRequested(60s)) _exit(0);
+          interruption.Request();  // does not kill
+          if (WaitForTermination() != SIGINT || TerminationRequested(1ms)) _exit(0);
           { const TerminationUnblockScope impatient; }
           pthread_kill(pthread_self(), SIGTERM);  // held as before
           _exit(kWasAsked);

@@ -5,7 +5,6 @@
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/connection_messages.h>
-#include <tendon/proxy/mirror_messages.h>
 
 #include <string>
 

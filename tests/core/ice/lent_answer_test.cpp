@@ -21,7 +21,7 @@ class Filler final : public LinkHandler {
   explicit Filler(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
 
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override {
+  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override {
     FrameHeader header = *ReadWholeFrame(frame);
     header.size = header.handle;
     std::ranges::fill(*answer.Begin(header), static_cast<std::byte>(header.handle));
@@ -84,7 +84,7 @@ class LentAnswer : public testing::Test {
 
   Borrower::Heard Ask(std::uint32_t size) {
     auto heard = borrower_->Next();
-    EXPECT_EQ(link_->Ask(FrameOf(size)), Status(Status::kQueued));
+    EXPECT_EQ(link_->Send(FrameOf(size), Delivery::kDirect), Status(Status::kQueued));
     EXPECT_EQ(heard.wait_for(kPatience), std::future_status::ready);
     return heard.get();
   }

@@ -126,7 +126,7 @@ TEST(MalformedReply, AnAnswerThatThePeerFailsToMakeIsARefusalAtOnce) {
     Bytes frame;
     WriteFrame(question, {}, frame);
 
-    ASSERT_EQ((*link)->Ask(frame), Status(Status::kQueued));
+    ASSERT_EQ((*link)->Send(frame, Delivery::kDirect), Status(Status::kQueued));
 
     auto refusal = heard.get_future();
     ASSERT_EQ(refusal.wait_for(kPatience), std::future_status::ready);

@@ -123,7 +123,7 @@ TEST_F(MalformedRequest, TheServerAnswersOrHangsUpAndServesTheNext) {
 
 /// A request as long as a stranger may make it, of which all is right.
 Bytes LongRequest() {
-  const Bytes frame = FrameOf(1, kMaxStrangersFrameSize - FrameHeader::kSize);
+  const Bytes frame = FrameOf(1, kMaxUnauthenticatedFrameSize - FrameHeader::kSize);
   const std::string_view text(reinterpret_cast<const char*>(frame.data()), frame.size());
   const auto size = static_cast<std::int64_t>(frame.size());
   return Request("frame", 0).Int(size + 11).Byte(1).Byte(1).Size(size).Text(text).Finished();

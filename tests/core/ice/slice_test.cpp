@@ -1,6 +1,6 @@
 #include <Ice/Ice.h>
 #include <gtest/gtest.h>
-#include <tendon.h>  // generated from slice/tendon.ice
+#include <tendon.h>  // generated from tendon.ice
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/ice_middleware.h>
 
@@ -64,7 +64,7 @@ class GeneratedEndpoint final : public Endpoint {
 class Answerer final : public LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnAsked(std::span<const std::byte> frame, ReplySlot& answer) override {
+  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override {
     if (!is_prompt) return;
     const auto room = answer.Begin(*ReadWholeFrame(frame));
     std::ranges::copy(frame.subspan(FrameHeader::kSize), room->begin());
@@ -194,10 +194,11 @@ TEST_F(Slice, OurClientAsksAGeneratedServer) {
   const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
   ASSERT_TRUE(link) << link.error().message;
 
-  ASSERT_EQ((*link)->Ask(FrameOf(5)), Status::kQueued);  // there is no answer yet
+  // There is no answer yet.
+  ASSERT_EQ((*link)->Send(FrameOf(5), Delivery::kDirect), Status::kQueued);
   ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
   endpoint->SetAnswer(FrameOf(7, 1000));
-  ASSERT_EQ((*link)->Ask(FrameOf(6)), Status::kQueued);
+  ASSERT_EQ((*link)->Send(FrameOf(6), Delivery::kDirect), Status::kQueued);
 
   ASSERT_TRUE(recorder->WaitForFrames(1));
   EXPECT_EQ(endpoint->frames(), (std::vector{FrameOf(5), FrameOf(6)}));
@@ -213,11 +214,11 @@ TEST_F(Slice, WhoAnswersWithSomethingElseThanAFrameIsCutOff) {
   ASSERT_TRUE(link) << link.error().message;
   endpoint->SetAnswer(Bytes(30));
 
-  ASSERT_EQ((*link)->Ask(FrameOf(5)), Status::kQueued);
+  ASSERT_EQ((*link)->Send(FrameOf(5), Delivery::kDirect), Status::kQueued);
 
   ASSERT_TRUE(recorder->WaitForClosed());
   EXPECT_TRUE(recorder->numbers().empty());
-  EXPECT_EQ((*link)->Ask(FrameOf(6)), Status::kNotConnected);
+  EXPECT_EQ((*link)->Send(FrameOf(6), Delivery::kDirect), Status::kNotConnected);
 }
 
 TEST_F(Slice, UnknownNamesAreAnsweredAsIceDoes) {

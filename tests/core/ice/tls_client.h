@@ -8,7 +8,7 @@
 #include <sys/time.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/security/openssl/handles.h>
+#include <tendon/security/openssl_handles.h>
 
 #include <cerrno>
 #include <csignal>

@@ -4,8 +4,8 @@
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/openssl/making.h>
-#include <tendon/security/openssl/pem.h>
+#include <tendon/security/certificate_builder.h>
+#include <tendon/security/pem.h>
 
 #include <algorithm>
 #include <chrono>

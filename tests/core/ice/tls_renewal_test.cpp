@@ -9,16 +9,17 @@ class TlsRenewal : public TlsTest {
  protected:
   /// Puts another certificate where that of `name` was. All that were issued before are revoked.
   void Renew(const std::string& name) const { Put(Reissued(RequestOf(name)), name); }
-  [[nodiscard]] CertificateAuthority::Issued Reissued(const Request& request) const {
+  [[nodiscard]] CertificateAuthority::IssuedCertificate Reissued(const Request& request) const {
     EXPECT_TRUE(authority->Revoke(request.name).ok());
     return IssueElsewhere(request);
   }
-  [[nodiscard]] CertificateAuthority::Issued IssueElsewhere(const Request& request) const {
+  [[nodiscard]] CertificateAuthority::IssuedCertificate IssueElsewhere(
+      const Request& request) const {
     const auto issued = authority->Issue(request, home.path() / "renewed");
     EXPECT_TRUE(issued.ok());
     return *issued;
   }
-  void Put(const CertificateAuthority::Issued& issued, const std::string& name) const {
+  void Put(const CertificateAuthority::IssuedCertificate& issued, const std::string& name) const {
     fs::rename(issued.key_file, out / (name + ".key"));
     fs::rename(issued.certificate_file, out / (name + ".crt"));
   }

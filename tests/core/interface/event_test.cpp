@@ -207,13 +207,13 @@ struct Heard {
   void OnError(const std::string& text) { texts.push_back("error: " + text); }
 };
 
-TEST(Messages, AreEventsAndLogRecords) {
+TEST(StatusMessages, AreEventsAndLogRecords) {
   static tendon::test::Record<std::string> records;
   tendon::AddLogSink([](tendon::LogLevel, std::string_view source, std::string_view text) {
     records.Add(std::string(source) + ": " + std::string(text));
   });
   tendon::ProvidedInterface control("Control", nullptr);
-  tendon::Messages messages(control, "arm");
+  tendon::StatusMessages messages(control, "arm");
   Heard client;
   const auto connection =
       Connection::Make(client.messages, control, "desk/Messages", "arm/Control");

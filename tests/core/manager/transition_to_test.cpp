@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/manager/transition_to.h>
+#include <tendon/manager/local_manager.h>
 
 #include <stdexcept>
 
@@ -48,7 +48,7 @@ class Failing final : public Component {
   void Startup() override { throw std::runtime_error("no power"); }
 };
 
-class BringToTest : public testing::Test {
+class TransitionToTest : public testing::Test {
  protected:
   [[nodiscard]] ComponentState StateOf(const std::string& component) const {
     return manager_.Find(component)->state();
@@ -57,51 +57,51 @@ class BringToTest : public testing::Test {
   LocalManager manager_;
 };
 
-TEST_F(BringToTest, AComponentComesToTheStateThatIsWanted) {
+TEST_F(TransitionToTest, AComponentComesToTheStateThatIsWanted) {
   using enum ComponentState;
-  const auto bring = [this](const std::string& name, ComponentState wanted) {
+  const auto transition_to = [this](const std::string& name, ComponentState wanted) {
     manager_.Add<Component>(name);
-    EXPECT_TRUE(TransitionTo(manager_, name, wanted));
+    EXPECT_TRUE(manager_.TransitionTo(name, wanted));
     return StateOf(name);
   };
 
-  EXPECT_EQ(bring("active", kActive), kActive);
-  EXPECT_EQ(bring("suspended", kSuspended), kSuspended);
-  EXPECT_EQ(bring("finished", kFinished), kConstructed);
-  EXPECT_EQ(bring("constructed", kConstructed), kConstructed);
+  EXPECT_EQ(transition_to("active", kActive), kActive);
+  EXPECT_EQ(transition_to("suspended", kSuspended), kSuspended);
+  EXPECT_EQ(transition_to("finished", kFinished), kConstructed);
+  EXPECT_EQ(transition_to("constructed", kConstructed), kConstructed);
 }
 
-TEST_F(BringToTest, WhatCannotBeSuspendedIsStopped) {
+TEST_F(TransitionToTest, WhatCannotBeSuspendedIsStopped) {
   manager_.Add<Restless>("arm");
 
-  const auto brought = TransitionTo(manager_, "arm", ComponentState::kSuspended, kShort);
+  const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended, kShort);
 
-  ASSERT_FALSE(brought);
-  EXPECT_EQ(brought.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(brought.error().message, HasSubstr("'arm' could not be suspended: "));
-  EXPECT_THAT(brought.error().message, HasSubstr("it was stopped instead"));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kTimeout);
+  EXPECT_THAT(result.error().message, HasSubstr("'arm' could not be suspended: "));
+  EXPECT_THAT(result.error().message, HasSubstr("it was stopped instead"));
   EXPECT_EQ(StateOf("arm"), ComponentState::kFinished);
 }
 
-TEST_F(BringToTest, WhatStartsTooLateIsStoppedOnceItHas) {
+TEST_F(TransitionToTest, WhatStartsTooLateIsStoppedOnceItHas) {
   Slow& arm = manager_.Add<Slow>("arm");
 
-  const auto brought = TransitionTo(manager_, "arm", ComponentState::kSuspended, kShort);
+  const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended, kShort);
 
-  ASSERT_FALSE(brought);
-  EXPECT_EQ(brought.error().code, ErrorCode::kTimeout);
-  EXPECT_THAT(brought.error().message, HasSubstr("it was stopped instead"));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kTimeout);
+  EXPECT_THAT(result.error().message, HasSubstr("it was stopped instead"));
   EXPECT_EQ(arm.state(), ComponentState::kFinished);
 }
 
-TEST_F(BringToTest, WhatDoesNotStartIsNotStopped) {
+TEST_F(TransitionToTest, WhatDoesNotStartIsNotStopped) {
   manager_.Add<Failing>("arm");
 
-  const auto brought = TransitionTo(manager_, "arm", ComponentState::kSuspended);
+  const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended);
 
-  ASSERT_FALSE(brought);
-  EXPECT_THAT(brought.error().message, HasSubstr("no power"));
-  EXPECT_EQ(brought.error().message.find("stopped"), std::string::npos);
+  ASSERT_FALSE(result);
+  EXPECT_THAT(result.error().message, HasSubstr("no power"));
+  EXPECT_EQ(result.error().message.find("stopped"), std::string::npos);
   EXPECT_EQ(StateOf("arm"), ComponentState::kFaulted);
 }
 

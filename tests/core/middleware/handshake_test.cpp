@@ -34,10 +34,11 @@ FrameHeader HeaderOf(MessageType type, std::uint16_t version = kOurs) {
 /// The two ends of a link, and what they say to each other.
 struct Talk {
   explicit Talk(Hello one = HelloOf("desk"), Hello other = HelloOf("robot"),
-                Strangers strangers = Strangers::kRefused,
+                UnauthenticatedPeers unauthenticated = UnauthenticatedPeers::kRefused,
                 const std::string& seen = "127.0.0.1:10705")
-      : opener(Handshake::Role::kOpener, std::move(one), seen, Strangers::kRefused),
-        acceptor(Handshake::Role::kAcceptor, std::move(other), "127.0.0.1:10705", strangers) {}
+      : opener(Handshake::Role::kOpener, std::move(one), seen, UnauthenticatedPeers::kRefused),
+        acceptor(Handshake::Role::kAcceptor, std::move(other), "127.0.0.1:10705", unauthenticated) {
+  }
 
   Result<Handshake::Step> Hear(MessageType type, const Bytes& body) {
     return acceptor.Take(HeaderOf(type), body);
@@ -90,9 +91,9 @@ TEST(Handshake, NoCookieAtBothEndsIsNoKnowledge) {
   EXPECT_EQ(Talk(HelloOf("desk", 0), HelloOf("robot", 0)).Run().error().code, ErrorCode::kDenied);
 }
 
-TEST(Handshake, AllowedStrangersMayShowNoneButNoWrongOne) {
-  EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot"), Strangers::kAllowed).Run());
-  Talk talk(HelloOf("desk", 0), HelloOf("robot"), Strangers::kAllowed);
+TEST(Handshake, AllowedUnauthenticatedPeersMayShowNoneButNoWrongOne) {
+  EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot"), UnauthenticatedPeers::kAllowed).Run());
+  Talk talk(HelloOf("desk", 0), HelloOf("robot"), UnauthenticatedPeers::kAllowed);
   ASSERT_TRUE(talk.Hear(MessageType::kHello, talk.opener.Greet()));
   Proof wrong;
   wrong.proof.fill(1);
@@ -101,13 +102,14 @@ TEST(Handshake, AllowedStrangersMayShowNoneButNoWrongOne) {
 }
 
 TEST(Handshake, FromElsewhereNoCookieIsAskedForAndNoneIsUsed) {
-  Talk talk(HelloOf("desk", 0), HelloOf("robot", 0), Strangers::kFromElsewhere);
+  Talk talk(HelloOf("desk", 0), HelloOf("robot", 0), UnauthenticatedPeers::kFromElsewhere);
 
   const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
 
   ASSERT_TRUE(challenge);
   EXPECT_EQ(DecodeBody<Challenge>(challenge->body)->proof, message::Digest{});
-  EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot", 0), Strangers::kFromElsewhere).Run());
+  EXPECT_TRUE(
+      Talk(HelloOf("desk", 0), HelloOf("robot", 0), UnauthenticatedPeers::kFromElsewhere).Run());
 }
 
 TEST(Handshake, NothingThatIsSaidHoldsTheCookie) {
@@ -155,7 +157,7 @@ TEST(Handshake, AProofCoversTheSession) {
 }
 
 TEST(Handshake, WhoFoundTheAcceptorElsewhereIsDenied) {
-  Talk talk(HelloOf("desk"), HelloOf("robot"), Strangers::kRefused, "127.0.0.1:6666");
+  Talk talk(HelloOf("desk"), HelloOf("robot"), UnauthenticatedPeers::kRefused, "127.0.0.1:6666");
 
   EXPECT_EQ(talk.Run().error().code, ErrorCode::kDenied);
 }

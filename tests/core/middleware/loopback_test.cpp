@@ -44,7 +44,7 @@ class FaultyLoopback : public testing::Test {
 using Numbers = std::vector<std::uint32_t>;
 
 TEST_F(FaultyLoopback, LosesFramesAndTheSenderDoesNotNotice) {
-  network_->SetJudge([](const loopback::Frame& frame) {
+  network_->SetFaultInjector([](const loopback::Frame& frame) {
     return NumberOf(frame) % 2 == 0 ? loopback::kPass : loopback::kDrop;
   });
 
@@ -57,14 +57,14 @@ TEST_F(FaultyLoopback, LosesFramesAndTheSenderDoesNotNotice) {
 
 TEST_F(FaultyLoopback, IsCutOneWay) {
   const auto guest = host_.guest();
-  network_->SetJudge([this](const loopback::Frame& frame) {
+  network_->SetFaultInjector([this](const loopback::Frame& frame) {
     return frame.to == address_ ? loopback::kDrop : loopback::kPass;
   });
 
   SendToServer(1, 1);
   ASSERT_EQ(guest.link->Send(FrameOf(2)), Status::kQueued);
   ASSERT_TRUE(recorder_->WaitForFrames(1));
-  network_->SetJudge([this](const loopback::Frame& frame) {
+  network_->SetFaultInjector([this](const loopback::Frame& frame) {
     return frame.from == address_ ? loopback::kDrop : loopback::kPass;
   });
   ASSERT_EQ(guest.link->Send(FrameOf(3)), Status::kQueued);
@@ -77,8 +77,8 @@ TEST_F(FaultyLoopback, IsCutOneWay) {
 
 TEST_F(FaultyLoopback, DelaysAFrameAndWhatComesBehindIt) {
   constexpr std::chrono::milliseconds kDelay(50);
-  network_->SetJudge([&](const loopback::Frame& frame) {
-    return NumberOf(frame) == 1 ? loopback::Verdict{.delay = kDelay} : loopback::kPass;
+  network_->SetFaultInjector([&](const loopback::Frame& frame) {
+    return NumberOf(frame) == 1 ? loopback::Fault{.delay = kDelay} : loopback::kPass;
   });
   const SteadyTime sent = SteadyClock().Now();
 
@@ -92,7 +92,7 @@ TEST_F(FaultyLoopback, DelaysAFrameAndWhatComesBehindIt) {
 
 TEST_F(FaultyLoopback, HoldsFramesUntilTheyAreReleased) {
   const auto guest = host_.guest();
-  network_->SetJudge([](const loopback::Frame& frame) {
+  network_->SetFaultInjector([](const loopback::Frame& frame) {
     return NumberOf(frame) == 2 ? loopback::kHold : loopback::kPass;
   });
   SendToServer(1, 3);
@@ -108,7 +108,7 @@ TEST_F(FaultyLoopback, HoldsFramesUntilTheyAreReleased) {
 }
 
 TEST_F(FaultyLoopback, AStalledLinkIsFullOneDay) {
-  network_->SetJudge([](const loopback::Frame& /*frame*/) { return loopback::kHold; });
+  network_->SetFaultInjector([](const loopback::Frame& /*frame*/) { return loopback::kHold; });
   const Bytes frame = FrameOf(1, 65536);
   Status status = Status::kQueued;
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <support/peers/traced_channel.h>
-#include <tendon/middleware/parts/part_sender.h>
+#include <tendon/middleware/part_sender.h>
 
 #include "support/wait.h"
 

@@ -72,8 +72,8 @@ class Server final : public Stage<Base, ServerPart> {
       const std::string payload = kPortNames.at(index++);
       port.AddTo(this->AddProvidedInterface(payload), *this->table, payload);
     });
-    this->messages =
-        std::make_unique<tendon::Messages>(this->AddProvidedInterface("Messages"), this->name());
+    this->messages = std::make_unique<tendon::StatusMessages>(
+        this->AddProvidedInterface("Messages"), this->name());
   }
 
   void Publish() override {

@@ -64,7 +64,7 @@ class Part {
 class ServerPart : public Part {
  public:
   ServerPorts ports;
-  std::unique_ptr<tendon::Messages> messages;
+  std::unique_ptr<tendon::StatusMessages> messages;
   /// Written by hand: the history of the ports' goals, and of a number and its double.
   tendon::StateTable* history = nullptr;
   int number = 0;

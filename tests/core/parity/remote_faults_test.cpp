@@ -61,10 +61,10 @@ struct FrozenPeer : RemoteConnection {
     StartDesk();
     Connect();
   }
-  ~FrozenPeer() override { TheNetwork()->SetJudge(nullptr); }
+  ~FrozenPeer() override { TheNetwork()->SetFaultInjector(nullptr); }
 
   static void Freeze() {
-    TheNetwork()->SetJudge([](const auto& /*frame*/) { return tendon::loopback::kDrop; });
+    TheNetwork()->SetFaultInjector([](const auto& /*frame*/) { return tendon::loopback::kDrop; });
   }
 };
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/global_manager.h>
+#include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/middleware/parts/large_message_in_progress.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/watch_over.h>
 #include <tendon/proxy/connection_messages.h>
@@ -72,7 +72,7 @@ class Answering final : public tendon::ChannelHandler {
 class WatchOver : public testing::Test {
  protected:
   WatchOver() {
-    network_->SetJudge([this](const tendon::loopback::Frame& frame) {
+    network_->SetFaultInjector([this](const tendon::loopback::Frame& frame) {
       const MessageType type = tendon::ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
       if (type == MessageType::kPart && is_slow_) Carry(frame.bytes.size());
       if (type != tendon::message::kPing) return tendon::loopback::kPass;
@@ -282,7 +282,7 @@ class Idler final : public tendon::NetworkJob {
 class Lease : public testing::Test {
  protected:
   Lease() {
-    network_->SetJudge([this](const tendon::loopback::Frame& frame) {
+    network_->SetFaultInjector([this](const tendon::loopback::Frame& frame) {
       const MessageType type = tendon::ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
       if (type == tendon::message::kRenew) {
         ++renewals_;

@@ -17,10 +17,10 @@ class AuthorityTest : public testing::Test {
   using Request = CertificateAuthority::Request;
 
   /// Must succeed.
-  CertificateAuthority::Issued Issue(const Request& request) const {
+  CertificateAuthority::IssuedCertificate Issue(const Request& request) const {
     auto issued = authority->Issue(request, out);
     EXPECT_TRUE(issued.ok()) << (issued.ok() ? "" : issued.error().message);
-    return issued.ok() ? *issued : CertificateAuthority::Issued();
+    return issued.ok() ? *issued : CertificateAuthority::IssuedCertificate();
   }
   static std::chrono::sys_seconds Now() {
     return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_check.h>
-#include <tendon/security/openssl/trusted_authority.h>
+#include <tendon/security/trusted_authority.h>
 
 #include <atomic>
 #include <thread>
@@ -172,7 +172,7 @@ TEST_F(CertificateCheckTest, ManyMayAskWhileTheAuthorityChanges) {
   for (int i = 0; i < 3; ++i) {
     askers.emplace_back([&](const std::stop_token& end) {
       while (!end.stop_requested()) {
-        const auto checked = CheckShownCertificate(*pem, issuer, Now());
+        const auto checked = CheckPeerCertificate(*pem, issuer, Now());
         if (!checked && checked.error().code != ErrorCode::kDenied) ++malformed;
         ++asked;
       }
@@ -182,11 +182,11 @@ TEST_F(CertificateCheckTest, ManyMayAskWhileTheAuthorityChanges) {
 
   ASSERT_TRUE(authority->Revoke("robot").ok());
 
-  const auto checked = CheckShownCertificate(*pem, issuer, Now());
+  const auto checked = CheckPeerCertificate(*pem, issuer, Now());
   EXPECT_FALSE(checked.ok()) << "it was revoked";
   askers.clear();
   EXPECT_EQ(malformed, 0);
-  EXPECT_FALSE(CheckShownCertificate(*pem, issuer, Now()).ok());
+  EXPECT_FALSE(CheckPeerCertificate(*pem, issuer, Now()).ok());
 }
 
 }  // namespace

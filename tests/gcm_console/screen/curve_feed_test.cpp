@@ -58,7 +58,7 @@ TEST(CurveFeed, DrawsTheNumberOfAPath) {
   ASSERT_THAT(Titles(feed), ElementsAre("robot/arm/state.Joints[1]"));
   ASSERT_EQ(feed.curves()[0].samples.size(), 1U);
   EXPECT_EQ(feed.curves()[0].samples[0].time, 1.0);
-  EXPECT_EQ(feed.curves()[0].samples[0].value, tendon::ChannelValue(0.75));
+  EXPECT_EQ(feed.curves()[0].samples[0].value, tendon::NumericValue(0.75));
 }
 
 TEST(CurveFeed, DrawsAllNumbersOfAPathThatHasSeveral) {
@@ -67,7 +67,7 @@ TEST(CurveFeed, DrawsAllNumbersOfAPathThatHasSeveral) {
   Send(feed, 1s, {0.5, 0.75});
 
   EXPECT_THAT(Titles(feed), ElementsAre("robot/arm/state.Joints[0]", "robot/arm/state.Joints[1]"));
-  EXPECT_EQ(feed.curves()[1].samples.at(0).value, tendon::ChannelValue(0.75));
+  EXPECT_EQ(feed.curves()[1].samples.at(0).value, tendon::NumericValue(0.75));
 }
 
 TEST(CurveFeed, KeepsTheLastSeconds) {

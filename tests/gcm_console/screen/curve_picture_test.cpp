@@ -15,7 +15,7 @@
 namespace console {
 namespace {
 
-using tendon::ChannelValue;
+using tendon::NumericValue;
 using tendon::Schema;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -29,7 +29,7 @@ template <typename T>
 Curve CurveOf(const Schema& schema, const std::vector<T>& values) {
   Curve curve{.title = "a/b/state.X", .unit = "", .schema = schema, .samples = {}};
   for (const T& value : values) {
-    curve.samples.push_back({static_cast<double>(curve.samples.size()), ChannelValue(value)});
+    curve.samples.push_back({static_cast<double>(curve.samples.size()), NumericValue(value)});
   }
   return curve;
 }

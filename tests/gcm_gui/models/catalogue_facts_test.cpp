@@ -23,7 +23,8 @@ class CatalogueFactsTest : public ::testing::Test {
   CatalogueFactsTest() {
     QObject::connect(&store_, &CatalogueStore::changed, &model_, &CatalogueModel::update);
     store_.apply(system_.TakeChanges());
-    shape_ = std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
+    shape_ =
+        std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(1)));
   }
 
   QString Text(const QString& path, int column) const {

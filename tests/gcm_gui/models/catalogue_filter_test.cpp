@@ -159,8 +159,8 @@ TEST_F(CatalogueFilterTest, WhatComesAndGoesTakesAlongWhatStandsAboveItForItsSak
 TEST_F(CatalogueFilterTest, ValuesOfRowsThatAreShownGoOn) {
   filter_.applyText("joints");
   QSignalSpy changed(&filter_, &QAbstractItemModel::dataChanged);
-  const auto shape =
-      std::make_shared<const std::vector<PlotChannel>>(Channels(Schema(Schema::Kind::kFloat64)));
+  const auto shape = std::make_shared<const std::vector<NumericField>>(
+      NumericFields(Schema(Schema::Kind::kFloat64)));
 
   model_.showValues("robot/arm/state.Joints", {shape, ExactValues({0.5}), {}});
   EXPECT_GE(changed.count(), 1);

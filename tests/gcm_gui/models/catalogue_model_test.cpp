@@ -275,8 +275,8 @@ TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
       }
     }
     if (pick(3) == 0) Show(system);
-    const ColumnValues values{std::make_shared<const std::vector<PlotChannel>>(
-                                  Channels(test::JointStateSchema(1 + step % 3))),
+    const ColumnValues values{std::make_shared<const std::vector<NumericField>>(
+                                  NumericFields(test::JointStateSchema(1 + step % 3))),
                               {},
                               {}};
     model_.showValues(QString::fromStdString(process() + "/" + component() + "/state.x1"), values);

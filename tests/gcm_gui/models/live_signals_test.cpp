@@ -252,7 +252,7 @@ TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
   ASSERT_EQ(values.count(), 1);
   const auto newest = values.front().at(1).value<ColumnValues>();
   ASSERT_EQ(newest.values.size(), 2u);
-  EXPECT_EQ(newest.values[0], ChannelValue(119.0));
+  EXPECT_EQ(newest.values[0], NumericValue(119.0));
   EXPECT_EQ(newest.channels->at(1).path, ".position[1]");
 }
 
@@ -443,7 +443,7 @@ TEST_F(LiveSignalsTest, AfterALinkHasHealedTheStandingRowIsAskedForAgain) {
   SendRows(*standing()->second.sink, 1, 107, 1);
   live_.drainValues();
   ASSERT_EQ(values.count(), 1);
-  EXPECT_EQ(values[0][1].value<ColumnValues>().values.at(0), ChannelValue(107.0));
+  EXPECT_EQ(values[0][1].value<ColumnValues>().values.at(0), NumericValue(107.0));
 }
 
 }  // namespace

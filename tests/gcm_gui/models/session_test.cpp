@@ -174,7 +174,7 @@ TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
   session_->readValue("robot/plant/state.Move", [&](const auto&) { is_linked = true; });
   ASSERT_TRUE(Eventually([&] { return is_linked; }));
   const std::string robot = Known().FindProcess("robot")->process.address;
-  network_->SetJudge([robot](const loopback::Frame& frame) {
+  network_->SetFaultInjector([robot](const loopback::Frame& frame) {
     const auto type = ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
     const bool is_of_lease = type == message::kRenew || type == message::kJoin;
     const bool is_of_robot = frame.from == robot || frame.to == robot;
@@ -185,7 +185,7 @@ TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
   session_->callCommand("robot/plant/Control.Stop", {},
                         [&](const auto& answer, double) { told = answer.error(); });
   ASSERT_TRUE(Eventually([&] { return told.has_value(); }));
-  network_->SetJudge(nullptr);
+  network_->SetFaultInjector(nullptr);
 
   EXPECT_EQ(told->code, ErrorCode::kTimeout);
   EXPECT_TRUE(told->message.starts_with("process 'robot' is lost")) << told->message;

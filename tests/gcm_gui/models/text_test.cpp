@@ -47,23 +47,23 @@ TEST(Text, AgesGrowCoarser) {
 }
 
 TEST(Text, AChannelIsShownAsItIsMeant) {
-  PlotChannel enumeration;
+  NumericField enumeration;
   enumeration.schema = Schema::Enum("arm.Mode", {{"off", 0}, {"on", 1}});
-  PlotChannel boolean;
+  NumericField boolean;
   boolean.schema = Schema(Schema::Kind::kBool);
 
-  EXPECT_EQ(QuantityOf(enumeration, ChannelValue(std::int32_t{1})).number, "on");
-  EXPECT_EQ(QuantityOf(enumeration, ChannelValue(std::int32_t{7})).number, "7");
-  EXPECT_EQ(QuantityOf(boolean, ChannelValue(false)).number, "false");
+  EXPECT_EQ(QuantityOf(enumeration, NumericValue(std::int32_t{1})).number, "on");
+  EXPECT_EQ(QuantityOf(enumeration, NumericValue(std::int32_t{7})).number, "7");
+  EXPECT_EQ(QuantityOf(boolean, NumericValue(false)).number, "false");
   EXPECT_EQ(QuantityOf(boolean, std::nullopt).number, "–");
 }
 
 TEST(Text, IntegersHaveAllTheirDigits) {
-  PlotChannel counter;
+  NumericField counter;
   counter.schema = Schema(Schema::Kind::kUint64);
   counter.unit = "ns";
-  const ChannelValue last(std::numeric_limits<std::uint64_t>::max());
-  const ChannelValue odd((std::int64_t{1} << 53) + 1);
+  const NumericValue last(std::numeric_limits<std::uint64_t>::max());
+  const NumericValue odd((std::int64_t{1} << 53) + 1);
 
   EXPECT_EQ(QuantityOf(counter, last).number, "18446744073709551615");
   EXPECT_EQ(QuantityOf(counter, odd).number, "9007199254740993");
@@ -71,17 +71,17 @@ TEST(Text, IntegersHaveAllTheirDigits) {
 }
 
 TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
-  PlotChannel angle;
+  NumericField angle;
   angle.schema = Schema(Schema::Kind::kFloat64);
   angle.unit = "rad";
-  PlotChannel stamp;
+  NumericField stamp;
   stamp.schema = Schema(Schema::Kind::kFloat64);
   stamp.unit = "s";
-  const auto shown = [](const PlotChannel& channel, double value) {
-    return QuantityOf(channel, ChannelValue(value)).number;
+  const auto shown = [](const NumericField& channel, double value) {
+    return QuantityOf(channel, NumericValue(value)).number;
   };
-  const auto whole = [](const PlotChannel& channel, double value) {
-    return WholeText(channel, ChannelValue(value));
+  const auto whole = [](const NumericField& channel, double value) {
+    return WholeText(channel, NumericValue(value));
   };
 
   EXPECT_EQ(shown(angle, 0.1 + 0.2), "0.3000");
@@ -95,12 +95,12 @@ TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
 }
 
 TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
-  PlotChannel seconds;
+  NumericField seconds;
   seconds.unit = "s";
-  PlotChannel angle;
+  NumericField angle;
   angle.unit = "rad";
-  const auto text = [](const PlotChannel& channel, double value) {
-    const auto [number, unit] = QuantityOf(channel, ChannelValue(value));
+  const auto text = [](const NumericField& channel, double value) {
+    const auto [number, unit] = QuantityOf(channel, NumericValue(value));
     return number + ' ' + unit;
   };
 

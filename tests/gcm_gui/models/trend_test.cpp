@@ -19,8 +19,8 @@ namespace {
 
 template <typename T>
 Trend TrendOf(Schema::Kind kind, const std::vector<T>& values) {
-  QList<std::optional<ChannelValue>> all;
-  for (const T& value : values) all.append(ChannelValue(value));
+  QList<std::optional<NumericValue>> all;
+  for (const T& value : values) all.append(NumericValue(value));
   return gui::TrendOf(Schema(kind), all);
 }
 
@@ -53,9 +53,9 @@ TEST(Trend, OfNoiseAtRestIsFlat) {
 }
 
 TEST(Trend, WhatIsNoNumberOrNotThereIsAGap) {
-  const QList<std::optional<ChannelValue>> values{
-      ChannelValue(0.0), std::nullopt, ChannelValue(std::numeric_limits<double>::infinity()),
-      ChannelValue(1.0)};
+  const QList<std::optional<NumericValue>> values{
+      NumericValue(0.0), std::nullopt, NumericValue(std::numeric_limits<double>::infinity()),
+      NumericValue(1.0)};
   const Trend trend = gui::TrendOf(Schema(Schema::Kind::kFloat64), values);
 
   ASSERT_EQ(trend.parts.size(), 4);
@@ -73,7 +73,7 @@ void CheckTrends(Schema::Kind kind, const rc::Gen<T>& any) {
     RC_ASSERT(trend.parts.size() == static_cast<qsizetype>(values.size()));
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double part = trend.parts[static_cast<qsizetype>(i)];
-      const bool is_there = std::isfinite(ChannelValue(values[i]).real());
+      const bool is_there = std::isfinite(NumericValue(values[i]).real());
       RC_ASSERT(std::isnan(part) != is_there);
       if (is_there) RC_ASSERT(part >= 0 && part <= 1);
     }
@@ -90,10 +90,10 @@ TEST(TrendProperty, HasAPlaceForEveryNumber) {
 TEST(ValueTextProperty, NeverSaysAnotherNumber) {
   test::CheckProperty([] {
     const double value = *test::AnyFinite();
-    PlotChannel channel;
+    NumericField channel;
     channel.schema = Schema(Schema::Kind::kFloat64);
-    const std::string shown = QuantityOf(channel, ChannelValue(value)).number.toStdString();
-    const std::string whole = WholeText(channel, ChannelValue(value)).toStdString();
+    const std::string shown = QuantityOf(channel, NumericValue(value)).number.toStdString();
+    const std::string whole = WholeText(channel, NumericValue(value)).toStdString();
     // The largest double, rounded, is beyond what a double can be read as.
     const long double near = std::strtold(shown.c_str(), nullptr);
     RC_ASSERT(std::abs(near - value) <= std::abs(value) * 6e-3L);

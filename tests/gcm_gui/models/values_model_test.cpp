@@ -70,7 +70,7 @@ class ValuesInTime : public ::testing::Test {
 
   const QString kJoints = "robot/arm/state.Joints";
   const ChannelList shape_ =
-      std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
+      std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(1)));
   const Catalogue catalogue_ = LookSystem(0).catalogue();
   ManualClock clock_;
   ValuesModel model_{nullptr, clock_};

@@ -103,9 +103,9 @@ void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handle
   diagnosis = std::move(handler);
 }
 
-std::vector<std::optional<ChannelValue>> ExactValues(const std::vector<double>& values) {
-  std::vector<std::optional<ChannelValue>> exact;
-  for (const double value : values) exact.emplace_back(ChannelValue(value));
+std::vector<std::optional<NumericValue>> ExactValues(const std::vector<double>& values) {
+  std::vector<std::optional<NumericValue>> exact;
+  for (const double value : values) exact.emplace_back(NumericValue(value));
   return exact;
 }
 
@@ -122,13 +122,14 @@ QSet<QString> ScriptedSignals::watched() const {
 void ScriptedSignals::send(const QString& column, const Schema& schema,
                            const std::vector<double>& values) {
   ChannelList& shape = shapes_[column];
-  if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>(Channels(schema));
+  if (shape == nullptr)
+    shape = std::make_shared<const std::vector<NumericField>>(NumericFields(schema));
   Q_EMIT valuesArrived(column, ColumnValues{shape, ExactValues(values), {}});
 }
 
 void ScriptedSignals::sendPicture(const QString& column, const RawPicture& picture) {
   ChannelList& shape = shapes_[column];
-  if (shape == nullptr) shape = std::make_shared<const std::vector<PlotChannel>>();
+  if (shape == nullptr) shape = std::make_shared<const std::vector<NumericField>>();
   Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawPicture>(picture)});
 }
 

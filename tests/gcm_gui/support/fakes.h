@@ -21,7 +21,7 @@
 namespace tendon::gui {
 
 /// Values of a column of doubles.
-std::vector<std::optional<ChannelValue>> ExactValues(const std::vector<double>& values);
+std::vector<std::optional<NumericValue>> ExactValues(const std::vector<double>& values);
 
 /// Remembers what it was asked to do: "connect a b", "replace a b", "disconnect a", "undo", "forget
 /// a", "stop robot/arm".

@@ -35,7 +35,7 @@ class OldValues : public WindowFixture {
   void SendRow(std::chrono::milliseconds age) {
     const std::int64_t time = SteadyNow() - std::chrono::nanoseconds(age).count();
     const auto shape =
-        std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(1)));
+        std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(1)));
     Q_EMIT source_.valuesArrived(kJoints, {.channels = shape,
                                            .values = ExactValues({0.5, 0.116}),
                                            .text = {},

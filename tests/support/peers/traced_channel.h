@@ -49,12 +49,12 @@ class TracedMiddleware final : public WrappedMiddleware {
     TracedLink(std::shared_ptr<Link> below, std::shared_ptr<Traces> traces)
         : WrappedLink(std::move(below)), traces_(std::move(traces)) {}
 
-    Status Send(std::span<const std::byte> frame) override {
+    Status Send(std::span<const std::byte> frame, Delivery delivery) override {
       if (const auto header = ReadWholeFrame(frame)) {
         const std::scoped_lock lock(traces_->mutex);
         traces_->places.emplace_back(header->type, frame.data());
       }
-      return WrappedLink::Send(frame);
+      return WrappedLink::Send(frame, delivery);
     }
 
    private:

@@ -12,13 +12,15 @@
 
 namespace tendon::test {
 
-/// A link that passes everything on to another link; a test overrides parts of it. Ask() uses
-/// Send() unless it is overridden.
+/// A link that passes everything on to another link; a test overrides parts of it. It queues all
+/// frames, unless Send() is overridden.
 class WrappedLink : public Link {
  public:
   explicit WrappedLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
 
-  Status Send(std::span<const std::byte> frame) override { return below_->Send(frame); }
+  Status Send(std::span<const std::byte> frame, Delivery /*delivery*/) override {
+    return below_->Send(frame);
+  }
   void Admit() override { below_->Admit(); }
   void Close() override { below_->Close(); }
   [[nodiscard]] std::string peer() const override { return below_->peer(); }

@@ -1,7 +1,7 @@
 #include <tendon/security/authority_folder.h>
 #include <tendon/security/certificate_authority.h>
-#include <tendon/security/openssl/making.h>
-#include <tendon/security/openssl/pem.h>
+#include <tendon/security/certificate_builder.h>
+#include <tendon/security/pem.h>
 
 #include <algorithm>
 #include <chrono>

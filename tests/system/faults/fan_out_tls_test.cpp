@@ -14,8 +14,8 @@
 namespace faults {
 namespace {
 
+using tendon::Broadcast;
 using tendon::CertificateAuthority;
-using tendon::FanOut;
 using tendon::Role;
 using tendon::Status;
 
@@ -98,8 +98,8 @@ TEST_P(CertifiedFanOut, AViewerIsNotHeard) {
   const auto listener = MiddlewareOf("eye", Role::kViewer);
   const auto viewer = MiddlewareOf("mallory", Role::kViewer);
   const auto boss = MiddlewareOf("boss", Role::kOperator);
-  const auto by_viewer = viewer->fan_out()->Speak(broker_address_, topic);
-  const auto reception = listener->fan_out()->Listen(
+  const auto by_viewer = viewer->broadcast()->OpenTopic(broker_address_, topic);
+  const auto reception = listener->broadcast()->Subscribe(
       broker_address_, topic,
       [&](std::span<const std::byte> message) {
         of_viewer += static_cast<int>(message.front() == std::byte{1});
@@ -110,7 +110,7 @@ TEST_P(CertifiedFanOut, AViewerIsNotHeard) {
   ASSERT_TRUE(Eventually([&] { return !log.texts().empty(); })) << "nobody says that it is refused";
 
   EXPECT_EQ(by_viewer->Publish(std::vector{std::byte{1}}), Status(Status::kNotConnected));
-  const auto by_operator = boss->fan_out()->Speak(broker_address_, topic);
+  const auto by_operator = boss->broadcast()->OpenTopic(broker_address_, topic);
   EXPECT_TRUE(Eventually([&] {
     (void)by_viewer->Publish(std::vector{std::byte{1}});
     (void)by_operator->Publish(std::vector{std::byte{2}});

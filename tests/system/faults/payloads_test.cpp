@@ -1,4 +1,4 @@
-#include <tendon/middleware/parts/payload_limit.h>
+#include <tendon/middleware/payload_limit.h>
 
 #include <map>
 

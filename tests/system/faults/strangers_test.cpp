@@ -311,7 +311,7 @@ TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
                                        std::make_shared<ChannelHandler>(), Patience());
     if (!channel) return channel.error();
     return (*channel)
-        ->Ask(tendon::message::kJoin, 0, Bytes(tendon::kMaxPayload), Patience())
+        ->Call(tendon::message::kJoin, 0, Bytes(tendon::kMaxPayload), Patience())
         .error();
   };
   rlimit limit{};

@@ -29,4 +29,10 @@ Result<void> CheckWritable(const std::filesystem::path& file);
 Result<std::string> ReadUnchanged(const std::filesystem::path& file,
                                   const std::function<Result<std::string>()>& read);
 
+/// Returns the content of a small file of this user, mode 0600, that holds a secret. If it is
+/// missing, creates it with `content`; if several processes create it at once, one wins and all
+/// return its content. kDenied if it belongs to another user or others may read it.
+Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,
+                                          const std::string& content);
+
 }  // namespace tendon::os

@@ -111,7 +111,7 @@ Result<FileContent> ReadContent(const fs::path& file,
                "changes while it is read; try again when it is completely written"};
 }
 
-FileWatch::State FileWatch::Look() {
+FileWatch::State FileWatch::Check() {
   const auto now = FileStampOf(content_.file);
   if (!now) return state_ = State::kGone;
   if (*now == seen_ && is_settled_ && state_ != State::kGone) return state_;

@@ -51,8 +51,8 @@ class FileWatch {
   [[nodiscard]] const FileContent& content() const { return content_; }
   /// Costs a system call. Reads the bytes only if the stamp has changed since the last call, or is
   /// so recent that a second write may have left it unchanged.
-  State Look();
-  /// When the present file was written, ns since 1970; 0 if the last Look() found no file.
+  State Check();
+  /// When the present file was written, ns since 1970; 0 if the last Check() found no file.
   [[nodiscard]] std::int64_t written_now() const {
     return state_ == State::kGone ? 0 : seen_.written;
   }

@@ -55,7 +55,7 @@ Keyboard::Keyboard() {
 
 Keyboard::~Keyboard() {
   if (!former_) return;
-  GiveBack();
+  Restore();
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     sigaction(kSignals.at(i), &former_->actions.at(i), nullptr);
   }
@@ -69,7 +69,7 @@ void Keyboard::Prepare() noexcept {
   tcsetattr(STDIN_FILENO, TCSANOW, &settings);
 }
 
-void Keyboard::GiveBack() noexcept { tcsetattr(STDIN_FILENO, TCSANOW, &former_->settings); }
+void Keyboard::Restore() noexcept { tcsetattr(STDIN_FILENO, TCSANOW, &former_->settings); }
 
 std::optional<char> Keyboard::NextKey(std::chrono::milliseconds patience) noexcept {
   if (!former_) return std::nullopt;
@@ -86,23 +86,23 @@ std::optional<char> Keyboard::NextKey(std::chrono::milliseconds patience) noexce
 void Keyboard::TakeSignals() noexcept {
   char number = 0;
   while (read(signal_pipe[0], &number, 1) == 1) {
-    if (number == SIGTSTP) is_pause_asked_ = true;
+    if (number == SIGTSTP) is_pause_requested_ = true;
     if (number == SIGCONT) Prepare();  // another program may have changed the terminal
   }
 }
 
-bool Keyboard::TakePause() noexcept { return std::exchange(is_pause_asked_, false); }
+bool Keyboard::TakePause() noexcept { return std::exchange(is_pause_requested_, false); }
 
 void Keyboard::Pause() noexcept {
   if (!former_) return;
-  GiveBack();
+  Restore();
   HandleWith(SIGTSTP, SIG_DFL);
   raise(SIGTSTP);
   HandleWith(SIGTSTP, &OnSignal);
   Prepare();
 }
 
-bool KeyWaits(std::chrono::milliseconds patience) noexcept {
+bool IsKeyPressed(std::chrono::milliseconds patience) noexcept {
   pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
   return poll(&input, 1, static_cast<int>(patience.count())) > 0;
 }

@@ -28,15 +28,15 @@ class Keyboard {
  private:
   struct Mode;
   void Prepare() noexcept;
-  void GiveBack() noexcept;
+  void Restore() noexcept;
   void TakeSignals() noexcept;
 
   std::unique_ptr<Mode> former_;  // the terminal's former mode; null if there is no terminal
-  bool is_pause_asked_ = false;
+  bool is_pause_requested_ = false;
 };
 
 /// True if the standard input has data, or has ended. Waits for at most `patience`; a signal ends
 /// the wait early.
-[[nodiscard]] bool KeyWaits(std::chrono::milliseconds patience) noexcept;
+[[nodiscard]] bool IsKeyPressed(std::chrono::milliseconds patience) noexcept;
 
 }  // namespace tendon::os

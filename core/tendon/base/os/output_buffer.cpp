@@ -48,7 +48,7 @@ int OutputBuffer::sync() {
 
 /// It ends when the program goes on.
 void OutputBuffer::ForgetInterruption() {
-  if (failure_ == EINTR && !WasTerminationAsked()) failure_ = 0;
+  if (failure_ == EINTR && !WasTerminationRequested()) failure_ = 0;
 }
 
 bool OutputBuffer::Add(std::string_view text) {
@@ -83,7 +83,7 @@ bool OutputBuffer::WaitForRoom() const {
     pollfd wait{descriptor_, POLLOUT, 0};
     const int ready = poll(&wait, 1, 0);
     if (ready > 0) return true;  // also if the pipe is broken; the write reports it
-    if (WasTerminationAsked()) return false;
+    if (WasTerminationRequested()) return false;
     (void)poll(&wait, 1, kLook);
   }
 }

@@ -8,7 +8,7 @@
 namespace tendon::os {
 
 /// Writes a stream to a descriptor whose reader may be slow, stopped or gone. If a write has to
-/// wait and the process is, or was, asked to end (WasTerminationAsked()), it stops waiting: the
+/// wait and the process is, or was, asked to end (WasTerminationRequested()), it stops waiting: the
 /// rest is not written, and the stream fails until the program goes on (HoldTerminationSignals()
 /// and clear() of the stream). After any other failure the stream fails for good.
 ///

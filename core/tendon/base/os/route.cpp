@@ -45,7 +45,7 @@ std::string WhyNotReached(const std::string& address, int failure) {
   return "host '" + HostName() + "'" + std::string(kNoRoute) + address + reason;
 }
 
-bool TellsOfNoRoute(std::string_view text) { return text.find(kNoRoute) != text.npos; }
+bool IsNoRouteError(std::string_view text) { return text.find(kNoRoute) != text.npos; }
 
 std::string NumberOf(const std::string& host) {
   const Addresses addresses = AddressesOf(host, 0);

@@ -13,7 +13,7 @@ namespace tendon::os {
 [[nodiscard]] std::string WhyNotReached(const std::string& address, int failure);
 
 /// True if `text`, from WhyNotReached(), says that a host has no route.
-[[nodiscard]] bool TellsOfNoRoute(std::string_view text);
+[[nodiscard]] bool IsNoRouteError(std::string_view text);
 
 /// The first numeric address of a host, as this system resolves it: "127.0.1.1" for its own name on
 /// many machines. Numeric addresses and unknown names are returned unchanged.

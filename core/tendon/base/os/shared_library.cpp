@@ -3,7 +3,7 @@
 #include <elf.h>
 #include <link.h>
 #include <tendon/base/os/shared_library.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -228,7 +228,7 @@ void ForEachBetween(std::uint16_t local_port, std::uint16_t peer_port, Call call
   });
 }
 
-bool DropUnheardOf(int descriptor) {
+bool ResetIfUnacknowledgedAt(int descriptor) {
   tcp_info info{};
   socklen_t size = sizeof(info);
   if (getsockopt(descriptor, IPPROTO_TCP, TCP_INFO, &info, &size) != 0) return false;
@@ -323,17 +323,19 @@ std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
   }
 }
 
-bool DropUnheard(const Socket& socket) { return DropUnheardOf(socket.descriptor()); }
-
-bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port) {
-  bool is_unheard = false;
-  ForEachBetween(local_port, peer_port, [&is_unheard](int descriptor) {
-    is_unheard = DropUnheardOf(descriptor) || is_unheard;
-  });
-  return is_unheard;
+bool ResetIfUnacknowledged(const Socket& socket) {
+  return ResetIfUnacknowledgedAt(socket.descriptor());
 }
 
-bool HasVanished(const Socket& socket) {
+bool ResetIfUnacknowledged(std::uint16_t local_port, std::uint16_t peer_port) {
+  bool is_unacknowledged = false;
+  ForEachBetween(local_port, peer_port, [&is_unacknowledged](int descriptor) {
+    is_unacknowledged = ResetIfUnacknowledgedAt(descriptor) || is_unacknowledged;
+  });
+  return is_unacknowledged;
+}
+
+bool IsPeerUnreachable(const Socket& socket) {
   // Not TCP_USER_TIMEOUT: it also disconnects a peer that acknowledges but has stopped reading. The
   // kernel retransmits after about 0.2 s and doubles the wait each time: the third retransmission
   // is sent after 1.6 s.

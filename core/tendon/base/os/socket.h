@@ -56,15 +56,15 @@ std::optional<std::span<const std::byte>> ReceiveSome(const Socket& socket,
 
 /// True if sent data was retransmitted for 1.5 s without an acknowledgement: the peer's machine, or
 /// the network path to it, is down. A peer that has only stopped reading still acknowledges.
-[[nodiscard]] bool HasVanished(const Socket& socket);
+[[nodiscard]] bool IsPeerUnreachable(const Socket& socket);
 
 /// Makes a later close reset the connection if sent data is being retransmitted without
 /// acknowledgement. The reset drops that data and reaches the peer at once; a normal close would
 /// wait behind the data and never reach a peer over a link that is cut in one direction. Returns
 /// true if such data exists.
-bool DropUnheard(const Socket& socket);
+bool ResetIfUnacknowledged(const Socket& socket);
 /// The same for this program's connection between these two ports, for example one of a library.
-bool DropUnheard(std::uint16_t local_port, std::uint16_t peer_port);
+bool ResetIfUnacknowledged(std::uint16_t local_port, std::uint16_t peer_port);
 
 /// Tells the peer that nothing more will come.
 void ShutDownSending(const Socket& socket);

@@ -12,7 +12,7 @@ namespace {
 
 thread_local Interruption* interruption = nullptr;  // of this thread, if it has one
 
-std::atomic<bool> was_told{false};  // a signal has asked the process to terminate
+std::atomic<bool> was_termination_requested{false};  // a signal has asked the process to terminate
 
 sigset_t TerminationSignals() {
   sigset_t signals;
@@ -34,7 +34,7 @@ bool LetThrough() noexcept {
 }  // namespace
 
 void HoldTerminationSignals() noexcept {
-  was_told.store(false, std::memory_order_relaxed);
+  was_termination_requested.store(false, std::memory_order_relaxed);
   const sigset_t signals = TerminationSignals();
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   IgnoreBrokenPipes();
@@ -51,24 +51,24 @@ int WaitForTermination() noexcept {
   int signal = 0;
   while (sigwait(&signals, &signal) != 0) {
   }
-  was_told.store(true, std::memory_order_relaxed);
+  was_termination_requested.store(true, std::memory_order_relaxed);
   LetThrough();
   return signal;
 }
 
-bool TerminationAsked(std::chrono::milliseconds patience) noexcept {
+bool TerminationRequested(std::chrono::milliseconds patience) noexcept {
   if (interruption != nullptr) return interruption->Take(patience);
   const sigset_t signals = TerminationSignals();
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience);
   const timespec limit{seconds.count(), std::chrono::nanoseconds(patience - seconds).count()};
   if (sigtimedwait(&signals, nullptr, &limit) <= 0) return false;
-  was_told.store(true, std::memory_order_relaxed);
+  was_termination_requested.store(true, std::memory_order_relaxed);
   LetThrough();
   return true;
 }
 
-bool WasTerminationAsked() noexcept {
-  if (was_told.load(std::memory_order_relaxed)) return true;
+bool WasTerminationRequested() noexcept {
+  if (was_termination_requested.load(std::memory_order_relaxed)) return true;
   sigset_t pending;
   sigemptyset(&pending);
   sigpending(&pending);
@@ -96,21 +96,21 @@ Interruption::Interruption() noexcept { interruption = this; }
 
 Interruption::~Interruption() { interruption = nullptr; }
 
-void Interruption::Ask() noexcept {
+void Interruption::Request() noexcept {
   const std::scoped_lock lock(mutex_);
-  is_asked_ = true;
+  is_requested_ = true;
   change_.notify_all();
 }
 
 bool Interruption::Take(std::chrono::milliseconds patience) noexcept {
   std::unique_lock lock(mutex_);
-  change_.wait_for(lock, patience, [this] { return is_asked_; });
-  return std::exchange(is_asked_, false);
+  change_.wait_for(lock, patience, [this] { return is_requested_; });
+  return std::exchange(is_requested_, false);
 }
 
 void Interruption::Forget() noexcept {
   const std::scoped_lock lock(mutex_);
-  is_asked_ = false;
+  is_requested_ = false;
 }
 
 }  // namespace tendon::os

@@ -17,11 +17,11 @@ int WaitForTermination() noexcept;
 
 /// True if the process is asked to terminate; waits for at most `patience`. A second signal then
 /// ends the process at once.
-bool TerminationAsked(std::chrono::milliseconds patience) noexcept;
+bool TerminationRequested(std::chrono::milliseconds patience) noexcept;
 
 /// True if a signal has asked the process to terminate since HoldTerminationSignals(), even if
-/// TerminationAsked() or WaitForTermination() has already reported it.
-[[nodiscard]] bool WasTerminationAsked() noexcept;
+/// TerminationRequested() or WaitForTermination() has already reported it.
+[[nodiscard]] bool WasTerminationRequested() noexcept;
 
 /// Discards a pending SIGINT that no function above has reported yet.
 void ForgetInterrupt() noexcept;
@@ -41,7 +41,7 @@ class TerminationUnblockScope {
 
 /// Replaces the termination signals in one thread of a program with a window, where the user stops
 /// the work of that thread, not the program. While it lives, WaitForTermination() and
-/// TerminationAsked() in its thread check this object, and signals stay held.
+/// TerminationRequested() in its thread check this object, and signals stay held.
 class Interruption {
  public:
   Interruption() noexcept;
@@ -50,8 +50,8 @@ class Interruption {
   ~Interruption();
 
   /// Requests the end of the work, once. Any thread.
-  void Ask() noexcept;
-  /// True if Ask() was called since the last call; waits for at most `patience`.
+  void Request() noexcept;
+  /// True if Request() was called since the last call; waits for at most `patience`.
   bool Take(std::chrono::milliseconds patience) noexcept;
   /// Discards a pending request.
   void Forget() noexcept;
@@ -59,7 +59,7 @@ class Interruption {
  private:
   std::mutex mutex_;
   std::condition_variable change_;
-  bool is_asked_ = false;
+  bool is_requested_ = false;
 };
 
 }  // namespace tendon::os

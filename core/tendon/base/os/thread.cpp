@@ -2,6 +2,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <tendon/base/os/thread.h>
 #include <unistd.h>
 
@@ -68,6 +69,12 @@ std::chrono::nanoseconds ThreadCpuTime() noexcept {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+std::int64_t ThreadWaits() noexcept {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nvcsw - usage.ru_majflt;
 }
 
 }  // namespace tendon::os

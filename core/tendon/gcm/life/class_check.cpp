@@ -1,6 +1,5 @@
-#include <tendon/base/find_named.h>
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>

@@ -1,5 +1,5 @@
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/life/parameters.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

@@ -1,4 +1,4 @@
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/server/log_buffer.h>
 #include <tendon/gcm/text/wall_time.h>
 

@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/server/sanitize.h>
 #include <tendon/process/life/life_messages.h>
 

@@ -1,5 +1,5 @@
 #include <tendon/base/log.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/server/process_news.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text/audit_object.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/base/rate_limited_warning.h>
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/server/deferred_actions.h>
 #include <tendon/gcm/server/log_buffer.h>
@@ -9,7 +10,6 @@
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/middleware/rate_limited_warning.h>
 #include <tendon/process/access/audit_log.h>
 #include <tendon/process/log/log_queue.h>
 #include <tendon/process/log/scoped_log_sink.h>

@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/child_process.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/supervisor/lcm_launcher.h>
 
 #include <algorithm>

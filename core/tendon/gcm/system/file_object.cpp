@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/system/file_object.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/json/json_place.h>

@@ -1,4 +1,4 @@
-#include <tendon/base/counted.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>

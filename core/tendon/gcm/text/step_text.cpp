@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/text/step_text.h>
 #include <tendon/gcm/text/wall_time.h>

@@ -42,11 +42,13 @@ class Host {
       : Host(Listeners{.on_exception = std::move(on_exception)}) {}
 
   /// True if the component has callbacks for its peers and clients.
-  [[nodiscard]] bool hears_of_connections() const {
+  [[nodiscard]] bool is_notified_of_connections() const {
     return static_cast<bool>(listeners_.on_peer_changed);
   }
-  void TellPeerChanged(RequiredInterface& required) const { listeners_.on_peer_changed(required); }
-  void TellClientGone(DisconnectedClient client) const {
+  void ReportPeerChanged(RequiredInterface& required) const {
+    listeners_.on_peer_changed(required);
+  }
+  void ReportClientGone(DisconnectedClient client) const {
     listeners_.on_client_gone(std::move(client));
   }
 

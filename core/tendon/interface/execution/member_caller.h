@@ -46,12 +46,12 @@ Status CallMember(BindingGate& gate, std::size_t index, Call call) {
 }
 
 /// The calling end of a member: a function of a required interface, or an event of a provided one.
-class Caller {
+class MemberCaller {
  public:
-  Caller() = default;
-  Caller(const Caller&) = delete;
-  Caller& operator=(const Caller&) = delete;
-  virtual ~Caller() = default;
+  MemberCaller() = default;
+  MemberCaller(const MemberCaller&) = delete;
+  MemberCaller& operator=(const MemberCaller&) = delete;
+  virtual ~MemberCaller() = default;
 
   /// Null if `command` can be called directly, else a converting command to call instead. `command`
   /// has the caller's signature and must outlive the result.

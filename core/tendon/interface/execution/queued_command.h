@@ -85,9 +85,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   static constexpr bool kAnswers = !std::is_same_v<Out, None>;
 
   /// The entry of a slot whose caller waits.
-  class Awaited final : public Mailbox::Entry {
+  class BlockingCallEntry final : public Mailbox::Entry {
    public:
-    explicit Awaited(QueuedCommand& command) : command_(command) {}
+    explicit BlockingCallEntry(QueuedCommand& command) : command_(command) {}
 
     void ExecuteSlot(std::byte* argument, std::size_t slot) override {
       const std::size_t record = command_.mailbox_->completions().RecordOf(slot);
@@ -173,7 +173,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       return claimed;
     }
     completions.Assign(mailbox_->SlotOf(argument), *record);
-    mailbox_->Publish(argument, awaited_);
+    mailbox_->Publish(argument, blocking_entry_);
     taken = *record;
     return Status::kQueued;
   }
@@ -219,7 +219,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Mailbox* mailbox_;
   const Host* host_;
   Expiry* expiry_;
-  Awaited awaited_{*this};
+  BlockingCallEntry blocking_entry_{*this};
   std::unique_ptr<In[]> arguments_;  // one per slot
   std::unique_ptr<Out[]> answers_;   // one per completion record
 };

@@ -1,8 +1,8 @@
 #include <tendon/base/name.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema/range.h>
 

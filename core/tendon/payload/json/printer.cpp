@@ -1,6 +1,6 @@
 #include <tendon/payload/body_reader.h>
-#include <tendon/payload/channel_value.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/numeric_value.h>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ class Printer {
       case Schema::Kind::kDuration: {
         payload::CdrDuration duration;
         if (!payload::ReadDuration(reader_, duration)) return Expected("a duration");
-        out_ += ToString(ChannelValue(duration));
+        out_ += ToString(NumericValue(duration));
         return true;
       }
       case Schema::Kind::kEnum:
@@ -92,7 +92,7 @@ class Printer {
   bool PrintEnum(const Schema& schema) {
     std::int32_t value = 0;
     if (!reader_.Read(value)) return Expected(schema.TypeName());
-    out_ += ToJson(schema, ChannelValue(value));
+    out_ += ToJson(schema, NumericValue(value));
     return true;
   }
 
@@ -172,11 +172,11 @@ Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body
   return printer.Take();
 }
 
-std::string ToJson(const Schema& number, const ChannelValue& value) {
+std::string ToJson(const Schema& number, const NumericValue& value) {
   std::string out;
-  if (value.kind() == ChannelValue::Kind::kFloat32) {
+  if (value.kind() == NumericValue::Kind::kFloat32) {
     PrintNumber(static_cast<float>(value.real()), out);
-  } else if (value.kind() == ChannelValue::Kind::kFloat64) {
+  } else if (value.kind() == NumericValue::Kind::kFloat64) {
     PrintNumber(value.real(), out);
   } else {
     out = ToString(number, value);

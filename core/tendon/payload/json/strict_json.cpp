@@ -1,6 +1,6 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/payload/json/json_place.h>
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
     const bool may_be_integer = std::trunc(value) == value && (value != 0 || !std::signbit(value));
     if (integers_ == Integers::kAreExact && may_be_integer) {
       for (const auto kind : {Schema::Kind::kInt64, Schema::Kind::kUint64}) {
-        const NumberWord integer = ReadNumberWord(kind, number);
+        const NumberLiteral integer = ReadNumberLiteral(kind, number);
         if (integer.flaw == NumberFlaw::kNone) return AddInteger(integer.json);
       }
     }

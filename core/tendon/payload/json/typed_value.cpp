@@ -1,6 +1,6 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/json/number_word.h>
+#include <tendon/payload/json/number_literal.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/json/typed_value.h>
 #include <tendon/payload/schema.h>
@@ -17,7 +17,7 @@ std::string ExpectedOf(const Schema& schema, const std::string& name, const std:
 
 Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::string& name,
                                            const std::string& typed) {
-  const NumberWord word = ReadNumberWord(schema.kind(), typed);
+  const NumberLiteral word = ReadNumberLiteral(schema.kind(), typed);
   if (schema.kind() == Schema::Kind::kDuration && IsFinerThanDouble(word.json)) {
     return nlohmann::ordered_json(word.json);
   }

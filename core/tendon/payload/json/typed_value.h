@@ -10,7 +10,7 @@ namespace tendon {
 class Schema;
 
 /// Reads a value as a person types it: JSON, but a string or an enumerator needs no quotes, and
-/// numbers are read as by ReadNumberWord(). The error, kInvalid, begins with `name`, the name of
+/// numbers are read as by ReadNumberLiteral(). The error, kInvalid, begins with `name`, the name of
 /// the value, and says what to write. Whether the value fits the type is checked later, by
 /// FromJson(). A duration whose nanoseconds a double cannot hold becomes a string of its digits,
 /// which FromJson() reads to the nanosecond.

@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/process/access/audit_log.h>
 
 #include <chrono>

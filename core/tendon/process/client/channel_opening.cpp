@@ -15,13 +15,13 @@ OpenedChannel Open(Middleware& middleware, const ChannelRequest& wanted) {
 }
 
 /// Passes an opened channel to the worker, which may have stopped.
-class Delivery {
+class ChannelHandoff {
  public:
-  Delivery(Middleware& middleware, const ChannelRequest& wanted)
+  ChannelHandoff(Middleware& middleware, const ChannelRequest& wanted)
       : channel_(Open(middleware, wanted)) {}
-  Delivery(const Delivery&) = delete;
-  Delivery& operator=(const Delivery&) = delete;
-  ~Delivery() {
+  ChannelHandoff(const ChannelHandoff&) = delete;
+  ChannelHandoff& operator=(const ChannelHandoff&) = delete;
+  ~ChannelHandoff() {
     if (channel_ && !is_taken_) (*channel_)->Close();
   }
 
@@ -41,8 +41,8 @@ void OpenChannel(const ProcessContext& context, const ChannelRequest& wanted,
                  std::function<void(const OpenedChannel&)> done) {
   wanted.opener->Post(
       [middleware = context.middleware, worker = context.worker, wanted, done = std::move(done)] {
-        const auto delivery = std::make_shared<Delivery>(*middleware, wanted);
-        worker->Post([delivery, done] { done(delivery->Take()); });
+        const auto handoff = std::make_shared<ChannelHandoff>(*middleware, wanted);
+        worker->Post([handoff, done] { done(handoff->Take()); });
       });
 }
 

@@ -4,8 +4,8 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
 #include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/handle_table.h>
-#include <tendon/proxy/mirror_messages.h>
 #include <tendon/proxy/provided_interface_proxy.h>
 
 #include <chrono>

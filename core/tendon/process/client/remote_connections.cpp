@@ -1,7 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
-#include <tendon/manager/faulted_end.h>
 #include <tendon/process/client/remote_connections.h>
 
 #include <algorithm>

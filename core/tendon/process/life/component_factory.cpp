@@ -1,7 +1,7 @@
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/process/life/component_factory.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -42,7 +42,7 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
   if (auto begun = begin(); !begun) return begun;
-  loader_->files()->Look();  // updates the state of a plug-in that was loaded before
+  loader_->files()->Update();  // updates the state of a plug-in that was loaded before
   return loader_->Load(library);
 }
 
@@ -63,7 +63,7 @@ Result<ComponentFactory::Made> ComponentFactory::Make(const LifeOrder& order, co
     if (!found) return found.error();
     library = *found;
   }
-  loader_->files()->Look();
+  loader_->files()->Update();
   auto component = loader_->Create(library, order.class_name, order.component, order.configuration);
   if (!component) return component.error();
   if (auto set = SetThread(order, **component); !set) return set.error();
@@ -84,7 +84,7 @@ message::Classes ComponentFactory::classes() {
     }
   }
   all.plugins = loader_->available();
-  loader_->files()->Look();
+  loader_->files()->Update();
   all.loaded = loader_->files()->descriptions();
   return all;
 }

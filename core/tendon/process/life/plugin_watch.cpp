@@ -26,7 +26,7 @@ void PluginWatch::Run() {
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, kBetweenLooks, [this] { return is_ending_; })) {
     lock.unlock();
-    files_->Look();
+    files_->Update();
     if (const std::uint64_t now = files_->revision(); now != std::exchange(told, now)) changed_();
     lock.lock();
   }

@@ -1,5 +1,4 @@
-#include <tendon/base/counted.h>
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/process/log/log_queue.h>
 
 #include <algorithm>

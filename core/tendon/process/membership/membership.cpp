@@ -1,7 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/route.h>
-#include <tendon/middleware/parts/large_message_in_progress.h>
+#include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/client/channel_opening.h>
 #include <tendon/process/log/log_messages.h>

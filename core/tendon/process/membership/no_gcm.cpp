@@ -21,7 +21,7 @@ std::string GcmWords(const std::string& address) {
 }
 
 Error NoGcm(const std::string& address, const std::string& reason) {
-  if (os::TellsOfNoRoute(reason)) {
+  if (os::IsNoRouteError(reason)) {
     return {ErrorCode::kUnreachable, "no route to the GCM at " + address + ": " + reason +
                                          "; add a route on that host, or give an address of "
                                          "the GCM that it can reach"};

@@ -90,7 +90,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     network.Notify();
   }
 
-  void OnEnd(ExecutingCalls::Begun& begun, Status status, Bytes& result) override {
+  void OnEnd(ExecutingCalls::ExecutingCall& begun, Status status, Bytes& result) override {
     Finish(status, result, begun.responder);
   }
 

@@ -1,5 +1,5 @@
 #include <tendon/process/server/mirrored_commands.h>
-#include <tendon/proxy/mirror_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <tendon/base/printable.h>
+#include <tendon/base/text.h>
 #include <tendon/process/server/refusal.h>
 #include <tendon/process/server/served_connections.h>
 

@@ -122,7 +122,7 @@ void RowSource::AskDirectly(Item& item) {
 
 std::string RowSource::BrokerFor(const Item& item) const {
   const bool may_come = !item.is_direct && item.subscription->wanted().rows == RowChoice{} &&
-                        access_.find_fan_out && access_.middleware->fan_out() != nullptr;
+                        access_.find_fan_out && access_.middleware->broadcast() != nullptr;
   if (!may_come) return {};
   const auto found = access_.find_fan_out();
   return found && !MustRest(*found) ? *found : std::string();
@@ -183,7 +183,7 @@ Result<void> RowSource::Follow(Item& item, const std::string& broker,
     subscription->Deliver(beginning, body, clock);
   };
   auto reception =
-      access_.middleware->fan_out()->Listen(broker, joined.topic, hear, kListenTimeout);
+      access_.middleware->broadcast()->Subscribe(broker, joined.topic, hear, kListenTimeout);
   if (!reception) {
     (*access_.failed_brokers)[broker] = SteadyClock().Now();
     return reception.error();

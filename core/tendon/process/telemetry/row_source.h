@@ -61,7 +61,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::uint32_t handle = 0;
     bool is_direct = false;            // the broker has failed on this channel: rows come directly
     std::shared_ptr<TopicState> line;  // set if the rows come through a topic, like the next member
-    std::unique_ptr<FanOut::Reception> reception;
+    std::unique_ptr<Broadcast::Subscription> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct Standing {

@@ -19,7 +19,7 @@ namespace tendon {
 /// One thread at a time.
 class RowTopic {
  public:
-  RowTopic(std::string name, std::unique_ptr<FanOut::Topic> topic)
+  RowTopic(std::string name, std::unique_ptr<Broadcast::Topic> topic)
       : name_(std::move(name)), topic_(std::move(topic)) {}
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -43,7 +43,7 @@ class RowTopic {
   };
 
   const std::string name_;
-  const std::unique_ptr<FanOut::Topic> topic_;
+  const std::unique_ptr<Broadcast::Topic> topic_;
   std::vector<Viewer> viewers_;
   std::uint64_t rows_before_ = 0;
   std::uint64_t lost_table_ = 0;  // since the last sent batch

@@ -86,7 +86,7 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   joined.subscribed.first_tick = feed.next_tick();
   const auto make = [&] {
     std::string name = context_.name + "-" + std::to_string(os::RandomNumber());
-    auto topic = context_.middleware->fan_out()->Speak(broker_, name);
+    auto topic = context_.middleware->broadcast()->OpenTopic(broker_, name);
     return std::make_unique<RowTopic>(std::move(name), std::move(topic));
   };
   joined.topic = feed.AddToTopic(source->columns, make, channel, joined.subscribed.handle);
@@ -125,7 +125,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
 /// Called with the mutex held.
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
-  if (context_.middleware->fan_out() == nullptr || broker_.empty()) {
+  if (context_.middleware->broadcast() == nullptr || broker_.empty()) {
     return Error{ErrorCode::kNotFound, "process '" + context_.name + "' has no fan-out"};
   }
   if (wanted.rows != RowChoice{}) {
@@ -135,7 +135,7 @@ Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
   for (const std::size_t column : source.columns) {
     row += source.table->columns()[column]->layout().bytes;
   }
-  constexpr std::size_t kLargestRow = FanOut::kMaxMessage / 4;  // half a batch
+  constexpr std::size_t kLargestRow = Broadcast::kMaxMessage / 4;  // half a batch
   if (row <= kLargestRow) return {};
   return Error{ErrorCode::kInvalid, "rows of " + std::to_string(row) +
                                         " bytes are too large for a fan-out, which carries " +

@@ -6,7 +6,7 @@
 #include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/process/viewer_messages.h>
-#include <tendon/proxy/mirror_messages.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <cstddef>
 #include <cstdint>

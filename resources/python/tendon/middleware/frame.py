@@ -12,7 +12,7 @@ PROTOCOL_VERSION = 10
 HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10
 """A frame may have at most this many bytes, header included; what is larger travels in parts."""
-MAX_STRANGERS_FRAME_SIZE = 64 << 10
+MAX_UNAUTHENTICATED_FRAME_SIZE = 64 << 10
 """The same of a peer that has not proved who it is."""
 MAX_BODY_SIZE = (64 << 20) + (64 << 10)
 """Of a frame that comes in parts: the largest payload, and what its message puts around it."""

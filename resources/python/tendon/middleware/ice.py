@@ -18,7 +18,7 @@ except ModuleNotFoundError as missing:
 from ..errors import Denied, Error, Failed, Invalid, TimedOut, Unreachable
 from .address import Address, parse_address
 from .certificate import Credentials, Shown, holder_of
-from .frame import MAX_PIECE_SIZE, MAX_STRANGERS_FRAME_SIZE, Header, read_frame
+from .frame import MAX_PIECE_SIZE, MAX_UNAUTHENTICATED_FRAME_SIZE, Header, read_frame
 
 Ice.loadSlice("", [str(Path(__file__).with_name("tendon.ice").resolve())])
 _CONTRACT = Ice.openModule("tendon")  # the contract's module has this package's name: same place
@@ -136,7 +136,7 @@ class IceLink:
         self.peer_address = _peer_of(connection)
         self._on_frame = on_frame
         self._connection = connection
-        self._limit = MAX_STRANGERS_FRAME_SIZE  # of a frame
+        self._limit = MAX_UNAUTHENTICATED_FRAME_SIZE  # of a frame
         self.shown = _shown_by(connection)  # by the peer, under TLS
         self._peer = _CONTRACT.EndpointPrx.uncheckedCast(
             connection.createProxy(_IDENTITY).ice_oneway())

@@ -225,7 +225,7 @@ TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
 
   EXPECT_TRUE(loader.Create("lamp", "Lamp", "lamp", ""));
   const std::uint64_t before = loader.files()->revision();
-  loader.files()->Look();
+  loader.files()->Update();
   EXPECT_NE(loader.files()->revision(), before);
   const auto files = loader.files()->descriptions();
   ASSERT_EQ(files.size(), 1U);
@@ -234,7 +234,7 @@ TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
   EXPECT_EQ(files[0].state, PluginState::kChanged);
   EXPECT_GE(files[0].written_now, files[0].written);
   const std::uint64_t now = loader.files()->revision();
-  loader.files()->Look();
+  loader.files()->Update();
   EXPECT_EQ(loader.files()->revision(), now) << "nothing has changed since";
 }
 

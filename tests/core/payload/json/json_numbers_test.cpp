@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/property.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include <algorithm>
 #include <bit>
@@ -108,8 +108,8 @@ template <Payload T>
 void CheckAlike(const T& value) {
   std::vector<std::byte> body;
   Encode(value, body);
-  const auto channel = Channels(SchemaOf<T>()).at(0);
-  RC_ASSERT(ToJson(channel.schema, ReadExactly(channel, body).value()) == ToJson(value));
+  const auto field = NumericFields(SchemaOf<T>()).at(0);
+  RC_ASSERT(ToJson(field.schema, ReadExactly(field, body).value()) == ToJson(value));
 }
 
 TEST(JsonNumbersProperty, OneNumberIsWrittenAsInAWhole) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/json.h>
-#include <tendon/payload/plot_channel.h>
+#include <tendon/payload/numeric_field.h>
 
 #include "samples.h"
 #include "support/encoded.h"
@@ -99,8 +99,8 @@ TEST(RobotPayloads, TheirFingerprintsNeverChange) {
 
 template <typename T>
 std::string UnitOf(const char* path) {
-  const auto channel = FindChannel(SchemaOf<T>(), path);
-  return channel ? channel->unit : channel.error().message;
+  const auto field = FindNumericField(SchemaOf<T>(), path);
+  return field ? field->unit : field.error().message;
 }
 
 TEST(RobotPayloads, CarryTheirUnits) {

@@ -69,11 +69,8 @@ class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
    public:
     explicit Mouth(std::shared_ptr<Cable> cable)
         : WrappedLink(cable->link), cable_(std::move(cable)) {}
-    tendon::Status Send(std::span<const std::byte> frame) override {
-      return cable_->is_cut ? tendon::Status::kQueued : WrappedLink::Send(frame);
-    }
-    tendon::Status Ask(std::span<const std::byte> frame) override {
-      return cable_->is_cut ? tendon::Status::kQueued : below().Ask(frame);
+    tendon::Status Send(std::span<const std::byte> frame, tendon::Delivery delivery) override {
+      return cable_->is_cut ? tendon::Status::kQueued : below().Send(frame, delivery);
     }
 
    private:

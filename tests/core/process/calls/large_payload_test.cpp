@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/manager/local_manager.h>
-#include <tendon/middleware/parts/payload_limit.h>
+#include <tendon/middleware/payload_limit.h>
 #include <tendon/proxy/component_proxy.h>
 #include <tendon/task/periodic_task.h>
 

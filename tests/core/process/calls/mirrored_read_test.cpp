@@ -259,7 +259,7 @@ std::atomic<int> ended{0};
 NetworkKind CountingLoopback() {
   return {.name = "loopback", .make = [] {
             const auto network = std::make_shared<tendon::LoopbackNetwork>();
-            network->SetJudge([](const tendon::loopback::Frame& frame) {
+            network->SetFaultInjector([](const tendon::loopback::Frame& frame) {
               const auto header = tendon::ReadFrameHeader(frame.bytes);
               if (header && header->type == tendon::message::kUnsubscribe) ++ended;
               return tendon::loopback::kPass;

@@ -31,11 +31,11 @@ class CountedAnswer final : public tendon::ReplySlot {
   std::optional<std::span<std::byte>> MakeRoom(const tendon::FrameHeader& header) override {
     return answer_.Begin(header);
   }
-  void Leave() override {
+  void OnEnd() override {
     ++ways_->answered;  // before whoever asked goes on
     answer_.End();
   }
-  std::unique_ptr<tendon::ReplySlot> MakeLater() override {
+  std::unique_ptr<tendon::ReplySlot> MakeDeferred() override {
     auto later = answer_.Defer();
     return later ? std::make_unique<CountedAnswer>(std::move(later), ways_) : nullptr;
   }
@@ -78,10 +78,10 @@ class WayCounter final : public tendon::Middleware {
       ++ways_->sent;
       handler_->OnFrame(frame);
     }
-    void OnAsked(std::span<const std::byte> frame, tendon::ReplySlot& answer) override {
+    void OnDirectFrame(std::span<const std::byte> frame, tendon::ReplySlot& answer) override {
       ++ways_->asked;
       CountedAnswer counted(answer, ways_);
-      handler_->OnAsked(frame, counted);
+      handler_->OnDirectFrame(frame, counted);
     }
     void OnClosed(const tendon::Error& reason) override { handler_->OnClosed(reason); }
 

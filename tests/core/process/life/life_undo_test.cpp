@@ -1,7 +1,7 @@
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/payload/json.h>
-#include <tendon/task/thread/threaded_task.h>
+#include <tendon/task/threaded_task.h>
 
 #include <array>
 #include <functional>

@@ -149,7 +149,7 @@ TEST_F(CatalogueColumnsTest, LookLikeThis) {
   Widen();
   tree().reveal("robot/arm/state.Joints");
   const auto shape =
-      std::make_shared<const std::vector<PlotChannel>>(Channels(test::JointStateSchema(3)));
+      std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(3)));
   const std::int64_t now = SteadyClock().Now().time_since_epoch().count();
   for (const std::uint64_t second : {0, 1, 2}) {
     Q_EMIT source_.valuesArrived("robot/arm/state.Joints",

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// Makes untrusted text safe for a terminal and a log: at most `most` bytes of it, with "..." after
+/// a cut; control characters and invalid UTF-8 become `\xNN`.
+[[nodiscard]] std::string Printable(std::string_view text, std::size_t most = 4096);
+
+/// The text in lower case. Converts only ASCII letters, whatever the locale.
+[[nodiscard]] std::string InLowerCase(std::string_view text);
+
+/// "1 row", "0 rows", "12 rows".
+[[nodiscard]] inline std::string Counted(std::uint64_t count, const std::string& one,
+                                         const std::string& several) {
+  return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+/// The element of a list with this `name`, or null. A linear search.
+template <typename List>
+[[nodiscard]] const typename List::value_type* FindNamed(const List& elements,
+                                                         const std::string& name) {
+  const auto found = std::find_if(elements.begin(), elements.end(),
+                                  [&](const auto& element) { return element.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+}  // namespace tendon

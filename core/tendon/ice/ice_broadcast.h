@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Ice/Ice.h>
+#include <tendon/ice/broker_connection.h>
+#include <tendon/middleware/broadcast.h>
+#include <tendon/process/worker.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace tendon::ice {
+
+/// Multicast through IceStorm. Calls its interfaces by Ice's generated code, because the broker is
+/// trusted: see BrokerConnection. Messages of a topic are untrusted, and are read like frames.
+class IceBroadcast final : public Broadcast {
+ public:
+  IceBroadcast(std::shared_ptr<Ice::Communicator> communicator, bool is_certified);
+  ~IceBroadcast() override;
+
+  std::unique_ptr<Topic> OpenTopic(const std::string& broker, const std::string& name) override;
+  Result<std::unique_ptr<Subscription>> Subscribe(const std::string& broker,
+                                                  const std::string& name, MessageHandler handler,
+                                                  std::chrono::milliseconds timeout) override;
+
+ private:
+  /// The adapter through which the broker reaches listeners: our address on the route to the
+  /// broker, any port.
+  std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
+
+  const std::shared_ptr<Ice::Communicator> communicator_;
+  const BrokerConnection connection_;
+  std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<Ice::ObjectAdapter>> adapters_;  // by host
+  std::shared_ptr<Worker> worker_;                                       // serves publishers
+};
+
+}  // namespace tendon::ice

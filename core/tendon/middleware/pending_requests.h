@@ -1,0 +1,169 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/base/result.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/lockfree/wakeup.h>
+#include <tendon/middleware/frame.h>
+
+#include <cassert>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon {
+
+/// The body of an answer, in its own memory or in memory of another object, so that a large answer
+/// need not be copied.
+class Answer {
+ public:
+  explicit Answer(Bytes own) : own_(std::move(own)) {}
+  /// `body` is valid as long as `owner` is held; `owner` is not null.
+  Answer(std::span<const std::byte> body, std::shared_ptr<const void> owner)
+      : lent_(body), owner_(std::move(owner)) {
+    assert(owner_);
+  }
+
+  /// Valid until this object is moved or destroyed.
+  [[nodiscard]] std::span<const std::byte> body() const {
+    return owner_ ? lent_ : std::span<const std::byte>(own_);
+  }
+  /// Copies the body if it is in memory of another object.
+  [[nodiscard]] Bytes TakeBytes() && {
+    return owner_ ? Bytes(lent_.begin(), lent_.end()) : std::move(own_);
+  }
+
+ private:
+  Bytes own_;
+  std::span<const std::byte> lent_;
+  std::shared_ptr<const void> owner_;
+};
+
+/// The requests of one channel that wait for an answer. Calls each handler exactly once, without
+/// holding a lock, and logs its exceptions. Thread-safe. Apart from handlers, allocates only if
+/// more requests wait than ever before.
+class PendingRequests {
+ public:
+  using Handler = std::function<void(Result<Bytes>)>;
+
+  /// Returns the number of the request. After FinishAll(), returns 0 and does not touch the
+  /// handler.
+  std::uint64_t Add(std::chrono::milliseconds timeout, Handler& handler);
+
+  /// Removes a request that was never sent; its handler is not called.
+  void Withdraw(std::uint64_t request);
+
+  /// Calls the handler of `request` or wakes its caller. Returns false if the request had already
+  /// ended.
+  bool Finish(std::uint64_t request, Result<Answer> outcome);
+
+  /// Finish() for an answer of the peer; counts late ones.
+  void OnAnswer(std::uint64_t request, Result<Answer> answer);
+
+  /// Returns true if the request still waits for its answer; otherwise counts a late answer.
+  bool IsAwaited(std::uint64_t request);
+
+  /// Finishes timed-out requests; the error names `peer`. A waiting caller times out by itself.
+  void Expire(SteadyTime now, const std::string& peer);
+
+  /// Finishes every request in order, and refuses all later ones.
+  void FinishAll(const Error& reason);
+
+  [[nodiscard]] std::uint64_t late_answers() const;
+
+ private:
+  friend class BlockingRequest;
+
+  /// Holds one request at a time. Its address never changes, because a thread may still be about to
+  /// wake the caller of an earlier request.
+  struct Place {
+    std::uint64_t request = 0;
+    SteadyTime deadline{};
+    std::chrono::milliseconds timeout{};
+    Handler handler;
+    bool is_awaited = false;  // a caller waits for the outcome; there is no handler
+    std::optional<Result<Answer>> outcome;
+    Flag has_ended;
+    Wakeup<> wakeup;
+  };
+
+  // With the lock held.
+  Place& Take();
+  Place*& EntryOf(std::uint64_t request) { return by_number_[request & (by_number_.size() - 1)]; }
+  [[nodiscard]] Place* Remove(std::uint64_t request);
+  void Free(Place& place);
+
+  bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
+                    Result<Answer> outcome);
+  Place* AddAwaited();
+  std::optional<Result<Answer>> Leave(Place& place);
+
+  mutable std::mutex mutex_;
+  bool finished_ = false;
+  std::uint64_t last_ = 0;
+  std::uint64_t late_ = 0;
+  std::deque<Place> places_;
+  std::vector<Place*> free_;       // has capacity for all places_
+  std::vector<Place*> by_number_;  // size is a power of two; each request has an entry of its own
+};
+
+/// "no answer from robot within 500 ms; outcome unknown"
+[[nodiscard]] Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout);
+
+/// Logs the exception that is being handled.
+void LogFailure(const std::string& peer);
+
+/// Calls foreign code in a thread of the middleware and logs its exceptions.
+template <typename Function>
+void CallGuarded(const std::string& peer, Function function) {
+  try {
+    function();
+  } catch (...) {
+    LogFailure(peer);
+  }
+}
+
+/// A request whose caller waits for the answer. Needs no handler, and so no allocation for each
+/// request. Used by one thread; must not outlive the PendingRequests.
+class BlockingRequest {
+ public:
+  explicit BlockingRequest(PendingRequests& requests)
+      : requests_(requests), place_(requests.AddAwaited()) {
+    if (place_ != nullptr) number_ = place_->request;
+  }
+  BlockingRequest(const BlockingRequest&) = delete;
+  BlockingRequest& operator=(const BlockingRequest&) = delete;
+  ~BlockingRequest() { (void)Leave(); }
+
+  /// The number of the request; 0 if no more requests can be sent.
+  [[nodiscard]] std::uint64_t number() const { return number_; }
+
+  /// Returns the outcome, or no value once `deadline` has passed. Call it once: a later answer
+  /// counts as late.
+  std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
+    if (place_ == nullptr) return std::nullopt;
+    place_->wakeup.WaitUntil([this] { return place_->has_ended.Get(); }, deadline);
+    return Leave();
+  }
+
+ private:
+  std::optional<Result<Answer>> Leave() {
+    PendingRequests::Place* const place = std::exchange(place_, nullptr);
+    return place == nullptr ? std::nullopt : requests_.Leave(*place);
+  }
+
+  PendingRequests& requests_;
+  PendingRequests::Place* place_;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace tendon

@@ -1,0 +1,91 @@
+#include <tendon/middleware/channel.h>
+#include <tendon/middleware/reply_batch.h>
+
+#include <cassert>
+#include <cstring>
+#include <utility>
+
+namespace tendon {
+namespace {
+
+thread_local ReplyBatcher* gathered_here = nullptr;
+
+/// Keeps its capacity.
+ReplyBatch& BatchOfThisThread() {
+  thread_local ReplyBatch batch;
+  return batch;
+}
+
+}  // namespace
+
+bool ReplyBatch::Add(std::uint64_t request, std::span<const std::byte> answer) {
+  const std::size_t start = body_.size();
+  if (replies_ == kMostReplies || answer.size() > kMostBytes ||
+      start + kOverhead + answer.size() > kMostBytes) {
+    return false;
+  }
+  const auto size = static_cast<std::uint32_t>(answer.size());
+  body_.resize(start + kOverhead + answer.size());
+  std::byte* const place = body_.data() + start;
+  std::memcpy(place, &request, sizeof request);
+  std::memcpy(place + sizeof request, &size, sizeof size);
+  if (size > 0) std::memcpy(place + kOverhead, answer.data(), size);
+  ++replies_;
+  return true;
+}
+
+void ReplyBatch::Clear() {
+  body_.clear();
+  replies_ = 0;
+}
+
+std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body) {
+  BatchedReply reply;
+  std::uint32_t size = 0;
+  static_assert(sizeof reply.request + sizeof size == ReplyBatch::kOverhead);
+  if (body.size() < ReplyBatch::kOverhead) return std::nullopt;
+  std::memcpy(&reply.request, body.data(), sizeof reply.request);
+  std::memcpy(&size, body.data() + sizeof reply.request, sizeof size);
+  if (size > body.size() - ReplyBatch::kOverhead) return std::nullopt;
+  reply.answer = body.subspan(ReplyBatch::kOverhead, size);
+  body = body.subspan(ReplyBatch::kOverhead + size);
+  return reply;
+}
+
+bool IsReplyBatch(std::span<const std::byte> body) {
+  if (body.size() > ReplyBatch::kMostBytes) return false;
+  std::size_t replies = 0;
+  while (TakeReply(body)) ++replies;
+  return body.empty() && replies > 0 && replies <= ReplyBatch::kMostReplies;
+}
+
+ReplyBatcher::ReplyBatcher() : batch_(BatchOfThisThread()) {
+  assert(gathered_here == nullptr);
+  gathered_here = this;
+}
+
+ReplyBatcher::~ReplyBatcher() {
+  gathered_here = nullptr;
+  if (channel_) Send();
+}
+
+bool ReplyBatcher::Keep(Channel& channel, std::uint64_t request,
+                        std::span<const std::byte> answer) {
+  ReplyBatcher* const here = gathered_here;
+  if (here == nullptr) return false;
+  if (here->channel_ && here->channel_.get() != &channel) here->Send();
+  if (!here->batch_.Add(request, answer)) {
+    if (here->channel_) here->Send();
+    if (!here->batch_.Add(request, answer)) return false;
+  }
+  if (!here->channel_) here->channel_ = channel.shared_from_this();
+  return true;
+}
+
+void ReplyBatcher::Send() {
+  const auto channel = std::exchange(channel_, nullptr);
+  channel->SendReplies(batch_);
+  batch_.Clear();
+}
+
+}  // namespace tendon

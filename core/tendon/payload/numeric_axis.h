@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/base/axis_ticks.h>
+#include <tendon/payload/numeric_value.h>
+#include <tendon/payload/schema.h>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tendon {
+
+/// An axis for values of one field, of any payload type: it positions the values and their
+/// labels. Bools and enums have one position for each value, labelled with its name. Integers are
+/// exact and have whole steps. Floats that are not finite are ignored.
+class NumericAxis {
+ public:
+  /// A position on the axis: 0 is its low end, 1 its high end.
+  struct Label {
+    double part = 0.0;
+    std::string text;
+  };
+
+  /// Just long enough for the values. Has no labels.
+  static NumericAxis Tight(const Schema& schema, std::span<const NumericValue> values);
+  /// With round ends and about `most` labels, all of them different.
+  static NumericAxis Fitted(const Schema& schema, std::span<const NumericValue> values, int most);
+
+  /// Sorted from the low end to the high end; empty if no value has a position.
+  [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
+  /// The position of a value, from 0 to 1; empty for infinities and not-a-number.
+  [[nodiscard]] std::optional<double> PartOf(const NumericValue& value) const;
+
+ private:
+  using Names = std::map<std::int64_t, double>;  // the positions of values
+
+  NumericAxis(const Schema& schema, std::span<const NumericValue> values,
+              std::optional<int> most_labels);
+  void UseNames(const Schema& schema, std::span<const NumericValue> values);
+  template <AxisNumber Number>
+  void UseNumbers(std::span<const NumericValue> values, std::optional<int> most_labels);
+
+  std::variant<std::monostate, Names, AxisSpan<double>, AxisSpan<std::int64_t>,
+               AxisSpan<std::uint64_t>>
+      places_;
+  std::vector<Label> labels_;
+};
+
+}  // namespace tendon

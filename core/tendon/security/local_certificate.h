@@ -1,0 +1,61 @@
+#pragma once
+
+#include <tendon/security/certificate_check.h>
+#include <tendon/security/credentials.h>
+#include <tendon/security/openssl_handles.h>
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+namespace tendon::openssl {
+
+/// The certificate and key that this program shows to peers. Reloads them from the files when they
+/// are renewed. Thread-safe.
+class LocalCertificate {
+ public:
+  struct Pair {
+    CertificateHandle certificate;
+    Key key;
+  };
+
+ private:
+  struct Passkey {};
+  struct Loaded {
+    CheckedCertificate checked;
+    std::string text;
+    std::shared_ptr<const Pair> pair;
+  };
+
+ public:
+  /// Errors: those of CheckCertificate(); kNotFound without a key. Logs a warning if the
+  /// certificate expires soon.
+  static Result<std::unique_ptr<LocalCertificate>> Read(const Credentials& credentials);
+
+  /// The current certificate and key. A renewed certificate replaces the old one if it is valid,
+  /// has its key, and has the same name, role and holder. Otherwise the old one stays, and the log
+  /// says why. Reads a file.
+  [[nodiscard]] std::shared_ptr<const Pair> Now();
+
+  [[nodiscard]] const std::filesystem::path& file() const { return credentials_.certificate; }
+  [[nodiscard]] const std::filesystem::path& key_file() const { return key_file_; }
+  /// The certificate as first read; a renewed one has the same name, role and holder.
+  [[nodiscard]] const Certificate& certificate() const { return certificate_; }
+
+  LocalCertificate(Passkey /*only from Read()*/, Credentials credentials, Loaded loaded);
+
+ private:
+  static Result<Loaded> Load(const Credentials& credentials);
+  Result<void> Renew();
+
+  const Credentials credentials_;
+  const Certificate certificate_;
+  const std::filesystem::path key_file_;
+  std::mutex mutex_;
+  std::string text_;  // content of the file when it was read
+  std::shared_ptr<const Pair> pair_;
+  std::string complaint_;  // the last problem that was logged
+};
+
+}  // namespace tendon::openssl
