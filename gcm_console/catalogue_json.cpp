@@ -1,8 +1,7 @@
 #include <gcm_console/catalogue_json.h>
 #include <gcm_console/place.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/health_text.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

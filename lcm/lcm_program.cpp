@@ -30,15 +30,15 @@ using tendon::Result;
 using namespace std::chrono_literals;
 
 /// The part of a system file about one process.
-struct Share {
+struct ProcessPart {
   std::vector<tendon::SystemFile::Component> components;
   std::vector<tendon::SystemFile::Connection> connections;  ///< that it owns
   bool is_strict = false;
 };
 
-Result<Share> ReadShare(const Options& options) {
-  Share share;
-  if (options.system.empty()) return share;
+Result<ProcessPart> ReadPart(const Options& options) {
+  ProcessPart part;
+  if (options.system.empty()) return part;
   const auto system = tendon::ReadSystemFile(options.system);
   if (!system) return system.error();
   const auto* process = system->FindProcess(options.name);
@@ -48,17 +48,17 @@ Result<Share> ReadShare(const Options& options) {
     return Error{ErrorCode::kNotFound, options.system + " has no process '" + options.name + "'" +
                                            tendon::DidYouMean(options.name, names)};
   }
-  share.components = process->components;
-  share.is_strict = system->strict;
-  PutLeadersFirst(share.components);
+  part.components = process->components;
+  part.is_strict = system->strict;
+  PutLeadersFirst(part.components);
   for (const auto& connection : system->connections) {
-    if (connection.required.process == options.name) share.connections.push_back(connection);
+    if (connection.required.process == options.name) part.connections.push_back(connection);
   }
-  return share;
+  return part;
 }
 
 /// A created component that is not yet added to the process.
-struct Made {
+struct CreatedComponent {
   std::unique_ptr<tendon::Component> component;
   tendon::ComponentOrigin origin;
 };
@@ -85,9 +85,10 @@ Error NoLibrary(const tendon::SystemFile::Component& wanted,
                                    wanted.class_name + "; there is: " + all};
 }
 
-Result<std::vector<Made>> MakeComponents(const Share& share, tendon::ComponentLoader& loader) {
-  std::vector<Made> all;
-  for (const auto& one : share.components) {
+Result<std::vector<CreatedComponent>> MakeComponents(const ProcessPart& part,
+                                                     tendon::ComponentLoader& loader) {
+  std::vector<CreatedComponent> all;
+  for (const auto& one : part.components) {
     if (one.class_name.empty()) {
       return Error{ErrorCode::kInvalid, "component '" + one.name +
                                             "' has no class in the file, because its own program "
@@ -130,24 +131,25 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
 }
 
 /// Adds the components, each with its leader, if any.
-Result<void> AddComponents(const Share& share, std::vector<Made> made, tendon::Process& process) {
-  for (Made& one : made) process.Add(std::move(one.component), std::move(one.origin));
-  for (const auto& one : share.components) {
+Result<void> AddComponents(const ProcessPart& part, std::vector<CreatedComponent> made,
+                           tendon::Process& process) {
+  for (CreatedComponent& one : made) process.Add(std::move(one.component), std::move(one.origin));
+  for (const auto& one : part.components) {
     if (one.runs_after.empty()) continue;
     if (auto follows = process.RunAfter(one.name, one.runs_after); !follows) return follows;
   }
   return {};
 }
 
-enum class Told { kGoOn, kEnd };
+enum class StartResult { kGoOn, kEnd };
 
 /// Waits until the process has joined, cannot join, or is asked to terminate.
-Result<Told> Join(const tendon::Process& process, const Options& options) {
+Result<StartResult> Join(const tendon::Process& process, const Options& options) {
   constexpr auto kLook = 10ms;
   const auto deadline = std::chrono::steady_clock::now() + options.timeout;
   while (!tendon::os::TerminationRequested(kLook)) {
     const auto joined = process.WaitUntilJoined(0ms);
-    if (joined) return Told::kGoOn;
+    if (joined) return StartResult::kGoOn;
     const ErrorCode code = joined.error().code;
     const bool may_come = code == ErrorCode::kUnreachable || code == ErrorCode::kTimeout;
     if (!may_come) return joined.error();
@@ -155,7 +157,7 @@ Result<Told> Join(const tendon::Process& process, const Options& options) {
     if (code == ErrorCode::kUnreachable) return joined.error();
     return Error{ErrorCode::kUnreachable, "the GCM at " + options.gcm + " does not answer"};
   }
-  return Told::kEnd;
+  return StartResult::kEnd;
 }
 
 /// The provided interface to which the required one is connected now, if any.
@@ -170,8 +172,8 @@ std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
 /// Continues after a failed connection, because its peer may appear later. Reports a connection
 /// that can never be made, and continues with the others. Keeps a connection that the GCM has
 /// restored meanwhile.
-void MakeConnections(const Share& share, tendon::Process& process) {
-  for (const auto& one : share.connections) {
+void MakeConnections(const ProcessPart& part, tendon::Process& process) {
+  for (const auto& one : part.connections) {
     const auto made = process.Connect(one.required, one.provided);
     if (made) continue;
     const auto provider = ProviderOf(process, one.required);
@@ -186,15 +188,15 @@ void MakeConnections(const Share& share, tendon::Process& process) {
 
 /// True if another component runs after it. Such followers cannot start while their leader is
 /// suspended.
-bool Leads(const Share& share, const tendon::SystemFile::Component& component) {
-  return std::ranges::any_of(share.components,
+bool Leads(const ProcessPart& part, const tendon::SystemFile::Component& component) {
+  return std::ranges::any_of(part.components,
                              [&](const auto& one) { return one.runs_after == component.name; });
 }
 
 /// Waits until the needed interfaces of a component in a strict file are connected, at most for the
 /// time limit in `options`. Fails if there is no connection for a needed interface.
-Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& component,
-                        const Options& options) {
+Result<StartResult> AwaitNeeds(const tendon::Process& process, const std::string& component,
+                               const Options& options) {
   constexpr auto kLook = 10ms;
   const auto deadline = std::chrono::steady_clock::now() + options.timeout;
   while (true) {
@@ -207,33 +209,33 @@ Result<Told> AwaitNeeds(const tendon::Process& process, const std::string& compo
     const bool is_over = !may_come || std::chrono::steady_clock::now() >= deadline;
     if (is_over) {
       const auto met = CheckNeeds(component, needs);
-      return met ? Result<Told>(Told::kGoOn) : met.error();
+      return met ? Result<StartResult>(StartResult::kGoOn) : met.error();
     }
-    if (tendon::os::TerminationRequested(kLook)) return Told::kEnd;
+    if (tendon::os::TerminationRequested(kLook)) return StartResult::kEnd;
   }
 }
 
-Result<Told> BringToState(const Share& share, tendon::Process& process,
-                          const std::string& component, ComponentState state,
-                          const Options& options) {
-  if (share.is_strict && IsRunning(state)) {
-    const auto told = AwaitNeeds(process, component, options);
-    if (!told || *told == Told::kEnd) return told;
+Result<StartResult> TransitionToState(const ProcessPart& part, tendon::Process& process,
+                                      const std::string& component, ComponentState state,
+                                      const Options& options) {
+  if (part.is_strict && IsRunning(state)) {
+    const auto result = AwaitNeeds(process, component, options);
+    if (!result || *result == StartResult::kEnd) return result;
   }
   const auto begun = process.TransitionTo(component, state);
-  return begun ? Result<Told>(Told::kGoOn) : begun.error();
+  return begun ? Result<StartResult>(StartResult::kGoOn) : begun.error();
 }
 
 /// An error of one component does not stop the others.
-Told Start(const Share& share, tendon::Process& process, const Options& options) {
-  MakeConnections(share, process);
+StartResult Start(const ProcessPart& part, tendon::Process& process, const Options& options) {
+  MakeConnections(part, process);
   std::vector<std::string> resting;
-  for (const auto& one : share.components) {
-    if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) return Told::kEnd;
-    const bool rests_later = one.state == ComponentState::kSuspended && Leads(share, one);
+  for (const auto& one : part.components) {
+    if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) return StartResult::kEnd;
+    const bool rests_later = one.state == ComponentState::kSuspended && Leads(part, one);
     const auto state = rests_later ? ComponentState::kActive : one.state;
-    const auto begun = BringToState(share, process, one.name, state, options);
-    if (begun && *begun == Told::kEnd) return Told::kEnd;
+    const auto begun = TransitionToState(part, process, one.name, state, options);
+    if (begun && *begun == StartResult::kEnd) return StartResult::kEnd;
     if (!begun) tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
     if (rests_later) resting.push_back(one.name);
   }
@@ -249,29 +251,29 @@ Told Start(const Share& share, tendon::Process& process, const Options& options)
         "and memlock instead");
   }
   tendon::Log(tendon::LogLevel::kInfo, options.name,
-              "runs " + tendon::Counted(share.components.size(), "component", "components") +
+              "runs " + tendon::Counted(part.components.size(), "component", "components") +
                   ", joined the GCM at " + options.gcm);
-  return Told::kGoOn;
+  return StartResult::kGoOn;
 }
 
 Result<void> Serve(const Options& options) {
   if (auto checked = tendon::CheckName("process", options.name); !checked) return checked;
-  auto share = ReadShare(options);
-  if (!share) return share.error();
+  auto part = ReadPart(options);
+  if (!part) return part.error();
   auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
   const auto loader = std::make_shared<tendon::ComponentLoader>();
-  auto components = MakeComponents(*share, *loader);  // before others can see this process
+  auto components = MakeComponents(*part, *loader);  // before others can see this process
   if (!components) return components.error();
   tendon::SetLogLevel(tendon::LogLevel::kWarning);  // the final error says why it has not joined
   auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();
-  if (auto added = AddComponents(*share, *std::move(components), **process); !added) return added;
+  if (auto added = AddComponents(*part, *std::move(components), **process); !added) return added;
   const auto joined = Join(**process, options);
   if (!joined) return joined.error();
-  if (*joined == Told::kEnd) return {};
+  if (*joined == StartResult::kEnd) return {};
   tendon::SetLogLevel(tendon::LogLevel::kInfo);
-  if (Start(*share, **process, options) == Told::kGoOn) tendon::os::WaitForTermination();
+  if (Start(*part, **process, options) == StartResult::kGoOn) tendon::os::WaitForTermination();
   return {};
 }
 

@@ -22,37 +22,37 @@ using tendon::ErrorCode;
 using tendon::Exposure;
 using tendon::Middleware;
 using tendon::Result;
-using Made = Result<std::unique_ptr<Middleware>>;
+using MiddlewareResult = Result<std::unique_ptr<Middleware>>;
 
-struct Maker {
+struct MiddlewareFactory {
   std::string name;
   std::function<std::unique_ptr<Middleware>(Exposure)> plain;
-  std::function<Made(const Credentials&)> under_tls;
+  std::function<MiddlewareResult(const Credentials&)> under_tls;
 };
 
-Made HasNoTls(const Credentials& /*credentials*/) {
+MiddlewareResult HasNoTls(const Credentials& /*credentials*/) {
   return Error{ErrorCode::kInvalid,
                "middleware 'tcp' has no TLS: leave out --certificate (and $TENDON_CERTIFICATE), or "
                "use --middleware ice"};
 }
 
 /// The default first.
-const std::vector<Maker>& Makers() {
-  static const std::vector<Maker> kMakers = {
+const std::vector<MiddlewareFactory>& Factories() {
+  static const std::vector<MiddlewareFactory> kFactories = {
 #ifdef TENDON_WITH_ICE
       {"ice", [](Exposure exposure) { return tendon::MakeIceMiddleware(exposure); },
        [](const Credentials& credentials) { return tendon::MakeIceMiddleware(credentials); }},
 #endif
       {"tcp", &tendon::MakeTcpMiddleware, &HasNoTls},
   };
-  return kMakers;
+  return kFactories;
 }
 
-Made Make(const Maker& maker, const NetworkOptions& options) {
+MiddlewareResult Make(const MiddlewareFactory& factory, const NetworkOptions& options) {
   if (options.certificate.empty()) {
-    return maker.plain(options.insecure ? Exposure::kInsecure : Exposure::kLoopbackOnly);
+    return factory.plain(options.insecure ? Exposure::kInsecure : Exposure::kLoopbackOnly);
   }
-  return maker.under_tls({.certificate = options.certificate, .authority = AuthorityOf(options)});
+  return factory.under_tls({.certificate = options.certificate, .authority = AuthorityOf(options)});
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::filesystem::path AuthorityOf(const NetworkOptions& options) {
 
 std::vector<std::string> MiddlewareNames() {
   std::vector<std::string> names;
-  for (const Maker& maker : Makers()) names.push_back(maker.name);
+  for (const MiddlewareFactory& factory : Factories()) names.push_back(factory.name);
   return names;
 }
 
@@ -110,9 +110,9 @@ CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& mo
 }
 
 Result<std::shared_ptr<Middleware>> MakeMiddleware(const NetworkOptions& options) {
-  for (const Maker& maker : Makers()) {
-    if (maker.name != options.middleware) continue;
-    auto made = Make(maker, options);
+  for (const MiddlewareFactory& factory : Factories()) {
+    if (factory.name != options.middleware) continue;
+    auto made = Make(factory, options);
     if (!made) return made.error();
     return std::shared_ptr<Middleware>(*std::move(made));
   }

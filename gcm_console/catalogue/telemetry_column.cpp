@@ -199,12 +199,12 @@ std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client, const tendon::
   constexpr std::chrono::milliseconds kPatience(500);
   const tendon::Catalogue catalogue = client.catalogue();
   StaleValues old{path.process + "/" + path.component,
-                  StandstillOf(catalogue, path.process, path.component),
+                  StaleReasonOf(catalogue, path.process, path.component),
                   {}};
-  if (old.why == tendon::Standstill::kNone) return std::nullopt;
+  if (old.why == tendon::StaleReason::kNone) return std::nullopt;
   const auto* component = catalogue.FindComponent(path.process, path.component);
   const bool has_rows = component != nullptr && !component->tables.empty() &&
-                        old.why != tendon::Standstill::kNotStarted;
+                        old.why != tendon::StaleReason::kNotStarted;
   if (!has_rows) return old;
   const auto& tables = component->tables;
   const auto named = std::find_if(tables.begin(), tables.end(),
@@ -218,12 +218,12 @@ std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client, const tendon::
   const auto id = client.telemetry().Subscribe(wanted, row);
   old.age = row->WaitForAge(kPatience);
   client.telemetry().Unsubscribe(id);
-  return IsOld(old.why, old.age, 0) ? std::optional(old) : std::nullopt;
+  return IsStale(old.why, old.age, 0) ? std::optional(old) : std::nullopt;
 }
 
 std::string ToText(const StaleValues& values) {
   std::string text = values.component + " is " + std::string(ToString(values.why));
-  if (values.why == tendon::Standstill::kNoAnswer) text = values.component + " does not answer";
+  if (values.why == tendon::StaleReason::kNoAnswer) text = values.component + " does not answer";
   return values.age ? text + ": " + tendon::AgeText(*values.age) + " old" : text;
 }
 

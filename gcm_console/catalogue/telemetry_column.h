@@ -4,7 +4,7 @@
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/client.h>
-#include <tendon/gcm/standstill.h>
+#include <tendon/gcm/staleness.h>
 #include <tendon/process/telemetry_client.h>
 
 #include <chrono>
@@ -49,7 +49,7 @@ tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& ca
 /// Says that the values of a component are old, and how old if known.
 struct StaleValues {
   std::string component;  ///< "robot/arm"
-  tendon::Standstill why = tendon::Standstill::kNone;
+  tendon::StaleReason why = tendon::StaleReason::kNone;
   std::optional<std::chrono::nanoseconds> age;
 };
 

@@ -1,5 +1,5 @@
 #include <gcm_console/events/event_inbox.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 
 #include <chrono>
 #include <utility>

@@ -7,7 +7,7 @@
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 

@@ -66,7 +66,7 @@ struct ConnectionFeed::Heard {
 std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
   std::vector<ConnectionFigures> all;
   std::map<tendon::InterfaceName, std::shared_ptr<Heard>> there;
-  client_.Look([&](const tendon::Catalogue& catalogue) {
+  client_.WithCatalogue([&](const tendon::Catalogue& catalogue) {
     for (const ConnectionDescription& one : catalogue.connections()) {
       ConnectionFigures figures{.required = ToString(one.required),
                                 .provided = ToString(one.provided),

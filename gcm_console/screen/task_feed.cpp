@@ -1,7 +1,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/screen/task_feed.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/standstill.h>
+#include <tendon/gcm/staleness.h>
 #include <tendon/gcm/waiting.h>
 #include <tendon/payload/numeric_field.h>
 
@@ -119,8 +119,8 @@ std::vector<TaskFigures> TaskFeed::Look() {
         there.insert(std::move(known));
       }
       Listener& listener = *there[path].listener;
-      const auto why = StandstillOf(entry.process.state, component.state);
-      const bool is_old = IsOld(why, listener.age(), 0);
+      const auto why = StaleReasonOf(entry.process.state, component.state);
+      const bool is_old = IsStale(why, listener.age(), 0);
       TaskFigures figures = is_old ? TaskFigures() : listener.figures();
       if (is_old) figures.age = listener.age();
       figures.path = path;

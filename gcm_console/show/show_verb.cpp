@@ -9,12 +9,9 @@
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/common_fields.h>
+#include <tendon/gcm/arguments.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/matching_read.h>
-#include <tendon/gcm/text/health_text.h>
-#include <tendon/gcm/text/plugin_text.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 #include <tendon/payload/json.h>
 

@@ -8,7 +8,7 @@
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system_file.h>
-#include <tendon/gcm/text/plugin_text.h>
+#include <tendon/gcm/text.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/schema.h>
 
@@ -97,7 +97,7 @@ std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const Li
 /// Warns that the file differs from the running code. Also printed with --quiet.
 void WarnOfOld(const Context& context, const std::string& process,
                const tendon::PluginDescription& plugin) {
-  const std::string old = tendon::OldPluginText(process, plugin);
+  const std::string old = tendon::OutdatedPluginText(process, plugin);
   if (old.empty()) return;
   context.out().flush();
   context.streams().err << "gcm: " << Plain(old) << '\n';

@@ -395,19 +395,19 @@ class StandstillNotices {
   }
 
  private:
-  using Standstill = tendon::Standstill;
+  using StaleReason = tendon::StaleReason;
   struct Watched {
     std::string name;
     tendon::Path path;
-    Standstill told = Standstill::kNone;
+    StaleReason told = StaleReason::kNone;
   };
 
   /// Checks one component. Returns true if it may have waited.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
-    const Standstill why = StandstillOf(catalogue, watched.path.process, watched.path.component);
+    const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
     // For a lost process, the end of its rows is reported instead.
-    if (why == watched.told || why == Standstill::kLost) return false;
-    if (why == Standstill::kNone) {
+    if (why == watched.told || why == StaleReason::kLost) return false;
+    if (why == StaleReason::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
       watched.told = why;
       return false;

@@ -5,9 +5,7 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/health_text.h>
-#include <tendon/gcm/text/plugin_text.h>
-#include <tendon/gcm/text/version_text.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/process/membership/advertised_address.h>
@@ -243,7 +241,7 @@ class Doctor {
   /// older one may explain a problem.
   void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
                   const std::string& text, const std::string& fix) {
-    const auto [version, is_own] = tendon::JudgeVersion(told, own_);
+    const auto [version, is_own] = tendon::CompareVersion(told, own_);
     if (is_own) {
       Good(what, text + ", " + version);
     } else {
@@ -289,7 +287,7 @@ class Doctor {
                       const std::vector<tendon::PluginDescription>& plugins, bool answers) {
     for (const tendon::PluginDescription& plugin : plugins) {
       const std::string what = "plug-in " + process + " " + plugin.name;
-      if (const auto old = FindOldPlugin(process, plugin)) {
+      if (const auto old = FindOutdatedPlugin(process, plugin)) {
         Bad(what, old->finding, old->remedy);
       } else if (answers) {
         Good(what, PluginText(plugin));

@@ -3,7 +3,7 @@
 #include <gcm_console/wire/disputed_types.h>
 #include <gcm_console/wire/order.h>
 #include <tendon/gcm/diagnosis.h>
-#include <tendon/gcm/text/leftover_text.h>
+#include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -125,8 +125,8 @@ void Print(const Diagnosis& diagnosis, std::ostream& out) {
       << ToString(diagnosis.wire.provided) << '\n';
 }
 
-const char* WordOf(tendon::Remainder::Verdict verdict) {
-  using Verdict = tendon::Remainder::Verdict;
+const char* WordOf(tendon::ConnectionRemnant::Verdict verdict) {
+  using Verdict = tendon::ConnectionRemnant::Verdict;
   if (verdict == Verdict::kUnknown) return "unknown";
   return verdict == Verdict::kNothing ? "nothing" : "something";
 }
@@ -140,9 +140,9 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
     steps.push_back(
         {{"verdict", verdict}, {"text", step.text}, {"details", step.details}, {"fix", step.fix}});
   }
-  ordered_json remainders = ordered_json::array();
-  for (const auto& one : diagnosis.remainders) {
-    remainders.push_back(
+  ordered_json remnants = ordered_json::array();
+  for (const auto& one : diagnosis.remnants) {
+    remnants.push_back(
         {{"process", one.process}, {"left", WordOf(one.verdict)}, {"text", one.text}});
   }
   return {{"required", ToString(diagnosis.wire.required)},
@@ -150,7 +150,7 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
           {"connected", diagnosis.is_connected},
           {"kept", IsKept(diagnosis)},
           {"steps", std::move(steps)},
-          {"rolled_back", std::move(remainders)}};
+          {"rolled_back", std::move(remnants)}};
 }
 
 /// The exit code of a lost process must differ from that of a missing GCM, kUnreachable.

@@ -7,7 +7,7 @@
 #include <gcm_console/verb.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/plugin_text.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>
@@ -104,7 +104,7 @@ void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow
     ++health.wrong;
     health.verbs.insert("gcm doctor");
     rows.push_back({"plug-in", process.name + " " + plugin.name,
-                    std::string(ToString(plugin.state)), OldPluginText(process.name, plugin)});
+                    std::string(ToString(plugin.state)), OutdatedPluginText(process.name, plugin)});
   }
 }
 

@@ -4,8 +4,7 @@
 #include <program/command_line.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/life/undo_check.h>
-#include <tendon/gcm/text/step_text.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

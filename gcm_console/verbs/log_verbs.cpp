@@ -7,7 +7,7 @@
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

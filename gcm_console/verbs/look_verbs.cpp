@@ -5,7 +5,7 @@
 #include <gcm_console/report.h>
 #include <gcm_console/show/details.h>
 #include <gcm_console/verb.h>
-#include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>

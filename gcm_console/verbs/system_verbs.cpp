@@ -186,7 +186,7 @@ Result<ExitCode> Diff(Context& context, const DiffWords& words) {
   const auto second = SecondOf(context, words);
   if (!second) return second.error();
   const auto starts =
-      words.second.empty() ? tendon::Starts::kUnknownInSecond : tendon::Starts::kKnown;
+      words.second.empty() ? tendon::StartComparison::kIgnore : tendon::StartComparison::kCompare;
   const SystemComparison comparison = CompareSystems(*first, *second, starts);
   Print(comparison, context);
   return comparison.differences.empty() ? program::kOk : program::kRefused;
@@ -308,13 +308,13 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
 }
 
 /// The words for an outcome in a table and in JSON.
-Marks MarksOf(StepOutcome::Fate fate) {
+Marks MarksOf(StepOutcome::State fate) {
   switch (fate) {
-    case StepOutcome::Fate::kDone:
+    case StepOutcome::State::kDone:
       return {"ok   ", "done"};
-    case StepOutcome::Fate::kFailed:
+    case StepOutcome::State::kFailed:
       return {"BAD  ", "failed"};
-    case StepOutcome::Fate::kLeft:
+    case StepOutcome::State::kLeft:
       return {"left ", "left"};
   }
   return {"?", "?"};
@@ -330,7 +330,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
   const PlanOutcome outcome = ExecutePlan(
       plan, executor, words.keep_going ? tendon::AfterError::kGoOn : tendon::AfterError::kStop,
       [&](std::size_t number, const PlanStep& step, const StepOutcome& came) {
-        const auto [sign, word] = MarksOf(came.fate);
+        const auto [sign, word] = MarksOf(came.state);
         if (is_json) {
           steps.push_back(ToJson(step));
           steps.back()["outcome"] = word;

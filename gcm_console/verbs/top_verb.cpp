@@ -9,8 +9,8 @@
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/standstill.h>
-#include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/staleness.h>
+#include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

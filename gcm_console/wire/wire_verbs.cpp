@@ -63,9 +63,9 @@ Result<tendon::ConnectionDescription> Carry(Context& context, const InterfaceNam
 /// Like PlanConnect(), but only checks.
 Result<void> CheckConnect(const Catalogue& catalogue, const InterfaceName& required,
                           const InterfaceName& provided, bool replace) {
-  using tendon::Occupied;
+  using tendon::WhenConnected;
   const auto plan = PlanConnect(catalogue, {required, provided},
-                                replace ? Occupied::kReplaced : Occupied::kRefused);
+                                replace ? WhenConnected::kReplace : WhenConnected::kRefuse);
   return plan ? Result<void>() : plan.error();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/command_calls.h>
-#include <tendon/gcm/matching_read.h>
+#include <tendon/gcm/arguments.h>
 #include <tendon/interface/interface_description.h>
 
 #include <QHash>

@@ -4,7 +4,7 @@
 #include <gcm_gui/models/state_of.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/reports/counts_text.h>
-#include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text.h>
 
 #include <QPointer>
 #include <chrono>

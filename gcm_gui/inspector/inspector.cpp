@@ -22,8 +22,8 @@
 #include <gcm_gui/views/tab_panel.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/matching_read.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 
 #include <QHBoxLayout>
@@ -376,7 +376,7 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   shown_component_ = path;
   steer_->show(store_.catalogue(), entry.process.name, component.name);
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
-  values_->showComponent(path, component, StandstillOf(entry.process.state, component.state));
+  values_->showComponent(path, component, StaleReasonOf(entry.process.state, component.state));
   configuration_.show(component);
   events_->show(path);
   const bool runs = component.state == ComponentState::kActive && !gone;

@@ -137,7 +137,7 @@ QString ValuesModel::wholeOf(const Place& place) {
 }
 
 bool ValuesModel::isSilent(const Block& block) const {
-  const bool can_answer = why_ == Standstill::kNone || why_ == Standstill::kNoAnswer;
+  const bool can_answer = why_ == StaleReason::kNone || why_ == StaleReason::kNoAnswer;
   if (block.isKnown() || !can_answer || block.awaited == SteadyTime::max()) return false;
   return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kPatience;
 }
@@ -150,7 +150,7 @@ std::optional<std::chrono::nanoseconds> ValuesModel::ageOf(const Block& block) c
 }
 
 bool ValuesModel::isOld(const Block& block) const {
-  return IsOld(why_, ageOf(block), block.rate.hz());
+  return IsStale(why_, ageOf(block), block.rate.hz());
 }
 
 QString ValuesModel::detailOf(const Block& block, std::size_t channel) const {
@@ -195,7 +195,8 @@ void ValuesModel::tick() {
   if (any) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumnCount - 1));
 }
 
-void ValuesModel::show(const QString& path, const ComponentDescription* component, Standstill why) {
+void ValuesModel::show(const QString& path, const ComponentDescription* component,
+                       StaleReason why) {
   std::vector<Block> fresh;
   if (component != nullptr) {
     for (const auto& table : component->tables) {

@@ -41,7 +41,7 @@ class ValuesModel : public QAbstractTableModel {
 
   /// `path` names the component; a null `component` shows nothing. showValues() delivers the
   /// values; they are old if the component does not run.
-  void show(const QString& path, const ComponentDescription* component, Standstill why);
+  void show(const QString& path, const ComponentDescription* component, StaleReason why);
   /// The paths of the columns to watch.
   [[nodiscard]] QSet<QString> columns() const;
   /// The unit of a row; empty for none.
@@ -103,7 +103,7 @@ class ValuesModel : public QAbstractTableModel {
   const Clock& clock_;
   std::vector<Block> blocks_;
   SteadyTime ticked_{};
-  Standstill why_ = Standstill::kNone;
+  StaleReason why_ = StaleReason::kNone;
 };
 
 }  // namespace tendon::gui

@@ -48,7 +48,7 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
 }
 
 void ValuesPage::showComponent(const QString& path, const ComponentDescription& component,
-                               Standstill why) {
+                               StaleReason why) {
   values_.show(path, &component, why);
   pictures_->setColumns(values_.columns());
   pictures_->setStandstill(why);

@@ -22,7 +22,7 @@ class ValuesPage : public QWidget {
   ValuesPage(Selection& selection, SignalSource& source, QWidget* parent = nullptr);
 
   /// `path` names the component; `why` says why its values are old.
-  void showComponent(const QString& path, const ComponentDescription& component, Standstill why);
+  void showComponent(const QString& path, const ComponentDescription& component, StaleReason why);
   /// Starts or stops the live values; true while the page is visible.
   void setWanted(bool wanted);
 

@@ -212,7 +212,7 @@ std::unique_ptr<CatalogueItem> BuildComponent(const ConnectionIndex& connections
   Item item = MakeItem(ItemKind::kComponent, ToQString(component.name),
                        ToQString(process + '/' + component.name));
   item->gone = IsGone(entry.process.state);
-  item->still = StandstillOf(entry.process.state, component.state);
+  item->still = StaleReasonOf(entry.process.state, component.state);
   item->state = item->gone ? QStringLiteral("lost") : ToQString(ToString(component.state));
   item->detail = ToQString(component.class_name);
   item->connected = PeersOf(connections, process, component);

@@ -41,13 +41,13 @@ struct CatalogueItem {
   /// kinds.
   std::optional<QString> connected;
   std::optional<StateMark> mark;
-  QString state;                         ///< the word for filters: "active", "lost", "connected"
-  bool gone = false;                     ///< its process is lost or has left
-  Standstill still = Standstill::kNone;  ///< of a component: why its values are old
-  QString host;                          ///< of a process, in lower case
-  std::int64_t since = 0;                ///< of a process: when it entered its state, ns since 1970
-  Fingerprint type;                      ///< of a column
-  int channel = -1;                      ///< of a number: the channel index in its column
+  QString state;                           ///< the word for filters: "active", "lost", "connected"
+  bool gone = false;                       ///< its process is lost or has left
+  StaleReason still = StaleReason::kNone;  ///< of a component: why its values are old
+  QString host;                            ///< of a process, in lower case
+  std::int64_t since = 0;  ///< of a process: when it entered its state, ns since 1970
+  Fingerprint type;        ///< of a column
+  int channel = -1;        ///< of a number: the channel index in its column
 
   CatalogueItem* parent = nullptr;
   int row = 0;

@@ -113,9 +113,9 @@ QList<CurveKey> CatalogueModel::signalsBelow(const QString& path) const {
   return names;
 }
 
-Standstill CatalogueModel::standstill(const QString& path) const {
+StaleReason CatalogueModel::standstill(const QString& path) const {
   const CatalogueItem* component = by_path_.value(path.section('/', 0, 1));
-  return component == nullptr ? Standstill::kNone : standstillOf(*component);
+  return component == nullptr ? StaleReason::kNone : standstillOf(*component);
 }
 
 QString CatalogueModel::columnOf(const QModelIndex& index) const {

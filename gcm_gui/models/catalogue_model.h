@@ -54,7 +54,7 @@ class CatalogueModel : public QAbstractItemModel {
   /// The numbers at and below a path, in order; empty while they are unknown.
   [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
   /// The reason why the values at and below this path (of a component or a signal) are old.
-  [[nodiscard]] Standstill standstill(const QString& path) const;
+  [[nodiscard]] StaleReason standstill(const QString& path) const;
   /// The column that contains a row, or empty.
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
@@ -102,7 +102,7 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
   [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
   /// The reason why the values of the item's component are old.
-  [[nodiscard]] static Standstill standstillOf(const CatalogueItem& item);
+  [[nodiscard]] static StaleReason standstillOf(const CatalogueItem& item);
   /// The time since the row of a value was written.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> rowAgeOf(const CatalogueItem& item) const;
   /// "suspended · 12 s old" for an old value; otherwise empty.

@@ -226,7 +226,7 @@ QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
 
 /// For an item with several columns, the highest rate.
 std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
-  if (item.gone || standstillOf(item) != Standstill::kNone) return std::nullopt;
+  if (item.gone || standstillOf(item) != StaleReason::kNone) return std::nullopt;
   if (item.kind >= ItemKind::kColumn) return arrivals_.rate(columnFor(item)->path);
   std::optional<double> fastest;
   if (item.kind != ItemKind::kComponent && item.kind != ItemKind::kProvided) return fastest;
@@ -237,17 +237,17 @@ std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
 std::optional<std::int64_t> CatalogueModel::ageOf(const CatalogueItem& item) const {
   if (item.kind == ItemKind::kProcess && item.since > 0) return now_ - item.since;
   if (item.kind < ItemKind::kColumn) return std::nullopt;
-  if (standstillOf(item) == Standstill::kNone) return arrivals_.age(columnFor(item)->path);
+  if (standstillOf(item) == StaleReason::kNone) return arrivals_.age(columnFor(item)->path);
   const auto age = rowAgeOf(item);
   return age ? std::optional(age->count()) : std::nullopt;
 }
 
-Standstill CatalogueModel::standstillOf(const CatalogueItem& item) {
+StaleReason CatalogueModel::standstillOf(const CatalogueItem& item) {
   const CatalogueItem* component = &item;
   while (component != nullptr && component->kind != ItemKind::kComponent) {
     component = component->parent;
   }
-  return component == nullptr ? Standstill::kNone : component->still;
+  return component == nullptr ? StaleReason::kNone : component->still;
 }
 
 std::optional<std::chrono::nanoseconds> CatalogueModel::rowAgeOf(const CatalogueItem& item) const {
@@ -261,11 +261,11 @@ QString CatalogueModel::oldTextOf(const CatalogueItem& item) const {
   if (item.kind < ItemKind::kColumn) return {};
   const CatalogueItem& column = *columnFor(item);
   if (!values_.contains(column.path)) return {};
-  const Standstill why = standstillOf(item);
+  const StaleReason why = standstillOf(item);
   // Without a subscription, the age of a running component's values is unknown.
   const auto age =
-      why == Standstill::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
-  return IsOld(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();
+      why == StaleReason::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
+  return IsStale(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();
 }
 
 QString CatalogueModel::spokenText(const CatalogueItem& item, int column) const {

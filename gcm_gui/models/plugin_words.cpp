@@ -1,7 +1,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/text.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 
 namespace tendon::gui {
 

@@ -101,27 +101,27 @@ QString WordOf(ProcessState state) {
   return Words::tr("left", "of a process");
 }
 
-QString WordOf(Standstill why) {
+QString WordOf(StaleReason why) {
   switch (why) {
-    case Standstill::kNone:
+    case StaleReason::kNone:
       break;
-    case Standstill::kNotStarted:
+    case StaleReason::kNotStarted:
       return Words::tr("not started");
-    case Standstill::kSuspended:
+    case StaleReason::kSuspended:
       return WordOf(StateMark::kSuspended);
-    case Standstill::kFinished:
+    case StaleReason::kFinished:
       return WordOf(StateMark::kFinished);
-    case Standstill::kFaulted:
+    case StaleReason::kFaulted:
       return WordOf(StateMark::kFaulted);
-    case Standstill::kNoAnswer:
+    case StaleReason::kNoAnswer:
       return WordOf(ProcessState::kSuspect);
-    case Standstill::kLost:
+    case StaleReason::kLost:
       return WordOf(StateMark::kLost);
   }
   return {};
 }
 
-QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age) {
+QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age) {
   const QString word = WordOf(why);
   if (!age) return word;
   const QString old = Words::tr("%1 old").arg(AgeText(age->count()));

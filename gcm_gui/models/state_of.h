@@ -2,7 +2,7 @@
 
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/gcm/standstill.h>
+#include <tendon/gcm/staleness.h>
 #include <tendon/manager/unsatisfied_interface.h>
 
 #include <QMetaType>
@@ -22,9 +22,9 @@ class ConnectionIndex;
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
 
 /// "suspended", "no answer", in the user's language; empty for none.
-[[nodiscard]] QString WordOf(Standstill why);
+[[nodiscard]] QString WordOf(StaleReason why);
 /// "suspended · 12 s old"; without the age if it is unknown.
-[[nodiscard]] QString OldText(Standstill why, std::optional<std::chrono::nanoseconds> age);
+[[nodiscard]] QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age);
 /// The missing connections of a component, by core's rules; `connections` must be of the same
 /// catalogue.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,

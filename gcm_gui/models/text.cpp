@@ -1,6 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <tendon/gcm/standstill.h>
+#include <tendon/gcm/staleness.h>
 
 #include <QDateTime>
 #include <algorithm>

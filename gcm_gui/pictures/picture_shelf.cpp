@@ -26,7 +26,7 @@ void PictureShelf::setColumns(const QSet<QString>& columns) {
   setVisible(!views_.isEmpty());
 }
 
-void PictureShelf::setStandstill(Standstill why) {
+void PictureShelf::setStandstill(StaleReason why) {
   still_ = WordOf(why);
   for (PictureView* view : views_) view->setOld(still_);
 }

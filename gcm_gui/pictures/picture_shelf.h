@@ -22,7 +22,7 @@ class PictureShelf : public QWidget {
   /// From now on, shows only these columns.
   void setColumns(const QSet<QString>& columns);
   /// The reason why the pictures are old, shown below each.
-  void setStandstill(Standstill why);
+  void setStandstill(StaleReason why);
 
  public Q_SLOTS:
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);

@@ -2,7 +2,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/text.h>
 
 #include <algorithm>
 #include <chrono>

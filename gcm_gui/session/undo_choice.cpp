@@ -3,7 +3,7 @@
 #include <gcm_gui/session/undo_choice.h>
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/history.h>
-#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/text.h>
 
 #include <QString>
 #include <algorithm>

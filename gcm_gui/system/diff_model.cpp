@@ -52,17 +52,17 @@ PlanLine LineOf(const PlanStep& step, const StepOutcome* outcome) {
   }
   const QString reason =
       outcome->reason.empty() ? QString() : QStringLiteral(": ") + ToQString(outcome->reason);
-  switch (outcome->fate) {
-    case StepOutcome::Fate::kDone:
+  switch (outcome->state) {
+    case StepOutcome::State::kDone:
       line.kind = PlanLine::Kind::kDone;
       line.trail = Words::tr("done");
       break;
-    case StepOutcome::Fate::kFailed:
+    case StepOutcome::State::kFailed:
       line.kind = PlanLine::Kind::kFailed;
       line.trail = Words::tr("failed");
       line.text += reason;
       break;
-    case StepOutcome::Fate::kLeft:
+    case StepOutcome::State::kLeft:
       line.kind = PlanLine::Kind::kLeft;
       line.trail = Words::tr("left");
       line.text += reason;

@@ -113,7 +113,7 @@ void Restore::noteBirth() {
   if (outcomes_.size() > plan_.steps.size()) return;
   const PlanStep& step = plan_.steps[outcomes_.size() - 1];
   const bool is_birth = step.kind == PlanStep::Kind::kStartProcess;
-  if (!is_birth || outcomes_.back().fate != StepOutcome::Fate::kDone) return;
+  if (!is_birth || outcomes_.back().state != StepOutcome::State::kDone) return;
   births_.push_back(step);
   births_.back().instance = InstanceOf(document_.catalogue(), step.process);
 }

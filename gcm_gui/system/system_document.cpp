@@ -143,7 +143,7 @@ void SystemDocument::compare() {
     SystemComparison comparison;
     const bool is_done =
         Fence::run(QT_TRANSLATE_NOOP("Words", "the comparison with a system file"),
-                   [&] { comparison = CompareSystems(file, running, Starts::kUnknownInSecond); });
+                   [&] { comparison = CompareSystems(file, running, StartComparison::kIgnore); });
     courier->post([this, version, is_done, comparison = std::move(comparison)] {
       is_comparing_ = false;
       const bool is_old = version != version_;
@@ -167,7 +167,7 @@ void SystemDocument::take(const QString& path, const SystemFile& file, std::func
   comparing_.start([this, courier = courier_, path, file, done = std::move(done),
                     revision = store_.catalogue().revision(),
                     running = SystemOf(store_.catalogue(), file.name).file] {
-    auto comparison = CompareSystems(file, running, Starts::kUnknownInSecond);
+    auto comparison = CompareSystems(file, running, StartComparison::kIgnore);
     courier->post([this, path, file, done, revision, comparison = std::move(comparison)] {
       path_ = path;
       file_ = file;

@@ -7,7 +7,7 @@
 #include <gcm_gui/why/why_card.h>
 #include <gcm_gui/why/why_report.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/text/leftover_text.h>
+#include <tendon/gcm/text.h>
 
 #include <QPointer>
 #include <algorithm>

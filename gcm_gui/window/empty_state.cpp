@@ -4,7 +4,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/empty_state.h>
-#include <tendon/process/membership/no_gcm.h>
+#include <tendon/process/membership/advertised_address.h>
 
 #include <QClipboard>
 #include <QGuiApplication>

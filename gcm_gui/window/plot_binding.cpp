@@ -35,14 +35,14 @@ void PlotBinding::showStale(const QString& path, const QString& reason) {
 
 QString PlotBinding::standstillOf(const QString& path,
                                   std::optional<std::int64_t> newest_ns) const {
-  const Standstill why = model_.standstill(path);
-  if (why == Standstill::kNone) return {};
+  const StaleReason why = model_.standstill(path);
+  if (why == StaleReason::kNone) return {};
   std::optional<std::chrono::nanoseconds> age;
   if (newest_ns) {
     const std::chrono::nanoseconds now = SteadyClock().Now().time_since_epoch();
     age = std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*newest_ns));
   }
-  return IsOld(why, age, 0) ? OldText(why, age) : QString();
+  return IsStale(why, age, 0) ? OldText(why, age) : QString();
 }
 
 // Paths with the longest common end come first: a renamed component has the same table.

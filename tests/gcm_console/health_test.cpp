@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
-#include <tendon/gcm/text/health_text.h>
+#include <tendon/gcm/text.h>
 
 #include <csignal>
 #include <fstream>

@@ -3,7 +3,6 @@
 #include <tendon/gcm/client.h>
 #include <tendon/gcm/client/event_feed.h>
 #include <tendon/gcm/client/gcm_link.h>
-#include <tendon/gcm/client/once_callback.h>
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/gcm/client/process_requests.h>
 #include <tendon/gcm/disputed_types.h>
@@ -12,6 +11,10 @@
 #include <tendon/process/telemetry/make_telemetry_client.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -67,6 +70,64 @@ client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   return opening;
 }
 
+/// Counts pending answers. Thread-safe.
+class OutstandingRequests {
+ public:
+  void Add() {
+    const std::scoped_lock lock(mutex_);
+    ++count_;
+  }
+  void Remove() {
+    const std::scoped_lock lock(mutex_);
+    if (--count_ == 0) none_.notify_all();
+  }
+  void WaitUntilNone(std::chrono::milliseconds timeout) {
+    std::unique_lock lock(mutex_);
+    none_.wait_for(lock, timeout, [this] { return count_ == 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable none_;
+  std::size_t count_ = 0;
+};
+
+/// A handler that is called exactly once. If the last copy is destroyed before that, the handler is
+/// called with an error.
+template <typename T>
+class OnceCallback {
+ public:
+  using Handler = std::function<void(Result<T>)>;
+
+  OnceCallback(std::shared_ptr<OutstandingRequests> outstanding, Handler handler)
+      : outstanding_(std::move(outstanding)), handler_(std::move(handler)) {
+    outstanding_->Add();
+  }
+  OnceCallback(const OnceCallback&) = delete;
+  OnceCallback& operator=(const OnceCallback&) = delete;
+  ~OnceCallback() {
+    if (handler_)
+      Call(Error{ErrorCode::kUnreachable, "the request was cancelled: this program is ending"});
+    outstanding_->Remove();
+  }
+
+  void Call(Result<T> result) {
+    if (const Handler handler = std::exchange(handler_, nullptr)) handler(std::move(result));
+  }
+
+ private:
+  const std::shared_ptr<OutstandingRequests> outstanding_;
+  Handler handler_;  // empty after the call
+};
+
+/// The same as a function.
+template <typename T>
+std::function<void(Result<T>)> CallOnce(std::shared_ptr<OutstandingRequests> outstanding,
+                                        std::function<void(Result<T>)> handler) {
+  return [once = std::make_shared<OnceCallback<T>>(std::move(outstanding), std::move(handler))](
+             Result<T> result) { once->Call(std::move(result)); };
+}
+
 }  // namespace
 
 /// The parts of a client; their order is that of construction and destruction.
@@ -84,10 +145,10 @@ class GcmClient::Implementation {
             timer_)),
         links_(std::make_shared<client::ProcessLinks>(*middleware_, Resolver(link_),
                                                       OpeningOf(options))),
-        caller_(std::make_shared<client::Caller>(links_, timer_, options.timeout)),
+        requests_(std::make_shared<client::ProcessRequests>(links_, timer_, options.timeout)),
         events_(std::make_shared<client::EventFeed>(links_, timer_, EventsOf(link_), options.name,
                                                     options.timeout)) {
-    links_->HearNotices(events_);
+    links_->SetNoticeListener(events_);
     link_->Start();
   }
   Implementation(const Implementation&) = delete;
@@ -105,7 +166,7 @@ class GcmClient::Implementation {
 
   template <typename T>
   std::function<void(Result<T>)> Guarded(std::function<void(Result<T>)> handler) {
-    return client::CallOnce<T>(outstanding_, std::move(handler));
+    return CallOnce<T>(outstanding_, std::move(handler));
   }
 
   /// Wraps the handler of a request to a process: kUnreachable becomes kFailed, because for a
@@ -120,7 +181,7 @@ class GcmClient::Implementation {
 
   client::GcmLink& link() { return *link_; }
   Worker& timer() { return *timer_; }
-  client::Caller& caller() { return *caller_; }
+  client::ProcessRequests& requests() { return *requests_; }
   client::EventFeed& events() { return *events_; }
   /// Created at the first call, because many programs have no subscriptions.
   TelemetryClient& telemetry() {
@@ -136,7 +197,7 @@ class GcmClient::Implementation {
   void Steer(message::LifeOrder order, DoneHandler done) {
     if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
     if (order.instance == 0) {
-      order.instance = link_->WithCatalog([&](const Catalogue& catalogue) {
+      order.instance = link_->WithCatalogue([&](const Catalogue& catalogue) {
         const ProcessEntry* entry = catalogue.FindProcess(order.process);
         return entry == nullptr ? std::uint64_t{0} : entry->process.instance;
       });
@@ -168,7 +229,7 @@ class GcmClient::Implementation {
     return [weak = std::weak_ptr(link)](const std::string& process) -> Result<ProcessDescription> {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
-      return alive->WithCatalog(
+      return alive->WithCatalogue(
           [&](const Catalogue& catalogue) { return PlaceOf(catalogue, process); });
     };
   }
@@ -178,7 +239,7 @@ class GcmClient::Implementation {
                const EventSubscription& wanted) -> Result<std::vector<MemberDescription>> {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
-      return alive->WithCatalog(
+      return alive->WithCatalogue(
           [&](const Catalogue& catalogue) { return LookUpEvents(catalogue, wanted); });
     };
   }
@@ -225,13 +286,13 @@ class GcmClient::Implementation {
       learners.swap(learners_);
       next_look_ = SteadyClock().Now() + kPause;
     }
-    const auto types = link_->WithCatalog(&DisputedTypes);
-    caller_->Learn(types, [learners = std::move(learners)](const Result<void>& learned) {
+    const auto types = link_->WithCatalogue(&DisputedTypes);
+    requests_->Learn(types, [learners = std::move(learners)](const Result<void>& learned) {
       for (const DoneHandler& learner : learners) learner(learned);
     });
   }
 
-  void OnMoved(const std::vector<client::GcmLink::Moved>& processes) {
+  void OnMoved(const std::vector<client::GcmLink::MovedProcess>& processes) {
     for (const auto& [process, instance] : processes) {
       links_->Drop(process, instance);
       events_->Retry(process);
@@ -246,11 +307,11 @@ class GcmClient::Implementation {
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
   const std::chrono::milliseconds timeout_;
-  const std::shared_ptr<client::Outstanding> outstanding_ = std::make_shared<client::Outstanding>();
+  const std::shared_ptr<OutstandingRequests> outstanding_ = std::make_shared<OutstandingRequests>();
   const std::shared_ptr<Worker> timer_ = std::make_shared<Worker>("client-timer");  // never blocked
   const SharedLink link_;
   const std::shared_ptr<client::ProcessLinks> links_;
-  const std::shared_ptr<client::Caller> caller_;
+  const std::shared_ptr<client::ProcessRequests> requests_;
   const std::shared_ptr<client::EventFeed> events_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
@@ -270,12 +331,13 @@ Result<void> GcmClient::WaitUntilWatching() { return implementation_->link().Wai
 
 void GcmClient::Resync() { implementation_->link().Resync(); }
 
-void GcmClient::Look(const std::function<void(const Catalogue&)>& look) const {
-  implementation_->link().WithCatalog([&look](const Catalogue& catalogue) { look(catalogue); });
+void GcmClient::WithCatalogue(const std::function<void(const Catalogue&)>& read) const {
+  implementation_->link().WithCatalogue(read);
 }
 
 Catalogue GcmClient::catalogue() const {
-  return implementation_->link().WithCatalog([](const Catalogue& catalogue) { return catalogue; });
+  return implementation_->link().WithCatalogue(
+      [](const Catalogue& catalogue) { return catalogue; });
 }
 
 void GcmClient::Connect(const InterfaceName& required, const InterfaceName& provided,
@@ -339,13 +401,13 @@ void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
       implementation_->Guarded(std::move(handler)));
 }
 
-void GcmClient::TakePlanTurn(DoneHandler handler) {
+void GcmClient::TakePlanLock(DoneHandler handler) {
   implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = true},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
-void GcmClient::GivePlanTurnBack() {
+void GcmClient::ReleasePlanLock() {
   implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = false},
                                         [](const auto& /*answer*/) {});
 }
@@ -368,7 +430,7 @@ void GcmClient::GetVersion(const std::string& process,
   }
   implementation_->timer().Post(
       [this, process, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->caller().GetVersion(process, done);
+        implementation_->requests().GetVersion(process, done);
       });
 }
 
@@ -376,7 +438,7 @@ void GcmClient::GetCounts(const InterfaceName& required,
                           std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(
       [this, required, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->caller().GetCounts(required, done);
+        implementation_->requests().GetCounts(required, done);
       });
 }
 
@@ -384,7 +446,7 @@ void GcmClient::GetServed(const message::Wire& wire,
                           std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(
       [this, wire, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->caller().GetServed(wire, done);
+        implementation_->requests().GetServed(wire, done);
       });
 }
 
@@ -392,7 +454,7 @@ void GcmClient::GetFill(const std::string& process, const std::string& component
                         std::function<void(Result<MailboxFill>)> handler) {
   implementation_->timer().Post(
       [this, process, component, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->caller().GetFill(process, component, done);
+        implementation_->requests().GetFill(process, component, done);
       });
 }
 
@@ -416,7 +478,7 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
         const auto parsed = ParsePath(path);
         if (!parsed) return done(parsed.error());
         if (parsed->member.empty()) return done(NoCommand(path));
-        const auto command = implementation_->link().WithCatalog(
+        const auto command = implementation_->link().WithCatalogue(
             [&](const Catalogue& catalogue) -> Result<MemberDescription> {
               auto found = LookUpCommand(catalogue, *parsed);
               if (!found) return found;
@@ -424,7 +486,7 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
               return place ? found : Result<MemberDescription>(place.error());
             });
         if (!command) return done(command.error());
-        implementation_->caller().Call(*parsed, *command, argument, done);
+        implementation_->requests().Call(*parsed, *command, argument, done);
       });
 }
 
@@ -439,7 +501,7 @@ void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
                           std::function<void(Result<Schema>)> handler) {
   implementation_->timer().Post(
       [this, process, fingerprint, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->caller().GetSchema(process, fingerprint, done);
+        implementation_->requests().GetSchema(process, fingerprint, done);
       });
 }
 

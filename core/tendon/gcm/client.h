@@ -89,9 +89,9 @@ class GcmClient {
 
   /// A copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
-  /// Calls `look` with the current catalogue, without a copy. The client is locked during the call,
-  /// so `look` must be short and must not use the client.
-  void Look(const std::function<void(const Catalogue&)>& look) const;
+  /// Calls `read` with the current catalogue, without a copy. The client is locked during the call,
+  /// so `read` must be short and must not use the client.
+  void WithCatalogue(const std::function<void(const Catalogue&)>& read) const;
 
   /// Asks the GCM for the whole catalogue again; the listener gets it. Does nothing if such a
   /// request is pending or there is no GCM.
@@ -127,10 +127,10 @@ class GcmClient {
   /// Skips the newest step, so that earlier ones can be undone. kFailed if its process may come
   /// back, or if the step can be undone and `step` is not its number.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
-  /// Reserves the execution of plans for this client, until GivePlanTurnBack() or the end of the
+  /// Reserves the execution of plans for this client, until ReleasePlanLock() or the end of the
   /// link. If another client has it, fails with kFailed, and the error names that client.
-  void TakePlanTurn(DoneHandler handler);
-  void GivePlanTurnBack();
+  void TakePlanLock(DoneHandler handler);
+  void ReleasePlanLock();
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// The resources that processes use, as last reported to the GCM.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tendon/gcm/layers.h>
-
 #include <cstddef>
 #include <map>
 #include <string>
@@ -26,6 +24,14 @@ struct Rect {
   double height = 0;
 
   bool operator==(const Rect&) const = default;
+};
+
+/// From a provider to its client, by index.
+struct LayerEdge {
+  std::size_t from = 0;
+  std::size_t to = 0;
+
+  bool operator==(const LayerEdge&) const = default;
 };
 
 /// Places blocks in columns, providers left of their clients. A placed block stays as long as its
@@ -83,5 +89,10 @@ class ColumnLayout {
   std::map<std::string, Rect> rects_;
   Size size_;
 };
+
+/// The layer of each of `count` nodes, so that edges lead to higher layers: the length of the
+/// longest path from a node without providers. Ignores the edge that closes a cycle, in the order
+/// of visits.
+[[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
 }  // namespace tendon::graph

@@ -168,8 +168,8 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
                   "disconnect it: gcm disconnect " + ToString(wire.required));
 }
 
-Remainder LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) {
-  using Kind = Remainder::Verdict;
+ConnectionRemnant LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) {
+  using Kind = ConnectionRemnant::Verdict;
   const std::string& process = wire.required.process;
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr || !IsPresent(entry->process)) {
@@ -183,9 +183,9 @@ Remainder LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) 
               " is connected to " + ToString(other->provided)};
 }
 
-Remainder LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
-                         const Result<ConnectionCounts>& served) {
-  using Kind = Remainder::Verdict;
+ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
+                                 const Result<ConnectionCounts>& served) {
+  using Kind = ConnectionRemnant::Verdict;
   const std::string& process = wire.provided.process;
   if (!served && served.error().code != ErrorCode::kNotFound) {
     return {process, Kind::kUnknown,
@@ -319,9 +319,9 @@ void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
                    const Result<ConnectionCounts>& served) {
   const message::Wire& wire = diagnosis.wire;
   if (diagnosis.is_connected) return;
-  diagnosis.remainders = {LeftAtRequired(catalogue, wire)};
+  diagnosis.remnants = {LeftAtRequired(catalogue, wire)};
   if (wire.provided.process == wire.required.process) return;
-  diagnosis.remainders.push_back(LeftAtProvider(catalogue, wire, served));
+  diagnosis.remnants.push_back(LeftAtProvider(catalogue, wire, served));
 }
 
 Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,

@@ -4,7 +4,7 @@
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/connection_health.h>
 #include <tendon/interface/compatibility.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <chrono>
 #include <optional>
@@ -26,24 +26,24 @@ struct DiagnosisStep {
 };
 
 /// What one of the two processes still has of a connection that is not active, or never was.
-struct Remainder {
+struct ConnectionRemnant {
   enum class Verdict { kNothing, kSomething, kUnknown };
 
   std::string process;
   Verdict verdict = Verdict::kUnknown;
   std::string text;  ///< "nothing in robot"
 
-  bool operator==(const Remainder&) const = default;
+  bool operator==(const ConnectionRemnant&) const = default;
 };
 
 /// The check of a connection in seven steps: why it works or fails. The console and the window show
 /// the same steps.
 struct Diagnosis {
   message::Wire wire;
-  std::vector<DiagnosisStep> steps;   ///< all seven; those after a bad one were not reached
-  std::optional<Error> failure;       ///< error of the bad step
-  bool is_connected = false;          ///< if not, and no step is bad, it could be connected
-  std::vector<Remainder> remainders;  ///< of both processes if not active and requested
+  std::vector<DiagnosisStep> steps;         ///< all seven; those after a bad one were not reached
+  std::optional<Error> failure;             ///< error of the bad step
+  bool is_connected = false;                ///< if not, and no step is bad, it could be connected
+  std::vector<ConnectionRemnant> remnants;  ///< of both processes if not active and requested
 };
 
 /// Makes the checks that need only the catalogue: that processes and components are present, that
@@ -68,7 +68,7 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 /// explain later problems.
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
-/// Adds `remainders`: whether both processes have removed a refused or failed connection. The
+/// Adds `remnants`: whether both processes have removed a refused or failed connection. The
 /// catalogue knows this for the required side, the answer of GcmClient::GetServed() for the
 /// provider. Does nothing for a requested connection, because its required side keeps trying.
 void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,

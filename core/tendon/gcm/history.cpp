@@ -15,17 +15,17 @@
 namespace tendon {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string LineOf(const message::HistoryEntry& step) {
-  Ordered line;
+  OrderedJson line;
   line["id"] = step.id;
   line["verb"] = step.verb;
   if (step.life.process.empty()) {
     line["required"] = ToString(step.wire.required);
     line["provided"] = ToString(step.wire.provided);
   } else {
-    line["life"] = Ordered::parse(ToJson(step.life));
+    line["life"] = OrderedJson::parse(ToJson(step.life));
   }
   if (step.verb == "replace") line["former"] = ToString(step.former);
   line["who"] = step.who;
@@ -34,11 +34,11 @@ std::string LineOf(const message::HistoryEntry& step) {
   if (step.is_unknown) line["unknown"] = true;
   if (step.undone) line["undone"] = true;
   if (step.passed_over) line["passed over"] = true;
-  return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
-/// Throws Ordered::exception if the line is not a step.
-std::optional<message::HistoryEntry> StepOf(const Ordered& line) {
+/// Throws OrderedJson::exception if the line is not a step.
+std::optional<message::HistoryEntry> StepOf(const OrderedJson& line) {
   message::HistoryEntry step;
   step.id = line.at("id").get<std::uint64_t>();
   step.verb = line.at("verb").get<std::string>();
@@ -73,12 +73,12 @@ constexpr const char* kPassOver = "pass over";
 using Undos = std::map<std::uint64_t, UndoMark>;
 
 std::string MarkLine(std::uint64_t id, const char* what, const UndoMark& by) {
-  Ordered line = {{what, id}};
+  OrderedJson line = {{what, id}};
   if (!by.who.empty()) {
     line["who"] = by.who;
     line["when"] = by.when;
   }
-  return line.dump(-1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+  return line.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 /// Marks a step; returns false if there is no such step.
@@ -97,7 +97,7 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps, 
   try {
     const auto parsed = ParseOrderedJson(text);
     if (!parsed) return false;
-    const Ordered& line = *parsed;
+    const OrderedJson& line = *parsed;
     for (const char* mark : {kUndo, kPassOver}) {
       if (!line.contains(mark)) continue;
       const auto id = line.at(mark).get<std::uint64_t>();
@@ -111,7 +111,7 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps, 
     auto step = StepOf(line);
     if (step) steps.push_back(std::move(*step));
     return step.has_value();
-  } catch (const Ordered::exception&) {
+  } catch (const OrderedJson::exception&) {
     return false;
   }
 }

@@ -192,7 +192,7 @@ bool TakesArgument(const Signature& signature) {
 }
 
 Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
-                                    Occupied occupied) {
+                                    WhenConnected when_connected) {
   for (const InterfaceName& name : {wire.required, wire.provided}) {
     if (auto checked = CheckFullName(name); !checked) return checked.error();
   }
@@ -205,7 +205,7 @@ Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::W
   const auto provided = LookUpProvided(catalogue, wire.provided);
   if (!provided && is_there) return provided.error();
   const auto* connection = catalogue.FindConnection(wire.required);
-  if (connection != nullptr && occupied == Occupied::kRefused) {
+  if (connection != nullptr && when_connected == WhenConnected::kRefuse) {
     return Error{ErrorCode::kExists, Connected(*connection, wire.provided)};
   }
   if (connection != nullptr) {

@@ -3,7 +3,7 @@
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <cstdint>
 #include <string>
@@ -30,7 +30,7 @@ Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& 
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
 /// The effect of a connect if the required interface is already connected.
-enum class Occupied { kRefused, kReplaced };
+enum class WhenConnected { kRefuse, kReplace };
 
 /// The order for a connect, checked against the catalogue. Errors: kInvalid, kNotFound;
 /// kIncompatible, with the text of Refusal(); kExists if the required interface is connected;
@@ -38,7 +38,7 @@ enum class Occupied { kRefused, kReplaced };
 /// connection will be pending, and must not replace an active one (kFailed, kNotFound). A missing
 /// interface of a present process is an error.
 Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
-                                    Occupied occupied = Occupied::kRefused);
+                                    WhenConnected when_connected = WhenConnected::kRefuse);
 
 /// The same order, unchecked.
 [[nodiscard]] message::Wiring WiringOf(const Catalogue& catalogue, const message::Wire& wire);

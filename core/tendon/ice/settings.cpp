@@ -3,7 +3,7 @@
 #include <tendon/ice/links.h>
 #include <tendon/ice/settings.h>
 #include <tendon/middleware/part_sender.h>
-#include <tendon/process/access/audit_log.h>
+#include <tendon/process/audit_log.h>
 
 #include <string>
 #include <string_view>

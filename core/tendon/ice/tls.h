@@ -5,7 +5,7 @@
 #include <tendon/base/result.h>
 #include <tendon/ice/pending_tls_handshakes.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/process/access/audit_log.h>
+#include <tendon/process/audit_log.h>
 #include <tendon/security/certificate.h>
 #include <tendon/security/credentials.h>
 #include <tendon/security/local_certificate.h>

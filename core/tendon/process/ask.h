@@ -21,4 +21,17 @@ void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType typ
   });
 }
 
+/// Sends a notice without a body; sends it again from `worker` as long as the link is full.
+inline void NotifyUntilSent(const std::weak_ptr<Worker>& worker,
+                            const std::shared_ptr<Channel>& channel, MessageType type,
+                            std::uint32_t handle, Lane lane = kCommonLane) {
+  constexpr std::chrono::milliseconds kUntilLinkHasRoom(20);
+  if (channel->Notify(type, handle, Bytes(), lane) != Status(Status::kQueueFull)) return;
+  const auto still_at_work = worker.lock();
+  if (!still_at_work) return;
+  still_at_work->PostAfter(kUntilLinkHasRoom, [worker, channel, type, handle, lane] {
+    NotifyUntilSent(worker, channel, type, handle, lane);
+  });
+}
+
 }  // namespace tendon

@@ -1,12 +1,12 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/tcp.h>
-#include <tendon/process/client/remote_connections.h>
+#include <tendon/process/connections/peer_session.h>
+#include <tendon/process/connections/remote_connections.h>
 #include <tendon/process/context.h>
 #include <tendon/process/life/life_cycle.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/process.h>
-#include <tendon/process/server/peer_session.h>
 #include <tendon/proxy/component_proxy.h>
 
 #include <future>
@@ -249,9 +249,9 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
     return process_.Disconnect(required);
   }
 
-  void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
-            std::function<void(const Result<message::LifeOutcome>&)> done) override {
-    life_.Obey(order, std::move(begin), OnWorker(std::move(done)));
+  void ExecuteOrder(const message::LifeOrder& order, std::function<Result<void>()> begin,
+                    std::function<void(const Result<message::LifeOutcome>&)> done) override {
+    life_.ExecuteOrder(order, std::move(begin), OnWorker(std::move(done)));
   }
 
   void ListClasses(std::function<void(const Result<message::Classes>&)> done) override {

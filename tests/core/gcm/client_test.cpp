@@ -116,7 +116,7 @@ TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
       [this](const std::string&) { return Result<ProcessDescription>(robot_->description()); },
       client::ProcessLinks::Options{.name = "test"});
   std::promise<std::shared_ptr<Channel>> promise;
-  links->With("robot", [&](const auto& channel) { promise.set_value(*channel); });
+  links->WithChannel("robot", [&](const auto& channel) { promise.set_value(*channel); });
   const auto channel = promise.get_future().get();
 
   // A request may be faster than the snapshot that tells of the process.

@@ -2,7 +2,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/leftover_text.h>
+#include <tendon/gcm/text.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon {
@@ -309,29 +309,29 @@ TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
 
 TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
-  using Left = Remainder::Verdict;
+  using Left = ConnectionRemnant::Verdict;
   const Error none{ErrorCode::kNotFound, "serves nothing"};
 
   AddRemainders(diagnosis, catalogue_, none);
 
-  EXPECT_EQ(diagnosis.remainders,
-            (std::vector<Remainder>{{"desk", Left::kNothing, "nothing in desk"},
-                                    {"robot", Left::kNothing, "nothing in robot"}}));
+  EXPECT_EQ(diagnosis.remnants,
+            (std::vector<ConnectionRemnant>{{"desk", Left::kNothing, "nothing in desk"},
+                                            {"robot", Left::kNothing, "nothing in robot"}}));
   EXPECT_EQ(LeftoverTexts(diagnosis), (std::vector<std::string>{"left over: nothing in desk",
                                                                 "left over: nothing in robot"}));
 
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
-  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kSomething);
+  EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kSomething);
   AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
-  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kUnknown);
-  EXPECT_EQ(diagnosis.remainders[1].text, "unknown for robot, which does not report it: no answer");
+  EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kUnknown);
+  EXPECT_EQ(diagnosis.remnants[1].text, "unknown for robot, which does not report it: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
-  EXPECT_EQ(diagnosis.remainders[0].text,
+  EXPECT_EQ(diagnosis.remnants[0].text,
             "nothing in desk, where teleoperation/Robot is connected to "
             "robot/arm/Control");
-  EXPECT_EQ(diagnosis.remainders[1].verdict, Left::kNothing);
+  EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kNothing);
 }
 
 TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
@@ -340,7 +340,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
 
   AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
 
-  EXPECT_TRUE(diagnosis.remainders.empty());
+  EXPECT_TRUE(diagnosis.remnants.empty());
   EXPECT_EQ(LeftoverTexts(diagnosis),
             std::vector<std::string>{"kept: desk makes it as soon as it can"});
   Connect(ConnectionState::kActive);

@@ -266,12 +266,12 @@ Result<None> FakeProcess::Renew() {
   return channel->Call<None>(message::kRenew, 0, None{}, kTimeout);
 }
 
-Result<message::GcmClock> FakeProcess::TellHealth(const message::Health& health) {
+Result<message::GcmClock> FakeProcess::ReportHealth(const message::Health& health) {
   std::unique_lock lock(state_->mutex);
   const auto channel = state_->gcm;
   lock.unlock();
   if (!channel) return Error{ErrorCode::kUnreachable, "no link"};
-  return channel->Call<message::GcmClock>(message::kTellHealth, 0, health, kTimeout);
+  return channel->Call<message::GcmClock>(message::kReportHealth, 0, health, kTimeout);
 }
 
 Result<None> FakeProcess::Leave() {

@@ -51,7 +51,7 @@ class FakeProcess {
 
   Result<message::JoinReply> Join(const std::string& gcm);
   Result<None> Renew();
-  Result<message::GcmClock> TellHealth(const message::Health& health);
+  Result<message::GcmClock> ReportHealth(const message::Health& health);
   Result<None> Leave();
   /// Breaks the link, but knows its session.
   void BreakLink();

@@ -88,20 +88,20 @@ TEST_F(Lookup, AConnectToAProcessThatNobodyHasSeenIsPending) {
 TEST_F(Lookup, AReplacementMayFindItConnected) {
   Connect(kRobot, kControl);
 
-  EXPECT_TRUE(PlanConnect(catalogue_, {kRobot, kControl}, Occupied::kReplaced));
+  EXPECT_TRUE(PlanConnect(catalogue_, {kRobot, kControl}, WhenConnected::kReplace));
 }
 
 TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
   const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
   Connect(kRobot, kControl);
   EXPECT_EQ(
-      PlanConnect(catalogue_, wire, Occupied::kReplaced).error().message,
+      PlanConnect(catalogue_, wire, WhenConnected::kReplace).error().message,
       "desk/teleoperation/Robot stays connected to robot/arm/Control, because its replacement "
       "must be available first: no process 'elsewhere'; there is 'desk', 'robot'");
 
   Connect(kRobot, kControl, ConnectionState::kFailed);
 
-  EXPECT_TRUE(PlanConnect(catalogue_, wire, Occupied::kReplaced));
+  EXPECT_TRUE(PlanConnect(catalogue_, wire, WhenConnected::kReplace));
 }
 
 TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {

@@ -297,15 +297,15 @@ TEST_F(RegistryTest, ALostProcessKeepsItsConnectionsAsWanted) {
 TEST_F(RegistryTest, ConnectionsAreHandedBackOnceBothEndsAreThereAgain) {
   const Session robot = Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
 
   const Session desk = Join("desk", 3);
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
   ASSERT_TRUE(registry_.Report(
       desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
 
-  EXPECT_EQ(registry_.TakeDueHandBacks(), (std::vector{message::Wire{kRobot, kControl}}));
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_EQ(registry_.TakeDueConnections(), (std::vector{message::Wire{kRobot, kControl}}));
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
   EXPECT_TRUE(registry_.Renew(robot));
 }
 
@@ -316,11 +316,11 @@ TEST_F(RegistryTest, ConnectionsAreHandedBackToTheSameClassAlone) {
   other.class_name = "Joystick";
 
   const Session desk = Join("desk", 3, {other});
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
 
   ASSERT_TRUE(registry_.Report(
       desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
 }
 
 TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
@@ -329,7 +329,7 @@ TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
 
   Join("desk", 2, {test::Teleoperation()});
 
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
   EXPECT_EQ(registry_.catalogue().FindConnection(kRobot), nullptr);
 }
 
@@ -338,11 +338,11 @@ TEST_F(RegistryTest, NothingIsHandedBackOverANewConnectionOrAForgottenProcess) {
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   registry_.End(Join("desk", 3, {test::Teleoperation()}, {Connection(9)}), ProcessState::kLost,
                 "x");
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
 
   ASSERT_TRUE(registry_.Forget("desk"));
   Join("desk", 4, {test::Teleoperation()});
-  EXPECT_TRUE(registry_.TakeDueHandBacks().empty());
+  EXPECT_TRUE(registry_.TakeDueConnections().empty());
 }
 
 TEST_F(RegistryTest, AProcessThatDiesAgainBeforeItsComponentsWereBackGetsItsConnectionsLater) {
@@ -352,7 +352,7 @@ TEST_F(RegistryTest, AProcessThatDiesAgainBeforeItsComponentsWereBackGetsItsConn
 
   Join("desk", 4, {test::Teleoperation()});
 
-  EXPECT_EQ(registry_.TakeDueHandBacks(), (std::vector{message::Wire{kRobot, kControl}}));
+  EXPECT_EQ(registry_.TakeDueConnections(), (std::vector{message::Wire{kRobot, kControl}}));
 }
 
 }  // namespace

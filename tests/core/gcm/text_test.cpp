@@ -1,28 +1,27 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/client/json_field.h>
-#include <tendon/gcm/text/plugin_text.h>
-#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/text.h>
 
 namespace tendon {
 namespace {
 
-TEST(OldPlugin, IsAFindingAndARemedy) {
+TEST(OutdatedPlugin, IsAFindingAndARemedy) {
   PluginDescription plugin{.name = "arm", .file = "/opt/a: b.so", .written = 1};
-  EXPECT_FALSE(FindOldPlugin("robot", plugin));
-  EXPECT_EQ(OldPluginText("robot", plugin), "");
+  EXPECT_FALSE(FindOutdatedPlugin("robot", plugin));
+  EXPECT_EQ(OutdatedPluginText("robot", plugin), "");
 
   plugin.state = PluginState::kGone;
-  const auto gone = FindOldPlugin("robot", plugin);
+  const auto gone = FindOutdatedPlugin("robot", plugin);
   ASSERT_TRUE(gone);
   EXPECT_EQ(gone->finding, "process 'robot' runs " + PluginText(plugin) + "; the file is missing");
   EXPECT_EQ(gone->remedy, "restore it before you restart the process");
 
   plugin.state = PluginState::kChanged;
-  const auto changed = FindOldPlugin("robot", plugin);
+  const auto changed = FindOutdatedPlugin("robot", plugin);
   ASSERT_TRUE(changed);
   EXPECT_EQ(changed->finding, "process 'robot' runs " + PluginText(plugin) + "; the file was " +
                                   PluginChangeText(plugin));
-  EXPECT_EQ(OldPluginText("robot", plugin), changed->finding + ": " + changed->remedy);
+  EXPECT_EQ(OutdatedPluginText("robot", plugin), changed->finding + ": " + changed->remedy);
 }
 
 TEST(JsonField, FollowsFieldsAndElements) {
@@ -82,6 +81,37 @@ TEST(ChangesText, TellsWhatAConfigurationHadAndHas) {
   step.verb = "create";
   step.life.configuration = R"({"noise":0.5})";
   EXPECT_EQ(ChangesText(step), "");
+}
+
+const message::ProgramVersion kOwn{.release = "1.2.3", .protocol = 7};
+
+TEST(VersionText, OfTheSameReleaseIsTheOwn) {
+  const VersionReport told = CompareVersion(kOwn, kOwn);
+  EXPECT_EQ(told.text, "version 1.2.3, protocol 7");
+  EXPECT_TRUE(told.is_own);
+}
+
+TEST(VersionText, OfAnotherReleaseOrProtocolIsSaid) {
+  for (const message::ProgramVersion& other :
+       {message::ProgramVersion{.release = "1.2.4", .protocol = 7},
+        message::ProgramVersion{.release = "1.2.3", .protocol = 6}}) {
+    const VersionReport told = CompareVersion(other, kOwn);
+    EXPECT_EQ(told.text, VersionText(other) + ", which is not that of this program");
+    EXPECT_FALSE(told.is_own);
+  }
+}
+
+TEST(VersionText, AProgramThatDoesNotKnowTheQuestionIsOlder) {
+  const VersionReport told =
+      CompareVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed to anybody"}, kOwn);
+  EXPECT_EQ(told.text, "of an old version that does not report itself");
+  EXPECT_FALSE(told.is_own);
+}
+
+TEST(VersionText, WhoDoesNotAnswerIsNotCalledOld) {
+  const VersionReport told = CompareVersion(Error{ErrorCode::kTimeout, "no answer"}, kOwn);
+  EXPECT_EQ(told.text, "of an unknown version (no answer)");
+  EXPECT_FALSE(told.is_own);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/gcm/waiting.h>
-#include <tests/core/gcm/system/running_catalog.h>
+#include <tests/core/gcm/system/running_catalogue.h>
 
 namespace tendon {
 namespace {

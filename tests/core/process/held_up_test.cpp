@@ -2,8 +2,8 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/middleware/loopback.h>
+#include <tendon/process/heartbeat.h>
 #include <tendon/process/membership/membership.h>
-#include <tendon/process/watch_over.h>
 #include <tendon/proxy/connection_messages.h>
 
 #include <atomic>
@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/process/client/empty_host.h"
+#include "core/process/empty_host.h"
 #include "support/folder.h"
 #include "support/machine/stall_meter.h"
 #include "support/wait.h"
@@ -69,9 +69,9 @@ class Answering final : public tendon::ChannelHandler {
 };
 
 /// A channel that is watched over; what is asked on it is counted, and lost where that is wanted.
-class WatchOver : public testing::Test {
+class MonitorPeer : public testing::Test {
  protected:
-  WatchOver() {
+  MonitorPeer() {
     network_->SetFaultInjector([this](const tendon::loopback::Frame& frame) {
       const MessageType type = tendon::ReadFrameHeader(frame.bytes, frame.bytes.size())->type;
       if (type == MessageType::kPart && is_slow_) Carry(frame.bytes.size());
@@ -89,9 +89,9 @@ class WatchOver : public testing::Test {
                                        std::make_shared<tendon::ChannelHandler>(), kLongEnough);
     EXPECT_TRUE(channel.ok());
     channel_ = *channel;
-    tendon::WatchOver(worker_, channel_);
+    tendon::MonitorPeer(worker_, channel_);
   }
-  ~WatchOver() override { handler_->SetHeld(false); }
+  ~MonitorPeer() override { handler_->SetHeld(false); }
 
   /// So often again, while it is open.
   bool EventuallyAsked(
@@ -127,14 +127,14 @@ class WatchOver : public testing::Test {
   const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("timer", "test");
 };
 
-TEST_F(WatchOver, WhatHangsIsGivenUp) {
+TEST_F(MonitorPeer, WhatHangsIsGivenUp) {
   handler_->SetHeld(true);
   ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(8)), Status::kQueued);
 
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
 }
 
-TEST_F(WatchOver, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
+TEST_F(MonitorPeer, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
   are_lost_ = true;
 
   const Bytes large(tendon::kMaxPieceSize + 1);
@@ -148,7 +148,7 @@ TEST_F(WatchOver, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); })) << "they have ended";
 }
 
-TEST_F(WatchOver, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
+TEST_F(MonitorPeer, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
   are_lost_ = true;
   is_slow_ = true;
 
@@ -159,7 +159,7 @@ TEST_F(WatchOver, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
   EXPECT_TRUE(IsKept());
 }
 
-TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
+TEST_F(MonitorPeer, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
   handler_->SetHeld(true);
   ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(kLarge)), Status::kQueued);
 
@@ -171,7 +171,7 @@ TEST_F(WatchOver, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
   EXPECT_TRUE(channel_->Call(tendon::message::kPing, 0, Bytes(), kLongEnough).ok());
 }
 
-TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
+TEST_F(MonitorPeer, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
   are_lost_ = true;
   std::optional<LargeMessageInProgress> large(std::in_place);
 
@@ -182,7 +182,7 @@ TEST_F(WatchOver, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
 }
 
-TEST_F(WatchOver, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
+TEST_F(MonitorPeer, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
   are_lost_ = true;
 
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -237,7 +237,7 @@ class Empty final : public EmptyHost, public tendon::MembershipDelegate {
   tendon::Result<void> BreakConnection(const tendon::InterfaceName& /*required*/) override {
     return Nothing();
   }
-  void Obey(
+  void ExecuteOrder(
       const tendon::message::LifeOrder& /*order*/, std::function<tendon::Result<void>()> /*begin*/,
       std::function<void(const tendon::Result<tendon::message::LifeOutcome>&)> done) override {
     done(Nothing());

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/process/watch_over.h>
+#include <tendon/process/heartbeat.h>
 
 #include <future>
 #include <memory>

@@ -1,6 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gmock/gmock.h>
-#include <tests/core/gcm/argument/samples.h>
+#include <tests/core/gcm/argument_samples.h>
 
 #include <QLabel>
 #include <QPushButton>

@@ -142,7 +142,7 @@ TEST_F(CatalogueFactsTest, TheValuesOfASuspendedComponentAreMarkedWithTheirAge) 
     EXPECT_TRUE(Spoken(path, CatalogueModel::kValue).endsWith(", suspended · 12 s old"));
   }
   EXPECT_EQ(model_.indexOf(kJoints).data(kDetailRole), "suspended · 12 s old");
-  EXPECT_EQ(model_.standstill(kFirstJoint), Standstill::kSuspended);
+  EXPECT_EQ(model_.standstill(kFirstJoint), StaleReason::kSuspended);
   EXPECT_FALSE(model_.indexOf("robot/arm/state.Cycle").data(kStaleRole).toBool())
       << "there is no value of it";
 }

@@ -24,7 +24,7 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &model, &ValuesModel::showValues);
   const Catalogue catalogue = LookSystem(0).catalogue();
-  model.show("robot/arm", catalogue.FindComponent("robot", "arm"), Standstill::kNone);
+  model.show("robot/arm", catalogue.FindComponent("robot", "arm"), StaleReason::kNone);
   EXPECT_EQ(model.rowCount(), 3);
   EXPECT_EQ(model.index(0, 0).data(), "Joints");
   EXPECT_EQ(model.index(0, 1).data(), "…");
@@ -45,7 +45,7 @@ TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
 class ValuesInTime : public ::testing::Test {
  protected:
   ValuesInTime() {
-    model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
+    model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kNone);
     clock_.Advance(std::chrono::seconds(1));
     model_.await();
   }
@@ -167,10 +167,10 @@ TEST_F(ValuesInTime, WhatNobodySeesIsNotAwaited) {
 }
 
 TEST_F(ValuesInTime, WhoIsBackHasAllTheTimeAgain) {
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kLost);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(10 * ValuesModel::kPatience);
 
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kNone);
 
   EXPECT_EQ(Value(0).toString(), "…");
 }
@@ -184,7 +184,7 @@ TEST_F(ValuesInTime, WhoListensHearsTheRateToo) {
 }
 
 TEST_F(ValuesInTime, NobodyIsAccusedWhoIsKnownToBeGone) {
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kLost);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(ValuesModel::kPatience);
 
   EXPECT_EQ(Value(0).toString(), "…");
@@ -196,7 +196,7 @@ TEST_F(ValuesInTime, ValuesOfWhatStandsStillAreOldAndSayWhyAndHowOld) {
   Send(1001, {0, 0.116});
   EXPECT_FALSE(Value(1, kStaleRole).toBool());
 
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kSuspended);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kSuspended);
   EXPECT_FALSE(Value(1, kStaleRole).toBool()) << "its last rows may still be on their way";
   Pass(std::chrono::seconds(12));
 
@@ -204,7 +204,7 @@ TEST_F(ValuesInTime, ValuesOfWhatStandsStillAreOldAndSayWhyAndHowOld) {
   EXPECT_EQ(Detail(), "suspended · 12 s old");
   EXPECT_TRUE(Value(0, Qt::AccessibleTextRole).toString().endsWith(", suspended · 12 s old"));
 
-  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), Standstill::kNone);
+  model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kNone);
   Send(1002, {0, 0});
   EXPECT_FALSE(Value(1, kStaleRole).toBool());
 }

@@ -7,7 +7,7 @@
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_actions.h>
 #include <gcm_gui/system/plan_runner.h>
-#include <tests/core/gcm/argument/samples.h>
+#include <tests/core/gcm/argument_samples.h>
 
 #include <QMap>
 #include <QSet>

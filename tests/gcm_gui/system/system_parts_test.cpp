@@ -34,7 +34,7 @@ TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
   without.connections.clear();
 
   const auto differences =
-      CompareSystems(ArmSystem(), without, Starts::kUnknownInSecond).differences;
+      CompareSystems(ArmSystem(), without, StartComparison::kIgnore).differences;
 
   ASSERT_EQ(differences.size(), 1);
   EXPECT_EQ(WithPartOf(ArmSystem(), without, differences[0].what), without);
@@ -109,8 +109,8 @@ TEST(PlanModel, EachStepSaysHowItWent) {
   EXPECT_EQ(model.row(first).kind, PlanLine::Kind::kWaiting);
 
   restore.execute(AfterError::kStop);
-  runner.progress(1, {.fate = StepOutcome::Fate::kDone, .reason = {}});
-  runner.progress(2, {.fate = StepOutcome::Fate::kFailed, .reason = "it does not fit"});
+  runner.progress(1, {.state = StepOutcome::State::kDone, .reason = {}});
+  runner.progress(2, {.state = StepOutcome::State::kFailed, .reason = "it does not fit"});
   model.show(restore);
   EXPECT_EQ(model.row(first).kind, PlanLine::Kind::kDone);
   EXPECT_EQ(model.row(first + 1).kind, PlanLine::Kind::kFailed);

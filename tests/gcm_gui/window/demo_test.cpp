@@ -94,7 +94,7 @@ TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
 TEST_F(DemoTest, WhatDoesNotStartIsSaidAndItsStepsAreShown) {
   ASSERT_TRUE(Start());
 
-  plans_.progress(1, {StepOutcome::Fate::kFailed, "there is no lcm beside this program"});
+  plans_.progress(1, {StepOutcome::State::kFailed, "there is no lcm beside this program"});
   plans_.done({.failed = 1,
                .left = plans_.plan.steps.size() - 1,
                .error = Error{ErrorCode::kNotFound, "there is no lcm beside this program"}});

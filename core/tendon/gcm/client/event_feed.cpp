@@ -16,55 +16,55 @@ EventFeed::EventFeed(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker
       timeout_(timeout) {}
 
 EventFeed::Id EventFeed::Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink) {
-  const auto listening = std::make_shared<Listening>(std::move(wanted), std::move(sink));
+  const auto listener = std::make_shared<EventListener>(std::move(wanted), std::move(sink));
   std::unique_lock lock(mutex_);
   const Id id = ++last_id_;
-  listenings_[id] = listening;
+  listeners_[id] = listener;
   lock.unlock();
-  Pursue(listening);
+  Subscribe(listener);
   return id;
 }
 
 void EventFeed::End(Id id) {
   std::unique_lock lock(mutex_);
-  const auto node = listenings_.extract(id);
+  const auto node = listeners_.extract(id);
   if (!node) return;
-  std::erase_if(standing_, [&](const auto& one) { return one.second == node.mapped(); });
+  std::erase_if(active_, [&](const auto& one) { return one.second == node.mapped(); });
   lock.unlock();
   node.mapped()->End();
 }
 
 void EventFeed::Retry(const std::string& process) {
   const std::scoped_lock lock(mutex_);
-  for (const auto& [id, listening] : listenings_) {
-    if (listening->wanted().provided.process != process) continue;
-    timer_->Post([weak = weak_from_this(), listening = listening] {
-      if (const auto self = weak.lock()) self->Pursue(listening);
+  for (const auto& [id, listener] : listeners_) {
+    if (listener->wanted().provided.process != process) continue;
+    timer_->Post([weak = weak_from_this(), listener = listener] {
+      if (const auto self = weak.lock()) self->Subscribe(listener);
     });
   }
 }
 
 /// Starts an attempt for a subscription that is not active.
-void EventFeed::Pursue(const SharedListening& listening) {
+void EventFeed::Subscribe(const SharedListener& listener) {
   std::unique_lock lock(mutex_);
   const std::uint32_t attempt = next_handle_;
-  next_handle_ += 1 + static_cast<std::uint32_t>(listening->wanted().events.size());
+  next_handle_ += 1 + static_cast<std::uint32_t>(listener->wanted().events.size());
   lock.unlock();
-  if (!listening->Try(attempt)) return;
-  links_->With(listening->wanted().provided.process,
-               [weak = weak_from_this(), listening, attempt](const auto& channel) {
-                 const auto self = weak.lock();
-                 if (!self) return;
-                 if (!channel) return self->Fail(listening, attempt, channel.error());
-                 const auto ask = [weak, listening, channel = *channel,
-                                   attempt](const Result<SharedClock>& clock) {
-                   const auto still = weak.lock();
-                   if (!still) return;
-                   if (!clock) return still->Fail(listening, attempt, clock.error());
-                   still->Ask(listening, channel, *clock, attempt);
-                 };
-                 self->ClockOf(*channel)->WhenKnown(ask);  // so that every event has a time
-               });
+  if (!listener->Try(attempt)) return;
+  links_->WithChannel(listener->wanted().provided.process,
+                      [weak = weak_from_this(), listener, attempt](const auto& channel) {
+                        const auto self = weak.lock();
+                        if (!self) return;
+                        if (!channel) return self->Fail(listener, attempt, channel.error());
+                        const auto ask = [weak, listener, channel = *channel,
+                                          attempt](const Result<SharedClock>& clock) {
+                          const auto still = weak.lock();
+                          if (!still) return;
+                          if (!clock) return still->Fail(listener, attempt, clock.error());
+                          still->Ask(listener, channel, *clock, attempt);
+                        };
+                        self->ClockOf(*channel)->WhenKnown(ask);  // so that every event has a time
+                      });
 }
 
 /// All subscriptions on the channel share one clock.
@@ -77,14 +77,14 @@ EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channe
   return clock;
 }
 
-void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
+void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
                     const SharedClock& clock, std::uint32_t attempt) {
-  const EventSubscription& wanted = listening->wanted();
+  const EventSubscription& wanted = listener->wanted();
   const auto events = look_up_(wanted);
-  if (!events) return Fail(listening, attempt, events.error());
+  if (!events) return Fail(listener, attempt, events.error());
   {
     const std::scoped_lock lock(mutex_);
-    standing_[{channel.get(), attempt}] = listening;  // events may follow the answer at once
+    active_[{channel.get(), attempt}] = listener;  // events may follow the answer at once
   }
   tendon::Ask<message::OpenInterfaceReply>(
       *timer_, channel, message::kListen,
@@ -95,28 +95,28 @@ void EventFeed::Ask(const SharedListening& listening, const std::shared_ptr<Chan
           .handle = attempt,
           .capacity = wanted.capacity},
       timeout_,
-      [weak = weak_from_this(), listening, channel, clock, attempt,
+      [weak = weak_from_this(), listener, channel, clock, attempt,
        events = *events](const auto& answer) {
         const auto self = weak.lock();
         if (!self) return;
         if (!answer) {
           self->Take({channel.get(), attempt});
-          self->Fail(listening, attempt, answer.error());
+          self->Fail(listener, attempt, answer.error());
           // If the process subscribes late, closing the channel ends that subscription.
           if (answer.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }
-        if (listening->Stand(attempt, {channel, answer->handle, clock}, events)) return;
+        if (listener->OnSubscribed(attempt, {channel, answer->handle, clock}, events)) return;
         self->Take({channel.get(), attempt});
         (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
       });
 }
 
-void EventFeed::Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason) {
+void EventFeed::Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason) {
   constexpr std::chrono::milliseconds kPause(500);
-  if (!listening->Fail(attempt, reason)) return;
-  timer_->PostAfter(kPause, [weak = weak_from_this(), listening] {
-    if (const auto self = weak.lock()) self->Pursue(listening);
+  if (!listener->Fail(attempt, reason)) return;
+  timer_->PostAfter(kPause, [weak = weak_from_this(), listener] {
+    if (const auto self = weak.lock()) self->Subscribe(listener);
   });
 }
 
@@ -125,50 +125,50 @@ void EventFeed::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
   if (header.type == message::kTimedEvents) {
     ForEachTimedCall(body,
                      [&](std::uint32_t handle, std::span<const std::byte> value, SteadyTime there) {
-                       const auto [listening, attempt] = Find(channel.get(), handle);
-                       if (!listening || handle <= attempt) return;
-                       listening->Raise(attempt, handle - attempt - 1, value, there);
+                       const auto [listener, attempt] = Find(channel.get(), handle);
+                       if (!listener || handle <= attempt) return;
+                       listener->Raise(attempt, handle - attempt - 1, value, there);
                      });
   } else if (header.type == message::kEventsLost) {
-    const auto [listening, attempt] = Find(channel.get(), header.handle);
+    const auto [listener, attempt] = Find(channel.get(), header.handle);
     const auto lost = DecodeBody<message::EventsLost>(body);
-    if (listening && lost && header.handle == attempt) listening->Lose(attempt, *lost);
+    if (listener && lost && header.handle == attempt) listener->OnLost(attempt, *lost);
   } else if (header.type == message::kInterfaceClosed) {
-    const auto listening = Take({channel.get(), header.handle});
-    if (listening) Fail(listening, header.handle, ReadRefusal(body, channel->peer().name));
+    const auto listener = Take({channel.get(), header.handle});
+    if (listener) Fail(listener, header.handle, ReadRefusal(body, channel->peer().name));
   }
 }
 
 void EventFeed::OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) {
-  std::vector<std::pair<SharedListening, std::uint32_t>> interrupted;
+  std::vector<std::pair<SharedListener, std::uint32_t>> interrupted;
   {
     const std::scoped_lock lock(mutex_);
-    std::erase_if(standing_, [&](const auto& one) {
+    std::erase_if(active_, [&](const auto& one) {
       if (one.first.first != channel.get()) return false;
       interrupted.emplace_back(one.second, one.first.second);
       return true;
     });
   }
-  for (const auto& [listening, attempt] : interrupted) {
-    Fail(listening, attempt,
+  for (const auto& [listener, attempt] : interrupted) {
+    Fail(listener, attempt,
          {ErrorCode::kUnreachable,
-          "process '" + listening->wanted().provided.process + "' was lost: " + reason.message});
+          "process '" + listener->wanted().provided.process + "' was lost: " + reason.message});
   }
 }
 
-std::pair<EventFeed::SharedListening, std::uint32_t> EventFeed::Find(const Channel* channel,
-                                                                     std::uint32_t handle) {
+std::pair<EventFeed::SharedListener, std::uint32_t> EventFeed::Find(const Channel* channel,
+                                                                    std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
-  auto after = standing_.upper_bound({channel, handle});
-  if (after == standing_.begin()) return {};
-  const auto& [key, listening] = *--after;
+  auto after = active_.upper_bound({channel, handle});
+  if (after == active_.begin()) return {};
+  const auto& [key, listener] = *--after;
   if (key.first != channel) return {};
-  return {listening, key.second};
+  return {listener, key.second};
 }
 
-EventFeed::SharedListening EventFeed::Take(const Key& key) {
+EventFeed::SharedListener EventFeed::Take(const Key& key) {
   const std::scoped_lock lock(mutex_);
-  const auto node = standing_.extract(key);
+  const auto node = active_.extract(key);
   return node ? node.mapped() : nullptr;
 }
 

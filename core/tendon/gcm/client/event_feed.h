@@ -42,20 +42,20 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
 
  private:
-  using SharedListening = std::shared_ptr<Listening>;
+  using SharedListener = std::shared_ptr<EventListener>;
   /// The key includes the channel, because each channel has its own numbers.
   using Key = std::pair<const Channel*, std::uint32_t>;
 
-  void Pursue(const SharedListening& listening);
+  void Subscribe(const SharedListener& listener);
   using SharedClock = std::shared_ptr<SourceClock>;
   SharedClock ClockOf(const std::shared_ptr<Channel>& channel);
-  void Ask(const SharedListening& listening, const std::shared_ptr<Channel>& channel,
+  void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
-  void Fail(const SharedListening& listening, std::uint32_t attempt, const Error& reason);
+  void Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason);
   /// Finds the subscription by its number or by that of one of its events; returns it with its
   /// attempt.
-  std::pair<SharedListening, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
-  SharedListening Take(const Key& key);
+  std::pair<SharedListener, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
+  SharedListener Take(const Key& key);
 
   const std::shared_ptr<ProcessLinks> links_;
   const std::shared_ptr<Worker> timer_;
@@ -63,8 +63,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   const std::string name_;
   const std::chrono::milliseconds timeout_;
   std::mutex mutex_;
-  std::map<Id, SharedListening> listenings_;
-  std::map<Key, SharedListening> standing_;
+  std::map<Id, SharedListener> listeners_;
+  std::map<Key, SharedListener> active_;
   std::map<const Channel*, std::weak_ptr<SourceClock>> clocks_;
   Id last_id_ = 0;
   std::uint32_t next_handle_ = 1;

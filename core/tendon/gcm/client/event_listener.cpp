@@ -5,15 +5,15 @@
 
 namespace tendon::client {
 
-bool Listening::Try(std::uint32_t attempt) {
+bool EventListener::Try(std::uint32_t attempt) {
   const std::scoped_lock lock(mutex_);
   if (!sink_ || attempt_ != 0) return false;
   attempt_ = attempt;
   return true;
 }
 
-bool Listening::Stand(std::uint32_t attempt, Place place,
-                      const std::vector<MemberDescription>& events) {
+bool EventListener::OnSubscribed(std::uint32_t attempt, Place place,
+                                 const std::vector<MemberDescription>& events) {
   const std::scoped_lock lock(mutex_);
   if (!sink_ || attempt_ != attempt) return false;
   place_ = std::move(place);
@@ -23,7 +23,7 @@ bool Listening::Stand(std::uint32_t attempt, Place place,
   return true;
 }
 
-bool Listening::Fail(std::uint32_t attempt, const Error& reason) {
+bool EventListener::Fail(std::uint32_t attempt, const Error& reason) {
   const std::scoped_lock lock(mutex_);
   if (attempt_ != attempt) return false;
   attempt_ = 0;
@@ -34,7 +34,7 @@ bool Listening::Fail(std::uint32_t attempt, const Error& reason) {
   return true;
 }
 
-void Listening::End() {
+void EventListener::End() {
   const std::scoped_lock lock(mutex_);
   sink_.reset();
   if (place_.channel) {
@@ -43,14 +43,14 @@ void Listening::End() {
   place_ = {};
 }
 
-void Listening::Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value,
-                      SteadyTime there) {
+void EventListener::Raise(std::uint32_t attempt, std::size_t event,
+                          std::span<const std::byte> value, SteadyTime there) {
   const std::scoped_lock lock(mutex_);
   if (!place_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
-  sink_->OnEvent(event, value, place_.clock->Here(there));
+  sink_->OnEvent(event, value, place_.clock->ToLocal(there));
 }
 
-void Listening::Lose(std::uint32_t attempt, const message::EventsLost& events) {
+void EventListener::OnLost(std::uint32_t attempt, const message::EventsLost& events) {
   const std::scoped_lock lock(mutex_);
   if (!place_.channel || attempt_ != attempt) return;
   for (std::size_t i = 0; i < std::min(lost_.size(), events.lost.size()); ++i) {

@@ -18,9 +18,9 @@ namespace tendon::client {
 
 /// One subscription to events of one interface. Each attempt to subscribe has a number; messages of
 /// earlier attempts are ignored. Thread-safe. After End(), the sink is not called any more.
-class Listening {
+class EventListener {
  public:
-  Listening(EventSubscription wanted, std::shared_ptr<EventSink> sink)
+  EventListener(EventSubscription wanted, std::shared_ptr<EventSink> sink)
       : wanted_(std::move(wanted)), sink_(std::move(sink)) {}
 
   [[nodiscard]] const EventSubscription& wanted() const { return wanted_; }
@@ -35,7 +35,8 @@ class Listening {
     std::shared_ptr<const SourceClock> clock;
   };
   /// Called when the other end has accepted. Returns false if the attempt is outdated.
-  bool Stand(std::uint32_t attempt, Place place, const std::vector<MemberDescription>& events);
+  bool OnSubscribed(std::uint32_t attempt, Place place,
+                    const std::vector<MemberDescription>& events);
   /// Called when the attempt has failed or ended; reports each reason once. Returns true if another
   /// attempt should follow later, false if this one is outdated or the subscription has ended.
   bool Fail(std::uint32_t attempt, const Error& reason);
@@ -45,7 +46,7 @@ class Listening {
   void Raise(std::uint32_t attempt, std::size_t event, std::span<const std::byte> value,
              SteadyTime there);
   /// Reports lost events. `events` has the totals since the attempt became active.
-  void Lose(std::uint32_t attempt, const message::EventsLost& events);
+  void OnLost(std::uint32_t attempt, const message::EventsLost& events);
 
  private:
   const EventSubscription wanted_;

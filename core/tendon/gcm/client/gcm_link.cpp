@@ -1,9 +1,9 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/process/access/guarded_handler.h>
-#include <tendon/process/membership/no_gcm.h>
-#include <tendon/process/watch_over.h>
+#include <tendon/process/guarded_handler.h>
+#include <tendon/process/heartbeat.h>
+#include <tendon/process/membership/advertised_address.h>
 
 #include <map>
 #include <utility>
@@ -28,8 +28,8 @@ Places PlacesOf(const Catalogue& catalogue) {
   return places;
 }
 
-std::vector<GcmLink::Moved> Moves(const Places& before, const Places& after) {
-  std::vector<GcmLink::Moved> moved;
+std::vector<GcmLink::MovedProcess> Moves(const Places& before, const Places& after) {
+  std::vector<GcmLink::MovedProcess> moved;
   for (const auto& [name, place] : after) {
     const auto old = before.find(name);
     if (old == before.end() || old->second != place) moved.push_back({name, place.first});
@@ -43,7 +43,7 @@ bool IsFinal(const Error& error) {
          error.code == ErrorCode::kInvalid;
 }
 
-Error StoodStill(std::chrono::nanoseconds pause) {
+Error PauseError(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
   return {ErrorCode::kUnreachable, "this program was stopped for " + std::to_string(tenths / 10) +
                                        "." + std::to_string(tenths % 10) +
@@ -60,7 +60,7 @@ class GcmLink::Handler final : public ChannelHandler {
 
   void OnOpen(const SharedChannel& channel, const Hello& /*peer*/) override {
     LowerRole(*channel, role_);
-    if (const auto link = link_.lock()) link->Opened(channel);
+    if (const auto link = link_.lock()) link->OnOpened(channel);
   }
   void OnNotice(const SharedChannel& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override {
@@ -68,7 +68,7 @@ class GcmLink::Handler final : public ChannelHandler {
     if (header.type == message::kLogRecords) Receive<message::LogRecords>(channel, body);
   }
   void OnClosed(const SharedChannel& channel, const Error& reason) override {
-    if (const auto link = link_.lock()) link->Closed(channel, reason);
+    if (const auto link = link_.lock()) link->OnClosed(channel, reason);
   }
 
  private:
@@ -99,7 +99,7 @@ void GcmLink::Start() {
 void GcmLink::Stop() {
   SharedChannel channel;
   {
-    const std::scoped_lock telling(telling_);
+    const std::scoped_lock telling(reporting_);
     const std::scoped_lock lock(mutex_);
     stopped_ = true;
     channel = std::exchange(channel_, nullptr);
@@ -124,7 +124,7 @@ void GcmLink::Open() {
   }
   const auto cookie = LoopbackCookie();
   if (!cookie) {
-    Lost(cookie.error());
+    OnLost(cookie.error());
   } else {
     const Hello mine{.instance = os::RandomNumber(),
                      .name = options_.name,
@@ -134,12 +134,12 @@ void GcmLink::Open() {
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
     if (channel) return;  // the handler of the channel continues
-    Lost(channel.error());
+    OnLost(channel.error());
   }
   opener_.PostAfter(kRetry, [this] { Open(); });
 }
 
-void GcmLink::Opened(const SharedChannel& channel) {
+void GcmLink::OnOpened(const SharedChannel& channel) {
   bool wants_log = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -173,13 +173,13 @@ void GcmLink::WatchLog() {
   if (channel) WatchLog(channel);
 }
 
-void GcmLink::Closed(const SharedChannel& channel, const Error& reason) {
+void GcmLink::OnClosed(const SharedChannel& channel, const Error& reason) {
   const std::scoped_lock lock(mutex_);
   if (channel_ != channel) return;
   channel_.reset();
   is_waiting_ = true;
   opener_.Post([this, reason] {
-    Lost(reason);
+    OnLost(reason);
     opener_.PostAfter(kPause, [this] { Open(); });
   });
 }
@@ -200,39 +200,40 @@ void GcmLink::WatchLog(const SharedChannel& channel) {
                                 const auto self = weak.lock();
                                 if (!self) return;
                                 if (!watched) return channel->Close();
-                                self->TellLog(channel, [&] { return self->log_.Begin(*watched); });
+                                self->ReportLog(channel,
+                                                [&] { return self->log_.Begin(*watched); });
                               });
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) {
-  Share(snapshot.changes);
+  ShareDescriptions(snapshot.changes);
   Catalogue catalogue = Catalogue::At(snapshot.base);
   for (const CatalogueChange& change : snapshot.changes) {
     if (!catalogue.Apply(change)) return channel->Close();
   }
-  std::vector<Moved> moved;
+  std::vector<MovedProcess> moved;
   std::chrono::nanoseconds pause{};
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
-    pause = std::exchange(untold_pause_, {});
+    pause = std::exchange(unreported_pause_, {});
     moved = Moves(PlacesOf(catalogue_), PlacesOf(catalogue));
     catalogue_ = catalogue;
     is_waiting_ = false;
     lost_.reset();
     changed_.notify_all();
   }
-  Tell([&] {
-    if (events_.listener && pause > pause.zero()) events_.listener->OnGcmLost(StoodStill(pause));
+  Report([&] {
+    if (events_.listener && pause > pause.zero()) events_.listener->OnGcmLost(PauseError(pause));
     if (events_.listener) events_.listener->OnSnapshot(catalogue);
     if (!moved.empty()) events_.on_moved(moved);
   });
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
-  Share(changes.changes);
+  ShareDescriptions(changes.changes);
   std::vector<CatalogueChange> applied;
-  std::vector<Moved> moved;
+  std::vector<MovedProcess> moved;
   bool has_hole = false;
   {
     const std::scoped_lock lock(mutex_);
@@ -246,7 +247,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
     moved = Moves(before, PlacesOf(catalogue_));
     is_waiting_ = has_hole;
   }
-  Tell([&] {
+  Report([&] {
     if (events_.listener && !applied.empty()) events_.listener->OnChanges(applied);
     if (!moved.empty()) events_.on_moved(moved);
   });
@@ -254,7 +255,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
 }
 
 /// Shares equal parts of components, here and in the catalogue.
-void GcmLink::Share(std::vector<CatalogueChange>& changes) {
+void GcmLink::ShareDescriptions(std::vector<CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (CatalogueChange& change : changes) {
     for (ComponentDescription& component : change.components) pool_.Share(component);
@@ -262,18 +263,18 @@ void GcmLink::Share(std::vector<CatalogueChange>& changes) {
 }
 
 void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records) {
-  TellLog(channel, [&] { return log_.Take(std::move(records)); });
+  ReportLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
 /// Calls `take`, which makes the batch, if the channel is not outdated.
 template <typename Take>
-void GcmLink::TellLog(const SharedChannel& channel, Take&& take) {
+void GcmLink::ReportLog(const SharedChannel& channel, Take&& take) {
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
   }
   const LogBatch batch = take();
-  Tell([&] {
+  Report([&] {
     if (events_.listener) events_.listener->OnLog(batch);
   });
 }
@@ -310,7 +311,7 @@ void GcmLink::Tick() {
 
 /// With the lock held: the length of a recent pause, after which peers may have closed their links
 /// to this program; zero if there was none.
-std::chrono::nanoseconds GcmLink::StoodStillFor() const {
+std::chrono::nanoseconds GcmLink::RecentPause() const {
   const SteadyTime now = SteadyClock().Now();
   if (now - last_tick_ >= kLongestPeerSilence) return now - last_tick_;
   return now - awake_since_ < 2 * kLongestPeerSilence ? last_pause_ : std::chrono::nanoseconds(0);
@@ -318,25 +319,25 @@ std::chrono::nanoseconds GcmLink::StoodStillFor() const {
 
 /// Reports a loss once, not at each attempt. After a pause of this program, the GCM is probably
 /// alive, so the pause is reported when the GCM has answered again.
-void GcmLink::Lost(const Error& reason) {
+void GcmLink::OnLost(const Error& reason) {
   std::optional<Error> news;
   {
     const std::scoped_lock lock(mutex_);
-    const auto pause = StoodStillFor();
+    const auto pause = RecentPause();
     const bool is_new = !lost_ || IsFinal(*lost_) != IsFinal(reason);
     if (is_new && pause >= kLongestPeerSilence / 2) {
       awake_since_ = {};
       last_tick_ = SteadyClock().Now();
-      untold_pause_ = pause;
+      unreported_pause_ = pause;
     } else {
-      untold_pause_ = {};
+      unreported_pause_ = {};
       lost_ = reason;
       if (is_new) news = NoGcm();
     }
     changed_.notify_all();
   }
   if (!news || !events_.listener) return;
-  Tell([&] { events_.listener->OnGcmLost(*news); });
+  Report([&] { events_.listener->OnGcmLost(*news); });
 }
 
 /// With the lock held.
@@ -348,8 +349,8 @@ Error GcmLink::NoGcm() const {
 }
 
 template <typename Call>
-void GcmLink::Tell(Call&& call) {
-  const std::scoped_lock telling(telling_);
+void GcmLink::Report(Call&& call) {
+  const std::scoped_lock telling(reporting_);
   if (!stopped_) call();
 }
 

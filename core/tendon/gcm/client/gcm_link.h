@@ -24,14 +24,14 @@ namespace tendon::client {
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
   /// A process that has a new address, or has come back.
-  struct Moved {
+  struct MovedProcess {
     std::string process;
     std::uint64_t instance = 0;  ///< the present instance
   };
   /// Called one at a time; not after Stop().
   struct Events {
     std::shared_ptr<GcmListener> listener;  ///< may be null
-    std::function<void(const std::vector<Moved>& processes)> on_moved;
+    std::function<void(const std::vector<MovedProcess>& processes)> on_moved;
   };
   /// The middleware outlives Stop(). The timer provides the timeouts.
   GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
@@ -48,7 +48,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
 
   /// Calls `read(catalogue)` with the lock held, so it must be short.
   template <typename Read>
-  auto WithCatalog(Read&& read) const {
+  auto WithCatalogue(Read&& read) const {
     const std::scoped_lock lock(mutex_);
     return read(catalogue_);
   }
@@ -63,30 +63,30 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   using SharedChannel = std::shared_ptr<Channel>;
 
   void Open();
-  void Opened(const SharedChannel& channel);
-  void Closed(const SharedChannel& channel, const Error& reason);
+  void OnOpened(const SharedChannel& channel);
+  void OnClosed(const SharedChannel& channel, const Error& reason);
   void Watch(const SharedChannel& channel);
   void WatchLog(const SharedChannel& channel);
   template <typename Take>
-  void TellLog(const SharedChannel& channel, Take&& take);
+  void ReportLog(const SharedChannel& channel, Take&& take);
   void Receive(const SharedChannel& channel, message::Snapshot snapshot);
   void Receive(const SharedChannel& channel, message::Changes changes);
   void Receive(const SharedChannel& channel, message::LogRecords records);
-  void Share(std::vector<CatalogueChange>& changes);
+  void ShareDescriptions(std::vector<CatalogueChange>& changes);
   void Renew(const std::weak_ptr<Channel>& weak);
-  void Lost(const Error& reason);
+  void OnLost(const Error& reason);
   void Tick();
-  [[nodiscard]] std::chrono::nanoseconds StoodStillFor() const;
+  [[nodiscard]] std::chrono::nanoseconds RecentPause() const;
   [[nodiscard]] Error NoGcm() const;
   template <typename Call>
-  void Tell(Call&& call);
+  void Report(Call&& call);
 
   Middleware& middleware_;
   const GcmClient::Options options_;
   const Events events_;
   const std::shared_ptr<Worker> timer_;
 
-  std::mutex telling_;  // held during calls of the events; locked before mutex_
+  std::mutex reporting_;  // held during calls of the events; locked before mutex_
   bool stopped_ = false;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -97,9 +97,9 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   SteadyTime last_tick_ = SteadyClock().Now();
-  SteadyTime awake_since_{};                 // since the last pause of this program
-  std::chrono::nanoseconds last_pause_{};    // its length
-  std::chrono::nanoseconds untold_pause_{};  // pause that broke the link, not reported yet
+  SteadyTime awake_since_{};                     // since the last pause of this program
+  std::chrono::nanoseconds last_pause_{};        // its length
+  std::chrono::nanoseconds unreported_pause_{};  // pause that broke the link, not reported yet
   LogFeed log_;
   Worker opener_{"client-gcm"};
 };

@@ -14,9 +14,9 @@ namespace {
 
 /// Walks over valid JSON and keeps the text of values, because a number that is parsed and printed
 /// again may have other digits.
-class JsonWalk {
+class JsonScanner {
  public:
-  explicit JsonWalk(std::string_view text) : rest_(text) { SkipBlanks(); }
+  explicit JsonScanner(std::string_view text) : rest_(text) { SkipBlanks(); }
 
   [[nodiscard]] bool IsAt(char letter) const { return !rest_.empty() && rest_.front() == letter; }
 
@@ -84,7 +84,7 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
   std::size_t index = 0;
   const auto read = std::from_chars(step.data() + 1, step.data() + step.size(), index);
   const bool is_number = read.ec == std::errc() && read.ptr == step.data() + step.size();
-  JsonWalk walk(list);
+  JsonScanner walk(list);
   if (!is_number || !walk.IsAt('[')) return std::nullopt;
   for (bool is_there = walk.Enter(); is_there; is_there = walk.Next()) {
     const std::string_view value = walk.TakeValue();
@@ -96,7 +96,7 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
 /// The value of a key; empty if there is none. Collects the existing keys.
 std::optional<std::string_view> Member(std::string_view object, const std::string& key,
                                        std::vector<std::string>& keys) {
-  JsonWalk walk(object);
+  JsonScanner walk(object);
   if (!walk.IsAt('{')) return std::nullopt;
   for (bool is_there = walk.Enter(); is_there; is_there = walk.Next()) {
     keys.push_back(walk.TakeKey());

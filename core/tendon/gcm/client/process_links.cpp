@@ -1,6 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/client/process_links.h>
-#include <tendon/process/access/guarded_handler.h>
+#include <tendon/process/guarded_handler.h>
 
 #include <cstddef>
 #include <span>
@@ -23,7 +23,7 @@ class ProcessLinks::Handler final : public ChannelHandler {
   }
 
   void OnClosed(const SharedChannel& channel, const Error& reason) override {
-    if (const auto links = links_.lock()) links->Closed(channel.get());
+    if (const auto links = links_.lock()) links->OnChannelClosed(channel.get());
     if (const auto listener = listener_.lock()) listener->OnClosed(channel, reason);
   }
 
@@ -36,7 +36,7 @@ class ProcessLinks::Handler final : public ChannelHandler {
 ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, Options options)
     : middleware_(middleware), resolve_(std::move(resolve)), options_(std::move(options)) {}
 
-void ProcessLinks::With(const std::string& process, Use use) {
+void ProcessLinks::WithChannel(const std::string& process, Use use) {
   std::unique_lock lock(mutex_);
   if (stopped_) return;
   Place& place = places_[process];
@@ -107,7 +107,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   return Error{ErrorCode::kUnreachable, who + ": another program listens there"};
 }
 
-void ProcessLinks::Closed(const Channel* channel) {
+void ProcessLinks::OnChannelClosed(const Channel* channel) {
   const std::scoped_lock lock(mutex_);
   for (auto& [process, place] : places_) {
     if (place.channel.get() == channel) place.channel.reset();

@@ -37,12 +37,14 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// The middleware outlives Stop().
   ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
-  /// Call it before the first With(). The listener gets the notices of all channels, and their
-  /// OnClosed().
-  void HearNotices(std::weak_ptr<ChannelHandler> listener) { listener_ = std::move(listener); }
+  /// Call it before the first WithChannel(). The listener gets the notices of all channels, and
+  /// their OnClosed().
+  void SetNoticeListener(std::weak_ptr<ChannelHandler> listener) {
+    listener_ = std::move(listener);
+  }
   /// Calls `use` with an open channel, or the reason why there is none: at once, or in the thread
   /// that opens it.
-  void With(const std::string& process, Use use);
+  void WithChannel(const std::string& process, Use use);
   /// Closes a channel to another instance of the process than `instance`.
   void Drop(const std::string& process, std::uint64_t instance);
   void Stop();
@@ -56,7 +58,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
 
   void Open(const std::string& process);
   Result<SharedChannel> TryOpen(const std::string& process);
-  void Closed(const Channel* channel);
+  void OnChannelClosed(const Channel* channel);
 
   Middleware& middleware_;
   const Resolve resolve_;

@@ -47,7 +47,7 @@ Result<void> CheckArgument(const std::string& command, const MemberDescription& 
 
 }  // namespace
 
-struct Caller::Order {
+struct ProcessRequests::Order {
   Path path;
   std::string command;  // for errors: "robot/arm/Control.MoveTo"
   Signature signature;
@@ -55,12 +55,12 @@ struct Caller::Order {
   Handler<std::string> handler;
 };
 
-Caller::Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
-               std::chrono::milliseconds timeout)
+ProcessRequests::ProcessRequests(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
+                                 std::chrono::milliseconds timeout)
     : links_(std::move(links)), timer_(std::move(timer)), timeout_(timeout) {}
 
-void Caller::Call(const Path& path, const MemberDescription& command, const std::string& argument,
-                  Handler<std::string> handler) {
+void ProcessRequests::Call(const Path& path, const MemberDescription& command,
+                           const std::string& argument, Handler<std::string> handler) {
   const std::string name = ToString(path.interface_name()) + "." + path.member;
   if (auto checked = CheckArgument(name, command, argument); !checked) {
     return handler(checked.error());
@@ -77,8 +77,8 @@ void Caller::Call(const Path& path, const MemberDescription& command, const std:
                });
 }
 
-void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
-                       Handler<Schema> handler) {
+void ProcessRequests::GetSchema(const std::string& process, Fingerprint fingerprint,
+                                Handler<Schema> handler) {
   FetchSchemas(process, {fingerprint},
                [self = shared_from_this(), fingerprint,
                 handler = std::move(handler)](const Result<void>& fetched) {
@@ -87,8 +87,9 @@ void Caller::GetSchema(const std::string& process, Fingerprint fingerprint,
                });
 }
 
-void Caller::GetVersion(const std::string& process, Handler<message::ProgramVersion> handler) {
-  links_->With(
+void ProcessRequests::GetVersion(const std::string& process,
+                                 Handler<message::ProgramVersion> handler) {
+  links_->WithChannel(
       process, [self = shared_from_this(), handler = std::move(handler)](const auto& channel) {
         if (channel) {
           return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
@@ -100,37 +101,38 @@ void Caller::GetVersion(const std::string& process, Handler<message::ProgramVers
       });
 }
 
-void Caller::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
+void ProcessRequests::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {
   AskProcess(required.process, message::kGetCounts, message::GetCounts{required},
              std::move(handler));
 }
 
-void Caller::GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler) {
+void ProcessRequests::GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler) {
   AskProcess(wire.provided.process, message::kGetCounts, message::GetCounts{wire.required},
              std::move(handler));
 }
 
-void Caller::GetFill(const std::string& process, const std::string& component,
-                     Handler<MailboxFill> handler) {
+void ProcessRequests::GetFill(const std::string& process, const std::string& component,
+                              Handler<MailboxFill> handler) {
   AskProcess(process, message::kGetFill, message::GetFill{component}, std::move(handler));
 }
 
 template <Payload Answer, Message T>
-void Caller::AskProcess(const std::string& process, MessageType type, const T& question,
-                        Handler<Answer> handler) {
-  links_->With(process, [self = shared_from_this(), type, question,
-                         handler = std::move(handler)](const auto& channel) {
+void ProcessRequests::AskProcess(const std::string& process, MessageType type, const T& question,
+                                 Handler<Answer> handler) {
+  links_->WithChannel(process, [self = shared_from_this(), type, question,
+                                handler = std::move(handler)](const auto& channel) {
     if (!channel) return handler(channel.error());
     Ask<Answer>(*self->timer_, *channel, type, question, self->timeout_, handler);
   });
 }
 
-void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler) {
+void ProcessRequests::Learn(const std::map<std::string, message::GetSchemas>& types,
+                            Handler<void> handler) {
   const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
   // Called when the last copy is destroyed.
   const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
   for (const auto& [process, wanted] : types) {
-    links_->With(
+    links_->WithChannel(
         process, [self = shared_from_this(), wanted = wanted, timeout, all](const auto& channel) {
           if (!channel) return;
           LearnSchemas(*self->timer_, *channel, wanted, timeout, [all] { static_cast<void>(all); });
@@ -139,13 +141,13 @@ void Caller::Learn(const std::map<std::string, message::GetSchemas>& types, Hand
 }
 
 /// Asks the process for the schemas that are not known yet.
-void Caller::FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
-                          Handler<void> handler) {
+void ProcessRequests::FetchSchemas(const std::string& process,
+                                   std::vector<Fingerprint> fingerprints, Handler<void> handler) {
   std::erase_if(fingerprints,
                 [this](const Fingerprint& fingerprint) { return Find(fingerprint).has_value(); });
   if (fingerprints.empty()) return handler({});
-  links_->With(process, [self = shared_from_this(), process, fingerprints,
-                         handler = std::move(handler)](const auto& channel) {
+  links_->WithChannel(process, [self = shared_from_this(), process, fingerprints,
+                                handler = std::move(handler)](const auto& channel) {
     if (!channel) return handler(channel.error());
     Ask<message::Schemas>(*self->timer_, *channel, message::kGetSchemas,
                           message::GetSchemas{fingerprints}, self->timeout_,
@@ -156,8 +158,9 @@ void Caller::FetchSchemas(const std::string& process, std::vector<Fingerprint> f
   });
 }
 
-Result<void> Caller::Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,
-                          const message::Schemas& schemas) {
+Result<void> ProcessRequests::Keep(const std::string& process,
+                                   const std::vector<Fingerprint>& fingerprints,
+                                   const message::Schemas& schemas) {
   for (std::size_t i = 0; i < fingerprints.size(); ++i) {
     const std::string wanted = ToString(fingerprints[i]);
     if (i >= schemas.texts.size() || schemas.texts[i].empty()) {
@@ -176,14 +179,14 @@ Result<void> Caller::Keep(const std::string& process, const std::vector<Fingerpr
   return {};
 }
 
-std::optional<Schema> Caller::Find(Fingerprint fingerprint) const {
+std::optional<Schema> ProcessRequests::Find(Fingerprint fingerprint) const {
   const std::scoped_lock lock(mutex_);
   const auto found = schemas_.find(fingerprint);
   return found == schemas_.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// Called when all schemas are known.
-void Caller::Send(const std::shared_ptr<const Order>& order) {
+void ProcessRequests::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
   message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
   if (TakesArgument(order->signature)) {
@@ -194,18 +197,19 @@ void Caller::Send(const std::shared_ptr<const Order>& order) {
     }
     call.argument = *std::move(argument);
   }
-  links_->With(path.process,
-               [self = shared_from_this(), order, call = std::move(call)](const auto& channel) {
-                 if (!channel) return order->handler(channel.error());
-                 Ask<message::CallMemberReply>(*self->timer_, *channel, message::kCallMember, call,
-                                               self->timeout_, [self, order](const auto& called) {
-                                                 if (!called) return order->handler(called.error());
-                                                 order->handler(self->Read(*order, *called));
-                                               });
-               });
+  links_->WithChannel(path.process, [self = shared_from_this(), order,
+                                     call = std::move(call)](const auto& channel) {
+    if (!channel) return order->handler(channel.error());
+    Ask<message::CallMemberReply>(*self->timer_, *channel, message::kCallMember, call,
+                                  self->timeout_, [self, order](const auto& called) {
+                                    if (!called) return order->handler(called.error());
+                                    order->handler(self->Read(*order, *called));
+                                  });
+  });
 }
 
-Result<std::string> Caller::Read(const Order& order, const message::CallMemberReply& called) const {
+Result<std::string> ProcessRequests::Read(const Order& order,
+                                          const message::CallMemberReply& called) const {
   constexpr std::uint8_t kLast = Status::kFailed;
   const Status status(called.status <= kLast ? static_cast<Status::Code>(called.status)
                                              : Status::kFailed);

@@ -5,7 +5,7 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 
@@ -22,14 +22,14 @@ namespace tendon::client {
 
 /// Calls commands of processes with JSON, using the catalogue and the schemas of the processes.
 /// Thread-safe. Calls each handler once, unless the client closes.
-class Caller final : public std::enable_shared_from_this<Caller> {
+class ProcessRequests final : public std::enable_shared_from_this<ProcessRequests> {
  public:
   template <typename T>
   using Handler = std::function<void(Result<T>)>;
 
   /// `timer` provides the timeouts.
-  Caller(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
-         std::chrono::milliseconds timeout);
+  ProcessRequests(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer,
+                  std::chrono::milliseconds timeout);
 
   void Call(const Path& path, const MemberDescription& command, const std::string& argument,
             Handler<std::string> handler);

@@ -55,7 +55,7 @@ void SourceClock::AskLater() {
   });
 }
 
-EventTime SourceClock::Here(SteadyTime there) const {
+EventTime SourceClock::ToLocal(SteadyTime there) const {
   const SteadyTime now = SteadyClock().Now();
   const std::scoped_lock lock(mutex_);
   const ClockOffset::Estimate estimate = offset_.At(now);

@@ -28,7 +28,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   void WhenKnown(Known known);
 
   /// Converts the time `there`, on the other clock, at which an event was raised.
-  [[nodiscard]] EventTime Here(SteadyTime there) const;
+  [[nodiscard]] EventTime ToLocal(SteadyTime there) const;
 
  private:
   void Ask();

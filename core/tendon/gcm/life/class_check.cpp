@@ -4,7 +4,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
-#include <tendon/gcm/text/plugin_text.h>
+#include <tendon/gcm/text.h>
 #include <tendon/manager/component_registry.h>
 #include <tendon/payload/json.h>
 
@@ -82,7 +82,7 @@ void AddOldPlugins(const Catalogue& catalogue, const SystemFile& wanted, const K
         return LibraryOf(component, *entry) == plugin.name;
       });
       if (is_meant && plugin.state != PluginState::kCurrent) {
-        notes.push_back(OldPluginText(process.name, plugin));
+        notes.push_back(OutdatedPluginText(process.name, plugin));
       }
     }
   }
@@ -117,7 +117,7 @@ Result<void> CheckCreation(const message::Classes& known, const message::LifeOrd
     const auto* loaded = FindNamed(known.loaded, order.library);
     const std::string old = loaded == nullptr || loaded->state == PluginState::kCurrent
                                 ? ""
-                                : "; " + OldPluginText(order.process, *loaded);
+                                : "; " + OutdatedPluginText(order.process, *loaded);
     return Error{ErrorCode::kNotFound, "process '" + order.process + "' has no class '" +
                                            order.class_name + "'" + where +
                                            DidYouMean(order.class_name, names) + next + old};

@@ -3,8 +3,7 @@
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/wall_time.h>
-#include <tendon/process/ask.h>
+#include <tendon/gcm/text.h>
 #include <tendon/process/life/configuration_base.h>
 
 #include <algorithm>
@@ -54,13 +53,16 @@ std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
 }  // namespace
 
 LifeOrders::LifeOrders(Parts parts, Locked locked, milliseconds timeout)
-    : parts_(parts), locked_(std::move(locked)), timeout_(timeout) {}
+    : OrderSender(parts.registry, parts.deferred, parts.worker),
+      parts_(parts),
+      locked_(std::move(locked)),
+      timeout_(timeout) {}
 
 void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None> done) {
   const Catalogue& catalogue = parts_.registry.catalogue();
   const Path path{order.process, order.component};
   const bool is_stop = order.verb == LifeVerb::kStop;
-  if (is_stop) PassOnStop(path);
+  if (is_stop) CancelStarts(path);
   if (auto checked = CheckTarget(catalogue, order); !checked) {
     return Answer(std::move(done), Result<None>(checked.error()));
   }
@@ -73,7 +75,7 @@ void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None
                               .life = StepOf(catalogue, order),
                               .who = who,
                               .instance = InstanceOf(catalogue, order.process)};
-  GiveOrder(order, [locked = locked_, entry = std::move(entry), claimed](const auto& outcome) {
+  SendOrder(order, [locked = locked_, entry = std::move(entry), claimed](const auto& outcome) {
     locked([&](LifeOrders& self) { self.Record(entry, outcome, claimed); });
   });
 }
@@ -134,7 +136,7 @@ void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
     if (!connected || then.empty()) return claimed(connected);
     locked([&](LifeOrders& self) { self.RunAgain(then, until, claimed); });
   };
-  GiveAll(std::move(plan.first), until,
+  SendAll(std::move(plan.first), until,
           [connect = std::move(connect), start, claimed](const auto& done_so_far) {
             if (!done_so_far) return claimed(done_so_far);
             connect(start);
@@ -142,8 +144,8 @@ void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
 }
 
 Result<void> LifeOrders::Begin(std::uint64_t order, const std::string& by) {
-  const auto found = given_.find(order);
-  if (found == given_.end() || found->second.path.first != by || found->second.is_void) {
+  const auto found = sent_.find(order);
+  if (found == sent_.end() || found->second.path.first != by || found->second.is_void) {
     return Error{ErrorCode::kFailed, "the order is cancelled: no client waits for it any more"};
   }
   found->second.is_begun = true;
@@ -157,13 +159,8 @@ void LifeOrders::ListClasses(const std::string& process, Done<message::Classes> 
   if (auto present = RequirePresent((*entry)->process); !present) {
     return Answer(std::move(done), Result<Classes>(present.error()));
   }
-  Give<Classes>(message::kGetClasses, process, message::GetClasses{process}, timeout_,
+  Send<Classes>(message::kGetClasses, process, message::GetClasses{process}, timeout_,
                 std::move(done));
-}
-
-template <typename T>
-void LifeOrders::Answer(Done<T> done, Result<T> result) {
-  parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
 /// Wraps `done` to release the component afterwards; null if the component has a pending order.
@@ -183,45 +180,31 @@ LifeOrders::Done<None> LifeOrders::Claim(const Path& path, Done<None> done) {
 }
 
 /// Cancels pending orders that could start the component.
-void LifeOrders::PassOnStop(const Path& path) {
+void LifeOrders::CancelStarts(const Path& path) {
   const auto claim = busy_.find(path);
   if (claim != busy_.end()) claim->second = true;
-  for (auto& [id, given] : given_) {
+  for (auto& [id, given] : sent_) {
     const bool starts = given.verb == LifeVerb::kStart || given.verb == LifeVerb::kRestart;
     if (given.path == path && starts && !given.is_begun) given.is_void = true;
   }
 }
 
-template <typename T, Message Body>
-void LifeOrders::Give(MessageType type, const std::string& process, const Body& body,
-                      milliseconds longest, Done<T> done) {
-  const auto channel = parts_.registry.ChannelOf(process);
-  if (!channel) {
-    return Answer(std::move(done), Result<T>(Error{ErrorCode::kFailed,
-                                                   "process '" + process + "' is not available"}));
-  }
-  parts_.outbox.Add(
-      [&worker = parts_.worker, channel, type, body, longest, done = std::move(done)] {
-        Ask<T>(worker, channel, type, body, longest, done);
-      });
-}
-
-void LifeOrders::GiveOrder(LifeOrder order, LifeDone done) {
+void LifeOrders::SendOrder(LifeOrder order, LifeDone done) {
   if (auto checked = CheckTarget(parts_.registry.catalogue(), order); !checked) {
     return Answer(std::move(done), Result<LifeOutcome>(checked.error()));
   }
   order.patience = PatienceOf(order.patience);
   order.id = ++last_id_;
-  given_[order.id] = {.path = {order.process, order.component}, .verb = order.verb};
+  sent_[order.id] = {.path = {order.process, order.component}, .verb = order.verb};
   const auto heard = [locked = locked_, order, done = std::move(done)](Result<LifeOutcome> obeyed) {
     bool is_begun = true;  // as far as the GCM knows
-    locked([&](LifeOrders& self) { is_begun = self.given_.extract(order.id).mapped().is_begun; });
+    locked([&](LifeOrders& self) { is_begun = self.sent_.extract(order.id).mapped().is_begun; });
     if (!obeyed && IsSilence(obeyed.error())) {
       obeyed = is_begun ? Unknown(order, obeyed.error()) : Void(order);
     }
     done(std::move(obeyed));
   };
-  Give<LifeOutcome>(message::kLife, order.process, order, Longest(order.patience), heard);
+  Send<LifeOutcome>(message::kLife, order.process, order, Longest(order.patience), heard);
 }
 
 nanoseconds LifeOrders::PatienceOf(nanoseconds asked) const {
@@ -237,7 +220,7 @@ milliseconds LifeOrders::Longest(nanoseconds patience) const {
 }
 
 /// Gives the orders one after the other, up to the first one that fails or has no time left.
-void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
+void LifeOrders::SendAll(std::vector<LifeOrder> orders, SteadyTime until, Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
   LifeOrder first = orders.front();
   const auto claim = busy_.find({first.process, first.component});
@@ -256,10 +239,10 @@ void LifeOrders::GiveAll(std::vector<LifeOrder> orders, SteadyTime until, Done<N
   }
   first.patience = *patience;
   orders.erase(orders.begin());
-  GiveOrder(first, [locked = locked_, rest = std::move(orders), until, done](const auto& obeyed) {
+  SendOrder(first, [locked = locked_, rest = std::move(orders), until, done](const auto& obeyed) {
     if (!obeyed) return done(obeyed.error());
     if (rest.empty()) return done(None{});
-    locked([&](LifeOrders& self) { self.GiveAll(rest, until, done); });
+    locked([&](LifeOrders& self) { self.SendAll(rest, until, done); });
   });
 }
 
@@ -273,13 +256,13 @@ void LifeOrders::RunAgain(std::vector<LifeOrder> orders, SteadyTime until, Done<
     LifeOrder stop = leader;
     stop.verb = LifeVerb::kStop;
     locked([&](LifeOrders& self) {
-      self.GiveOrder(stop, [done, others](const auto& /*stopped*/) { done(others); });
+      self.SendOrder(stop, [done, others](const auto& /*stopped*/) { done(others); });
     });
   };
-  GiveAll({leader}, until,
+  SendAll({leader}, until,
           [locked = locked_, others = std::move(orders), until, done, take_back](const auto& runs) {
             if (!runs) return done(runs);
-            locked([&](LifeOrders& self) { self.GiveAll(others, until, take_back); });
+            locked([&](LifeOrders& self) { self.SendAll(others, until, take_back); });
           });
 }
 

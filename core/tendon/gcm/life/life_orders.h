@@ -2,9 +2,8 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/history.h>
-#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/server/order_sender.h>
 #include <tendon/gcm/server/registry.h>
-#include <tendon/middleware/body.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -27,18 +26,18 @@ namespace tendon::server {
 ///
 /// No thread waits. All functions are called under the owner's lock; `done` is called once, without
 /// it.
-class LifeOrders {
+class LifeOrders : private OrderSender {
  public:
-  /// Calls its argument with the LifeOrders, under the owner's lock, and then flushes the outbox.
-  /// Does nothing if the owner is gone.
+  /// Calls its argument with the LifeOrders, under the owner's lock, and then runs the deferred
+  /// actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(LifeOrders&)>&)>;
   template <typename T>
-  using Done = std::function<void(Result<T>)>;
+  using Done = OrderSender::Done<T>;
 
   struct Parts {
     Registry& registry;
     History& history;
-    Outbox& outbox;
+    DeferredActions& deferred;
     Worker& worker;  ///< provides timeouts
   };
   /// `timeout` is the time for the answer to an order, in addition to its patience.
@@ -61,25 +60,20 @@ class LifeOrders {
   using LifeDone = Done<message::LifeOutcome>;
 
   /// An order that was sent and not answered yet.
-  struct Given {
+  struct SentOrder {
     Path path;
     LifeVerb verb;
     bool is_begun = false;
     bool is_void = false;
   };
 
-  template <typename T>
-  void Answer(Done<T> done, Result<T> result);
   [[nodiscard]] Result<void> CheckConfiguration(const message::LifeOrder& order) const;
   Done<None> Claim(const Path& path, Done<None> done);
-  void PassOnStop(const Path& path);
-  template <typename T, Message Body>
-  void Give(MessageType type, const std::string& process, const Body& body,
-            std::chrono::milliseconds longest, Done<T> done);
-  void GiveOrder(message::LifeOrder order, LifeDone done);
+  void CancelStarts(const Path& path);
+  void SendOrder(message::LifeOrder order, LifeDone done);
   [[nodiscard]] std::chrono::nanoseconds PatienceOf(std::chrono::nanoseconds asked) const;
   [[nodiscard]] std::chrono::milliseconds Longest(std::chrono::nanoseconds patience) const;
-  void GiveAll(std::vector<message::LifeOrder> orders, SteadyTime until, Done<None> done);
+  void SendAll(std::vector<message::LifeOrder> orders, SteadyTime until, Done<None> done);
   void RunAgain(std::vector<message::LifeOrder> orders, SteadyTime until, Done<None> done);
   void Record(message::HistoryEntry entry, const Result<message::LifeOutcome>& outcome,
               const Done<None>& done);
@@ -88,7 +82,7 @@ class LifeOrders {
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
   std::map<Path, bool> busy_;  // components with a pending order; true if a stop was requested
-  std::map<std::uint64_t, Given> given_;
+  std::map<std::uint64_t, SentOrder> sent_;
   std::uint64_t last_id_ = 0;
 };
 

@@ -15,13 +15,13 @@
 namespace tendon {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The complete configuration of a component, and its type.
 struct Whole {
   Schema schema;
-  Ordered told;   // the configuration, without fields that keep their default
-  Ordered value;  // the configuration with the defaults
+  OrderedJson told;   // the configuration, without fields that keep their default
+  OrderedJson value;  // the configuration with the defaults
 };
 
 Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
@@ -96,7 +96,7 @@ Error NoField(const Schema& structure, const std::string& field, const std::stri
 /// A part of a configuration.
 struct Part {
   Schema schema;
-  Ordered* value = nullptr;
+  OrderedJson* value = nullptr;
 };
 
 /// The part that `step` names in `part`; `where` is the name of `part`.
@@ -141,18 +141,18 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
 /// Copies the changed part into the configuration that is sent to the class: only that part, but
 /// lists always completely.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
-  Ordered* told = &whole.told;
-  const Ordered* value = &whole.value;
+  OrderedJson* told = &whole.told;
+  const OrderedJson* value = &whole.value;
   for (const Step& step : steps) {
     if (step.index) break;
-    if (!told->is_object()) *told = Ordered::object();
+    if (!told->is_object()) *told = OrderedJson::object();
     told = &(*told)[step.field];
     value = &value->at(step.field);
   }
   *told = *value;
 }
 
-void AddLeaves(const std::string& name, const Schema::Field& field, const Ordered& value,
+void AddLeaves(const std::string& name, const Schema::Field& field, const OrderedJson& value,
                std::vector<Parameter>& all) {
   if (field.schema.kind() == Schema::Kind::kStructure && value.is_object()) {
     for (const Schema::Field& inner : field.schema.fields()) {

@@ -1,7 +1,7 @@
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/life/undo_check.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text/step_text.h>
+#include <tendon/gcm/text.h>
 
 namespace tendon {
 namespace {
@@ -25,7 +25,7 @@ Result<void> CheckWire(const Catalogue& catalogue, const message::History& histo
   if (WasPending(catalogue, history, step)) return {};
   const bool swaps = step.verb == "replace";
   const auto planned = PlanConnect(catalogue, {needed, swaps ? step.former : step.wire.provided},
-                                   Occupied::kReplaced);
+                                   WhenConnected::kReplace);
   return planned ? Result<void>() : planned.error();
 }
 

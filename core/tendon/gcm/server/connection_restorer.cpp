@@ -6,9 +6,6 @@
 namespace tendon::server {
 namespace {
 
-constexpr std::chrono::milliseconds kShortestPause(200);
-constexpr std::chrono::milliseconds kLongestPause(5000);
-
 /// True if a retry is pointless. kExists: the process has connected by itself.
 bool IsFinal(const Error& error) {
   return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
@@ -61,16 +58,15 @@ ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire
     if (kept != kept_.end()) kept_.erase(kept);
     return outcome ? Verdict::kDone : Verdict::kGivenUp;
   }
-  const bool is_first = kept->pause == kept->pause.zero();
+  const bool is_first = !kept->backoff.has_begun();
   kept->is_ordered = false;
-  kept->pause = std::clamp(2 * kept->pause, kShortestPause, kLongestPause);
-  kept->not_before = now + kept->pause;
+  kept->not_before = now + kept->backoff.Next();
   return is_first ? Verdict::kTryAgain : Verdict::kStillTrying;
 }
 
 bool ConnectionRestorer::IsPauseOver(SteadyTime now) const {
   return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
-    return !kept.is_ordered && kept.pause > kept.pause.zero() && kept.not_before <= now;
+    return !kept.is_ordered && kept.backoff.has_begun() && kept.not_before <= now;
   });
 }
 

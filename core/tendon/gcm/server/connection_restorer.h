@@ -1,9 +1,10 @@
 #pragma once
 
+#include <tendon/base/backoff.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <chrono>
 #include <string>
@@ -40,7 +41,7 @@ class ConnectionRestorer {
     std::string required_class;
     std::string provided_class;  ///< empty: not known
     bool is_ordered = false;
-    std::chrono::milliseconds pause{0};  ///< pause after the last failure
+    Backoff backoff{std::chrono::milliseconds(200), std::chrono::milliseconds(5000)};
     SteadyTime not_before{};
   };
 

@@ -4,12 +4,12 @@
 
 namespace tendon::server {
 
-void Outbox::Add(Action action) {
+void DeferredActions::Add(Action action) {
   const std::scoped_lock lock(mutex_);
   actions_.push_back(std::move(action));
 }
 
-void Outbox::Flush() {
+void DeferredActions::Flush() {
   std::unique_lock lock(mutex_);
   if (flushing_) return;
   flushing_ = true;

@@ -9,7 +9,7 @@ namespace tendon::server {
 /// Actions that a locked section adds, to be run after the lock is released: answering, sending,
 /// logging. Runs them in the order of Add(), one at a time, in a thread that calls Flush(), without
 /// a lock. Thread-safe.
-class Outbox {
+class DeferredActions {
  public:
   using Action = std::function<void()>;
 

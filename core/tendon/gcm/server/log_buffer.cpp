@@ -1,6 +1,6 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/server/log_buffer.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 
 #include <algorithm>
 #include <utility>

@@ -3,9 +3,7 @@
 #include <tendon/gcm/life/undo_check.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/orders.h>
-#include <tendon/gcm/text/step_text.h>
-#include <tendon/gcm/text/wall_time.h>
-#include <tendon/process/ask.h>
+#include <tendon/gcm/text.h>
 #include <tendon/process/schema_exchange.h>
 
 #include <memory>
@@ -14,7 +12,7 @@
 namespace tendon::server {
 namespace {
 
-void LogHandBack(const message::Wire& wire, const Result<void>& outcome,
+void LogRestored(const message::Wire& wire, const Result<void>& outcome,
                  ConnectionRestorer::Verdict verdict) {
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
@@ -45,8 +43,51 @@ Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : re
 
 }  // namespace
 
+/// Makes a connection. Its own callbacks hold it; each step is called under the owner's lock.
+class Orders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
+ public:
+  ConnectOrder(message::Wire wire, ConnectDone done)
+      : wire_(std::move(wire)), done_(std::move(done)) {}
+
+  void Start(Orders& orders);
+
+ private:
+  void OnPlanned(Orders& orders, const Result<message::Wiring>& wiring);
+
+  const message::Wire wire_;
+  const ConnectDone done_;
+};
+
+/// Replaces the present connection of a required interface if the new one fits: breaks the old
+/// connection, makes the new one, and restores the old one if the new one fails. Its own callbacks
+/// hold it; each step is called under the owner's lock.
+class Orders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
+ public:
+  ReplaceOrder(message::Wire wire, std::string who, Done<Replacement> done)
+      : wire_(std::move(wire)), who_(std::move(who)), done_(std::move(done)) {}
+
+  void Start(Orders& orders);
+
+ private:
+  void OnPlanned(Orders& orders, const Result<message::Wiring>& wiring);
+  void OnBroken(Orders& orders, const Result<None>& broken);
+  void OnMade(Orders& orders, const Result<ConnectionDescription>& made);
+  void Restore(Orders& orders, const Error& why);
+  void OnRestored(Orders& orders, const Result<ConnectionDescription>& restored);
+  void Fail(Orders& orders, const Error& why) { orders.Answer(done_, Result<Replacement>(why)); }
+
+  const message::Wire wire_;
+  const std::string who_;
+  Done<Replacement> done_;  // after OnPlanned(), it also releases the interface
+  ConnectionDescription former_;
+  Error why_;  // set by Restore()
+};
+
 Orders::Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout)
-    : parts_(parts), locked_(std::move(locked)), timeout_(timeout) {}
+    : OrderSender(parts.registry, parts.deferred, parts.worker),
+      parts_(parts),
+      locked_(std::move(locked)),
+      timeout_(timeout) {}
 
 void Orders::Connect(const message::Wire& wire, const std::string& who, ConnectDone done) {
   Make(wire, [locked = locked_, wire, who, done = std::move(done)](const auto& made) {
@@ -60,11 +101,11 @@ void Orders::Connect(const message::Wire& wire, const std::string& who, ConnectD
 void Orders::Replace(const message::Wire& wire, const std::string& who, ConnectDone done) {
   const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
   if (now == nullptr || now->provided == wire.provided) return Connect(wire, who, std::move(done));
-  Swap(wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& swapped) {
-    if (!swapped) return done(swapped.error());
+  Exchange(wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& replaced) {
+    if (!replaced) return done(replaced.error());
     locked([&](Orders& orders) {
-      orders.Record({.verb = "replace", .wire = wire, .former = swapped->former, .who = who},
-                    swapped->made, done);
+      orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
+                    replaced->made, done);
     });
   });
 }
@@ -117,8 +158,8 @@ void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
   } else if (WasPending(catalogue, parts_.history.steps(), step)) {
     MakePending(former, done);
   } else if (is_replacement) {
-    Swap(former, who, [done](const Result<Swapped>& swapped) {
-      done(swapped ? Result(swapped->made) : swapped.error());
+    Exchange(former, who, [done](const Result<Replacement>& replaced) {
+      done(replaced ? Result(replaced->made) : replaced.error());
     });
   } else {
     Make(former, done);
@@ -143,24 +184,19 @@ void Orders::PassOver(const message::StepSelection& which, const std::string& wh
     const Error error = MayComeBack(*step);
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
-  parts_.outbox.Add(
+  parts_.deferred.Add(
       [text = who + " passes over " + WholeText(*step)] { Log(LogLevel::kInfo, "gcm", text); });
   step->passed_over = true;
   parts_.history.MarkPassedOver(step->id, [step = *step, done = std::move(done)] { done(step); });
 }
 
-void Orders::HandBack(const message::Wire& wire) {
+void Orders::RestoreConnection(const message::Wire& wire) {
   Make(wire, [locked = locked_, wire](const auto& made) {
     const Result<void> outcome = OutcomeOf(made);
     auto verdict = ConnectionRestorer::Verdict::kStillTrying;
-    locked([&](Orders& orders) { verdict = orders.parts_.registry.SettleHandBack(wire, outcome); });
-    LogHandBack(wire, outcome, verdict);
+    locked([&](Orders& orders) { verdict = orders.parts_.registry.OnRestored(wire, outcome); });
+    LogRestored(wire, outcome, verdict);
   });
-}
-
-template <typename T>
-void Orders::Answer(Done<T> done, Result<T> result) {
-  parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
 /// Wraps `done` to release the interface afterwards; null if a change of the interface is in
@@ -192,34 +228,39 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
 
 /// Calls `planned` with the lock held. May ask both processes for schemas, so that a refusal can
 /// name the first difference of two types.
-void Orders::Plan(const message::Wire& wire, Occupied occupied, const Planned& planned) {
+void Orders::Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalogue& catalogue = parts_.registry.catalogue();
-  const auto wiring = PlanConnect(catalogue, wire, occupied);
+  const auto wiring = PlanConnect(catalogue, wire, when_connected);
   if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);
   const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
   const auto answered = [=, locked = locked_] {
     locked([&](Orders& orders) {
       if (--*missing > 0) return;
-      planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, occupied));
+      planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, when_connected));
     });
   };
   for (const auto& [process, wanted] : DisputedTypesBetween(catalogue, wire)) {
     const auto channel = parts_.registry.ChannelOf(process);
     if (channel == nullptr) continue;
     ++*missing;
-    parts_.outbox.Add([&worker = parts_.worker, channel, wanted = wanted, answered] {
+    parts_.deferred.Add([&worker = parts_.worker, channel, wanted = wanted, answered] {
       LearnSchemas(worker, channel, wanted, kLongest, answered);
     });
   }
   if (*missing == 0) planned(*this, wiring);
 }
 
+template <typename Order, typename Reply>
+Orders::Done<Reply> Orders::Step(std::shared_ptr<Order> order,
+                                 void (Order::*step)(Orders&, const Result<Reply>&)) {
+  return [locked = locked_, order = std::move(order), step](const Result<Reply>& reply) {
+    locked([&](Orders& orders) { ((*order).*step)(orders, reply); });
+  };
+}
+
 void Orders::Make(const message::Wire& wire, ConnectDone done) {
-  Plan(wire, Occupied::kRefused, [wire, done](Orders& orders, const auto& wiring) {
-    if (!wiring) return orders.Answer(done, Result<ConnectionDescription>(wiring.error()));
-    if (auto claimed = orders.Claim(wire.required, done)) orders.GiveMake(*wiring, claimed);
-  });
+  std::make_shared<ConnectOrder>(wire, std::move(done))->Start(*this);
 }
 
 /// Makes a connection to an absent provider, after disconnecting the interface if necessary.
@@ -229,12 +270,12 @@ void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
     locked([&](Orders& orders) {
-      orders.GiveMake(WiringOf(orders.parts_.registry.catalogue(), wire), claimed);
+      orders.SendMake(WiringOf(orders.parts_.registry.catalogue(), wire), claimed);
     });
   };
   const Catalogue& catalogue = parts_.registry.catalogue();
-  if (catalogue.FindConnection(wire.required) != nullptr) return GiveBreak(wire.required, make);
-  GiveMake(WiringOf(catalogue, wire), claimed);
+  if (catalogue.FindConnection(wire.required) != nullptr) return SendBreak(wire.required, make);
+  SendMake(WiringOf(catalogue, wire), claimed);
 }
 
 void Orders::Break(const InterfaceName& required, ConnectDone done) {
@@ -242,103 +283,19 @@ void Orders::Break(const InterfaceName& required, ConnectDone done) {
   if (!connection) return Answer(std::move(done), connection);
   const auto claimed = Claim(required, std::move(done));
   if (!claimed) return;
-  GiveBreak(required, [connection = *connection, claimed](const Result<None>& broken) {
+  SendBreak(required, [connection = *connection, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
     claimed(connection);
   });
 }
 
-/// Replaces the present connection of the required interface if the new one fits.
-void Orders::Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done) {
-  Plan(wire, Occupied::kReplaced, [wire, who, done](Orders& orders, const auto& wiring) {
-    const Catalogue& catalogue = orders.parts_.registry.catalogue();
-    const auto former = wiring ? PlanDisconnect(catalogue, wire.required) : wiring.error();
-    if (!former) return orders.Answer(done, Result<Swapped>(former.error()));
-    const auto claimed = orders.Claim(wire.required, done);
-    if (!claimed) return;
-    const Exchange exchange{wire, *former, who, claimed};
-    orders.GiveBreak(wire.required, [locked = orders.locked_, exchange](const auto& broken) {
-      locked([&](Orders& self) { self.MakeInstead(exchange, broken); });
-    });
-  });
-}
-
-void Orders::MakeInstead(const Exchange& exchange, const Result<None>& broken) {
-  if (!broken) {
-    if (IsOutcomeUnknown(broken.error())) return Restore(exchange, broken.error());
-    return Answer(exchange.done, Result<Swapped>(broken.error()));
-  }
-  GiveMake(WiringOf(parts_.registry.catalogue(), exchange.wire),
-           [locked = locked_, exchange](const auto& made) {
-             locked([&](Orders& orders) { orders.Judge(exchange, made); });
-           });
-}
-
-/// Decides whether the new connection stays: an active connection is only replaced by an active
-/// one.
-void Orders::Judge(const Exchange& exchange, const Result<ConnectionDescription>& made) {
-  if (!made) return Restore(exchange, made.error());
-  constexpr ConnectionState kActive = ConnectionState::kActive;
-  if (made->state == kActive || exchange.former.state != kActive) {
-    return Answer(exchange.done, Result(Swapped{*made, exchange.former.provided}));
-  }
-  Restore(exchange, {ErrorCode::kUnreachable,
-                     ToString(made->provided) + " was not reached: " + made->reason});
-}
-
-/// Removes the new connection, if there is one, and restores the old one. A slow process executes
-/// both orders as well, and ends up with the old connection.
-void Orders::Restore(const Exchange& exchange, const Error& why) {
-  const message::Wire former{exchange.wire.required, exchange.former.provided};
-  GiveBreak(former.required, [](const auto& /*there may be none*/) {});
-  Give<ConnectionDescription>(
-      message::kMakeConnection, former.required, WiringOf(parts_.registry.catalogue(), former),
-      [locked = locked_, exchange, why](const auto& restored) {
-        locked([&](Orders& orders) { orders.Settle(exchange, why, restored); });
-      });
-}
-
-/// Records a failed replacement that left the interface disconnected, so that it can be undone.
-void Orders::Settle(const Exchange& exchange, Error why,
-                    const Result<ConnectionDescription>& restored) {
-  const message::Wire former{exchange.wire.required, exchange.former.provided};
-  const std::string required = ToString(former.required);
-  const std::string provided = ToString(former.provided);
-  if (restored) {
-    const bool works = restored->state == ConnectionState::kActive;
-    why.message += "; " + required + " is still connected to " + provided +
-                   (works ? "" : ", but " + std::string(ToString(restored->state)) + ": ") +
-                   restored->reason;
-    return Answer(exchange.done, Result<Swapped>(why));
-  }
-  why.message +=
-      restored.error().code == ErrorCode::kTimeout
-          ? "; whether " + required + " is still connected to " + provided +
-                " is not known yet; see: gcm show " + required
-          : "; " + required + " is not connected to " + provided +
-                " any more, and could not be connected to it again: " + restored.error().message;
-  const auto* now = parts_.registry.catalogue().FindConnection(former.required);
-  if (now != nullptr) return Answer(exchange.done, Result<Swapped>(why));
-  Record({.verb = "disconnect", .wire = former, .who = exchange.who}, why, exchange.done);
-}
-
-template <typename T, Message Body>
-void Orders::Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done) {
-  const auto channel = parts_.registry.ChannelOf(required.process);
-  if (!channel) {
-    return Answer(std::move(done),
-                  Result<T>(Error{ErrorCode::kFailed,
-                                  "process '" + required.process + "' is not available"}));
-  }
-  parts_.outbox.Add(
-      [&worker = parts_.worker, channel, type, body, timeout = timeout_, done = std::move(done)] {
-        Ask<T>(worker, channel, type, body, timeout, done);
-      });
+void Orders::Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done) {
+  std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
 }
 
 /// Gives the order to make a connection. Without an answer, uses the state that the process has
 /// reported.
-void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
+void Orders::SendMake(const message::Wiring& wiring, ConnectDone done) {
   const auto heard = [locked = locked_, wire = wiring.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
     if (!made && IsOutcomeUnknown(made.error())) {
@@ -349,10 +306,11 @@ void Orders::GiveMake(const message::Wiring& wiring, ConnectDone done) {
     }
     done(std::move(made));
   };
-  Give<ConnectionDescription>(message::kMakeConnection, wiring.wire.required, wiring, heard);
+  Send<ConnectionDescription>(message::kMakeConnection, wiring.wire.required.process, wiring,
+                              timeout_, heard);
 }
 
-void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
+void Orders::SendBreak(const InterfaceName& required, Done<None> done) {
   const auto heard = [locked = locked_, required, done = std::move(done)](Result<None> broken) {
     bool is_gone = false;
     if (!broken && IsOutcomeUnknown(broken.error())) {
@@ -362,7 +320,8 @@ void Orders::GiveBreak(const InterfaceName& required, Done<None> done) {
     }
     done(is_gone ? None{} : std::move(broken));
   };
-  Give<None>(message::kBreakConnection, required, message::Wire{required, {}}, heard);
+  Send<None>(message::kBreakConnection, required.process, message::Wire{required, {}}, timeout_,
+             heard);
 }
 
 void Orders::UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
@@ -419,6 +378,94 @@ void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,
   step.undone = true;
   parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); },
                             {.who = who, .when = WallTime()});
+}
+
+void Orders::ConnectOrder::Start(Orders& orders) {
+  orders.Plan(wire_, WhenConnected::kRefuse,
+              [self = shared_from_this()](Orders& present, const auto& wiring) {
+                self->OnPlanned(present, wiring);
+              });
+}
+
+void Orders::ConnectOrder::OnPlanned(Orders& orders, const Result<message::Wiring>& wiring) {
+  if (!wiring) return orders.Answer(done_, Result<ConnectionDescription>(wiring.error()));
+  if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*wiring, claimed);
+}
+
+void Orders::ReplaceOrder::Start(Orders& orders) {
+  orders.Plan(wire_, WhenConnected::kReplace,
+              [self = shared_from_this()](Orders& present, const auto& wiring) {
+                self->OnPlanned(present, wiring);
+              });
+}
+
+void Orders::ReplaceOrder::OnPlanned(Orders& orders, const Result<message::Wiring>& wiring) {
+  const Catalogue& catalogue = orders.parts_.registry.catalogue();
+  const auto former = wiring ? PlanDisconnect(catalogue, wire_.required) : wiring.error();
+  if (!former) return Fail(orders, former.error());
+  auto claimed = orders.Claim(wire_.required, done_);
+  if (!claimed) return;
+  former_ = *former;
+  done_ = std::move(claimed);
+  orders.SendBreak(wire_.required, orders.Step(shared_from_this(), &ReplaceOrder::OnBroken));
+}
+
+void Orders::ReplaceOrder::OnBroken(Orders& orders, const Result<None>& broken) {
+  if (!broken) {
+    if (IsOutcomeUnknown(broken.error())) return Restore(orders, broken.error());
+    return Fail(orders, broken.error());
+  }
+  orders.SendMake(WiringOf(orders.parts_.registry.catalogue(), wire_),
+                  orders.Step(shared_from_this(), &ReplaceOrder::OnMade));
+}
+
+/// Decides whether the new connection stays: an active connection is only replaced by an active
+/// one.
+void Orders::ReplaceOrder::OnMade(Orders& orders, const Result<ConnectionDescription>& made) {
+  if (!made) return Restore(orders, made.error());
+  constexpr ConnectionState kActive = ConnectionState::kActive;
+  if (made->state == kActive || former_.state != kActive) {
+    return orders.Answer(done_, Result(Replacement{*made, former_.provided}));
+  }
+  Restore(orders, {ErrorCode::kUnreachable,
+                   ToString(made->provided) + " was not reached: " + made->reason});
+}
+
+/// Removes the new connection, if there is one, and restores the old one. A slow process executes
+/// both orders as well, and ends up with the old connection.
+void Orders::ReplaceOrder::Restore(Orders& orders, const Error& why) {
+  why_ = why;
+  const message::Wire former{wire_.required, former_.provided};
+  orders.SendBreak(former.required, [](const auto& /*there may be none*/) {});
+  orders.Send<ConnectionDescription>(message::kMakeConnection, former.required.process,
+                                     WiringOf(orders.parts_.registry.catalogue(), former),
+                                     orders.timeout_,
+                                     orders.Step(shared_from_this(), &ReplaceOrder::OnRestored));
+}
+
+/// Records a failed replacement that left the interface disconnected, so that it can be undone.
+void Orders::ReplaceOrder::OnRestored(Orders& orders,
+                                      const Result<ConnectionDescription>& restored) {
+  const message::Wire former{wire_.required, former_.provided};
+  const std::string required = ToString(former.required);
+  const std::string provided = ToString(former.provided);
+  Error why = why_;
+  if (restored) {
+    const bool works = restored->state == ConnectionState::kActive;
+    why.message += "; " + required + " is still connected to " + provided +
+                   (works ? "" : ", but " + std::string(ToString(restored->state)) + ": ") +
+                   restored->reason;
+    return Fail(orders, why);
+  }
+  why.message +=
+      restored.error().code == ErrorCode::kTimeout
+          ? "; whether " + required + " is still connected to " + provided +
+                " is not known yet; see: gcm show " + required
+          : "; " + required + " is not connected to " + provided +
+                " any more, and could not be connected to it again: " + restored.error().message;
+  const auto* now = orders.parts_.registry.catalogue().FindConnection(former.required);
+  if (now != nullptr) return Fail(orders, why);
+  orders.Record({.verb = "disconnect", .wire = former, .who = who_}, why, done_);
 }
 
 }  // namespace tendon::server

@@ -3,14 +3,14 @@
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/server/order_sender.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/supervisor/supervisor.h>
-#include <tendon/middleware/body.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -21,19 +21,19 @@ namespace tendon::server {
 /// required side's LCM, and records the change in the history. No thread waits. A failed request
 /// changes nothing, as far as the LCM allows; any remaining change is in the history. All functions
 /// are called under the owner's lock; `done` is called once, without it.
-class Orders {
+class Orders : private OrderSender {
  public:
-  /// Calls its argument with the Orders, under the owner's lock, and then flushes the outbox. Does
-  /// nothing if the owner is gone.
+  /// Calls its argument with the Orders, under the owner's lock, and then runs the deferred
+  /// actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(Orders&)>&)>;
   template <typename T>
-  using Done = std::function<void(Result<T>)>;
+  using Done = OrderSender::Done<T>;
   using ConnectDone = Done<ConnectionDescription>;
 
   struct Parts {
     Registry& registry;
     History& history;
-    Outbox& outbox;
+    DeferredActions& deferred;
     Worker& worker;          ///< provides timeouts
     LifeOrders& life;        ///< undoes its own steps
     Supervisor& supervisor;  ///< undoes its own steps
@@ -53,11 +53,9 @@ class Orders {
                 Done<message::HistoryEntry> done);
 
   /// Makes a connection that a returned process had before. Not recorded in the history.
-  void HandBack(const message::Wire& wire);
+  void RestoreConnection(const message::Wire& wire);
 
  private:
-  template <typename T>
-  void Answer(Done<T> done, Result<T> result);
   template <typename T>
   Done<T> Claim(const InterfaceName& required, Done<T> done);
   template <typename T>
@@ -65,34 +63,28 @@ class Orders {
 
   // Changes of one interface, one at a time, not recorded in the history.
 
-  using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
-  void Plan(const message::Wire& wire, Occupied occupied, const Planned& planned);
-  void Make(const message::Wire& wire, ConnectDone done);
-  void MakePending(const message::Wire& wire, const ConnectDone& done);
-  void Break(const InterfaceName& required, ConnectDone done);
-
-  struct Swapped {
+  class ConnectOrder;
+  class ReplaceOrder;
+  struct Replacement {
     ConnectionDescription made;
     InterfaceName former;
   };
-  struct Exchange {
-    message::Wire wire;
-    ConnectionDescription former;
-    std::string who;
-    Done<Swapped> done;
-  };
-  void Swap(const message::Wire& wire, const std::string& who, Done<Swapped> done);
-  void MakeInstead(const Exchange& exchange, const Result<None>& broken);
-  void Judge(const Exchange& exchange, const Result<ConnectionDescription>& made);
-  void Restore(const Exchange& exchange, const Error& why);
-  void Settle(const Exchange& exchange, Error why, const Result<ConnectionDescription>& restored);
+
+  using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
+  void Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned);
+  void Make(const message::Wire& wire, ConnectDone done);
+  void MakePending(const message::Wire& wire, const ConnectDone& done);
+  void Break(const InterfaceName& required, ConnectDone done);
+  void Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done);
+  /// A step of an order as the handler of an answer: takes the owner's lock.
+  template <typename Order, typename Reply>
+  Done<Reply> Step(std::shared_ptr<Order> order,
+                   void (Order::*step)(Orders&, const Result<Reply>&));
 
   // Single orders to the required side's LCM, which executes them in order.
 
-  template <typename T, Message Body>
-  void Give(MessageType type, const InterfaceName& required, const Body& body, Done<T> done);
-  void GiveMake(const message::Wiring& wiring, ConnectDone done);
-  void GiveBreak(const InterfaceName& required, Done<None> done);
+  void SendMake(const message::Wiring& wiring, ConnectDone done);
+  void SendBreak(const InterfaceName& required, Done<None> done);
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;
   void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);

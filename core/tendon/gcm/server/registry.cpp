@@ -2,7 +2,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/sanitize.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/membership/advertised_address.h>
 
@@ -97,7 +97,7 @@ Result<Registry::Admission> Registry::Join(message::Join join, Session held,
                                  .renewed = clock_.Now(),
                                  .joined = now,
                                  .health = {},
-                                 .told = {}};
+                                 .reported = {}};
   tombstones_.erase(join.process.name);
   expected_.erase(join.process.name);
   Enter(join, link, now);
@@ -114,7 +114,7 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
   // A process that kept running still has its connections; for a new instance, those of the old one
   // are restored.
   const ProcessEntry* before = catalogue_.FindProcess(name);
-  if (before != nullptr && before->process.instance == process.instance) hand_backs_.Drop(name);
+  if (before != nullptr && before->process.instance == process.instance) restorer_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
   for (CatalogueChange& change : Removals(*catalogue_.FindProcess(name), join)) {
     Apply(std::move(change));
@@ -167,12 +167,12 @@ Result<void> Registry::Renew(Session session) {
   return {};
 }
 
-Result<void> Registry::TakeHealth(Session session, const message::Health& health) {
+Result<void> Registry::UpdateHealth(Session session, const message::Health& health) {
   Member* member = Find(session);
   if (member == nullptr) return Error{ErrorCode::kDenied, "this membership has ended"};
   if (member->health) member->cpu = CoresBetween(*member->health, health);
   member->health = health;
-  member->told = clock_.Now();
+  member->reported = clock_.Now();
   return {};
 }
 
@@ -186,7 +186,7 @@ message::SystemHealth Registry::health() const {
                                 .memory = member.health->memory,
                                 .clock_offset = member.health->clock_offset,
                                 .clock_uncertainty = member.health->clock_uncertainty,
-                                .age = clock_.Now() - member.told});
+                                .age = clock_.Now() - member.reported});
   }
   std::ranges::sort(health.processes, {}, &message::ProcessHealth::process);
   return health;
@@ -198,7 +198,7 @@ void Registry::End(Session session, ProcessState state, const std::string& reaso
   const std::string name = found->second.name;
   const auto silence = clock_.Now() - found->second.renewed;
   members_.erase(found);
-  hand_backs_.Keep(catalogue_, name);
+  restorer_.Keep(catalogue_, name);
   tombstones_[name] = clock_.Now();
   // A middleware may close the link of a process that hangs before its lease ends.
   const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
@@ -233,7 +233,7 @@ void Registry::GiveUp(const std::string& process) {
   Apply({.kind = Kind::kProcess, .process = process, .processes = {*before}});
 }
 
-bool Registry::Explain(const std::string& process, const std::string& reason) {
+bool Registry::SetReason(const std::string& process, const std::string& reason) {
   const auto* const entry = catalogue_.FindProcess(process);
   if (entry == nullptr || IsPresent(entry->process)) return false;
   ProcessDescription description = entry->process;
@@ -261,7 +261,7 @@ Result<void> Registry::Forget(const std::string& process) {
 
 std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   const SteadyTime now = clock_.Now();
-  Forgive(now);
+  ExtendLeases(now);
   std::vector<std::pair<Session, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
     // A large message may delay the renewal.
@@ -279,12 +279,12 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
     End(session, ProcessState::kLost, std::string(kNoRenewal) + Milliseconds(silence));
   }
   ClearTombstones(now);
-  look_for_hand_backs_ = look_for_hand_backs_ || hand_backs_.IsPauseOver(now);
+  are_connections_due_ = are_connections_due_ || restorer_.IsPauseOver(now);
   return channels;
 }
 
 /// Extends the leases after a pause of this process, because there may be unread renewals.
-void Registry::Forgive(SteadyTime now) {
+void Registry::ExtendLeases(SteadyTime now) {
   constexpr std::chrono::milliseconds kUsual(250);
   const auto pause = now - std::exchange(last_tick_, now);
   if (pause < 2 * kUsual) return;
@@ -329,14 +329,14 @@ message::PeerList Registry::peers() const {
   return peers;
 }
 
-std::vector<message::Wire> Registry::TakeDueHandBacks() {
-  if (!std::exchange(look_for_hand_backs_, false)) return {};
-  return hand_backs_.TakeDue(catalogue_, clock_.Now());
+std::vector<message::Wire> Registry::TakeDueConnections() {
+  if (!std::exchange(are_connections_due_, false)) return {};
+  return restorer_.TakeDue(catalogue_, clock_.Now());
 }
 
-ConnectionRestorer::Verdict Registry::SettleHandBack(const message::Wire& wire,
-                                                     const Result<void>& outcome) {
-  return hand_backs_.Settle(wire, outcome, clock_.Now());
+ConnectionRestorer::Verdict Registry::OnRestored(const message::Wire& wire,
+                                                 const Result<void>& outcome) {
+  return restorer_.Settle(wire, outcome, clock_.Now());
 }
 
 Registry::Member* Registry::Find(Session session) {
@@ -364,7 +364,7 @@ void Registry::Apply(CatalogueChange change) {
   if (ChangesNothing(change, catalogue_.FindProcess(change.process))) return;
   change.revision = catalogue_.revision() + 1;
   if (!catalogue_.Apply(change)) return;
-  look_for_hand_backs_ = look_for_hand_backs_ || change.kind == Kind::kProcess ||
+  are_connections_due_ = are_connections_due_ || change.kind == Kind::kProcess ||
                          change.kind == Kind::kComponent || change.kind == Kind::kConnection;
   changes_.push_back(std::move(change));
 }
@@ -390,7 +390,7 @@ void Registry::SuspendConnections(const std::string& process) {
 
 void Registry::Remove(const std::string& process) {
   tombstones_.erase(process);
-  hand_backs_.Drop(process);
+  restorer_.Drop(process);
   Apply({.kind = Kind::kProcessRemoved, .process = process});
 }
 

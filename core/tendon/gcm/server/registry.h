@@ -5,7 +5,7 @@
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/server/connection_restorer.h>
 #include <tendon/process/description_pool.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <chrono>
 #include <cstdint>
@@ -54,7 +54,7 @@ class Registry {
   Result<void> Renew(Session session);
   /// Stores the health of a process, which is not part of the catalogue. kDenied if the membership
   /// has ended.
-  Result<void> TakeHealth(Session session, const message::Health& health);
+  Result<void> UpdateHealth(Session session, const message::Health& health);
   /// Ends a membership; the catalogue keeps the process as lost or left. Does nothing if the
   /// membership has already ended.
   void End(Session session, ProcessState state, const std::string& reason);
@@ -67,7 +67,7 @@ class Registry {
   void GiveUp(const std::string& process);
   /// Adds a text to the reason why a process is gone; returns false if the catalogue has no process
   /// that is gone with this name.
-  bool Explain(const std::string& process, const std::string& reason);
+  bool SetReason(const std::string& process, const std::string& reason);
   /// Removes a process that is lost or has left. kNotFound for an unknown process; kFailed for a
   /// present one.
   Result<void> Forget(const std::string& process);
@@ -87,10 +87,9 @@ class Registry {
 
   /// The changes since the last call.
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
-  /// The connections to make again now. Call SettleHandBack() with each outcome.
-  [[nodiscard]] std::vector<message::Wire> TakeDueHandBacks();
-  ConnectionRestorer::Verdict SettleHandBack(const message::Wire& wire,
-                                             const Result<void>& outcome);
+  /// The connections to make again now. Call OnRestored() with each outcome.
+  [[nodiscard]] std::vector<message::Wire> TakeDueConnections();
+  ConnectionRestorer::Verdict OnRestored(const message::Wire& wire, const Result<void>& outcome);
 
  private:
   struct Member {
@@ -102,8 +101,8 @@ class Registry {
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
     std::optional<message::Health> health;
-    SteadyTime told;    // time of its last health report
-    double cpu = -1.0;  // as in ProcessHealth
+    SteadyTime reported;  // time of its last health report
+    double cpu = -1.0;    // as in ProcessHealth
   };
 
   Member* Find(Session session);
@@ -113,7 +112,7 @@ class Registry {
   void Apply(CatalogueChange change);
   void SetState(const std::string& process, ProcessState state, const std::string& reason);
   void SuspendConnections(const std::string& process);
-  void Forgive(SteadyTime now);
+  void ExtendLeases(SteadyTime now);
   void ClearTombstones(SteadyTime now);
   void Remove(const std::string& process);
 
@@ -125,8 +124,8 @@ class Registry {
   std::map<std::string, SteadyTime> tombstones_;  // processes that are gone, and since when
   /// Processes that are being started, with their former entries.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
-  ConnectionRestorer hand_backs_;
-  bool look_for_hand_backs_ = false;
+  ConnectionRestorer restorer_;
+  bool are_connections_due_ = false;
   std::vector<CatalogueChange> changes_;
   SteadyTime last_tick_ = clock_.Now();
 };

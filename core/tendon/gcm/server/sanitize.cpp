@@ -8,6 +8,8 @@
 namespace tendon::server {
 namespace {
 
+using Kind = CatalogueChange::Kind;
+
 constexpr std::size_t kLongestPath = 4096;  // bytes
 constexpr std::size_t kLongestWord = 256;   // bytes of a type, a class, a file, a host
 
@@ -15,7 +17,7 @@ constexpr double kLongestExpiry = 3600.0;  // s
 
 Error Invalid(const std::string& message) { return {ErrorCode::kInvalid, message}; }
 
-Result<void> TakeInMembers(const std::string& what, std::vector<MemberDescription>& members) {
+Result<void> SanitizeMembers(const std::string& what, std::vector<MemberDescription>& members) {
   for (MemberDescription& member : members) {
     if (auto checked = CheckName(what, member.name); !checked) return checked;
     member.in_type = Printable(member.in_type, kLongestWord);
@@ -27,7 +29,7 @@ Result<void> TakeInMembers(const std::string& what, std::vector<MemberDescriptio
   return {};
 }
 
-Result<void> TakeInTables(SharedList<TableDescription>& tables) {
+Result<void> SanitizeTables(SharedList<TableDescription>& tables) {
   for (TableDescription& table : tables) {
     if (auto checked = CheckName("table", table.name); !checked) return checked;
     for (ColumnDescription& column : table.columns) {
@@ -45,7 +47,7 @@ Result<void> CheckEnd(InterfaceName& end, const std::string& process) {
   return CheckName("interface", end.interface);
 }
 
-void TakeInTexts(ProcessDescription& process) {
+void SanitizeTexts(ProcessDescription& process) {
   process.host = Printable(process.host, kLongestWord);
   process.address = Printable(process.address, kLongestWord);
   for (PluginDescription& plugin : process.plugins) {
@@ -70,15 +72,18 @@ Result<void> Sanitize(ComponentDescription& component) {
   component.fault = Printable(component.fault);
   for (ProvidedDescription& provided : component.provided) {
     if (auto checked = CheckName("interface", provided.name); !checked) return checked;
-    if (auto taken = TakeInMembers("command", provided.commands); !taken) return taken;
-    if (auto taken = TakeInMembers("event", provided.events); !taken) return taken;
+    if (auto sanitized = SanitizeMembers("command", provided.commands); !sanitized)
+      return sanitized;
+    if (auto sanitized = SanitizeMembers("event", provided.events); !sanitized) return sanitized;
   }
   for (RequiredDescription& required : component.required) {
     if (auto checked = CheckName("interface", required.name); !checked) return checked;
-    if (auto taken = TakeInMembers("function", required.functions); !taken) return taken;
-    if (auto taken = TakeInMembers("event handler", required.event_handlers); !taken) return taken;
+    if (auto sanitized = SanitizeMembers("function", required.functions); !sanitized)
+      return sanitized;
+    if (auto sanitized = SanitizeMembers("event handler", required.event_handlers); !sanitized)
+      return sanitized;
   }
-  return TakeInTables(component.tables);
+  return SanitizeTables(component.tables);
 }
 
 Result<void> Sanitize(ConnectionDescription& connection, const std::string& process) {
@@ -94,10 +99,10 @@ Result<void> Sanitize(ConnectionDescription& connection, const std::string& proc
 
 Result<void> Sanitize(message::Join& join) {
   if (auto checked = CheckName("process", join.process.name); !checked) return checked;
-  TakeInTexts(join.process);
+  SanitizeTexts(join.process);
   std::set<std::string> components;
   for (ComponentDescription& component : join.components) {
-    if (auto taken = Sanitize(component); !taken) return taken;
+    if (auto sanitized = Sanitize(component); !sanitized) return sanitized;
     if (!components.insert(component.name).second) {
       return Invalid("two components are named '" + component.name + "'");
     }
@@ -105,7 +110,7 @@ Result<void> Sanitize(message::Join& join) {
   std::set<InterfaceName> required;
   std::set<std::uint64_t> ids;
   for (ConnectionDescription& connection : join.connections) {
-    if (auto taken = Sanitize(connection, join.process.name); !taken) return taken;
+    if (auto sanitized = Sanitize(connection, join.process.name); !sanitized) return sanitized;
     if (!required.insert(connection.required).second || !ids.insert(connection.id).second) {
       return Invalid("two connections of " + ToString(connection.required) + ", or of one id");
     }
@@ -114,13 +119,12 @@ Result<void> Sanitize(message::Join& join) {
 }
 
 Result<void> Sanitize(CatalogueChange& change, const std::string& process) {
-  using Kind = CatalogueChange::Kind;
   if (change.process.empty()) change.process = process;
   if (change.process != process) return Invalid("a process can only report about itself");
   switch (change.kind) {
     case Kind::kProcess:
       if (change.processes.size() != 1) break;
-      TakeInTexts(change.processes.front());
+      SanitizeTexts(change.processes.front());
       return {};
     case Kind::kComponent:
       if (change.components.size() != 1) break;

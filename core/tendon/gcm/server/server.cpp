@@ -1,15 +1,21 @@
 #include <tendon/base/log.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/server/process_news.h>
+#include <tendon/base/os/process.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/server/sanitize.h>
 #include <tendon/gcm/server/server.h>
-#include <tendon/gcm/text/audit_object.h>
-#include <tendon/gcm/text/wall_time.h>
-#include <tendon/process/access/guarded_handler.h>
+#include <tendon/gcm/text.h>
+#include <tendon/middleware/hello.h>
+#include <tendon/process/ask.h>
+#include <tendon/process/guarded_handler.h>
+#include <tendon/process/heartbeat.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/version_messages.h>
-#include <tendon/process/watch_over.h>
 
+#include <algorithm>
 #include <map>
+#include <string>
+#include <string_view>
 #include <utility>
 
 namespace tendon::server {
@@ -20,6 +26,50 @@ constexpr std::chrono::milliseconds kTick(100);
 /// Answers with any type of result.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
+}
+
+/// True if this program is the process, so that its records are already in the buffer: a window
+/// that hosts a GCM is also a process.
+bool IsOwn(const ProcessDescription& process) {
+  return process.name == kGcmName && process.pid == os::ProcessId() &&
+         process.host == os::HostName();
+}
+
+std::string_view Words(ProcessState state) {
+  switch (state) {
+    case ProcessState::kAlive:
+      return "is available";
+    case ProcessState::kSuspect:
+      return "is suspect";
+    case ProcessState::kLost:
+      return "is lost";
+    case ProcessState::kLeft:
+      return "has left";
+    case ProcessState::kStarting:
+      return "is starting";
+  }
+  return "?";
+}
+
+/// Logs processes that come and go.
+void LogProcesses(const std::vector<CatalogueChange>& changes) {
+  for (const CatalogueChange& change : changes) {
+    if (change.kind != CatalogueChange::Kind::kProcess) continue;
+    const ProcessDescription& process = change.processes.front();
+    const bool is_gone =
+        process.state == ProcessState::kSuspect || process.state == ProcessState::kLost;
+    const bool is_hidden = process.state == ProcessState::kAlive && !process.reason.empty();
+    const bool well = !is_gone && !is_hidden;
+    const std::string reason = process.reason.empty() ? "" : ": " + process.reason;
+    Log(well ? LogLevel::kInfo : LogLevel::kWarning, "gcm",
+        "process '" + process.name + "' " + std::string(Words(process.state)) + reason);
+  }
+}
+
+bool ChangesProcesses(const std::vector<CatalogueChange>& changes) {
+  return std::ranges::any_of(changes, [](const CatalogueChange& change) {
+    return change.kind == CatalogueChange::Kind::kProcess;
+  });
 }
 
 }  // namespace
@@ -45,12 +95,12 @@ class Server::Peer final : public GuardedHandler {
 
   void OnAllowedNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
                        std::span<const std::byte> body) override {
-    if (header.type == message::kReport) server_->Report(*this, body);
-    if (header.type == message::kLogRecords) server_->TakeLog(session, body);
+    if (header.type == message::kReport) server_->OnReport(*this, body);
+    if (header.type == message::kLogRecords) server_->OnLogRecords(session, body);
   }
 
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override {
-    server_->Closed(*this, channel, reason);
+    server_->OnClosed(*this, channel, reason);
   }
 
   [[nodiscard]] std::string ObjectOf(const FrameHeader& header,
@@ -80,13 +130,13 @@ auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
 }
 
 void Server::Start() {
-  life_ = std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, outbox_, worker_},
+  life_ = std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, deferred_, worker_},
                                        LockedWith(&Server::life_), options_.order_timeout);
   supervisor_ = std::make_unique<Supervisor>(
-      Supervisor::Parts{registry_, history_, outbox_, *options_.clock, options_.launcher},
+      Supervisor::Parts{registry_, history_, deferred_, *options_.clock, options_.launcher},
       LockedWith(&Server::supervisor_));
   orders_ = std::make_unique<Orders>(
-      Orders::Parts{registry_, history_, outbox_, worker_, *life_, *supervisor_},
+      Orders::Parts{registry_, history_, deferred_, worker_, *life_, *supervisor_},
       LockedWith(&Server::orders_), options_.order_timeout);
   KeepTicking();
 }
@@ -113,11 +163,11 @@ Catalogue Server::catalogue() const {
 void Server::Tick() {
   Locked([this] {
     for (const auto& channel : registry_.Tick()) {
-      outbox_.Add([channel] { channel->Close(); });
+      deferred_.Add([channel] { channel->Close(); });
     }
     supervisor_->Tick();
-    if (std::exchange(peers_owed_, false)) SendPeers();
-    outbox_.Add([this] {
+    if (std::exchange(are_peers_due_, false)) SendPeers();
+    deferred_.Add([this] {
       watchers_.Pump();
       WriteOwnLog();
     });
@@ -131,37 +181,38 @@ void Server::KeepTicking() {
 
 void Server::Publish() {
   if (auto changes = registry_.TakeChanges(); !changes.empty()) {
-    if (ChangesProcesses(changes)) TellPeers();
-    outbox_.Add([this, changes = std::move(changes)] {
+    if (ChangesProcesses(changes)) ReportPeers();
+    deferred_.Add([this, changes = std::move(changes)] {
       watchers_.Publish(changes);
       LogProcesses(changes);
       for (const CatalogueChange& change : changes) {
-        if (change.kind == CatalogueChange::Kind::kProcessRemoved) log_book_.Forget(change.process);
+        if (change.kind == CatalogueChange::Kind::kProcessRemoved)
+          log_buffer_.Forget(change.process);
       }
     });
   }
-  for (const message::Wire& wire : registry_.TakeDueHandBacks()) orders_->HandBack(wire);
+  for (const message::Wire& wire : registry_.TakeDueConnections()) orders_->RestoreConnection(wire);
 }
 
 /// Sends the list of processes at once, but at most once per tick. Otherwise many processes that
 /// join together would keep the GCM and each other too busy to renew their leases.
-void Server::TellPeers() {
-  if (SteadyClock().Now() - peers_told_ < kTick) {
-    peers_owed_ = true;
+void Server::ReportPeers() {
+  if (SteadyClock().Now() - peers_sent_at_ < kTick) {
+    are_peers_due_ = true;
   } else {
     SendPeers();
   }
 }
 
 void Server::SendPeers() {
-  peers_told_ = SteadyClock().Now();
+  peers_sent_at_ = SteadyClock().Now();
   const auto body = std::make_shared<const Bytes>(EncodeBody(registry_.peers()));
   for (const auto& channel : registry_.channels()) {
-    outbox_.Add([this, channel, body] {
+    deferred_.Add([this, channel, body] {
       const Status status = channel->Notify(message::kPeers, 0, *body);
       if (status.code() != Status::kQueueFull) return;
       const std::scoped_lock lock(mutex_);
-      peers_owed_ = true;
+      are_peers_due_ = true;
     });
   }
 }
@@ -175,7 +226,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kConnect, &Server::Connect},
       {message::kDisconnect, &Server::Disconnect},
       {message::kUndo, &Server::Undo},
-      {message::kHistory, &Server::Tell},
+      {message::kHistory, &Server::ReportHistory},
       {message::kForget, &Server::Forget},
       {message::kReplace, &Server::Replace},
       {message::kWatchLog, &Server::WatchLog},
@@ -183,14 +234,14 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kLife, &Server::Steer},
       {message::kGetClasses, &Server::ListClasses},
       {message::kPassOver, &Server::PassOver},
-      {message::kPlanLock, &Server::TakePlanTurn},
+      {message::kPlanLock, &Server::TakePlanLock},
       {message::kBeginOrder, &Server::BeginOrder},
-      {message::kHealth, &Server::TellHealth},
-      {message::kTellHealth, &Server::TakeHealth},
-      {message::kFanOut, &Server::TellFanOut},
+      {message::kHealth, &Server::ReportHealth},
+      {message::kReportHealth, &Server::OnHealth},
+      {message::kFanOut, &Server::ReportFanOut},
       {message::kProcess, &Server::SteerProcess},
-      {message::kGetProgram, &Server::TellVersion},
-      {message::kGetChildren, &Server::TellChildren}};
+      {message::kGetProgram, &Server::ReportVersion},
+      {message::kGetChildren, &Server::ReportChildren}};
   const auto found = kServes.find(type);
   return found == kServes.end() ? nullptr : found->second;
 }
@@ -223,7 +274,7 @@ void Server::Join(const Request& request) {
     }
     audit_.Write(peer, LogLevel::kInfo, who + ": join: allowed");
     session = admission->session;
-    if (admission->replaced) outbox_.Add([old = admission->replaced] { old->Close(); });
+    if (admission->replaced) deferred_.Add([old = admission->replaced] { old->Close(); });
     Answer(request, Result(message::JoinReply{.gcm_instance = options_.instance,
                                               .session = session,
                                               .processes = registry_.peers().processes}));
@@ -237,20 +288,20 @@ void Server::Renew(const Request& request) {
     const Session session = request.peer.session;
     const auto renewed = session == 0 ? Result<void>() : registry_.Renew(session);
     if (!renewed) return Answer(request, renewed);
-    outbox_.Add(
+    deferred_.Add(
         [responder = request.responder] { responder->Reply(EncodeBody(None{}), kOwnLane); });
   });
 }
 
 /// The answer contains the time, so it must not wait behind other answers.
-void Server::TakeHealth(const Request& request) {
+void Server::OnHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);
   if (!health) return request.responder->Refuse(health.error());
   Locked([&] {
-    const auto taken = registry_.TakeHealth(request.peer.session, *health);
+    const auto taken = registry_.UpdateHealth(request.peer.session, *health);
     if (!taken) return Answer(request, taken);
-    outbox_.Add(
+    deferred_.Add(
         [responder = request.responder, now] { responder->Reply(EncodeBody(now), kOwnLane); });
   });
 }
@@ -268,7 +319,7 @@ void Server::Watch(const Request& request) {
     message::Snapshot snapshot{.gcm_instance = options_.instance, .changes = catalogue.AsChanges()};
     snapshot.base = catalogue.revision() - snapshot.changes.size();
     Answer(request, Result(std::move(snapshot)));
-    outbox_.Add([this, channel = request.channel, revision = catalogue.revision()] {
+    deferred_.Add([this, channel = request.channel, revision = catalogue.revision()] {
       if (channel->is_open()) watchers_.Add(channel, revision);
     });
   });
@@ -306,7 +357,9 @@ void Server::Steer(const Request& request) {
 void Server::SteerProcess(const Request& request) {
   const auto order = DecodeBody<message::ProcessOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
-  Locked([&] { supervisor_->Obey(*order, NameOf(*request.channel), AnswerOf(request.responder)); });
+  Locked([&] {
+    supervisor_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
+  });
 }
 
 void Server::ListClasses(const Request& request) {
@@ -338,40 +391,42 @@ void Server::PassOver(const Request& request) {
   Locked([&] { orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
 }
 
-void Server::TakePlanTurn(const Request& request) {
+void Server::TakePlanLock(const Request& request) {
   const auto turn = DecodeBody<message::PlanLock>(request.body);
   if (!turn) return request.responder->Refuse(turn.error());
   Locked([&] {
-    const bool is_free = plan_turn_.peer == nullptr || plan_turn_.peer == &request.peer;
-    if (is_free && !turn->is_wanted) plan_turn_ = {};
-    if (is_free && turn->is_wanted && plan_turn_.peer == nullptr) {
-      plan_turn_ = {&request.peer, NameOf(*request.channel), WallTime()};
+    const bool is_free = plan_lock_.peer == nullptr || plan_lock_.peer == &request.peer;
+    if (is_free && !turn->is_wanted) plan_lock_ = {};
+    if (is_free && turn->is_wanted && plan_lock_.peer == nullptr) {
+      plan_lock_ = {&request.peer, NameOf(*request.channel), WallTime()};
     }
     const bool is_granted = is_free || !turn->is_wanted;
     Answer(request, is_granted
                         ? Result<void>()
                         : Error{ErrorCode::kFailed,
-                                "nothing was done, because a plan of " + plan_turn_.who +
-                                    " has been running since " + WallTimeText(plan_turn_.since) +
+                                "nothing was done, because a plan of " + plan_lock_.who +
+                                    " has been running since " + WallTimeText(plan_lock_.since) +
                                     "; try again when that is done"});
   });
 }
 
-void Server::Tell(const Request& request) { request.responder->Answer(Result(history_.steps())); }
+void Server::ReportHistory(const Request& request) {
+  request.responder->Answer(Result(history_.steps()));
+}
 
-void Server::TellFanOut(const Request& request) {
+void Server::ReportFanOut(const Request& request) {
   request.responder->Answer(Result(message::BroadcastAddress{options_.fan_out}));
 }
 
-void Server::TellVersion(const Request& request) {
+void Server::ReportVersion(const Request& request) {
   request.responder->Answer(Result(OwnVersion()));
 }
 
-void Server::TellChildren(const Request& request) {
+void Server::ReportChildren(const Request& request) {
   Locked([&] { Answer(request, Result(supervisor_->children())); });
 }
 
-void Server::TellHealth(const Request& request) {
+void Server::ReportHealth(const Request& request) {
   Locked([&] { Answer(request, Result(registry_.health())); });
 }
 
@@ -381,26 +436,88 @@ void Server::Forget(const Request& request) {
   Locked([&] { Answer(request, registry_.Forget(forget->process)); });
 }
 
-void Server::Report(const Peer& peer, std::span<const std::byte> body) {
+void Server::OnReport(const Peer& peer, std::span<const std::byte> body) {
   auto report = DecodeBody<message::Report>(body);
   Locked([&] {
     const auto reported =
         report ? registry_.Report(peer.session, *std::move(report)) : Result<void>(report.error());
     if (reported) return;
-    outbox_.Add([this, text = reported.error().message] {
-      not_understood_.Add("a report was not understood: " + text);
+    deferred_.Add([this, text = reported.error().message] {
+      malformed_.Add("a report was not understood: " + text);
     });
   });
 }
 
-void Server::Closed(Peer& peer, const SharedChannel& channel, const Error& reason) {
+void Server::OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason) {
   Locked([&] {
-    if (plan_turn_.peer == &peer) plan_turn_ = {};
+    if (plan_lock_.peer == &peer) plan_lock_ = {};
     registry_.End(std::exchange(peer.session, 0), ProcessState::kLost,
                   "its connection broke: " + Printable(reason.message, 256));
-    outbox_.Add([this, key = channel.get()] {
+    deferred_.Add([this, key = channel.get()] {
       watchers_.Remove(key);
-      log_book_.Remove(key);
+      log_buffer_.Remove(key);
+    });
+  });
+}
+
+/// Called in a deferred action; also retries watchers whose links were full.
+void Server::WriteOwnLog() {
+  auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
+  for (message::LogRecord& record : records) log_buffer_.AddOwn(std::move(record));
+  log_buffer_.PumpAll();
+}
+
+void Server::WatchLog(const Request& request) {
+  const auto watch = DecodeBody<message::WatchLog>(request.body);
+  if (!watch) return request.responder->Refuse(watch.error());
+  const bool goes_on = watch->gcm_instance == options_.instance;
+  Locked([&] {
+    deferred_.Add([this, channel = request.channel, responder = request.responder,
+                   after = goes_on ? watch->after : 0] {
+      if (!channel->is_open()) return;
+      message::WatchLogReply watched = log_buffer_.Watch(channel, after);
+      watched.gcm_instance = options_.instance;
+      responder->Answer(Result(watched));
+      log_buffer_.Pump();
+    });
+  });
+}
+
+void Server::SetLogLevel(const Request& request) {
+  const auto order = DecodeBody<message::SetLogLevel>(request.body);
+  if (!order) return request.responder->Refuse(order.error());
+  Locked([&] {
+    const auto entry = LookUpProcess(registry_.catalogue(), order->process);
+    if (!entry) return Answer<None>(request, entry.error());
+    const auto present = RequirePresent((*entry)->process);
+    if (!present) return Answer(request, present);
+    deferred_.Add([this, channel = registry_.ChannelOf(order->process), order = *order,
+                   who = NameOf(*request.channel), responder = request.responder] {
+      Ask<None>(worker_, channel, message::kSetLogLevel, order, options_.order_timeout,
+                [order, who, responder](const auto& done) {
+                  if (done) {
+                    Log(LogLevel::kInfo, "gcm",
+                        who + " has set the log level of process '" + order.process + "' to " +
+                            std::string(ToString(order.level)));
+                  }
+                  responder->Answer(done);
+                });
+    });
+  });
+}
+
+void Server::OnLogRecords(const Session& session, std::span<const std::byte> body) {
+  if (body.size() > message::kLargestLogBatch) return;
+  auto batch = DecodeBody<message::LogRecords>(body);
+  if (!batch) return malformed_.Add("records were not understood: " + batch.error().message);
+  Sanitize(*batch);
+  Locked([&] {
+    const ProcessDescription* process = registry_.FindMember(session);
+    if (process == nullptr || IsOwn(*process)) return;
+    deferred_.Add([this, name = process->name, instance = process->instance,
+                   records = *std::move(batch)]() mutable {
+      log_buffer_.Add(name, instance, std::move(records));
+      log_buffer_.Pump();
     });
   });
 }

@@ -10,7 +10,7 @@
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/access/audit_log.h>
+#include <tendon/process/audit_log.h>
 #include <tendon/process/log/log_queue.h>
 #include <tendon/process/log/scoped_log_sink.h>
 
@@ -28,8 +28,8 @@
 namespace tendon::server {
 
 /// The GCM's server for channels of LCMs and viewers. One mutex guards the state; with it held,
-/// code only makes decisions. Sending, answering and logging follow in the outbox; the history
-/// writes files in its own thread. Thread-safe.
+/// code only makes decisions. Sending, answering and logging follow in deferred actions; the
+/// history writes files in its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -58,7 +58,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
   /// The viewer that may execute a plan; ends with its channel at the latest.
-  struct Turn {
+  struct PlanLockHolder {
     const Peer* peer = nullptr;
     std::string who;
     std::int64_t since = 0;  ///< ns since 1970
@@ -76,7 +76,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   template <typename Part>
   auto LockedWith(std::unique_ptr<Part> Server::*part);
   void Publish();
-  void TellPeers();
+  void ReportPeers();
   void SendPeers();
   void KeepTicking();
   void WriteOwnLog();
@@ -89,7 +89,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   static Serve ServeOf(MessageType type);
   void Join(const Request& request);
   void Renew(const Request& request);
-  void TakeHealth(const Request& request);
+  void OnHealth(const Request& request);
   void Leave(const Request& request);
   void Watch(const Request& request);
   void Connect(const Request& request);
@@ -101,19 +101,19 @@ class Server final : public std::enable_shared_from_this<Server> {
   void BeginOrder(const Request& request);
   void Undo(const Request& request);
   void PassOver(const Request& request);
-  void TakePlanTurn(const Request& request);
-  void Tell(const Request& request);
-  void TellHealth(const Request& request);
-  void TellFanOut(const Request& request);
-  void TellVersion(const Request& request);
-  void TellChildren(const Request& request);
+  void TakePlanLock(const Request& request);
+  void ReportHistory(const Request& request);
+  void ReportHealth(const Request& request);
+  void ReportFanOut(const Request& request);
+  void ReportVersion(const Request& request);
+  void ReportChildren(const Request& request);
   void Forget(const Request& request);
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);
-  void Report(const Peer& peer, std::span<const std::byte> body);
+  void OnReport(const Peer& peer, std::span<const std::byte> body);
   /// Reads `session` with the lock held.
-  void TakeLog(const Session& session, std::span<const std::byte> body);
-  void Closed(Peer& peer, const SharedChannel& channel, const Error& reason);
+  void OnLogRecords(const Session& session, std::span<const std::byte> body);
+  void OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
   /// Called with the lock held.
   template <typename T>
@@ -121,10 +121,10 @@ class Server final : public std::enable_shared_from_this<Server> {
 
   const Options options_;
   History history_;
-  RateLimitedWarning not_understood_{"gcm"};
-  Outbox outbox_;
-  Watchers watchers_;   // used only in actions of the outbox
-  LogBuffer log_book_;  // likewise
+  RateLimitedWarning malformed_{"gcm"};
+  DeferredActions deferred_;
+  Watchers watchers_;     // used only in deferred actions
+  LogBuffer log_buffer_;  // likewise
   AuditLog audit_;
   LogQueue own_log_;
   mutable std::mutex mutex_;
@@ -132,14 +132,13 @@ class Server final : public std::enable_shared_from_this<Server> {
   std::unique_ptr<LifeOrders> life_;
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<Orders> orders_;
-  Turn plan_turn_;
+  PlanLockHolder plan_lock_;
   bool stopped_ = false;
-  bool peers_owed_ = false;
-  SteadyTime peers_told_{};
+  bool are_peers_due_ = false;
+  SteadyTime peers_sent_at_{};
   Worker worker_{"gcm"};
-  ScopedLogSink own_tap_{[this](LogLevel level, std::string_view source, std::string_view text) {
-    own_log_.Add(level, source, text);
-  }};
+  ScopedLogSink own_log_sink_{[this](LogLevel level, std::string_view source,
+                                     std::string_view text) { own_log_.Add(level, source, text); }};
 };
 
 template <typename Action>
@@ -150,12 +149,12 @@ void Server::Locked(Action&& action) {
     action();
     Publish();
   }
-  outbox_.Flush();
+  deferred_.Flush();
 }
 
 template <typename T>
 void Server::Answer(const Request& request, Result<T> result) {
-  outbox_.Add(
+  deferred_.Add(
       [responder = request.responder, result = std::move(result)] { responder->Answer(result); });
 }
 

@@ -31,9 +31,9 @@ class StartedProcess {
 };
 
 /// The log of a process.
-struct Traces {
-  std::string last_words;  ///< the last lines of its log, on one line
-  std::string log;         ///< the path of its log
+struct ProcessLog {
+  std::string last_lines;  ///< the last lines of its log, on one line
+  std::string path;
 };
 
 /// Starts processes on this host. Its functions may wait for the disk; only one thread calls them.
@@ -49,7 +49,7 @@ class Launcher {
   virtual ~Launcher() = default;
   virtual Result<std::shared_ptr<StartedProcess>> Start(const Order& order) = 0;
   /// The log of the process that was last started under that name.
-  virtual Traces TracesOf(const std::string& process) = 0;
+  virtual ProcessLog LogOf(const std::string& process) = 0;
   /// Limits the size of the log of a running process; call it often. Logs a failure once, and again
   /// only after a success.
   virtual void ShortenLog(const std::string& process) = 0;

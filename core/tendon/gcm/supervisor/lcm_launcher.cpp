@@ -106,7 +106,7 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   return std::shared_ptr<StartedProcess>(std::make_shared<LcmProcess>(*std::move(program)));
 }
 
-Traces LcmLauncher::TracesOf(const std::string& process) {
+ProcessLog LcmLauncher::LogOf(const std::string& process) {
   const fs::path log = FileOf(process, ".log");
   std::string words = EndOf(log);
   if (words.empty() && shortened_.contains(process)) words = EndOf(FileOf(process, ".log.1"));

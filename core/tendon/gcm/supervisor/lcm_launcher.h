@@ -19,7 +19,7 @@ class LcmLauncher final : public Launcher {
   LcmLauncher(Launch launch, const std::string& gcm, std::filesystem::path folder);
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
-  Traces TracesOf(const std::string& process) override;
+  ProcessLog LogOf(const std::string& process) override;
   /// Output that is written between the copy and the truncation is lost.
   void ShortenLog(const std::string& process) override;
 

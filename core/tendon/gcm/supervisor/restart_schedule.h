@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/backoff.h>
 #include <tendon/base/clock.h>
 
 #include <chrono>
@@ -24,7 +25,7 @@ class RestartSchedule {
 
  private:
   std::deque<SteadyTime> failures_;  // failures of the last minute
-  std::chrono::milliseconds pause_{kFirstPause};
+  Backoff backoff_{kFirstPause, kLongestPause};
 };
 
 }  // namespace tendon::server

@@ -3,7 +3,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/gcm/system/running_system.h>
-#include <tendon/gcm/text/wall_time.h>
+#include <tendon/gcm/text.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/payload/json.h>
 
@@ -47,7 +47,8 @@ Error Refused(const std::string& process, const std::string& why) {
 Supervisor::Supervisor(Parts parts, Locked locked)
     : parts_(std::move(parts)), locked_(std::move(locked)) {}
 
-void Supervisor::Obey(const message::ProcessOrder& order, const std::string& who, Done done) {
+void Supervisor::ExecuteOrder(const message::ProcessOrder& order, const std::string& who,
+                              Done done) {
   if (auto valid = CheckName("process", order.process); !valid) {
     return Answer(std::move(done), valid.error());
   }
@@ -56,17 +57,17 @@ void Supervisor::Obey(const message::ProcessOrder& order, const std::string& who
 }
 
 void Supervisor::Tick() {
-  std::vector<std::string> names;  // a copy: LookAfter() may remove entries
+  std::vector<std::string> names;  // a copy: Check() may remove entries
   for (const auto& [process, child] : children_) names.push_back(process);
-  for (const std::string& process : names) LookAfter(process, children_.at(process));
+  for (const std::string& process : names) Check(process, children_.at(process));
   ShortenLogs();
 }
 
 void Supervisor::ShortenLogs() {
   constexpr std::chrono::seconds kPause(1);
   const SteadyTime now = parts_.clock.Now();
-  if (now < next_look_at_logs_) return;
-  next_look_at_logs_ = now + kPause;
+  if (now < next_log_check_) return;
+  next_log_check_ = now + kPause;
   for (const auto& [process, child] : children_) {
     if (child.phase != Phase::kRunning) continue;
     worker_.Post([launcher = parts_.launcher, name = process] { launcher->ShortenLog(name); });
@@ -166,7 +167,7 @@ void Supervisor::Kill(const std::string& process, milliseconds patience, Done do
 void Supervisor::Launch(const std::string& process, Child& child) {
   child.phase = Phase::kStarting;
   child.is_changed = false;
-  child.reproach.clear();
+  child.fault.clear();
   parts_.registry.Expect(process, 0);
   const Launcher::Order order{process, child.patience, child.system};
   worker_.Post([launcher = parts_.launcher, locked = locked_, order] {
@@ -196,7 +197,7 @@ void Supervisor::Begin(const std::string& process,
   child.until = child.begin + child.patience;
 }
 
-void Supervisor::LookAfter(const std::string& process, Child& child) {
+void Supervisor::Check(const std::string& process, Child& child) {
   const bool has_program = child.phase == Phase::kJoining || child.phase == Phase::kRunning ||
                            child.phase == Phase::kEnding;
   if (has_program) {
@@ -209,9 +210,9 @@ void Supervisor::LookAfter(const std::string& process, Child& child) {
   const bool is_over = parts_.clock.Now() >= child.until;
   switch (child.phase) {
     case Phase::kJoining:
-      if (IsMember(process, child)) return Joined(process, child);
+      if (IsMember(process, child)) return OnJoined(process, child);
       if (is_over)
-        Reproach(child, "has not joined within " + std::to_string(child.patience.count()) + " ms");
+        EndFaulty(child, "has not joined within " + std::to_string(child.patience.count()) + " ms");
       return;
     case Phase::kEnding:
       if (is_over) child.program->Kill();
@@ -229,7 +230,7 @@ void Supervisor::LookAfter(const std::string& process, Child& child) {
   }
 }
 
-void Supervisor::Joined(const std::string& process, Child& child) {
+void Supervisor::OnJoined(const std::string& process, Child& child) {
   child.phase = Phase::kRunning;
   child.is_known = true;
   if (!child.done) return;
@@ -243,8 +244,8 @@ void Supervisor::Joined(const std::string& process, Child& child) {
 }
 
 /// Ends a process that does not work.
-void Supervisor::Reproach(Child& child, const std::string& why) {
-  child.reproach = why;
+void Supervisor::EndFaulty(Child& child, const std::string& why) {
+  child.fault = why;
   child.phase = Phase::kEnding;
   child.until = parts_.clock.Now() + kLongestEnd;
   child.program->Terminate();
@@ -253,36 +254,35 @@ void Supervisor::Reproach(Child& child, const std::string& why) {
 void Supervisor::Examine(const std::string& process, Child& child) {
   child.phase = Phase::kExamining;
   worker_.Post([launcher = parts_.launcher, locked = locked_, process] {
-    const auto traces =
-        Guarded<Traces>([&]() -> Result<Traces> { return launcher->TracesOf(process); });
-    locked([&](Supervisor& self) { self.Judge(process, traces ? *traces : Traces{}); });
+    const auto log =
+        Guarded<ProcessLog>([&]() -> Result<ProcessLog> { return launcher->LogOf(process); });
+    locked([&](Supervisor& self) { self.OnExamined(process, log ? *log : ProcessLog{}); });
   });
 }
 
 /// Decides what follows the end of a process.
-void Supervisor::Judge(const std::string& process, const Traces& traces) {
+void Supervisor::OnExamined(const std::string& process, const ProcessLog& log) {
   Child& child = children_.at(process);
-  const std::string log = "; its log: " + traces.log;
-  const bool has_done_wrong = !child.reproach.empty();
+  const std::string place = "; its log: " + log.path;
+  const bool is_faulty = !child.fault.empty();
   if (child.is_unwanted || !child.is_known) {
-    const std::string why = has_done_wrong ? child.reproach + ", so it was ended again"
-                                           : child.end.how + " before it had joined";
-    const std::string words =
-        traces.last_words.empty() ? "" : "; its last output: " + traces.last_words;
+    const std::string why = is_faulty ? child.fault + ", so it was ended again"
+                                      : child.end.how + " before it had joined";
+    const std::string words = log.last_lines.empty() ? "" : "; its last output: " + log.last_lines;
     Answer(child.done,
-           child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + log));
+           child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + place));
     children_.erase(process);
     return;
   }
-  if (!child.end.is_failure && !has_done_wrong) return Drop(process, child.end.how + " by itself");
-  const std::string how = (has_done_wrong ? child.reproach : child.end.how) + log;
+  if (!child.end.is_failure && !is_faulty) return Drop(process, child.end.how + " by itself");
+  const std::string how = (is_faulty ? child.fault : child.end.how) + place;
   if (child.restart == RestartPolicy::kNever) {
     return Drop(process, how + "; it is not restarted (restart never)");
   }
-  StartAgain(process, child, how);
+  ScheduleRestart(process, child, how);
 }
 
-void Supervisor::StartAgain(const std::string& process, Child& child, const std::string& how) {
+void Supervisor::ScheduleRestart(const std::string& process, Child& child, const std::string& how) {
   const SteadyTime now = parts_.clock.Now();
   const auto pause = child.schedule.PauseAfter(child.begin, now);
   if (!pause) {
@@ -290,21 +290,21 @@ void Supervisor::StartAgain(const std::string& process, Child& child, const std:
                              std::to_string(RestartSchedule::kMostFailures) +
                              " times within a minute; after the repair: gcm apply");
   }
-  Tell(process, how + "; it is restarted in " + std::to_string(pause->count()) + " ms");
+  Report(process, how + "; it is restarted in " + std::to_string(pause->count()) + " ms");
   if (child.is_changed || !child.system) child.system = SystemWith(process);
   child.phase = Phase::kPausing;
   child.until = now + *pause;
 }
 
 void Supervisor::Drop(const std::string& process, const std::string& how) {
-  Tell(process, how);
+  Report(process, how);
   children_.erase(process);
 }
 
 /// Reports a text about the process to the log and to viewers.
-void Supervisor::Tell(const std::string& process, const std::string& what) {
-  if (parts_.registry.Explain(process, what)) return;  // the change of the catalogue is logged
-  parts_.outbox.Add(
+void Supervisor::Report(const std::string& process, const std::string& what) {
+  if (parts_.registry.SetReason(process, what)) return;  // the change of the catalogue is logged
+  parts_.deferred.Add(
       [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
 }
 
@@ -316,7 +316,8 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
 
 /// The last known components of the process, for its restart; empty if there are none.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
-  const SystemFile system = SystemOf(parts_.registry.catalogue(), process, Gone::kIncluded).file;
+  const SystemFile system =
+      SystemOf(parts_.registry.catalogue(), process, AbsentProcesses::kIncluded).file;
   for (const SystemFile::Process& one : system.processes) {
     if (one.name == process) return system;
   }
@@ -324,7 +325,7 @@ std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) con
 }
 
 void Supervisor::Answer(Done done, Result<None> result) {
-  parts_.outbox.Add([done = std::move(done), result = std::move(result)] { done(result); });
+  parts_.deferred.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 
 }  // namespace tendon::server

@@ -29,22 +29,22 @@ namespace tendon::server {
 /// once, without it.
 class Supervisor {
  public:
-  /// Calls its argument with the Supervisor, under the owner's lock, and then flushes the outbox.
-  /// Does nothing if the owner is gone.
+  /// Calls its argument with the Supervisor, under the owner's lock, and then runs the deferred
+  /// actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 
   struct Parts {
     Registry& registry;
     History& history;
-    Outbox& outbox;
+    DeferredActions& deferred;
     const Clock& clock;
     std::shared_ptr<Launcher> launcher;
   };
   Supervisor(Parts parts, Locked locked);
 
   /// Executes an order that `who` has requested. A start is recorded in the history.
-  void Obey(const message::ProcessOrder& order, const std::string& who, Done done);
+  void ExecuteOrder(const message::ProcessOrder& order, const std::string& who, Done done);
   /// Checks all processes; call it often.
   void Tick();
   /// Starts no more processes; running processes continue.
@@ -86,7 +86,7 @@ class Supervisor {
     bool is_known = false;     ///< has joined, in this run or an earlier one
     bool is_unwanted = false;  ///< was asked to end
     bool is_changed = false;   ///< its components changed since it was started
-    std::string reproach{};    ///< why it had to be ended
+    std::string fault{};       ///< why it had to be ended
     RestartSchedule schedule{};
     std::optional<SystemFile> system{};  ///< the components with which it was started
   };
@@ -98,14 +98,14 @@ class Supervisor {
   void Launch(const std::string& process, Child& child);
   void ShortenLogs();
   void Begin(const std::string& process, const Result<std::shared_ptr<StartedProcess>>& program);
-  void LookAfter(const std::string& process, Child& child);
-  void Joined(const std::string& process, Child& child);
-  void Reproach(Child& child, const std::string& why);
+  void Check(const std::string& process, Child& child);
+  void OnJoined(const std::string& process, Child& child);
+  void EndFaulty(Child& child, const std::string& why);
   void Examine(const std::string& process, Child& child);
-  void Judge(const std::string& process, const Traces& traces);
-  void StartAgain(const std::string& process, Child& child, const std::string& how);
+  void OnExamined(const std::string& process, const ProcessLog& log);
+  void ScheduleRestart(const std::string& process, Child& child, const std::string& how);
   void Drop(const std::string& process, const std::string& how);
-  void Tell(const std::string& process, const std::string& what);
+  void Report(const std::string& process, const std::string& what);
   [[nodiscard]] bool IsMember(const std::string& process, const Child& child) const;
   [[nodiscard]] std::optional<SystemFile> SystemWith(const std::string& process) const;
   void Answer(Done done, Result<None> result);
@@ -113,7 +113,7 @@ class Supervisor {
   Parts parts_;
   const Locked locked_;
   std::map<std::string, Child> children_;
-  SteadyTime next_look_at_logs_{};
+  SteadyTime next_log_check_{};
   Worker worker_{"gcm-starts"};
 };
 

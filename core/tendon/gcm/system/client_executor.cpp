@@ -46,7 +46,7 @@ bool IsSo(const Catalogue& catalogue, LifeVerb verb, const PlanStep& step) {
 template <typename Read>
 auto Seen(const GcmClient& client, const Read& read) {
   decltype(read(Catalogue())) answer{};
-  client.Look([&](const Catalogue& catalogue) { answer = read(catalogue); });
+  client.WithCatalogue([&](const Catalogue& catalogue) { answer = read(catalogue); });
   return answer;
 }
 
@@ -54,7 +54,7 @@ auto Seen(const GcmClient& client, const Read& read) {
 
 Result<void> ClientExecutor::AskForTurn() {
   return Wait<void>(timeout_ + kLonger,
-                    [&](auto handler) { client_.TakePlanTurn(std::move(handler)); });
+                    [&](auto handler) { client_.TakePlanLock(std::move(handler)); });
 }
 
 Result<void> ClientExecutor::Begin() {
@@ -63,17 +63,17 @@ Result<void> ClientExecutor::Begin() {
   if (begun) return begun;
   const ErrorCode code = begun.error().code;
   if (code == ErrorCode::kDenied) return {};
-  if (code != ErrorCode::kFailed) client_.GivePlanTurnBack();  // the lock may have been granted
+  if (code != ErrorCode::kFailed) client_.ReleasePlanLock();  // the lock may have been granted
   return begun;
 }
 
 void ClientExecutor::End() {
-  client_.GivePlanTurnBack();
+  client_.ReleasePlanLock();
   has_turn_ = false;
 }
 
 /// Requests the lock before each step, because the GCM releases it if the link breaks.
-Result<void> ClientExecutor::KeepTurn() {
+Result<void> ClientExecutor::KeepLock() {
   if (!has_turn_) return {};
   const auto kept = AskForTurn();
   if (kept || kept.error().code != ErrorCode::kFailed) return kept;
@@ -82,7 +82,7 @@ Result<void> ClientExecutor::KeepTurn() {
 }
 
 Result<void> ClientExecutor::Execute(const PlanStep& step) {
-  if (auto kept = KeepTurn(); !kept) return kept;
+  if (auto kept = KeepLock(); !kept) return kept;
   if (auto checked = CheckInstance(step); !checked) return checked;
   switch (step.kind) {
     case Kind::kStop:

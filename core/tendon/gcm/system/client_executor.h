@@ -27,7 +27,7 @@ class ClientExecutor final : public PlanExecutor {
 
  private:
   [[nodiscard]] Result<void> AskForTurn();
-  [[nodiscard]] Result<void> KeepTurn();
+  [[nodiscard]] Result<void> KeepLock();
   [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;
   [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
   Result<void> Connect(const PlanStep& step);

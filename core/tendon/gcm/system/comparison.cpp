@@ -29,11 +29,11 @@ void AddChange(std::string& changes, const std::string& name, const std::string&
 
 class Comparer {
  public:
-  Comparer(const SystemFile& first, const SystemFile& second, Starts starts)
+  Comparer(const SystemFile& first, const SystemFile& second, StartComparison starts)
       : first_(first), second_(second), starts_(starts) {}
 
   SystemComparison Run() {
-    if (starts_ == Starts::kKnown && first_.strict != second_.strict) {
+    if (starts_ == StartComparison::kCompare && first_.strict != second_.strict) {
       Add(DifferenceKind::kChanged, "strict",
           TextOf(first_.strict) + " -> " + TextOf(second_.strict));
     }
@@ -61,7 +61,7 @@ class Comparer {
   void CompareProcess(const SystemFile::Process& process) {
     const auto* other = second_index_.FindProcess(process.name);
     if (other == nullptr) return AddWhole(DifferenceKind::kMissing, process);
-    if (starts_ == Starts::kKnown && process.start != other->start) {
+    if (starts_ == StartComparison::kCompare && process.start != other->start) {
       Add(DifferenceKind::kChanged, "process " + process.name,
           "start " + TextOf(process.start) + " -> " + TextOf(other->start));
     } else {
@@ -111,7 +111,7 @@ class Comparer {
 
   const SystemFile& first_;
   const SystemFile& second_;
-  const Starts starts_;
+  const StartComparison starts_;
   const SystemIndex first_index_{first_};
   const SystemIndex second_index_{second_};
   SystemComparison comparison_;
@@ -119,7 +119,8 @@ class Comparer {
 
 }  // namespace
 
-SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second, Starts starts) {
+SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
+                                StartComparison starts) {
   return Comparer(first, second, starts).Run();
 }
 

@@ -29,17 +29,17 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether the second system has information about the start of processes.
-enum class Starts {
-  kKnown,            ///< yes: a file
-  kUnknownInSecond,  ///< no: a running system; starts are not compared
+/// Whether differences in the start of processes count.
+enum class StartComparison {
+  kCompare,
+  kIgnore,  ///< the second system is a running one, which has no information about it
 };
 
 /// Compares everything except comments, layout and names of systems. States in which the component
 /// does not run count as equal. A period, library or thread that only one of the two has is not a
 /// difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
-                                              Starts starts);
+                                              StartComparison starts);
 
 /// "class SimulatedArm -> LegacyArm; state active -> suspended"; empty if they are equal.
 [[nodiscard]] std::string ChangesOf(const SystemFile::Component& first,

@@ -8,7 +8,7 @@
 namespace tendon::file {
 
 void Refuse(const std::string& place, const std::string& reason) {
-  throw FileMistake{place, place.empty() ? reason : place + ": " + reason};
+  throw FileError{place, place.empty() ? reason : place + ": " + reason};
 }
 
 std::string Shown(const Json& value) {
@@ -23,7 +23,7 @@ FileObject::FileObject(const Json& object, std::string place, const std::vector<
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     const std::string shown = Printable(key, 64);
     const std::string reason = "unknown key '" + shown + "'" + DidYouMean(shown, keys);
-    throw FileMistake{Place(shown), place_.empty() ? reason : place_ + ": " + reason};
+    throw FileError{Place(shown), place_.empty() ? reason : place_ + ": " + reason};
   }
 }
 
@@ -94,7 +94,7 @@ double FileObject::Period(const std::string& key) const {
   return period;
 }
 
-void NewNames::Add(const std::string& name, const std::string& place) {
+void UniqueNames::Add(const std::string& name, const std::string& place) {
   if (!known_.insert(name).second) Refuse(place, what_ + " '" + name + "' already exists");
 }
 
@@ -132,7 +132,7 @@ void CheckLibrary(const std::string& library, const std::string& place) {
     Refuse(place, shown + "has a character that is not allowed in names");
 }
 
-Error ErrorOf(const FileMistake& mistake, std::string_view text, const std::string& source) {
+Error ErrorOf(const FileError& mistake, std::string_view text, const std::string& source) {
   const std::string place = PlaceInJson(text, mistake.place);
   return {ErrorCode::kInvalid, source + ": " + place + ": " + mistake.text};
 }

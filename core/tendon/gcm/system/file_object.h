@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-/// Readers for files that people write. A mistake in a file is thrown as a FileMistake, which
+/// Readers for files that people write. A mistake in a file is thrown as a FileError, which
 /// ReadWith() or the reader catches.
 namespace tendon::file {
 
 /// A mistake in a file, and the path of its place: "processes[0].name".
-struct FileMistake {
+struct FileError {
   std::string place;
   std::string text;  ///< begins with a path
 };
@@ -73,10 +73,10 @@ class FileObject {
 };
 
 /// The names of one list, which must be unique.
-class NewNames {
+class UniqueNames {
  public:
   /// `what` is the kind of name.
-  explicit NewNames(std::string what) : what_(std::move(what)) {}
+  explicit UniqueNames(std::string what) : what_(std::move(what)) {}
 
   /// Refuses a name that was added before.
   void Add(const std::string& name, const std::string& place);
@@ -97,7 +97,7 @@ class NewNames {
 void CheckLibrary(const std::string& library, const std::string& place);
 
 /// The error for a mistake in the text of `source`.
-[[nodiscard]] Error ErrorOf(const FileMistake& mistake, std::string_view text,
+[[nodiscard]] Error ErrorOf(const FileError& mistake, std::string_view text,
                             const std::string& source);
 
 /// The result of `read` on the text, or the error for its mistake.
@@ -107,7 +107,7 @@ Result<T> ReadText(std::string_view text, const std::string& source, Read&& read
   if (!json) return Error{ErrorCode::kInvalid, source + ": " + json.error().message};
   try {
     return std::forward<Read>(read)(*json);
-  } catch (const FileMistake& mistake) {
+  } catch (const FileError& mistake) {
     return ErrorOf(mistake, text, source);
   }
 }

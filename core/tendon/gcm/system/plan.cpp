@@ -71,7 +71,7 @@ class Planner {
     for (const auto& [required, provided, comment] : wanted_.connections) {
       PlanConnection({required, provided});
     }
-    plan_.untouched = CompareSystems(wanted_, running_.file, Starts::kUnknownInSecond).equal;
+    plan_.untouched = CompareSystems(wanted_, running_.file, StartComparison::kIgnore).equal;
     AddRests();
     PutLeadersFirst(makings_);
     std::ranges::reverse(removals_);
@@ -321,7 +321,7 @@ class Planner {
     }
     if (is_same && !removed_.contains(server)) return;
     if (!is_of_new) {
-      const auto checked = PlanConnect(catalogue_, wire, Occupied::kReplaced);
+      const auto checked = PlanConnect(catalogue_, wire, WhenConnected::kReplace);
       if (!checked) {
         plan_.obstacles.push_back(checked.error().message);
         refusals_.push_back(checked.error().code);
@@ -424,6 +424,14 @@ class Planner {
   std::vector<ErrorCode> refusals_;             // error codes of refused connections
 };
 
+/// " (SimulatedArm of simulated_arm)".
+std::string Origin(const SystemFile::Component& component) {
+  const std::string from = component.library.empty() ? "" : " of " + component.library;
+  const std::string after =
+      component.runs_after.empty() ? "" : ", which runs after " + component.runs_after;
+  return " (" + component.class_name + from + after + ")";
+}
+
 }  // namespace
 
 bool Plan::TakesAway() const {
@@ -450,6 +458,51 @@ Plan WithEnds(Plan plan, const Catalogue& catalogue, const std::vector<PlanStep>
                           .takes_away = true});
   }
   return plan;
+}
+
+std::string_view ToString(PlanStep::Kind kind) {
+  switch (kind) {
+    case Kind::kStop:
+      return "stop";
+    case Kind::kSuspend:
+      return "suspend";
+    case Kind::kDisconnect:
+      return "disconnect";
+    case Kind::kRemove:
+      return "remove";
+    case Kind::kStartProcess:
+      return "start-process";
+    case Kind::kConfigure:
+      return "configure";
+    case Kind::kCreate:
+      return "create";
+    case Kind::kConnect:
+      return "connect";
+    case Kind::kReplace:
+      return "replace";
+    case Kind::kStart:
+      return "start";
+    case Kind::kStartSuspended:
+      return "start-suspended";
+    case Kind::kEndProcess:
+      return "end-process";
+  }
+  return "?";
+}
+
+std::string ToString(const PlanStep& step) {
+  std::string text(ToString(step.kind));
+  if (step.process.empty())
+    return text + " " + ToString(step.wire.required) + " -> " + ToString(step.wire.provided);
+  if (step.kind == Kind::kStartProcess) {
+    return "start process " + step.process + " (restart " + std::string(ToString(step.restart)) +
+           ")";
+  }
+  if (step.kind == Kind::kEndProcess) return "end process " + step.process;
+  const std::string path = step.process + "/" + step.component.name;
+  if (step.kind == Kind::kStartSuspended) return "start " + path + ", then suspend it";
+  text += " " + path;
+  return step.kind == Kind::kCreate ? text + Origin(step.component) : text;
 }
 
 }  // namespace tendon

@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-using Fate = StepOutcome::Fate;
+using State = StepOutcome::State;
 using Kind = PlanStep::Kind;
 
 bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
@@ -65,7 +65,7 @@ PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& pro
   std::string reason = why.message;
   std::size_t number = 0;
   for (const PlanStep& step : plan.steps) {
-    progress(++number, step, {Fate::kLeft, std::exchange(reason, "")});
+    progress(++number, step, {State::kLeft, std::exchange(reason, "")});
   }
   return {.left = number, .error = why};
 }
@@ -84,13 +84,13 @@ PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError aft
     outcome.is_interrupted = outcome.is_interrupted || interrupt();
     if (outcome.is_interrupted || (outcome.error && after_error == AfterError::kStop)) {
       ++outcome.left;
-      progress(number, step, {Fate::kLeft, ""});
+      progress(number, step, {State::kLeft, ""});
       continue;
     }
     if (const std::string before = failures.Before(step); !before.empty()) {
       ++outcome.left;
       failures.Note(step, before);
-      progress(number, step, {Fate::kLeft, "not tried, because this failed: " + before});
+      progress(number, step, {State::kLeft, "not tried, because this failed: " + before});
       continue;
     }
     const Result<void> made = executor.Execute(step);
@@ -99,7 +99,8 @@ PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError aft
       failures.Note(step, ToString(step));
       if (!outcome.error) outcome.error = made.error();
     }
-    progress(number, step, made ? StepOutcome() : StepOutcome{Fate::kFailed, made.error().message});
+    progress(number, step,
+             made ? StepOutcome() : StepOutcome{State::kFailed, made.error().message});
   }
   executor.End();
   return outcome;

@@ -24,13 +24,13 @@ enum class AfterError { kStop, kGoOn };
 
 /// The outcome of one step.
 struct StepOutcome {
-  enum class Fate {
+  enum class State {
     kDone,
     kFailed,
     kLeft,  ///< not executed
   };
 
-  Fate fate = Fate::kDone;
+  State state = State::kDone;
   std::string reason;  ///< why it was not executed; empty for steps after the end of the plan
 
   bool operator==(const StepOutcome&) const = default;

@@ -189,7 +189,7 @@ class ReferenceReader {
   const std::string process_;
   ImportedSystem imported_;
   std::map<std::string, std::size_t> places_;  // index of each process, by name
-  file::NewNames names_{"component"};
+  file::UniqueNames names_{"component"};
   std::set<ComponentPath> known_;
   std::map<InterfaceName, InterfaceName> connected_;
 };

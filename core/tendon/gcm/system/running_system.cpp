@@ -37,8 +37,8 @@ SystemFile::Process ProcessOf(const ProcessEntry& entry) {
   return process;
 }
 
-bool IsSaved(const ProcessEntry& entry, Gone gone) {
-  const bool is_there = gone == Gone::kIncluded || IsPresent(entry.process);
+bool IsSaved(const ProcessEntry& entry, AbsentProcesses absent) {
+  const bool is_there = absent == AbsentProcesses::kIncluded || IsPresent(entry.process);
   return is_there && entry.process.name != kGcmName;
 }
 
@@ -87,14 +87,15 @@ std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& sav
 
 }  // namespace
 
-RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name, Gone gone) {
+RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
+                       AbsentProcesses absent) {
   RunningSystem running{.file = {.name = name, .processes = {}, .connections = {}}, .loose = {}};
   for (const auto& [process_name, entry] : catalogue.processes()) {
-    if (IsSaved(entry, gone)) running.file.processes.push_back(ProcessOf(entry));
+    if (IsSaved(entry, absent)) running.file.processes.push_back(ProcessOf(entry));
   }
   const SystemIndex index(running.file);
   for (const auto& [process_name, entry] : catalogue.processes()) {
-    if (!IsSaved(entry, gone)) continue;
+    if (!IsSaved(entry, absent)) continue;
     for (const auto& [id, connection] : entry.connections) {
       const auto& [process, component, interface] = connection.provided;
       const bool is_there = index.FindComponent(process, component) != nullptr;

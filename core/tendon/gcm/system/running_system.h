@@ -20,12 +20,12 @@ struct RunningSystem {
 };
 
 /// Whether to include processes that are gone.
-enum class Gone { kLeftOut, kIncluded };
+enum class AbsentProcesses { kLeftOut, kIncluded };
 
 /// The present processes, with their components in their present states; without a window that
 /// hosts the GCM itself.
 [[nodiscard]] RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
-                                     Gone gone = Gone::kLeftOut);
+                                     AbsentProcesses absent = AbsentProcesses::kLeftOut);
 
 /// Marks the processes that the GCM has started, so that it can start them again.
 void SetStarts(const message::Children& children, SystemFile& file);

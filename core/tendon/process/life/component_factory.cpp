@@ -46,7 +46,8 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   return loader_->Load(library);
 }
 
-Result<ComponentFactory::Made> ComponentFactory::Make(const LifeOrder& order, const Begin& begin) {
+Result<ComponentFactory::Created> ComponentFactory::Make(const LifeOrder& order,
+                                                         const Begin& begin) {
   if (!loader_) return NoLoader();
   const std::string configuration = Compact(order.configuration);
   if (configuration.size() > message::kLongestConfiguration) {
@@ -67,8 +68,9 @@ Result<ComponentFactory::Made> ComponentFactory::Make(const LifeOrder& order, co
   auto component = loader_->Create(library, order.class_name, order.component, order.configuration);
   if (!component) return component.error();
   if (auto set = SetThread(order, **component); !set) return set.error();
-  return Made{*std::move(component),
-              {.class_name = order.class_name, .library = library, .configuration = configuration}};
+  return Created{
+      *std::move(component),
+      {.class_name = order.class_name, .library = library, .configuration = configuration}};
 }
 
 message::Classes ComponentFactory::classes() {

@@ -71,11 +71,11 @@ class LifeCycle::Claim {
   bool is_ours_ = false;
 };
 
-void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutcome> done) {
+void LifeCycle::ExecuteOrder(const LifeOrder& order, Begin begin, Done<message::LifeOutcome> done) {
   const Patience patience = std::clamp(Patience(order.patience), kNoWait, kLongestPatience);
   const SteadyTime deadline = SteadyClock().Now() + patience;
-  ThreadPerTask& errands = order.verb == LifeVerb::kStop ? stops_ : errands_;
-  const auto begun = errands.Do([this, order, begin = std::move(begin), done, deadline] {
+  ThreadPerTask& threads = order.verb == LifeVerb::kStop ? stops_ : orders_;
+  const auto begun = threads.Do([this, order, begin = std::move(begin), done, deadline] {
     const Outcome outcome = ExecuteGuarded({order, deadline, begin});
     const std::string words = "ordered remotely: " + WordsFor(order);
     if (outcome) {
@@ -89,23 +89,23 @@ void LifeCycle::Obey(const LifeOrder& order, Begin begin, Done<message::LifeOutc
 }
 
 void LifeCycle::ListClasses(Done<message::Classes> done) {
-  const auto begun = looks_.Do([this, done] { done(maker_.classes()); });
+  const auto begun = class_queries_.Do([this, done] { done(factory_.classes()); });
   if (!begun) done(begun.error());
 }
 
 void LifeCycle::WatchPlugins(std::function<void()> changed) {
-  if (const auto files = maker_.files()) {
+  if (const auto files = factory_.files()) {
     watch_ = std::make_unique<PluginWatch>(files, std::move(changed));
   }
 }
 
 std::vector<PluginDescription> LifeCycle::plugins() const {
-  const auto files = maker_.files();
+  const auto files = factory_.files();
   return files ? files->descriptions() : std::vector<PluginDescription>();
 }
 
 void LifeCycle::Close() {
-  for (ThreadPerTask* const errands : {&errands_, &stops_, &looks_}) errands->Close();
+  for (ThreadPerTask* const threads : {&orders_, &stops_, &class_queries_}) threads->Close();
   const std::scoped_lock lock(claims_mutex_);
   is_ending_ = true;
 }
@@ -114,15 +114,15 @@ void LifeCycle::Stop() {
   constexpr std::chrono::milliseconds kBetweenStops(100);
   watch_.reset();
   Close();
-  while (!errands_.WaitUntilIdle(std::chrono::milliseconds(0))) {
+  while (!orders_.WaitUntilIdle(std::chrono::milliseconds(0))) {
     (void)parts_.manager.StopAll(kNoWait);
-    (void)errands_.WaitUntilIdle(kBetweenStops);
+    (void)orders_.WaitUntilIdle(kBetweenStops);
   }
-  for (ThreadPerTask* const errands : {&errands_, &stops_, &looks_}) errands->Stop();
+  for (ThreadPerTask* const threads : {&orders_, &stops_, &class_queries_}) threads->Stop();
 }
 
 /// Catches all exceptions, because a plug-in may throw anything.
-LifeCycle::Outcome LifeCycle::ExecuteGuarded(const Given& given) {
+LifeCycle::Outcome LifeCycle::ExecuteGuarded(const TimedOrder& given) {
   try {
     return Execute(given);
   } catch (...) {
@@ -131,10 +131,10 @@ LifeCycle::Outcome LifeCycle::ExecuteGuarded(const Given& given) {
   }
 }
 
-LifeCycle::Outcome LifeCycle::Execute(const Given& given) {
+LifeCycle::Outcome LifeCycle::Execute(const TimedOrder& given) {
   const LifeOrder& order = given.order;
   if (order.verb == LifeVerb::kLoad) return Load(given);
-  if (order.verb == LifeVerb::kStop) return StopIt(given);
+  if (order.verb == LifeVerb::kStop) return StopComponent(given);
   const Claim claim(*this, order.component);
   if (auto checked = claim.Check(); !checked) return checked.error();
   switch (order.verb) {
@@ -155,7 +155,7 @@ LifeCycle::Outcome LifeCycle::Execute(const Given& given) {
   }
 }
 
-Result<void> LifeCycle::BeginNow(const Given& given) const {
+Result<void> LifeCycle::MarkBegun(const TimedOrder& given) const {
   if (SteadyClock().Now() > given.deadline) {
     return Error{ErrorCode::kFailed,
                  "process '" + parts_.process +
@@ -167,13 +167,13 @@ Result<void> LifeCycle::BeginNow(const Given& given) const {
   return Error{begun.error().code, "nothing was done: " + begun.error().message};
 }
 
-LifeCycle::Outcome LifeCycle::Load(const Given& given) {
-  const auto loaded = maker_.Load(given.order.library, [&] { return BeginNow(given); });
+LifeCycle::Outcome LifeCycle::Load(const TimedOrder& given) {
+  const auto loaded = factory_.Load(given.order.library, [&] { return MarkBegun(given); });
   if (!loaded) return loaded.error();
   return message::LifeOutcome{};
 }
 
-LifeCycle::Outcome LifeCycle::Create(const Given& given) {
+LifeCycle::Outcome LifeCycle::Create(const TimedOrder& given) {
   const LifeOrder& order = given.order;
   if (auto checked = CheckName("component", order.component); !checked) return checked.error();
   if (parts_.manager.Find(order.component) != nullptr) {
@@ -181,7 +181,7 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
                                          "' already exists in process '" + parts_.process +
                                          "'; choose another name, or remove it first"};
   }
-  auto made = maker_.Make(order, [&] { return BeginNow(given); });
+  auto made = factory_.Make(order, [&] { return MarkBegun(given); });
   if (!made) return made.error();
   message::LifeOutcome outcome{.class_name = made->origin.class_name,
                                .library = made->origin.library,
@@ -195,7 +195,7 @@ LifeCycle::Outcome LifeCycle::Create(const Given& given) {
 }
 
 /// Creates the new component first, so that the old one stays unchanged if this fails.
-LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
+LifeCycle::Outcome LifeCycle::Configure(const TimedOrder& given) {
   const std::string& component = given.order.component;
   const auto before = FindOfClass(component, "configured again");
   if (!before) return before.error();
@@ -215,7 +215,7 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   create.class_name = before->class_name;
   create.library = before->library;
   create.thread = settings->thread ? ToJson(*settings->thread) : "";
-  auto made = maker_.Make(create, [&] { return BeginNow(given); });
+  auto made = factory_.Make(create, [&] { return MarkBegun(given); });
   if (!made) return made.error();
   message::LifeOutcome outcome = OutcomeAfter(*before);
   outcome.former = before->configuration;
@@ -230,7 +230,7 @@ LifeCycle::Outcome LifeCycle::Configure(const Given& given) {
   return outcome;
 }
 
-LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
+LifeCycle::Outcome LifeCycle::Steer(const TimedOrder& given, const Claim& claim) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
   if (!before) return before.error();
@@ -238,7 +238,7 @@ LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
     const auto needs = UnmetNeedsOf(*before, parts_.manager.connections());
     if (auto checked = CheckNeeds(component, needs); !checked) return checked.error();
   }
-  if (auto begun = BeginNow(given); !begun) return begun.error();
+  if (auto begun = MarkBegun(given); !begun) return begun.error();
   const auto steered = given.order.verb == LifeVerb::kStart
                            ? StartUnlessStopped(given, claim)
                            : parts_.manager.Suspend(component, Left(given.deadline));
@@ -248,7 +248,7 @@ LifeCycle::Outcome LifeCycle::Steer(const Given& given, const Claim& claim) {
 
 /// A stop does not wait for claims, nor for the GCM's consent if the GCM is slow or gone. First
 /// marks the claim of the order that it interrupts.
-LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
+LifeCycle::Outcome LifeCycle::StopComponent(const TimedOrder& given) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
   if (!before) return before.error();
@@ -257,7 +257,7 @@ LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
     const auto claim = claims_.find(component);
     if (claim != claims_.end()) claim->second = true;
   }
-  const auto begun = BeginNow(given);
+  const auto begun = MarkBegun(given);
   const bool is_void = !begun && begun.error().code == ErrorCode::kFailed;
   if (is_void) return begun.error();
   const auto stopped = parts_.manager.Stop(component, Left(given.deadline));
@@ -265,11 +265,11 @@ LifeCycle::Outcome LifeCycle::StopIt(const Given& given) {
   return OutcomeAfter(*before);
 }
 
-LifeCycle::Outcome LifeCycle::Restart(const Given& given, const Claim& claim) {
+LifeCycle::Outcome LifeCycle::Restart(const TimedOrder& given, const Claim& claim) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
   if (!before) return before.error();
-  if (auto begun = BeginNow(given); !begun) return begun.error();
+  if (auto begun = MarkBegun(given); !begun) return begun.error();
   if (IsRunning(before->state)) {
     if (auto stopped = parts_.manager.Stop(component, Left(given.deadline)); !stopped) {
       return stopped.error();
@@ -280,19 +280,19 @@ LifeCycle::Outcome LifeCycle::Restart(const Given& given, const Claim& claim) {
 }
 
 /// The claim shows an earlier stop; a later stop finds a starting component.
-Result<void> LifeCycle::StartUnlessStopped(const Given& given, const Claim& claim) {
+Result<void> LifeCycle::StartUnlessStopped(const TimedOrder& given, const Claim& claim) {
   return parts_.manager.Start(given.order.component, Left(given.deadline),
                               [&claim] { return !claim.is_to_stop(); });
 }
 
-LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
+LifeCycle::Outcome LifeCycle::Remove(const TimedOrder& given) {
   const std::string& component = given.order.component;
   const auto before = FindOfClass(component, "removed");
   if (!before) return before.error();
   const auto settings = parts_.manager.SettingsOf(component);
   if (!settings) return settings.error();
-  if (auto begun = BeginNow(given); !begun) return begun.error();
-  if (auto removed = TakeOut(component, given.deadline); !removed) return removed.error();
+  if (auto begun = MarkBegun(given); !begun) return begun.error();
+  if (auto removed = RemoveFromProcess(component, given.deadline); !removed) return removed.error();
   message::LifeOutcome outcome = OutcomeAfter(*before);
   outcome.former = before->configuration;
   outcome.thread = settings->thread ? ToJson(*settings->thread) : "";
@@ -301,7 +301,7 @@ LifeCycle::Outcome LifeCycle::Remove(const Given& given) {
 }
 
 /// First checks that the component can be removed, then ends its connections.
-Result<void> LifeCycle::TakeOut(const std::string& component, SteadyTime deadline) {
+Result<void> LifeCycle::RemoveFromProcess(const std::string& component, SteadyTime deadline) {
   const auto connections = ConnectionsOf(component);
   const auto stopped = parts_.manager.Stop(component, Left(deadline));
   if (!stopped && stopped.error().code == ErrorCode::kTimeout) {
@@ -325,7 +325,7 @@ std::vector<ConnectionDescription> LifeCycle::ConnectionsOf(const std::string& c
   return connections;
 }
 
-Result<void> LifeCycle::Add(ComponentFactory::Made made) {
+Result<void> LifeCycle::Add(ComponentFactory::Created made) {
   try {
     parts_.manager.Add(std::move(made.component), std::move(made.origin));
     return {};

@@ -43,7 +43,7 @@ class LifeCycle {
 
   /// Executes an order, and calls `done` in the order's thread. An order that has not begun when
   /// its time limit ends is refused and not executed later.
-  void Obey(const message::LifeOrder& order, Begin begin, Done<message::LifeOutcome> done);
+  void ExecuteOrder(const message::LifeOrder& order, Begin begin, Done<message::LifeOutcome> done);
   void ListClasses(Done<message::Classes> done);
 
   /// Calls `changed`, in a thread of its own, whenever plugins() changes, until Stop(). Does
@@ -63,29 +63,29 @@ class LifeCycle {
   class Claim;
 
   /// An order and its deadline.
-  struct Given {
+  struct TimedOrder {
     const message::LifeOrder& order;
     SteadyTime deadline;
     const Begin& begin;
   };
 
-  Outcome ExecuteGuarded(const Given& given);
-  Outcome Execute(const Given& given);
-  Outcome Load(const Given& given);
-  Outcome StopIt(const Given& given);
+  Outcome ExecuteGuarded(const TimedOrder& given);
+  Outcome Execute(const TimedOrder& given);
+  Outcome Load(const TimedOrder& given);
+  Outcome StopComponent(const TimedOrder& given);
   // The caller of these functions must hold the component's claim.
-  Outcome Create(const Given& given);
-  Outcome Configure(const Given& given);
-  Outcome Steer(const Given& given, const Claim& claim);
-  Outcome Restart(const Given& given, const Claim& claim);
-  Outcome Remove(const Given& given);
+  Outcome Create(const TimedOrder& given);
+  Outcome Configure(const TimedOrder& given);
+  Outcome Steer(const TimedOrder& given, const Claim& claim);
+  Outcome Restart(const TimedOrder& given, const Claim& claim);
+  Outcome Remove(const TimedOrder& given);
 
   /// Checks that the order is still valid; if so, marks it as begun.
-  [[nodiscard]] Result<void> BeginNow(const Given& given) const;
-  Result<void> StartUnlessStopped(const Given& given, const Claim& claim);
+  [[nodiscard]] Result<void> MarkBegun(const TimedOrder& given) const;
+  Result<void> StartUnlessStopped(const TimedOrder& given, const Claim& claim);
 
-  Result<void> Add(ComponentFactory::Made made);
-  Result<void> TakeOut(const std::string& component, SteadyTime deadline);
+  Result<void> Add(ComponentFactory::Created made);
+  Result<void> RemoveFromProcess(const std::string& component, SteadyTime deadline);
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;
   Result<void> Reconnect(const std::vector<ConnectionDescription>& connections);
@@ -96,13 +96,13 @@ class LifeCycle {
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;
 
   const Parts parts_;
-  ComponentFactory maker_{parts_.process, parts_.loader};
+  ComponentFactory factory_{parts_.process, parts_.loader};
   std::mutex claims_mutex_;
   std::map<std::string, bool> claims_;  // components with an order; true: a stop has come
   bool is_ending_ = false;
-  ThreadPerTask errands_{parts_.process, 64};
+  ThreadPerTask orders_{parts_.process, 64};
   ThreadPerTask stops_{parts_.process, 64};
-  ThreadPerTask looks_{parts_.process, 4};
+  ThreadPerTask class_queries_{parts_.process, 4};
   std::unique_ptr<PluginWatch> watch_;
 };
 

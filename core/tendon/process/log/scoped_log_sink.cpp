@@ -9,27 +9,27 @@ namespace tendon {
 namespace {
 
 /// The single log sink, which passes records to all ScopedLogSinks.
-class Taps {
+class SinkList {
  public:
-  static Taps& All() {
-    static Taps& taps = *new Taps;  // never destroyed, like the log
-    return taps;
+  static SinkList& All() {
+    static SinkList& list = *new SinkList;  // never destroyed, like the log
+    return list;
   }
 
-  void Add(const ScopedLogSink* tap, LogSink sink) {
+  void Add(const ScopedLogSink* owner, LogSink sink) {
     const std::scoped_lock lock(mutex_);
-    sinks_.emplace(tap, std::move(sink));
+    sinks_.emplace(owner, std::move(sink));
   }
-  void Remove(const ScopedLogSink* tap) {
+  void Remove(const ScopedLogSink* owner) {
     const std::scoped_lock lock(mutex_);
-    sinks_.erase(tap);
+    sinks_.erase(owner);
   }
 
  private:
-  Taps() {
+  SinkList() {
     AddLogSink([this](LogLevel level, std::string_view source, std::string_view text) {
       const std::scoped_lock lock(mutex_);
-      for (const auto& [tap, sink] : sinks_) sink(level, source, text);
+      for (const auto& [owner, sink] : sinks_) sink(level, source, text);
     });
   }
 
@@ -39,8 +39,8 @@ class Taps {
 
 }  // namespace
 
-ScopedLogSink::ScopedLogSink(LogSink sink) { Taps::All().Add(this, std::move(sink)); }
+ScopedLogSink::ScopedLogSink(LogSink sink) { SinkList::All().Add(this, std::move(sink)); }
 
-ScopedLogSink::~ScopedLogSink() { Taps::All().Remove(this); }
+ScopedLogSink::~ScopedLogSink() { SinkList::All().Remove(this); }
 
 }  // namespace tendon

@@ -1,6 +1,7 @@
 #include <tendon/base/os/route.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/process/membership/advertised_address.h>
+#include <tendon/process/process.h>
 
 #include <optional>
 #include <utility>
@@ -44,6 +45,14 @@ std::string OnAnotherNetwork(const std::string& listens, const std::string& from
   return "listens at " + listens + ", but reaches its GCM from " + from +
          ": hosts on that network may not reach it; start it with --listen " + AnyPortOf(from) +
          ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
+}
+
+/// The text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705 (Connection
+/// refused)".
+std::string Briefly(const std::string& reason) {
+  const std::size_t open = reason.find(" (");
+  if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;
+  return reason.substr(open + 2, reason.size() - open - 3);
 }
 
 }  // namespace
@@ -93,6 +102,21 @@ std::string WhyOutOfReach(const std::string& address, const std::string& peer) {
   const bool is_here =
       IsLoopbackHost(from->host) || os::AddressTowards(from->host, from->port) == from->host;
   return is_here ? std::string() : OutOfReach(address, from->host);
+}
+
+std::string GcmWords(const std::string& address) {
+  const bool is_usual = address == "127.0.0.1:" + std::to_string(kDefaultGcmPort);
+  return is_usual ? "" : " --gcm " + address;
+}
+
+Error NoGcm(const std::string& address, const std::string& reason) {
+  if (os::IsNoRouteError(reason)) {
+    return {ErrorCode::kUnreachable, "no route to the GCM at " + address + ": " + reason +
+                                         "; add a route on that host, or give an address of "
+                                         "the GCM that it can reach"};
+  }
+  return {ErrorCode::kUnreachable, "no GCM at " + address + " (" + Briefly(reason) +
+                                       "); start one with: gcm serve" + GcmWords(address)};
 }
 
 }  // namespace tendon

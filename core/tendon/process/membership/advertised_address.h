@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/error.h>
 #include <tendon/base/result.h>
 
 #include <string>
@@ -40,5 +41,12 @@ Result<void> CheckAdvertise(const std::string& advertise);
 /// For a GCM: the reason why this host cannot reach a process that announces `address` and whose
 /// link comes from `peer`. Empty if the process is probably reachable.
 [[nodiscard]] std::string WhyOutOfReach(const std::string& address, const std::string& peer);
+
+/// " --gcm 10.0.0.1:10705", to append to a command; empty for the default GCM.
+[[nodiscard]] std::string GcmWords(const std::string& address);
+
+/// kUnreachable: "no GCM at 127.0.0.1:10705 (connection refused); start one with: gcm serve".
+/// `reason` says why the GCM cannot be reached, and may repeat the address.
+[[nodiscard]] Error NoGcm(const std::string& address, const std::string& reason);
 
 }  // namespace tendon

@@ -1,6 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/process/membership/health_reporter.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,7 +13,7 @@ constexpr std::chrono::milliseconds kTimeout(500);
 
 }  // namespace
 
-void HealthReporter::Tell(const std::shared_ptr<Channel>& channel, SteadyTime now,
+void HealthReporter::Work(const std::shared_ptr<Channel>& channel, SteadyTime now,
                           SteadyTime& next) {
   if (channel_.lock() != channel) {
     channel_ = channel;
@@ -22,12 +22,12 @@ void HealthReporter::Tell(const std::shared_ptr<Channel>& channel, SteadyTime no
   }
   if (now >= next_) {
     next_ = now + kBetween;
-    TellNow(*channel);
+    Report(*channel);
   }
   next = std::min(next, next_);
 }
 
-void HealthReporter::TellNow(Channel& channel) {
+void HealthReporter::Report(Channel& channel) {
   const os::Usage usage = os::OwnUsage();
   const SteadyTime sent = SteadyClock().Now();
   message::Health health{.cpu_time = usage.cpu_time.count(),
@@ -42,7 +42,7 @@ void HealthReporter::TellNow(Channel& channel) {
     }
   }
   channel.Request<message::GcmClock>(
-      message::kTellHealth, 0, health, kTimeout,
+      message::kReportHealth, 0, health, kTimeout,
       [clock = clock_, sent](const Result<message::GcmClock>& answer) {
         if (!answer) return;  // the next report replaces it
         const std::scoped_lock lock(clock->mutex);

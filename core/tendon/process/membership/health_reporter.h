@@ -15,7 +15,7 @@ class HealthReporter {
  public:
   /// Sends a report if a second has passed or the channel has changed. Lowers `next` to the time of
   /// the next report.
-  void Tell(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
+  void Work(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
 
  private:
   struct GcmClockOffset {
@@ -23,7 +23,7 @@ class HealthReporter {
     ClockOffset offset;
   };
 
-  void TellNow(Channel& channel);
+  void Report(Channel& channel);
 
   std::weak_ptr<Channel> channel_;
   std::shared_ptr<GcmClockOffset> clock_;  // shared with handlers of pending answers

@@ -1,13 +1,11 @@
 #include <tendon/base/log.h>
-#include <tendon/base/os/process.h>
 #include <tendon/base/os/route.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/client/channel_opening.h>
+#include <tendon/process/connections/opening.h>
 #include <tendon/process/log/log_messages.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
-#include <tendon/process/membership/no_gcm.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
 
@@ -24,8 +22,6 @@ constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
 constexpr std::chrono::milliseconds kSilence(1500);  // after this silence, the GCM is lost
-constexpr std::chrono::milliseconds kShortestGcmPause(100);
-constexpr std::chrono::milliseconds kLongestGcmPause(2000);
 
 /// True if a GCM has refused, so that an early retry is pointless.
 bool IsRefusal(const Error& error) {
@@ -75,7 +71,7 @@ class Membership::GcmHandler final : public ChannelHandler {
           membership.Report();
           shared->Answer(outcome);
         };
-        membership.delegate_.Obey(order, begin, done);
+        membership.delegate_.ExecuteOrder(order, begin, done);
       });
     } else if (header.type == message::kGetClasses) {
       worker_->Post([&membership = membership_, shared] {
@@ -226,7 +222,7 @@ void Membership::Finish(const std::shared_ptr<Channel>& channel, ProcessContent 
   }
   context_.hello.session = joined->session;
   reported_ = std::move(reported);
-  pause_ = {};
+  backoff_.Reset();
   SetJoined(channel);
   delegate_.OnPeers(joined->processes);
   Log("joined the GCM at " + options_.gcm + " as process '" + context_.name + "'");
@@ -268,14 +264,12 @@ void Membership::OnClosed(const std::shared_ptr<Channel>& channel, const Error& 
   log_.SetChannel(nullptr);
   Log("the GCM at " + options_.gcm + " was lost (" + reason.message +
       "); this process keeps running and tries to reconnect");
-  pause_ = {};
+  backoff_.Reset();
   if (options_.retry) TryLater();
 }
 
 void Membership::TryLater() {
-  pause_ = std::clamp(2 * pause_, kShortestGcmPause, kLongestGcmPause);
-  const auto jitter = pause_ * static_cast<std::int64_t>(os::RandomNumber() % 1000) / 2000;
-  context_.worker->PostAfter(pause_ - jitter, [this] { Try(); });
+  context_.worker->PostAfter(backoff_.Next(), [this] { Try(); });
 }
 
 void Membership::ReportSoon() {
@@ -332,7 +326,7 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     channel->Expire(now);
     Renew(channel);
   }
-  if (!is_silent) health_.Tell(channel, now, next);
+  if (!is_silent) health_.Work(channel, now, next);
   return false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/backoff.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
@@ -7,7 +8,7 @@
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
 #include <tendon/process/membership/health_reporter.h>
-#include <tendon/process/membership_messages.h>
+#include <tendon/process/membership/membership_messages.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -36,8 +37,8 @@ class MembershipDelegate {
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
   /// `begin` is called in a thread that may block; an error cancels the order. `done` is called on
   /// the worker.
-  virtual void Obey(const message::LifeOrder& order, std::function<Result<void>()> begin,
-                    std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
+  virtual void ExecuteOrder(const message::LifeOrder& order, std::function<Result<void>()> begin,
+                            std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 
@@ -100,7 +101,7 @@ class Membership final : private NetworkJob {
   // Used only on the worker.
   std::shared_ptr<Channel> candidate_;  // channel of a join request without an answer
   ProcessContent reported_;
-  std::chrono::milliseconds pause_{0};
+  Backoff backoff_{std::chrono::milliseconds(100), std::chrono::milliseconds(2000), 0.5};
   std::string logged_;
   std::string warned_;
 

@@ -1,7 +1,7 @@
 #include <tendon/base/log.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/heartbeat.h>
 #include <tendon/process/telemetry/row_source.h>
-#include <tendon/process/watch_over.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,9 +12,7 @@ namespace {
 constexpr std::chrono::milliseconds kSourceOpenTimeout(1000);
 constexpr std::chrono::milliseconds kSourceAnswerTimeout(2000);
 constexpr std::chrono::milliseconds kListenTimeout(5000);
-constexpr std::chrono::seconds kBrokerRest(30);  // pause after a failed subscription
-constexpr std::chrono::milliseconds kShortestSourcePause(100);
-constexpr std::chrono::milliseconds kLongestSourcePause(1000);
+constexpr std::chrono::seconds kBrokerRest(30);     // pause after a failed subscription
 constexpr std::chrono::seconds kLongestSilence(5);  // normally, a topic sends twice a second
 
 message::Subscribe RequestFor(const TableSubscription& wanted) {
@@ -28,20 +26,20 @@ message::Subscribe RequestFor(const TableSubscription& wanted) {
 
 void RowSource::Add(const std::shared_ptr<RowSubscription>& subscription) {
   items_.emplace_back().subscription = subscription;
-  Pursue();
+  RestoreAll();
 }
 
 void RowSource::Remove(const std::shared_ptr<RowSubscription>& subscription) {
   const Item* item = Find(subscription);
   if (item == nullptr) return;
-  if (item->stage == Stage::kStanding && channel_) EndThere(*channel_, item->handle);
+  if (item->stage == Stage::kActive && channel_) Unsubscribe(*channel_, item->handle);
   std::erase_if(items_, [&](const Item& one) { return one.subscription == subscription; });
   if (items_.empty()) Close();
 }
 
 void RowSource::Retry() {
-  pause_ = {};
-  Pursue();
+  backoff_.Reset();
+  RestoreAll();
 }
 
 void RowSource::Close() {
@@ -50,7 +48,7 @@ void RowSource::Close() {
 }
 
 /// Continues with all subscriptions that are not active.
-void RowSource::Pursue() {
+void RowSource::RestoreAll() {
   if (items_.empty()) return;
   if (const auto opened = Open(); !opened) {
     for (const Item& item : items_) item.subscription->Interrupt(opened.error());
@@ -73,8 +71,8 @@ Result<void> RowSource::Open() {
   channel_ = *std::move(channel);
   {
     const std::scoped_lock lock(mutex_);
-    standing_.clear();  // subscriptions of the old channel are requested again
-    clock_ = {};        // a process that has moved may have another clock
+    active_.clear();  // subscriptions of the old channel are requested again
+    clock_ = {};      // a process that has moved may have another clock
   }
   for (Item& item : items_) {
     item.stage = Stage::kWanted;
@@ -86,24 +84,24 @@ Result<void> RowSource::Open() {
 
 /// Each ping measures the clock, the first one before any rows come.
 void RowSource::MeasureClock() {
-  WatchOver(pulse_, channel_,
-            [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
-              const auto self = weak.lock();
-              if (!self) return;
-              const std::scoped_lock lock(self->mutex_);
-              self->clock_.Add(sent, there, arrived);
-            });
+  MonitorPeer(pulse_, channel_,
+              [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
+                const auto self = weak.lock();
+                if (!self) return;
+                const std::scoped_lock lock(self->mutex_);
+                self->clock_.Add(sent, there, arrived);
+              });
 }
 
 void RowSource::Ask(Item& item) {
   item.reception = nullptr;
   item.line = nullptr;
   const std::string broker = BrokerFor(item);
-  broker.empty() ? AskDirectly(item) : AskForTopic(item, broker);
+  broker.empty() ? RequestRows(item) : RequestTopic(item, broker);
 }
 
-void RowSource::AskDirectly(Item& item) {
-  item.stage = Stage::kAsked;
+void RowSource::RequestRows(Item& item) {
+  item.stage = Stage::kRequested;
   tendon::Ask<message::SubscribeReply>(
       *worker_, channel_, message::kSubscribe, RequestFor(item.subscription->wanted()),
       kSourceAnswerTimeout,
@@ -125,17 +123,17 @@ std::string RowSource::BrokerFor(const Item& item) const {
                         access_.find_fan_out && access_.middleware->broadcast() != nullptr;
   if (!may_come) return {};
   const auto found = access_.find_fan_out();
-  return found && !MustRest(*found) ? *found : std::string();
+  return found && !HasFailedRecently(*found) ? *found : std::string();
 }
 
-bool RowSource::MustRest(const std::string& broker) const {
+bool RowSource::HasFailedRecently(const std::string& broker) const {
   const auto failed = access_.failed_brokers->find(broker);
   return failed != access_.failed_brokers->end() &&
          SteadyClock().Now() - failed->second < kBrokerRest;
 }
 
-void RowSource::AskForTopic(Item& item, const std::string& broker) {
-  item.stage = Stage::kAsked;
+void RowSource::RequestTopic(Item& item, const std::string& broker) {
+  item.stage = Stage::kRequested;
   tendon::Ask<message::JoinTopicReply>(
       *worker_, channel_, message::kJoinTopic, RequestFor(item.subscription->wanted()),
       kSourceAnswerTimeout,
@@ -153,12 +151,12 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
-    if (answer) EndThere(*channel, answer->subscribed.handle);
+    if (answer) Unsubscribe(*channel, answer->subscribed.handle);
     return;
   }
   if (!answer) return FallBack(*item, answer.error());
   if (const auto followed = Follow(*item, broker, *answer); !followed) {
-    EndThere(*channel, answer->subscribed.handle);
+    Unsubscribe(*channel, answer->subscribed.handle);
     FallBack(*item, followed.error());
   }
 }
@@ -167,13 +165,13 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
 /// the next message.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::JoinTopicReply& joined) {
-  if (MustRest(broker)) {  // another subscription at this broker has failed meanwhile
+  if (HasFailedRecently(broker)) {  // another subscription at this broker has failed meanwhile
     return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
   }
   const auto line = std::make_shared<TopicState>();
   const auto hear = [weak = weak_from_this(), line,
                      subscription = item.subscription](std::span<const std::byte> body) {
-    const TopicState::Hearing hearing(*line);
+    const TopicState::MessageScope hearing(*line);
     const auto self = weak.lock();
     const std::uint64_t beginning = line->beginning();
     if (!self || beginning == 0) return;
@@ -192,27 +190,27 @@ Result<void> RowSource::Follow(Item& item, const std::string& broker,
   if (!beginning) return beginning.error();
   {
     const std::scoped_lock lock(mutex_);
-    standing_[{channel_.get(), joined.subscribed.handle}] = {
+    active_[{channel_.get(), joined.subscribed.handle}] = {
         .subscription = item.subscription, .beginning = *beginning, .line = line};
   }
   line->Begin(*beginning);
-  item.stage = Stage::kStanding;
+  item.stage = Stage::kActive;
   item.handle = joined.subscribed.handle;
   item.line = line;
   item.reception = *std::move(reception);
-  pause_ = {};
-  WatchOverTopic(item.subscription, line);
+  backoff_.Reset();
+  MonitorTopic(item.subscription, line);
   return {};
 }
 
-void RowSource::WatchOverTopic(const SharedSubscription& subscription,
-                               const std::shared_ptr<TopicState>& line) {
-  worker_->PostAfter(kLongestSourcePause, [self = shared_from_this(), subscription, line] {
+void RowSource::MonitorTopic(const SharedSubscription& subscription,
+                             const std::shared_ptr<TopicState>& line) {
+  worker_->PostAfter(kLongestPause, [self = shared_from_this(), subscription, line] {
     Item* item = self->Find(subscription);
     if (item == nullptr || item->line != line || !self->channel_) return;
-    if (line->silence() < kLongestSilence) return self->WatchOverTopic(subscription, line);
+    if (line->silence() < kLongestSilence) return self->MonitorTopic(subscription, line);
     const Error silent{ErrorCode::kUnreachable, "the fan-out has delivered nothing for 5 s"};
-    self->EndThere(*self->channel_, item->handle);
+    self->Unsubscribe(*self->channel_, item->handle);
     subscription->Interrupt(silent);
     self->FallBack(*item, silent);
   });
@@ -232,12 +230,11 @@ Result<void> RowSource::Begin(Channel& channel,
                               const message::SubscribeReply& subscribed) {
   const auto beginning = subscription->Begin(subscribed);
   if (!beginning) {
-    EndThere(channel, subscribed.handle);
+    Unsubscribe(channel, subscribed.handle);
     return beginning.error();
   }
   const std::scoped_lock lock(mutex_);
-  standing_[{&channel, subscribed.handle}] = {.subscription = subscription,
-                                              .beginning = *beginning};
+  active_[{&channel, subscribed.handle}] = {.subscription = subscription, .beginning = *beginning};
   return {};
 }
 
@@ -247,13 +244,13 @@ void RowSource::OnAnswer(const std::shared_ptr<Channel>& channel,
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
-    if (answer) EndThere(*channel, answer->handle);
+    if (answer) Unsubscribe(*channel, answer->handle);
     return;
   }
   if (answer) {
-    item->stage = Stage::kStanding;
+    item->stage = Stage::kActive;
     item->handle = answer->handle;
-    pause_ = {};
+    backoff_.Reset();
     return;
   }
   item->stage = Stage::kWanted;
@@ -280,13 +277,13 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
-  const auto found = standing_.find({&channel, handle});
-  if (found == standing_.end()) {  // it has ended, or the answer came too late
+  const auto found = active_.find({&channel, handle});
+  if (found == active_.end()) {  // it has ended, or the answer came too late
     lock.unlock();
     (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
     return;
   }
-  const Standing standing = found->second;
+  const ActiveSubscription standing = found->second;
   const ClockOffset clock = clock_;
   lock.unlock();
   standing.subscription->Deliver(standing.beginning, body, clock);
@@ -300,7 +297,7 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
   std::vector<std::shared_ptr<RowSubscription>> interrupted;
   {
     const std::scoped_lock lock(mutex_);
-    std::erase_if(standing_, [&](const auto& one) {
+    std::erase_if(active_, [&](const auto& one) {
       if (one.first.first != channel.get()) return false;
       if (one.second.line) one.second.line->End();
       interrupted.push_back(one.second.subscription);
@@ -322,17 +319,16 @@ void RowSource::OnClosed(const std::shared_ptr<Channel>& channel, const Error& r
   });
 }
 
-void RowSource::EndThere(Channel& channel, std::uint32_t handle) {
+void RowSource::Unsubscribe(Channel& channel, std::uint32_t handle) {
   Take(&channel, handle);
   (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
 }
 
 void RowSource::RetryLater() {
   if (std::exchange(is_retry_due_, true)) return;
-  pause_ = std::clamp(2 * pause_, kShortestSourcePause, kLongestSourcePause);
-  worker_->PostAfter(pause_, [self = shared_from_this()] {
+  worker_->PostAfter(backoff_.Next(), [self = shared_from_this()] {
     self->is_retry_due_ = false;
-    self->Pursue();
+    self->RestoreAll();
   });
 }
 
@@ -345,7 +341,7 @@ RowSource::Item* RowSource::Find(const std::shared_ptr<RowSubscription>& subscri
 
 std::shared_ptr<RowSubscription> RowSource::Take(const Channel* channel, std::uint32_t handle) {
   const std::scoped_lock lock(mutex_);
-  const auto node = standing_.extract({channel, handle});
+  const auto node = active_.extract({channel, handle});
   if (!node) return nullptr;
   if (node.mapped().line) node.mapped().line->End();
   return node.mapped().subscription;

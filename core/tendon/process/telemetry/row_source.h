@@ -1,12 +1,13 @@
 #pragma once
 
+#include <tendon/base/backoff.h>
+#include <tendon/base/clock.h>
 #include <tendon/middleware/broadcast.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
 #include <tendon/process/telemetry/row_subscription.h>
-#include <tendon/process/telemetry/topic_state.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -19,6 +20,53 @@
 #include <vector>
 
 namespace tendon {
+
+/// The shared state of the thread that receives a topic and the subscription that uses it.
+/// Thread-safe.
+class TopicState {
+ public:
+  /// From now on, batches belong to this activation of the subscription.
+  void Begin(std::uint64_t beginning) {
+    const std::scoped_lock lock(mutex_);
+    beginning_ = beginning;
+  }
+  /// From now on, the subscription gets no batches.
+  void End() { Begin(0); }
+
+  /// While it lives, a message is being handled.
+  class MessageScope {
+   public:
+    explicit MessageScope(TopicState& line) : line_(line) { line_.SetBusy(true); }
+    MessageScope(const MessageScope&) = delete;
+    MessageScope& operator=(const MessageScope&) = delete;
+    ~MessageScope() { line_.SetBusy(false); }
+
+   private:
+    TopicState& line_;
+  };
+  /// 0 if there is none.
+  [[nodiscard]] std::uint64_t beginning() const {
+    const std::scoped_lock lock(mutex_);
+    return beginning_;
+  }
+  /// The time since the last message; zero while the viewer is handling a message.
+  [[nodiscard]] SteadyTime::duration silence() const {
+    const std::scoped_lock lock(mutex_);
+    return is_busy_ ? SteadyTime::duration(0) : SteadyClock().Now() - last_;
+  }
+
+ private:
+  void SetBusy(bool is_busy) {
+    const std::scoped_lock lock(mutex_);
+    is_busy_ = is_busy;
+    last_ = SteadyClock().Now();
+  }
+
+  mutable std::mutex mutex_;
+  std::uint64_t beginning_ = 0;
+  bool is_busy_ = false;
+  SteadyTime last_ = SteadyClock().Now();
+};
 
 /// The viewer's channel to one process, and its subscriptions there. The channel is open while
 /// there are subscriptions. Lost subscriptions are requested again, with growing pauses of at most
@@ -54,7 +102,10 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void Close();
 
  private:
-  enum class Stage { kWanted, kAsked, kStanding };
+  static constexpr std::chrono::milliseconds kShortestPause{100};
+  static constexpr std::chrono::milliseconds kLongestPause{1000};
+
+  enum class Stage { kWanted, kRequested, kActive };
   struct Item {
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
@@ -64,7 +115,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::unique_ptr<Broadcast::Subscription> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
-  struct Standing {
+  struct ActiveSubscription {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
     std::shared_ptr<TopicState> line{};  // set if the rows come through a topic
@@ -74,22 +125,22 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
                 std::span<const std::byte> body) override;
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
 
-  void Pursue();
+  void RestoreAll();
   Result<void> Open();
   void MeasureClock();
   void Ask(Item& item);
-  void AskDirectly(Item& item);
+  void RequestRows(Item& item);
   /// The address of the broker, if it exists and supports this subscription; otherwise empty.
   [[nodiscard]] std::string BrokerFor(const Item& item) const;
   /// True if a subscription at the broker has failed recently.
-  [[nodiscard]] bool MustRest(const std::string& broker) const;
-  void AskForTopic(Item& item, const std::string& broker);
+  [[nodiscard]] bool HasFailedRecently(const std::string& broker) const;
+  void RequestTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
                      const SharedSubscription& subscription, const std::string& broker,
                      const Result<message::JoinTopicReply>& answer);
   Result<void> Follow(Item& item, const std::string& broker, const message::JoinTopicReply& joined);
-  void WatchOverTopic(const SharedSubscription& subscription,
-                      const std::shared_ptr<TopicState>& line);
+  void MonitorTopic(const SharedSubscription& subscription,
+                    const std::shared_ptr<TopicState>& line);
   void FallBack(Item& item, const Error& reason);
   /// In the middleware's thread.
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
@@ -99,7 +150,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
                 const std::shared_ptr<RowSubscription>& subscription,
                 const Result<message::SubscribeReply>& answer);
   /// Any thread.
-  void EndThere(Channel& channel, std::uint32_t handle);
+  void Unsubscribe(Channel& channel, std::uint32_t handle);
   void RetryLater();
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
@@ -110,14 +161,14 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   const std::string process_;
   std::shared_ptr<Channel> channel_;
   std::vector<Item> items_;
-  std::chrono::milliseconds pause_{0};
+  Backoff backoff_{kShortestPause, kLongestPause};
   bool is_retry_due_ = false;
   std::string fallen_back_;  // the logged reason for direct rows
 
   std::mutex mutex_;  // guards the members that the middleware's thread uses
   // The key includes the channel, because the end of an old channel may be reported after the next
   // one has opened.
-  std::map<std::pair<const Channel*, std::uint32_t>, Standing> standing_;
+  std::map<std::pair<const Channel*, std::uint32_t>, ActiveSubscription> active_;
   ClockOffset clock_;  // the peer's clock
 };
 

@@ -19,6 +19,33 @@ std::vector<std::uint32_t> CellSizes(const StateTable& table,
 
 }  // namespace
 
+bool Includes(const RowAcknowledgements& acknowledgements, const std::shared_ptr<Channel>& channel,
+              std::uint32_t handle) {
+  const auto found = acknowledgements.find(channel);
+  return found != acknowledgements.end() && found->second.contains(handle);
+}
+
+void ReportEnd(const RowViewer& viewer, const Error& reason) {
+  const Status sent =
+      viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
+  // Otherwise the viewer would wait for rows for ever. It opens the channel again, and gets the
+  // reason then.
+  if (sent == Status(Status::kQueueFull)) viewer.channel->Close();
+}
+
+void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
+  constexpr int kLongestQuiet = 25;  // in calls: half a second
+  lost_table_ += lost;
+  ++silence_;
+  if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;
+  const auto body = batch.Finish(
+      {.rows_before = rows_before_, .lost_table = lost_table_, .next_tick = next_tick});
+  rows_before_ += batch.rows();  // even if refused: viewers see the gap
+  if (!topic_->Publish(body)) return;
+  lost_table_ = 0;
+  silence_ = 0;
+}
+
 RowStream::RowStream(const StateTable& table, std::vector<std::size_t> columns, RowChoice rows)
     : table_(table),
       columns_(std::move(columns)),
@@ -26,46 +53,44 @@ RowStream::RowStream(const StateTable& table, std::vector<std::size_t> columns, 
       batch_(CellSizes(table_, columns_)) {}
 
 std::size_t RowStream::SubscriptionsOf(const Channel& viewer) const {
-  const auto count = std::ranges::count_if(
-      viewers_, [&](const Viewer& one) { return one.channel.get() == &viewer; });
-  return static_cast<std::size_t>(count) + (topic_ ? topic_->SubscriptionsOf(viewer) : 0);
+  return viewers_.CountOf(viewer) + (topic_ ? topic_->viewers().CountOf(viewer) : 0);
 }
 
 void RowStream::Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
-  Viewer viewer;
-  viewer.lane = lane;
+  DirectViewer viewer;
   viewer.channel = std::move(channel);
   viewer.handle = handle;
-  viewers_.push_back(std::move(viewer));
+  viewer.lane = lane;
+  viewers_.Add(std::move(viewer));
 }
 
 const std::string& RowStream::AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
                                          std::uint32_t handle) {
   if (!topic_) topic_ = make();
-  topic_->Add(std::move(channel), handle);
+  topic_->viewers().Add({.channel = std::move(channel), .handle = handle});
   return topic_->name();
 }
 
 void RowStream::Remove(const Channel& channel, std::uint32_t handle) {
-  std::erase_if(viewers_, [&](const Viewer& viewer) {
-    return viewer.channel.get() == &channel && viewer.handle == handle;
-  });
+  viewers_.Remove(channel, handle);
   if (!topic_) return;
-  topic_->Remove(channel, handle);
-  if (!topic_->has_viewers()) topic_ = nullptr;
+  topic_->viewers().Remove(channel, handle);
+  if (topic_->viewers().empty()) topic_ = nullptr;
 }
 
-void RowStream::OnRowsTaken(const RowAcknowledgements& receipts) {
-  for (Viewer& viewer : viewers_) {
-    if (viewer.is_busy && Includes(receipts, viewer.channel, viewer.handle)) viewer.is_busy = false;
+void RowStream::OnRowsTaken(const RowAcknowledgements& acknowledgements) {
+  for (DirectViewer& viewer : viewers_) {
+    if (viewer.is_busy && Includes(acknowledgements, viewer.channel, viewer.handle)) {
+      viewer.is_busy = false;
+    }
   }
 }
 
 void RowStream::RemoveClosed() {
-  std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
+  viewers_.RemoveClosed();
   if (!topic_) return;
-  topic_->RemoveClosed();
-  if (!topic_->has_viewers()) topic_ = nullptr;
+  topic_->viewers().RemoveClosed();
+  if (topic_->viewers().empty()) topic_ = nullptr;
 }
 
 void RowStream::Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row) {
@@ -89,15 +114,15 @@ bool RowStream::is_full() const {
 
 void RowStream::Send(std::uint64_t lost, std::uint64_t next_tick) {
   if (rows_.delivery == RowDelivery::kNewest) {
-    for (Viewer& viewer : viewers_) SendNewest(viewer, next_tick);
+    for (DirectViewer& viewer : viewers_) SendNewest(viewer, next_tick);
     return;
   }
-  for (Viewer& viewer : viewers_) SendAll(viewer, lost, next_tick);
+  for (DirectViewer& viewer : viewers_) SendAll(viewer, lost, next_tick);
   if (topic_) topic_->Send(batch_, lost, next_tick);
   batch_.Clear();
 }
 
-void RowStream::SendAll(Viewer& viewer, std::uint64_t lost, std::uint64_t next_tick) {
+void RowStream::SendAll(DirectViewer& viewer, std::uint64_t lost, std::uint64_t next_tick) {
   viewer.lost_table += lost;
   if (batch_.rows() == 0 && viewer.lost_table == 0 && !viewer.is_owed) return;
   const auto frame = batch_.FinishFrame(
@@ -108,7 +133,7 @@ void RowStream::SendAll(Viewer& viewer, std::uint64_t lost, std::uint64_t next_t
   if (!viewer.is_owed) viewer.lost_table = 0;
 }
 
-void RowStream::SendNewest(Viewer& viewer, std::uint64_t next_tick) {
+void RowStream::SendNewest(DirectViewer& viewer, std::uint64_t next_tick) {
   if (batch_.rows() == 0 || viewer.is_busy || viewer.next_tick > newest_tick_) return;
   const auto frame = batch_.FinishFrame(
       {.rows_before = viewer.rows_before, .lost_table = 0, .next_tick = next_tick});
@@ -119,15 +144,8 @@ void RowStream::SendNewest(Viewer& viewer, std::uint64_t next_tick) {
 }
 
 void RowStream::End(const Error& reason) {
-  for (const Viewer& viewer : viewers_) {
-    const Status told =
-        viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-    // Otherwise the viewer would wait for rows for ever. It opens the channel again, and gets the
-    // reason then.
-    if (told == Status(Status::kQueueFull)) viewer.channel->Close();
-  }
-  viewers_.clear();
-  if (topic_) topic_->End(reason);
+  viewers_.EndAll(reason);
+  if (topic_) topic_->viewers().EndAll(reason);
   topic_ = nullptr;
 }
 

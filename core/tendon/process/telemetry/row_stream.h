@@ -1,23 +1,106 @@
 #pragma once
 
 #include <tendon/base/error.h>
+#include <tendon/middleware/broadcast.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/telemetry/row_acknowledgements.h>
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_choice.h>
-#include <tendon/process/telemetry/row_topic.h>
 #include <tendon/state/state_table.h>
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon {
+
+/// For each channel, the subscriptions whose last row was acknowledged.
+using RowAcknowledgements = std::map<std::shared_ptr<Channel>, std::set<std::uint32_t>>;
+
+[[nodiscard]] bool Includes(const RowAcknowledgements& acknowledgements,
+                            const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+
+/// A viewer's subscription to a stream.
+struct RowViewer {
+  std::shared_ptr<Channel> channel;
+  std::uint32_t handle = 0;
+  Lane lane = kCommonLane;  ///< for its rows
+};
+
+/// Tells the viewer that its rows have ended; closes its channel if that cannot be sent.
+void ReportEnd(const RowViewer& viewer, const Error& reason);
+
+/// The viewers of one stream or topic, each with its own state: a RowViewer or derived from it.
+///
+/// One thread at a time.
+template <std::derived_from<RowViewer> Viewer>
+class ViewerList {
+ public:
+  void Add(Viewer viewer) { viewers_.push_back(std::move(viewer)); }
+  void Remove(const Channel& channel, std::uint32_t handle) {
+    std::erase_if(viewers_, [&](const Viewer& viewer) {
+      return viewer.channel.get() == &channel && viewer.handle == handle;
+    });
+  }
+  void RemoveClosed() {
+    std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
+  }
+  /// Reports the end to all viewers and removes them; closes the channel of a viewer to which the
+  /// report cannot be sent.
+  void EndAll(const Error& reason) {
+    for (const Viewer& viewer : viewers_) ReportEnd(viewer, reason);
+    viewers_.clear();
+  }
+
+  [[nodiscard]] bool empty() const { return viewers_.empty(); }
+  [[nodiscard]] std::size_t CountOf(const Channel& channel) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        viewers_, [&](const Viewer& viewer) { return viewer.channel.get() == &channel; }));
+  }
+  [[nodiscard]] auto begin() { return viewers_.begin(); }
+  [[nodiscard]] auto end() { return viewers_.end(); }
+
+ private:
+  std::vector<Viewer> viewers_;
+};
+
+/// Publishes the rows of one stream once, for all viewers that use a broker. The process does not
+/// know which batches arrive; from the numbers in the batches, each viewer sees its losses.
+///
+/// One thread at a time.
+class RowTopic {
+ public:
+  RowTopic(std::string name, std::unique_ptr<Broadcast::Topic> topic)
+      : name_(std::move(name)), topic_(std::move(topic)) {}
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+  /// Their channels carry all messages except rows.
+  [[nodiscard]] ViewerList<RowViewer>& viewers() { return viewers_; }
+  [[nodiscard]] const ViewerList<RowViewer>& viewers() const { return viewers_; }
+
+  /// Like RowStream::Send(). Without new rows, it regularly sends an empty batch.
+  void Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick);
+
+ private:
+  const std::string name_;
+  const std::unique_ptr<Broadcast::Topic> topic_;
+  ViewerList<RowViewer> viewers_;
+  std::uint64_t rows_before_ = 0;
+  std::uint64_t lost_table_ = 0;  // since the last sent batch
+  int silence_ = 0;               // calls of Send() since the last sent batch
+};
+
+using MakeRowTopic = std::function<std::unique_ptr<RowTopic>()>;
 
 /// Rows with chosen columns of a table, built once for all viewers with the same choice. A slow
 /// viewer loses rows, which it can count, or skips outdated rows, as it has chosen; other viewers
@@ -43,7 +126,7 @@ class RowStream {
                                 std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
   /// These viewers have received the newest row and may get the next.
-  void OnRowsTaken(const RowAcknowledgements& receipts);
+  void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 
@@ -59,10 +142,7 @@ class RowStream {
   void End(const Error& reason);
 
  private:
-  struct Viewer {
-    std::shared_ptr<Channel> channel;
-    std::uint32_t handle = 0;
-    Lane lane = kCommonLane;
+  struct DirectViewer : RowViewer {
     std::uint64_t rows_before = 0;
     std::uint64_t lost_table = 0;  // since the last sent batch
     bool is_owed = false;          // a batch was refused: the viewer does not know of the loss yet
@@ -71,8 +151,8 @@ class RowStream {
   };
 
   [[nodiscard]] bool Wants(std::int64_t time);
-  void SendAll(Viewer& viewer, std::uint64_t lost, std::uint64_t next_tick);
-  void SendNewest(Viewer& viewer, std::uint64_t next_tick);
+  void SendAll(DirectViewer& viewer, std::uint64_t lost, std::uint64_t next_tick);
+  void SendNewest(DirectViewer& viewer, std::uint64_t next_tick);
 
   const StateTable& table_;
   const std::vector<std::size_t> columns_;
@@ -80,7 +160,7 @@ class RowStream {
   RowBatchWriter batch_;
   std::uint64_t newest_tick_ = 0;        // newest tick in the batch
   std::optional<std::int64_t> stretch_;  // period number of the last chosen row
-  std::vector<Viewer> viewers_;
+  ViewerList<DirectViewer> viewers_;
   std::unique_ptr<RowTopic> topic_;  // set if the topic has viewers
 };
 

@@ -7,14 +7,15 @@
 namespace tendon {
 
 Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed) {
-  return Begin(subscribed, From::kFirstTick);
+  return Begin(subscribed, Start::kFirstTick);
 }
 
 Result<std::uint64_t> RowSubscription::BeginTopic(const message::SubscribeReply& subscribed) {
-  return Begin(subscribed, From::kFirstBatch);
+  return Begin(subscribed, Start::kFirstBatch);
 }
 
-Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed, From from) {
+Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed,
+                                             Start start) {
   if (subscribed.schemas.size() != wanted_.columns.size()) {
     return Error{ErrorCode::kInvalid, wanted_.process + " answered with another number of columns"};
   }
@@ -29,7 +30,7 @@ Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subs
   if (!goes_on_) newest_.reset();
   ++beginnings_;
   epoch_ = subscribed.epoch;
-  is_of_topic_ = from == From::kFirstBatch;
+  is_of_topic_ = start == Start::kFirstBatch;
   waits_for_batch_ = is_of_topic_;
   if (!goes_on_) has_begun_ = false;
   if (!waits_for_batch_) GoOn(subscribed.first_tick);

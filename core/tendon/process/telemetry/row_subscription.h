@@ -39,8 +39,8 @@ class RowSubscription {
   [[nodiscard]] RowCounts counts() const;
 
  private:
-  enum class From { kFirstTick, kFirstBatch };
-  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed, From from);
+  enum class Start { kFirstTick, kFirstBatch };
+  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed, Start start);
   /// Counts the rows since the last one as lost, and continues at `first_tick`.
   void GoOn(std::uint64_t first_tick);
   /// Returns false if the batch is older than the last row.

@@ -44,8 +44,8 @@ void TableFeed::Remove(const Channel& channel, std::uint32_t handle) {
   RemoveUnwatched();
 }
 
-void TableFeed::OnRowsTaken(const RowAcknowledgements& receipts) {
-  for (RowStream& stream : streams_) stream.OnRowsTaken(receipts);
+void TableFeed::OnRowsTaken(const RowAcknowledgements& acknowledgements) {
+  for (RowStream& stream : streams_) stream.OnRowsTaken(acknowledgements);
 }
 
 std::size_t TableFeed::SubscriptionsOf(const Channel& viewer) const {

@@ -35,7 +35,7 @@ class TableFeed {
   const std::string& AddToTopic(const std::vector<std::size_t>& columns, const MakeRowTopic& make,
                                 std::shared_ptr<Channel> channel, std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
-  void OnRowsTaken(const RowAcknowledgements& receipts);
+  void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
   /// Number of cells read per row for a viewer if this subscription is added. Subscriptions to the

@@ -33,6 +33,25 @@ message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
 
 }  // namespace
 
+void AcknowledgementQueue::Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
+  std::unique_lock lock(mutex_);
+  auto& handles = acknowledgements_[channel];
+  if (handles.size() < kMostOfOneViewer || handles.contains(handle)) {
+    handles.insert(handle);
+    has_some_.Set(true);
+    return;
+  }
+  lock.unlock();
+  channel->CutOff("acknowledged rows of more subscriptions than it can have");
+}
+
+RowAcknowledgements AcknowledgementQueue::TakeAll() {
+  if (!has_some_.Get()) return {};
+  const std::scoped_lock lock(mutex_);
+  has_some_.Set(false);
+  return std::exchange(acknowledgements_, {});
+}
+
 TelemetryServer::TelemetryServer(ProcessContext& context) : context_(context) {
   context_.network->Add(*this);
 }
@@ -209,7 +228,7 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
                    .handle = mirrored.columns[i].handle,
                    .lane = lane});
   }
-  mirrored_.Tell();
+  mirrored_.Report();
   context_.network->Notify();
 }
 
@@ -271,19 +290,20 @@ void TelemetryServer::RemoveComponent(const std::string& component) {
 bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   const std::scoped_lock lock(mutex_);
   if (feeds_.empty()) {
-    (void)receipts_.TakeAll();
+    (void)acknowledgements_.TakeAll();
     return false;
   }
   const bool is_time = now >= next_gathering_;
-  const RowAcknowledgements receipts = is_time ? receipts_.TakeAll() : RowAcknowledgements();
+  const RowAcknowledgements acknowledgements =
+      is_time ? acknowledgements_.TakeAll() : RowAcknowledgements();
   bool more = false;
   for (TableFeed& feed : feeds_) {  // one batch each, in turn
-    if (!receipts.empty()) feed.OnRowsTaken(receipts);
+    if (!acknowledgements.empty()) feed.OnRowsTaken(acknowledgements);
     if (is_time || feed.has_more()) more = feed.Gather() || more;
   }
   if (is_time) {
     feeds_.remove_if([](const TableFeed& feed) { return !feed.has_viewers(); });
-    mirrored_.Tell();
+    mirrored_.Report();
     next_gathering_ = now + kBetweenBatches;
   }
   next = std::min(next, next_gathering_);

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/connections/mirrored_commands.h>
 #include <tendon/process/context.h>
-#include <tendon/process/server/mirrored_commands.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/process/viewer_messages.h>
@@ -17,6 +18,25 @@
 #include <vector>
 
 namespace tendon {
+
+/// Collects acknowledgements until the network thread next sends rows, so that each one costs
+/// little. Thread-safe.
+class AcknowledgementQueue {
+ public:
+  /// The largest number of waiting acknowledgements of one viewer: twice its subscriptions, some of
+  /// which may just have ended.
+  static constexpr std::size_t kMostOfOneViewer = 4096;
+
+  /// Adds one. Closes the channel of a viewer that exceeds the limit.
+  void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
+  /// Wait-free if there are none.
+  [[nodiscard]] RowAcknowledgements TakeAll();
+
+ private:
+  Flag has_some_;
+  std::mutex mutex_;
+  RowAcknowledgements acknowledgements_;
+};
 
 /// Sends rows of this process's state tables to viewers. Every 20 ms the network thread reads the
 /// new rows of each table once for all its viewers.
@@ -55,7 +75,7 @@ class TelemetryServer final : public NetworkJob {
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
   /// Any thread.
   void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
-    receipts_.Add(channel, handle);
+    acknowledgements_.Add(channel, handle);
   }
 
   /// Any thread: call it before the component is removed. Notifies its viewers.
@@ -83,7 +103,7 @@ class TelemetryServer final : public NetworkJob {
   std::mutex mutex_;  // locked after the manager's lock
   std::list<TableFeed> feeds_;
   MirroredCommands mirrored_;
-  AcknowledgementQueue receipts_;
+  AcknowledgementQueue acknowledgements_;
   std::string broker_;
   std::uint32_t last_handle_ = 0;
   SteadyTime next_gathering_{};

@@ -50,9 +50,9 @@ TEST_F(LcmLauncherTest, StartsTheProgramWithItsWordsAndKeepsWhatItSays) {
   const ProcessEnd end = WaitForEndOf(**process);
   EXPECT_TRUE(end.is_failure);
   EXPECT_EQ(end.how, "ended with exit code 3");
-  EXPECT_EQ(launcher.TracesOf("robot").last_words,
+  EXPECT_EQ(launcher.LogOf("robot").last_lines,
             "--name robot --gcm 127.0.0.1:10705 --timeout 2000 --certificate robot.crt | no GCM");
-  EXPECT_EQ(launcher.TracesOf("robot").log, (home_.path() / "state" / "robot.log").string());
+  EXPECT_EQ(launcher.LogOf("robot").path, (home_.path() / "state" / "robot.log").string());
   struct stat status {};
   ASSERT_EQ(stat((home_.path() / "state" / "robot.log").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
@@ -105,12 +105,12 @@ TEST_F(LcmLauncherTest, ALongLogIsPutAsideAndTheProgramWritesOn) {
 
   EXPECT_EQ(home_.Read("state/robot.log"), "");
   EXPECT_EQ(home_.Read("state/robot.log.1"), "a long line\n");
-  EXPECT_EQ(launcher.TracesOf("robot").last_words, "a long line");
+  EXPECT_EQ(launcher.LogOf("robot").last_lines, "a long line");
   home_.Write("fifo", "go\n");
   EXPECT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "more\n"; }));
   launcher.ShortenLog("robot");  // short as it is
   EXPECT_EQ(home_.Read("state/robot.log"), "more\n");
-  EXPECT_EQ(launcher.TracesOf("robot").last_words, "more");
+  EXPECT_EQ(launcher.LogOf("robot").last_lines, "more");
   (*process)->Kill();
   EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGKILL");
 }

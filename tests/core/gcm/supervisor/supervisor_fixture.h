@@ -48,7 +48,7 @@ class FakeLauncher final : public Launcher {
     processes_.push_back(std::make_shared<FakeProcessOfGcm>(orders_.size()));
     return std::shared_ptr<StartedProcess>(processes_.back());
   }
-  Traces TracesOf(const std::string& process) override { return {"alas", process + ".log"}; }
+  ProcessLog LogOf(const std::string& process) override { return {"alas", process + ".log"}; }
   void ShortenLog(const std::string& process) override {
     const std::scoped_lock lock(mutex_);
     shortened_.push_back(process);
@@ -99,7 +99,7 @@ class SupervisorTest : public testing::Test {
       const std::scoped_lock lock(mutex_);
       action();
     }
-    outbox_.Flush();
+    deferred_.Flush();
   }
 
   SharedAnswer Order(ProcessVerb verb, RestartPolicy restart = RestartPolicy::kOnFailure) {
@@ -107,7 +107,7 @@ class SupervisorTest : public testing::Test {
     const message::ProcessOrder order{
         .verb = verb, .process = "robot", .restart = restart, .patience = 5s};
     Locked([&] {
-      supervisor_.Obey(order, "test", [answer](const Result<None>& result) {
+      supervisor_.ExecuteOrder(order, "test", [answer](const Result<None>& result) {
         answer->text = result ? "" : result.error().message;
         answer->is_here = true;
       });
@@ -187,10 +187,10 @@ class SupervisorTest : public testing::Test {
   std::mutex mutex_;
   Registry registry_{Leases{}, clock_};
   History history_{folder_.path() / "history.jsonl"};
-  Outbox outbox_;
+  DeferredActions deferred_;
   Session session_ = 0;
   const std::shared_ptr<FakeLauncher> launcher_ = std::make_shared<FakeLauncher>();
-  Supervisor supervisor_{{registry_, history_, outbox_, clock_, launcher_},
+  Supervisor supervisor_{{registry_, history_, deferred_, clock_, launcher_},
                          [this](const std::function<void(Supervisor&)>& action) {
                            Locked([&] { action(supervisor_); });
                          }};

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/running_system.h>
-#include <tests/core/gcm/system/running_catalog.h>
+#include <tests/core/gcm/system/running_catalogue.h>
 
 namespace tendon {
 namespace {
@@ -11,11 +11,11 @@ using Difference = SystemDifference::Kind;
 SystemFile Demo() { return SystemOf(test::RunningDemo().catalogue(), "demo").file; }
 
 std::vector<SystemDifference> DifferencesFromDemo(const SystemFile& second) {
-  return CompareSystems(Demo(), second, Starts::kKnown).differences;
+  return CompareSystems(Demo(), second, StartComparison::kCompare).differences;
 }
 
 TEST(SystemComparison, FindsNothingBetweenASystemAndItself) {
-  const SystemComparison comparison = CompareSystems(Demo(), Demo(), Starts::kKnown);
+  const SystemComparison comparison = CompareSystems(Demo(), Demo(), StartComparison::kCompare);
 
   EXPECT_TRUE(comparison.differences.empty());
   EXPECT_EQ(comparison.equal, 6U);  // two processes, three components, a connection
@@ -78,7 +78,7 @@ TEST(SystemComparison, WhatDoesNotMatterIsNoDifference) {
   first.processes[1].components[0].configuration = R"({"a": 1, "b": 2})";
   arm.configuration = R"({"b":2,"a":1})";
 
-  EXPECT_TRUE(CompareSystems(first, second, Starts::kKnown).differences.empty());
+  EXPECT_TRUE(CompareSystems(first, second, StartComparison::kCompare).differences.empty());
 }
 
 TEST(SystemComparison, SaysInWhatThreadsAndLeadersDiffer) {
@@ -87,7 +87,7 @@ TEST(SystemComparison, SaysInWhatThreadsAndLeadersDiffer) {
   auto& arm = first.processes[1].components[0];
   auto& other = second.processes[1].components[0];
   const auto how = [&] {
-    const auto differences = CompareSystems(first, second, Starts::kUnknownInSecond).differences;
+    const auto differences = CompareSystems(first, second, StartComparison::kIgnore).differences;
     return differences.empty() ? std::string() : differences[0].how;
   };
 
@@ -111,11 +111,11 @@ TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
   const SystemFile second = Demo();
   first.processes[1].start = SystemFile::Start{RestartPolicy::kOnFailure};
 
-  const auto differences = CompareSystems(first, second, Starts::kKnown).differences;
+  const auto differences = CompareSystems(first, second, StartComparison::kCompare).differences;
   ASSERT_EQ(differences.size(), 1U);
   EXPECT_EQ(differences[0].what, "process " + first.processes[1].name);
   EXPECT_EQ(differences[0].how, "start by the GCM (restart on-failure) -> by others");
-  EXPECT_TRUE(CompareSystems(first, second, Starts::kUnknownInSecond).differences.empty());
+  EXPECT_TRUE(CompareSystems(first, second, StartComparison::kIgnore).differences.empty());
 }
 
 TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {

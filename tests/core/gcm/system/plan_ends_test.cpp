@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/plan.h>
-#include <tests/core/gcm/system/running_catalog.h>
+#include <tests/core/gcm/system/running_catalogue.h>
 
 namespace tendon {
 namespace {

@@ -55,7 +55,7 @@ std::vector<std::string> Execute(const Plan& plan, FakeExecutor& executor, After
               [&](std::size_t number, const PlanStep& step, const StepOutcome& outcome) {
                 const char* const fates[] = {"done", "failed", "left"};
                 told.push_back(std::to_string(number) + " " + ToString(step) + " " +
-                               fates[static_cast<int>(outcome.fate)] +
+                               fates[static_cast<int>(outcome.state)] +
                                (outcome.reason.empty() ? "" : ": " + outcome.reason));
               });
   return told;
@@ -67,7 +67,7 @@ std::vector<std::string> LeftAfter(const std::string& failing, const std::vector
   std::vector<std::string> left;
   ExecutePlan({.steps = steps}, executor, AfterError::kGoOn,
               [&](std::size_t, const PlanStep& step, const StepOutcome& outcome) {
-                if (outcome.fate != StepOutcome::Fate::kLeft) return;
+                if (outcome.state != StepOutcome::State::kLeft) return;
                 EXPECT_EQ(outcome.reason, "not tried, because this failed: " + failing);
                 left.push_back(ToString(step));
               });

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system/running_system.h>
-#include <tests/core/gcm/system/running_catalog.h>
+#include <tests/core/gcm/system/running_catalogue.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/system/running_system.h>
-#include <tests/core/gcm/system/running_catalog.h>
+#include <tests/core/gcm/system/running_catalogue.h>
 
 namespace tendon {
 namespace {
@@ -127,7 +127,7 @@ TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {
   builder.Process("robot", {test::Arm()}, ProcessState::kLost);
 
   EXPECT_EQ(SystemOf(builder.catalogue(), "x").file.FindProcess("robot"), nullptr);
-  const RunningSystem whole = SystemOf(builder.catalogue(), "x", Gone::kIncluded);
+  const RunningSystem whole = SystemOf(builder.catalogue(), "x", AbsentProcesses::kIncluded);
   EXPECT_NE(whole.file.FindComponent("robot", "arm"), nullptr);
   EXPECT_EQ(whole.file.connections.size(), 1U);
 }

@@ -29,7 +29,7 @@ class LifeApply : public LifeFixture {
     tendon::ClientExecutor executor(*client_, kLong);
     return ExecutePlan(plan, executor, tendon::AfterError::kStop,
                        [](std::size_t, const tendon::PlanStep& step, const auto& outcome) {
-                         EXPECT_EQ(outcome.fate, tendon::StepOutcome::Fate::kDone)
+                         EXPECT_EQ(outcome.state, tendon::StepOutcome::State::kDone)
                              << ToString(step) << ": " << outcome.reason;
                        });
   }
@@ -43,7 +43,7 @@ class LifeApply : public LifeFixture {
   }
   void ExpectRuns(const SystemFile& wanted) {
     const auto comparison = CompareSystems(wanted, SystemOf(gcm().catalogue(), "").file,
-                                           tendon::Starts::kUnknownInSecond);
+                                           tendon::StartComparison::kIgnore);
     for (const auto& one : comparison.differences) ADD_FAILURE() << one.what << ": " << one.how;
   }
   /// A lamp with its switch, one that is suspended and one that was never started.

@@ -322,7 +322,7 @@ TEST(LifeCycle, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) 
     order.component = "lamp";
     order.patience = std::chrono::minutes(1);
     std::promise<std::string> reason;
-    life.Obey(
+    life.ExecuteOrder(
         order, [] { return tendon::Result<void>(); },
         [&](const auto& obeyed) { reason.set_value(obeyed ? "" : obeyed.error().message); });
     return reason.get_future().get();

@@ -222,7 +222,8 @@ TEST_P(LifeUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
   }
 
   const tendon::SystemFile after = SystemOf(gcm().catalogue(), "x").file;
-  for (const auto& one : CompareSystems(before, after, tendon::Starts::kKnown).differences) {
+  for (const auto& one :
+       CompareSystems(before, after, tendon::StartComparison::kCompare).differences) {
     ADD_FAILURE() << one.what << ": " << one.how;
   }
 }

@@ -3,14 +3,14 @@
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/viewer_messages.h>
 
-#include "core/process/telemetry/listening.h"
+#include "core/process/telemetry/recording_handler.h"
 #include "support/wait.h"
 
 namespace tendon {
 namespace {
 
 /// Answers every subscription with a column too few.
-class Confused final : public Listening {
+class Confused final : public RecordingHandler {
  public:
   static constexpr std::uint32_t kHandle = 5;
 
@@ -25,7 +25,7 @@ class Confused final : public Listening {
 };
 
 /// Sends rows of what nobody has heard an answer about.
-class Forgotten final : public Listening {
+class Forgotten final : public RecordingHandler {
  public:
   static constexpr std::uint32_t kHandle = 6;
 

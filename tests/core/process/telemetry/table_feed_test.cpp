@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "conformance/resources.h"
-#include "core/process/telemetry/listening.h"
+#include "core/process/telemetry/recording_handler.h"
 #include "support/wait.h"
 
 namespace tendon {

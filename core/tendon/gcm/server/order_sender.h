@@ -1,0 +1,52 @@
+#pragma once
+
+#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/server/registry.h>
+#include <tendon/middleware/body.h>
+#include <tendon/process/ask.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace tendon::server {
+
+/// Sends orders to processes and answers those who requested them, both after the owner's lock is
+/// released. All functions are called under that lock; `done` is called once, without it.
+class OrderSender {
+ public:
+  template <typename T>
+  using Done = std::function<void(Result<T>)>;
+
+  /// `worker` provides timeouts.
+  OrderSender(const Registry& registry, DeferredActions& deferred, Worker& worker)
+      : registry_(registry), deferred_(deferred), worker_(worker) {}
+
+  template <typename T>
+  void Answer(Done<T> done, Result<T> result) {
+    deferred_.Add([done = std::move(done), result = std::move(result)] { done(result); });
+  }
+
+  /// kFailed if the process is not available.
+  template <typename T, Message Body>
+  void Send(MessageType type, const std::string& process, const Body& body,
+            std::chrono::milliseconds longest, Done<T> done) {
+    const auto channel = registry_.ChannelOf(process);
+    if (!channel) {
+      return Answer(
+          std::move(done),
+          Result<T>(Error{ErrorCode::kFailed, "process '" + process + "' is not available"}));
+    }
+    deferred_.Add([&worker = worker_, channel, type, body, longest, done = std::move(done)] {
+      Ask<T>(worker, channel, type, body, longest, done);
+    });
+  }
+
+ private:
+  const Registry& registry_;
+  DeferredActions& deferred_;
+  Worker& worker_;
+};
+
+}  // namespace tendon::server

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <tendon/gcm/catalogue.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace tendon {
+
+/// The reason why the values of a component are not current.
+enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNoAnswer, kLost };
+
+/// "suspended", "not started", "no answer"; "running" for kNone.
+[[nodiscard]] constexpr std::string_view ToString(StaleReason why) noexcept {
+  switch (why) {
+    case StaleReason::kNone:
+      return "running";
+    case StaleReason::kNotStarted:
+      return "not started";
+    case StaleReason::kSuspended:
+      return "suspended";
+    case StaleReason::kFinished:
+      return "finished";
+    case StaleReason::kFaulted:
+      return "faulted";
+    case StaleReason::kNoAnswer:
+      return "no answer";
+    case StaleReason::kLost:
+      break;
+  }
+  return "lost";
+}
+
+/// If a process does not answer or is gone, the state of its components is unknown.
+[[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
+                                                  ComponentState component) noexcept {
+  if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;
+  if (process != ProcessState::kAlive) return StaleReason::kLost;
+  switch (component) {
+    case ComponentState::kConstructed:
+    case ComponentState::kReady:
+      return StaleReason::kNotStarted;
+    case ComponentState::kActive:
+      return StaleReason::kNone;
+    case ComponentState::kSuspended:
+      return StaleReason::kSuspended;
+    case ComponentState::kFinished:
+      return StaleReason::kFinished;
+    case ComponentState::kFaulted:
+      break;
+  }
+  return StaleReason::kFaulted;
+}
+
+/// A component that is not in the catalogue counts as lost.
+[[nodiscard]] inline StaleReason StaleReasonOf(const Catalogue& catalogue,
+                                               const std::string& process,
+                                               const std::string& component) {
+  const ProcessEntry* entry = catalogue.FindProcess(process);
+  if (entry == nullptr) return StaleReason::kLost;
+  const auto found = entry->components.find(component);
+  if (found == entry->components.end()) return StaleReason::kLost;
+  return StaleReasonOf(entry->process.state, found->second.state);
+}
+
+/// True if a value must be marked as old, in the console and in the window. Values of a component
+/// that does not run are old, except if the row is so new that it may have just arrived. Values
+/// whose next row is overdue are old too. `age` is the age of the row, if known; `rate` is the rate
+/// of rows in Hz, 0 if unknown.
+[[nodiscard]] inline bool IsStale(StaleReason why, std::optional<std::chrono::nanoseconds> age,
+                                  double rate) {
+  constexpr std::chrono::milliseconds kOnItsWay{500};
+  constexpr std::chrono::duration<double> kLate{2};
+  constexpr double kMostPeriods = 5;
+  if (why != StaleReason::kNone) return !age || *age > kOnItsWay;
+  if (!age || rate <= 0) return false;
+  return *age > std::max(kLate, std::chrono::duration<double>(kMostPeriods / rate));
+}
+
+/// "12 s", "3 min", "2 h".
+[[nodiscard]] inline std::string AgeText(std::chrono::nanoseconds age) {
+  constexpr std::int64_t kMinute = 60;
+  constexpr std::int64_t kHour = 60 * kMinute;
+  const std::int64_t seconds =
+      std::max<std::int64_t>(0, std::chrono::duration_cast<std::chrono::seconds>(age).count());
+  if (seconds < 2 * kMinute) return std::to_string(seconds) + " s";
+  if (seconds < 2 * kHour) return std::to_string(seconds / kMinute) + " min";
+  return std::to_string(seconds / kHour) + " h";
+}
+
+}  // namespace tendon

@@ -1,0 +1,223 @@
+#include <tendon/base/text.h>
+#include <tendon/gcm/gcm_messages.h>
+#include <tendon/gcm/history.h>
+#include <tendon/gcm/text.h>
+#include <tendon/middleware/body.h>
+#include <tendon/payload/json/strict_json.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace tendon {
+namespace {
+
+std::string ObjectOf(const message::LifeOrder& order) {
+  const std::string& object = order.component.empty() ? order.library : order.component;
+  const std::string class_name = order.class_name.empty() ? "" : " of " + order.class_name;
+  return std::string(ToString(order.verb)) + " " + order.process + "/" + object + class_name;
+}
+
+constexpr const char* kUnknown = "-";
+
+std::string OneDigit(double value) {
+  std::array<char, 320> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, 1).ptr;
+  return {text.data(), end};
+}
+
+std::string Milliseconds(std::chrono::nanoseconds time) {
+  constexpr double kMillisecond = 1e6;
+  return OneDigit(static_cast<double>(time.count()) / kMillisecond) + " ms";
+}
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson ObjectOf(const std::string& configuration) {
+  auto object = JsonOrText(configuration);
+  return object.is_object() ? object : OrderedJson::object();
+}
+
+std::string ValueOf(const OrderedJson& object, const std::string& key) {
+  constexpr std::size_t kMost = 80;
+  return object.contains(key) ? Printable(object.at(key).dump(), kMost) : "default";
+}
+
+}  // namespace
+
+std::string AuditObject(MessageType type, std::span<const std::byte> body) {
+  if (type == message::kForget) {
+    const auto forget = DecodeBody<message::Forget>(body);
+    return forget ? forget->process : std::string();
+  }
+  if (type == message::kSetLogLevel) {
+    const auto order = DecodeBody<message::SetLogLevel>(body);
+    return order ? order->process : std::string();
+  }
+  if (type == message::kLife) {
+    const auto order = DecodeBody<message::LifeOrder>(body);
+    return order ? ObjectOf(*order) : std::string();
+  }
+  if (type == message::kProcess) {
+    const auto order = DecodeBody<message::ProcessOrder>(body);
+    return order ? std::string(ToString(order->verb)) + " " + order->process : std::string();
+  }
+  const bool has_ends =
+      type == message::kConnect || type == message::kReplace || type == message::kDisconnect;
+  const auto wire = has_ends ? DecodeBody<message::Wire>(body) : Result(message::Wire());
+  if (!has_ends || !wire) return {};
+  const bool has_provided = type != message::kDisconnect;
+  return ToString(wire->required) + (has_provided ? " " + ToString(wire->provided) : "");
+}
+
+const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
+                                         const ProcessDescription& process) {
+  const auto found =
+      std::ranges::find(health.processes, process.name, &message::ProcessHealth::process);
+  const bool is_known = found != health.processes.end() && found->instance == process.instance;
+  return is_known ? &*found : nullptr;
+}
+
+const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
+                                         const ProcessDescription& process) {
+  if (process.state != ProcessState::kAlive) return nullptr;
+  const auto* const last = LastHealth(health, process);
+  return last != nullptr && last->age <= kFreshHealth ? last : nullptr;
+}
+
+std::string CpuText(const message::ProcessHealth* health) {
+  constexpr double kPercent = 100.0;
+  return health == nullptr || health->cpu < 0.0 ? kUnknown
+                                                : OneDigit(health->cpu * kPercent) + " %";
+}
+
+std::string MemoryText(const message::ProcessHealth* health) {
+  constexpr double kMiB = 1024.0 * 1024.0;
+  if (health == nullptr || health->memory == 0) return kUnknown;
+  return OneDigit(static_cast<double>(health->memory) / kMiB) + " MiB";
+}
+
+std::string ClockText(const message::ProcessHealth* health) {
+  if (health == nullptr || health->clock_uncertainty < std::chrono::nanoseconds(0)) return kUnknown;
+  return Milliseconds(health->clock_offset) + " off (+-" + Milliseconds(health->clock_uncertainty) +
+         ")";
+}
+
+bool IsKept(const Diagnosis& diagnosis) {
+  constexpr std::size_t kMade = 5;
+  const bool is_made = diagnosis.steps.size() > kMade &&
+                       diagnosis.steps[kMade].verdict != DiagnosisStep::Verdict::kNotReached;
+  return diagnosis.is_connected && diagnosis.failure.has_value() && !is_made;
+}
+
+std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
+  if (IsKept(diagnosis)) {
+    return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
+  }
+  std::vector<std::string> texts;
+  for (const ConnectionRemnant& one : diagnosis.remnants) texts.push_back("left over: " + one.text);
+  return texts;
+}
+
+std::string PluginText(const PluginDescription& plugin) {
+  return plugin.file + " of " + WallTimeText(plugin.written);
+}
+
+std::string PluginChangeText(const PluginDescription& plugin) {
+  if (plugin.state == PluginState::kCurrent) return "";
+  if (plugin.state == PluginState::kGone) return "gone";
+  return "written again at " + WallTimeText(plugin.written_now);
+}
+
+std::optional<OutdatedPlugin> FindOutdatedPlugin(const std::string& process,
+                                                 const PluginDescription& plugin) {
+  if (plugin.state == PluginState::kCurrent) return std::nullopt;
+  const bool is_gone = plugin.state == PluginState::kGone;
+  return OutdatedPlugin{.finding = "process '" + process + "' runs " + PluginText(plugin) +
+                                   "; the file " +
+                                   (is_gone ? "is missing" : "was " + PluginChangeText(plugin)),
+                        .remedy = is_gone ? "restore it before you restart the process"
+                                          : "restart the process to use it"};
+}
+
+std::string OutdatedPluginText(const std::string& process, const PluginDescription& plugin) {
+  const auto old = FindOutdatedPlugin(process, plugin);
+  return old ? old->finding + ": " + old->remedy : "";
+}
+
+std::string WholeText(const message::HistoryEntry& step) {
+  return "step " + std::to_string(step.id) + " (" + ToString(step) + ", by " + step.who + " at " +
+         WallTimeText(step.when) + ")";
+}
+
+std::string ChangesText(const message::HistoryEntry& step) {
+  if (step.verb != ToString(LifeVerb::kConfigure)) return {};
+  const OrderedJson former = ObjectOf(step.life.former);
+  const OrderedJson now = ObjectOf(step.life.configuration);
+  std::set<std::string> keys;
+  for (const auto& [key, value] : former.items()) keys.insert(key);
+  for (const auto& [key, value] : now.items()) keys.insert(key);
+  std::string text;
+  for (const std::string& key : keys) {
+    const std::string before = ValueOf(former, key);
+    const std::string after = ValueOf(now, key);
+    if (before == after) continue;
+    text += (text.empty() ? "" : ", ") + Printable(key, 64) + " " + before + " -> " + after;
+  }
+  return text;
+}
+
+bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
+
+bool IsOfProcess(const message::HistoryEntry& step) {
+  return IsOfLife(step) && step.life.component.empty();
+}
+
+const std::string& ProcessOf(const message::HistoryEntry& step) {
+  return IsOfLife(step) ? step.life.process : step.wire.required.process;
+}
+
+std::string VersionText(const message::ProgramVersion& version) {
+  return "version " + version.release + ", protocol " + std::to_string(version.protocol);
+}
+
+VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
+                             const message::ProgramVersion& own) {
+  if (!told && told.error().code == ErrorCode::kDenied) {
+    return {.text = "of an old version that does not report itself"};
+  }
+  if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
+  const bool is_own = told->release == own.release && told->protocol == own.protocol;
+  return {.text = VersionText(*told) + (is_own ? "" : ", which is not that of this program"),
+          .is_own = is_own};
+}
+
+std::int64_t WallTime() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+std::string WallTimeText(std::int64_t nanoseconds) {
+  const std::chrono::nanoseconds since(nanoseconds);
+  const std::time_t seconds = std::chrono::duration_cast<std::chrono::seconds>(since).count();
+  std::tm parts{};
+  localtime_r(&seconds, &parts);
+  std::array<char, 32> text{};
+  const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S", &parts);
+  return {text.data(), length};
+}
+
+std::string FineWallTimeText(std::int64_t nanoseconds) {
+  constexpr std::int64_t kMillisecond = 1'000'000;
+  const std::int64_t below_second =
+      (nanoseconds / kMillisecond % 1000 + 1000) % 1000;  // also before 1970
+  std::string milliseconds = std::to_string(1000 + below_second);
+  milliseconds.front() = '.';
+  return WallTimeText(nanoseconds) + milliseconds;
+}
+
+}  // namespace tendon

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <tendon/lockfree/flag.h>
+#include <tendon/middleware/channel.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The read commands that other processes mirror. Reports to these processes which commands are
+/// disabled, because their copies must not answer then. Not thread-safe.
+class MirroredCommands {
+ public:
+  /// A mirrored command and its channel.
+  struct Command {
+    std::string component;
+    const Flag* enabled = nullptr;  ///< valid until Remove(component)
+    std::shared_ptr<Channel> channel;
+    std::uint32_t handle = 0;  ///< handle of its copies
+    Lane lane = kCommonLane;   ///< lane of its copies
+  };
+
+  void Add(Command command) { known_.push_back({.command = std::move(command)}); }
+  void Remove(const Channel& channel, std::uint32_t handle);
+  void Remove(const std::string& component);
+  /// Reports changes; call it regularly.
+  void Report();
+
+ private:
+  struct Known {
+    Command command;
+    bool is_enabled = true;  // as last reported
+  };
+
+  std::vector<Known> known_;
+};
+
+}  // namespace tendon

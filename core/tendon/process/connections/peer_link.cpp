@@ -1,0 +1,152 @@
+#include <tendon/process/ask.h>
+#include <tendon/process/connections/opening.h>
+#include <tendon/process/connections/peer_link.h>
+#include <tendon/process/heartbeat.h>
+#include <tendon/process/schema_exchange.h>
+#include <tendon/process/telemetry/row_batch.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/state/state_table.h>
+
+#include <string>
+#include <utility>
+
+namespace tendon {
+
+void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
+                    const std::string& process, const std::string& address, Opened opened) {
+  constexpr std::chrono::milliseconds kOpenTimeout(800);
+  const auto link = std::make_shared<PeerLink>(context.worker, listener);
+  ChannelRequest wanted{.opener = context.opener,
+                        .address = address,
+                        .hello = context.hello,
+                        .handler = link,
+                        .timeout = kOpenTimeout};
+  wanted.hello.wanted = process;
+  wanted.hello.session = 0;  // the session is only for the GCM
+  OpenChannel(context, wanted,
+              [link, process, address, opened = std::move(opened)](const OpenedChannel& channel) {
+                if (channel) {
+                  link->Begin(*channel);
+                  return opened(link);
+                }
+                const Error& error = channel.error();
+                opened(Error{error.code, "process '" + process + "' cannot be reached at " +
+                                             address + ": " + error.message});
+              });
+}
+
+void PeerLink::Begin(const std::shared_ptr<Channel>& channel) {
+  channel_ = channel;
+  last_heard_.Set(SteadyClock().Now());
+  MonitorPeer(worker_, channel_,
+              [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
+                const auto measured = weak.lock();
+                if (!measured) return;
+                measured->round_trip_.Set(arrived - sent);
+                measured->last_heard_.Set(arrived);
+                const std::scoped_lock lock(measured->mutex_);
+                measured->clock_.Add(sent, there, arrived);
+              });
+}
+
+void PeerLink::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                         std::span<const std::byte> body, Responder responder) {
+  if (header.type == message::kGetSchemas) return AnswerSchemas(body, responder);
+  ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+}
+
+void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                        std::span<const std::byte> body) {
+  if (header.type == message::kRows || header.type == message::kRowsEnded) {
+    return OnRows(channel, header, body);
+  }
+  if (header.type == message::kMirrorTurned) return OnMirrorEnabled(header.handle, body);
+  if (header.type == message::kEvents) {
+    return ForEachCall(body, [this](std::uint32_t handler, std::span<const std::byte> value) {
+      const auto [proxy, offset] = handles_.Find(handler);
+      if (proxy && offset > 0) proxy->OnEvent(offset - 1, value);
+    });
+  }
+  const auto [proxy, offset] = handles_.Find(header.handle);
+  if (!proxy || offset > 0) return;  // closed meanwhile
+  if (header.type == message::kCredit) {
+    const auto credit = DecodeBody<message::Credit>(body);
+    if (!credit || !proxy->OnCredit(*credit)) return;
+    worker_->Post([self = shared_from_this()] { self->listener_.OnServerChanged(); });
+  } else if (header.type == message::kEventsLost) {
+    const auto events = DecodeBody<message::EventsLost>(body);
+    if (events) proxy->OnEventsLost(*events);
+  } else if (header.type == message::kInterfaceClosed) {
+    proxy->Sever();
+    worker_->Post([self = shared_from_this(), handle = header.handle,
+                   reason = ReadRefusal(body, "the peer")] {
+      self->listener_.OnInterfaceClosed(*self, handle, reason);
+    });
+  }
+}
+
+Result<PeerLink::MirroredValues> PeerLink::MakeCopies(const message::MirrorReply& mirrored) {
+  MirroredValues values;
+  const std::scoped_lock lock(mutex_);
+  EndUnread();
+  for (const message::MirroredColumn& column : mirrored.columns) {
+    if (column.capacity > StateTable::kMaximumRowBytes) {
+      return Error{ErrorCode::kInvalid, channel_->peer().name + " offers copies of " +
+                                            std::to_string(column.capacity) + " bytes"};
+    }
+    values.push_back(std::make_shared<MirroredValue>(column.capacity));
+    if (!column.value.empty()) Put(*values.back(), column.time, column.value);
+    if (column.handle != 0) mirrored_[column.handle] = values.back();
+  }
+  return values;
+}
+
+/// Unsubscribes from copies that nobody reads; OnRows() would not notice it without new rows.
+void PeerLink::EndUnread() {
+  std::erase_if(mirrored_, [this](const auto& one) {
+    if (!one.second.expired()) return false;
+    (void)channel_->Notify(message::kUnsubscribe, one.first, Bytes());
+    return true;
+  });
+}
+
+void PeerLink::OnRows(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                      std::span<const std::byte> body) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = mirrored_.find(header.handle);
+  const auto value = found == mirrored_.end() ? nullptr : found->second.lock();
+  if (!value || header.type == message::kRowsEnded) {
+    if (value) value->End();
+    if (found != mirrored_.end()) mirrored_.erase(found);
+    if (!value) (void)channel->Notify(message::kUnsubscribe, header.handle, Bytes());
+    return;
+  }
+  const auto rows = RowBatchReader::Open(body);
+  if (rows && rows->header().rows > 0 && rows->header().columns == 1) {
+    const std::size_t newest = rows->header().rows - 1;
+    Put(*value, rows->time(newest), rows->cell(newest, 0));
+  }
+  // The process sends no more rows until this notice arrives.
+  NotifyUntilSent(worker_, channel, message::kRowTaken, header.handle);
+}
+
+void PeerLink::OnMirrorEnabled(std::uint32_t handle, std::span<const std::byte> body) {
+  const auto is_enabled = DecodeBody<bool>(body);
+  const std::scoped_lock lock(mutex_);
+  const auto found = mirrored_.find(handle);
+  const auto value = found == mirrored_.end() ? nullptr : found->second.lock();
+  if (value && is_enabled) value->SetEnabled(*is_enabled);
+}
+
+void PeerLink::Put(MirroredValue& value, std::int64_t time, std::span<const std::byte> body) {
+  const SteadyTime there = ClockOffset::Sensible(SteadyTime(std::chrono::nanoseconds(time)));
+  (void)value.Put(there - clock_.SlewedAt(there), body);
+}
+
+void PeerLink::OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error& reason) {
+  for (const auto& proxy : handles_.objects()) proxy->Sever();
+  worker_->Post(
+      [self = shared_from_this(), reason] { self->listener_.OnLinkClosed(*self, reason); });
+}
+
+}  // namespace tendon

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <tendon/base/backoff.h>
+#include <tendon/base/clock.h>
+#include <tendon/process/connections/peer_link.h>
+#include <tendon/process/process_description.h>
+
+#include <chrono>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The other processes, and links to the processes that are needed. Used only on the worker.
+class PeerLinks {
+ public:
+  PeerLinks(ProcessContext& context, PeerListener& listener)
+      : context_(context), listener_(listener) {}
+
+  /// Sets the present processes, as the GCM reports them. Closes no links, because the GCM's report
+  /// may be outdated.
+  void Update(const std::vector<ProcessDescription>& processes);
+  /// Adds or updates one process.
+  void Learn(const std::string& process, const std::string& address, std::uint64_t instance);
+
+  [[nodiscard]] std::vector<std::string> names() const;
+  /// The present instance of a process; empty if the process is absent.
+  [[nodiscard]] std::optional<std::uint64_t> InstanceOf(const std::string& process) const;
+
+  using Done = PeerLink::Opened;
+
+  /// Calls `done` with the link to the process, at once if the link is already open. Links to
+  /// processes that did not answer last time are opened one at a time.
+  void LinkTo(const std::string& process, Done done);
+  /// Closes links to outdated instances, and links to processes that the GCM has lost and that do
+  /// not answer here either.
+  void CloseOutdated();
+  void CloseAll();
+
+ private:
+  struct Place {
+    std::string address;
+    std::uint64_t instance = 0;
+
+    bool operator==(const Place&) const = default;
+  };
+
+  /// A process that accepts connections but does not answer. Not tried again for a while, because
+  /// an attempt delays others.
+  struct UnresponsivePeer {
+    Place place;
+    Error error;
+    // At most the pause of connections.
+    Backoff backoff{std::chrono::milliseconds(500), std::chrono::milliseconds(1500)};
+    SteadyTime until{};
+  };
+
+  void Open(const std::string& process);
+  void Finish(const std::string& process, const Place& tried,
+              const Result<std::shared_ptr<PeerLink>>& opened);
+  void RecordOutcome(const std::string& process, const Place& tried,
+                     const Result<std::shared_ptr<PeerLink>>& opened);
+
+  ProcessContext& context_;
+  PeerListener& listener_;
+  std::map<std::string, Place> places_;
+  std::map<std::string, std::shared_ptr<PeerLink>> links_;
+  std::map<std::string, std::vector<Done>> openings_;  // the functions that wait for each
+  std::map<std::string, UnresponsivePeer> unresponsive_;
+  std::deque<std::string>
+      unresponsive_queue_;  // to be opened one at a time; the first one is being opened
+};
+
+}  // namespace tendon

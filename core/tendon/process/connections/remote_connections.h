@@ -1,0 +1,104 @@
+#pragma once
+
+#include <tendon/base/backoff.h>
+#include <tendon/interface/connection.h>
+#include <tendon/process/connections/opening.h>
+#include <tendon/process/connections/peer_links.h>
+#include <tendon/process/membership/membership_messages.h>
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The connections from required interfaces of this process to provided interfaces of others:
+/// active, pending and refused ones. A lost connection is made again when its peer returns;
+/// interrupted calls are not repeated.
+///
+/// Functions are called on the worker unless noted.
+class RemoteConnections final : private PeerListener {
+ public:
+  using Done = std::function<void(const Result<ConnectionDescription>&)>;
+
+  explicit RemoteConnections(ProcessContext& context) : context_(context), peers_(context, *this) {}
+
+  /// Adds the connection, and calls `done` when it is active or pending. It is not added on an
+  /// error: kNotFound for the end in this process, kExists, kIncompatible. All names include the
+  /// process.
+  void Connect(const message::Wire& wire, Done done);
+
+  /// Sets the present processes, and opens the connections that are now possible.
+  void UpdatePeers(const std::vector<ProcessDescription>& processes);
+  void LearnPeer(const std::string& process, const std::string& address, std::uint64_t instance);
+
+  // Any thread.
+
+  [[nodiscard]] bool Has(const InterfaceName& required) const;
+  /// Removes the connection, after sending accepted calls.
+  Result<void> Disconnect(const InterfaceName& required);
+  /// Call it before the component is removed.
+  void RemoveComponent(const std::string& component);
+  [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
+  /// kFailed, with the reason and the time, if the connection is not active.
+  [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
+
+  /// True if servers may still execute accepted calls of the component.
+  [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
+
+  /// Ends all connections, once the worker has stopped; sends accepted calls until `deadline`.
+  void Close(SteadyTime deadline);
+
+ private:
+  struct Entry {
+    ConnectionDescription description;
+    SteadyTime since{};            // the time since when it is not active
+    Done done;                     // callback of Connect(); empty after the first outcome
+    std::uint64_t attempt = 0;     // the newest attempt; outcomes of earlier ones are ignored
+    bool is_opening = false;       // an attempt has no outcome yet
+    std::uint64_t refused_by = 0;  // the instance of the process that refused it
+    Backoff backoff{std::chrono::milliseconds(100), std::chrono::milliseconds(2000), 0.25};
+    std::shared_ptr<PeerLink> link;
+    std::uint32_t handle = 0;  // the number that this end has issued
+    std::shared_ptr<ProvidedInterfaceProxy> proxy;
+    std::unique_ptr<Connection> connection;
+  };
+  using Entries = std::map<ConnectionId, Entry>;
+
+  /// An attempt whose request was sent.
+  struct Attempt {
+    ConnectionId id = 0;
+    std::uint64_t number = 0;
+    std::shared_ptr<PeerLink> link;
+    std::uint32_t handle = 0;
+  };
+
+  void OnLinkClosed(const PeerLink& link, const Error& reason) override;
+  void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle, const Error& reason) override;
+  void OnServerChanged() override { context_.host.StructureChanged(); }
+
+  Result<ConnectionId> Enter(const message::Wire& wire, const Done& done);
+  void TryPossible();
+  void Try(ConnectionId id);
+  void ReportPending(ConnectionId id, std::uint64_t attempt);
+  void Request(ConnectionId id, const std::shared_ptr<PeerLink>& link);
+  void GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason);
+  void Finish(const Attempt& attempt, const OpenedInterface& opened);
+  Result<void> Bind(Entry& entry, const std::shared_ptr<ProvidedInterfaceProxy>& proxy);
+  void Postpone(ConnectionId id, const std::string& reason);
+  void Refuse(ConnectionId id, const Error& error);
+  void Suspend(Entry& entry, const std::string& reason);
+  void TakeDown(Entry& entry, SteadyTime deadline);
+  void CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle, Lane lane);
+  [[nodiscard]] bool IsNewest(ConnectionId id, std::uint64_t attempt) const;
+  [[nodiscard]] Entries::const_iterator FindEntry(const InterfaceName& required) const;
+
+  ProcessContext& context_;
+  PeerLinks peers_;
+  Entries entries_;  // under the manager's lock
+};
+
+}  // namespace tendon

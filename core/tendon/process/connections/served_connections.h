@@ -1,0 +1,96 @@
+#pragma once
+
+#include <tendon/interface/connection.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/audit_log.h>
+#include <tendon/process/context.h>
+#include <tendon/proxy/connection_messages.h>
+#include <tendon/proxy/handle_table.h>
+#include <tendon/proxy/required_interface_proxy.h>
+
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <memory>
+#include <string>
+
+namespace tendon {
+
+/// Another process that has opened a channel to this one, and the handles issued to it.
+struct Client {
+  std::shared_ptr<Channel> channel;
+  AuditLog audit;  ///< audit log for its connections
+  HandleTable<RequiredInterfaceProxy> handles;
+};
+
+/// "robot/arm/Control for desk/operator/Robot", for the audit log.
+[[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
+
+/// The connections from required interfaces of other processes to provided interfaces here. The
+/// audit log records opening and closing of each connection that may bring commands, and the number
+/// of commands.
+///
+/// Functions are called on the worker unless noted.
+class ServedConnections {
+ public:
+  explicit ServedConnections(ProcessContext& context) : context_(context) {}
+
+  /// A listener for events only may be a viewer; their number is limited for each client and in
+  /// total, and closing one does not wait until it has received all.
+  enum class Use { kAll, kEventsOnly };
+  static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
+  static constexpr std::ptrdiff_t kMostListeners = 256;
+
+  /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
+  /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
+  /// large, kFailed for too many listeners.
+  void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
+            const std::shared_ptr<Responder>& responder);
+  /// Executes the calls that have arrived, then closes the connection; `handle` is the number that
+  /// this end has issued. If a call hangs in component code, the connection is freed when that call
+  /// returns, and no thread waits.
+  void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
+  /// Closes all connections of a client that is gone, in the same way.
+  void CloseAll(const std::shared_ptr<Client>& client);
+
+  /// Any thread: call it before the component is removed. Notifies clients and waits for hanging
+  /// calls.
+  void RemoveComponent(const std::string& component);
+  /// Call it after the worker has stopped and all channels are closed. Waits for running calls
+  /// until `deadline`; waits longer only for calls that must not be abandoned.
+  void Close(SteadyTime deadline);
+
+ private:
+  struct Entry {
+    std::shared_ptr<Client> client;
+    InterfaceName required;
+    std::string component;
+    std::string ends;
+    Use use = Use::kAll;
+    std::uint32_t handle = 0;
+    std::shared_ptr<RequiredInterfaceProxy> proxy;
+    std::unique_ptr<Connection> connection;
+  };
+
+  Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
+  [[nodiscard]] Result<void> CheckListeners(const Client& client, Use use) const;
+  static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
+  Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
+                     Use use, ProvidedInterface& provided);
+  static void Detach(Entry& entry);
+  void TakeDown(Entry& entry, SteadyTime deadline);
+  /// Takes down the entries for which `predicate` holds.
+  template <typename Predicate>
+  void TakeDownWhere(std::list<Entry>& entries, Predicate predicate, SteadyTime deadline);
+  void CheckHanging();
+  /// Writes to the audit log if the connection may bring commands.
+  static void LogChange(const Entry& entry, const std::string& what);
+  template <typename Predicate>
+  void CloseWhere(Predicate predicate);
+
+  ProcessContext& context_;
+  std::list<Entry> entries_;  // guarded by the manager's lock
+  std::list<Entry> hanging_;  // likewise; closed, but a call has not returned
+};
+
+}  // namespace tendon

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <tendon/middleware/channel.h>
+#include <tendon/process/audit_log.h>
+#include <tendon/security/rights.h>
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace tendon {
+namespace message {
+
+/// Notice from the opener of a channel: a Role, as std::uint8_t. Limits the opener to that role
+/// from now on; the role cannot be raised.
+inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
+
+}  // namespace message
+
+/// Decides what the program at the other end of a channel may do. Every process that serves others,
+/// LCM or GCM, checks every message with it. Messages that kRights does not allow for the peer's
+/// role never reach the functions below.
+///
+/// Messages from viewers are small, so a message above 1 MiB is refused, whatever the role.
+///
+/// Under TLS a program has the role of its certificate. A peer on this machine without TLS knows
+/// the user's cookie, and is an operator. A peer may lower its role. The audit log has a line for
+/// each refusal and for each request that changes something.
+class GuardedHandler : public ChannelHandler {
+ public:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) final;
+  void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                std::span<const std::byte> body) final;
+  std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header) final;
+
+ private:
+  virtual void OnAllowedRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                                std::span<const std::byte> body, Responder responder) = 0;
+  virtual void OnAllowedNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                               std::span<const std::byte> body) = 0;
+  /// The object of a request, for the audit log: "arm/Control.Stop". The body is untrusted and may
+  /// be malformed.
+  [[nodiscard]] virtual std::string ObjectOf(const FrameHeader& header,
+                                             std::span<const std::byte> body) const = 0;
+
+  [[nodiscard]] Role RoleOf(const Channel& channel) const;
+  std::optional<Error> Refusal(const Channel& channel, const FrameHeader& header,
+                               std::span<const std::byte> body);
+
+  Role role_ = Role::kOperator;  // the highest role that the peer asks for
+  AuditLog audit_;
+};
+
+/// Limits our rights on a channel that we have just opened.
+void LowerRole(Channel& channel, Role role);
+
+}  // namespace tendon

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/lockfree/flag.h>
+#include <tendon/middleware/channel.h>
+#include <tendon/process/worker.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace tendon {
+
+/// A peer with a longer silence counts as hanging.
+inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
+
+/// True if a large message, at either end, may delay the peer's next message.
+[[nodiscard]] bool MayBeHeldUp(const Channel& channel, SteadyTime now,
+                               std::chrono::milliseconds silence);
+
+/// Called in a thread of the middleware with the times of a request and its answer on our clock,
+/// and the time of the peer's steady clock in between.
+using OnPeerTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
+
+/// Pings the process at the other end twice a second while the channel is open. Closes the channel
+/// after 1.5 s without an answer, because a process that hangs or is cut off does not close it.
+/// Waits longer while large messages are being sent or handled, because they may delay the answer.
+/// `worker` provides the timer.
+void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
+                 const OnPeerTime& on_peer_time = nullptr);
+
+/// Calls Channel::Expire() every second on `worker` while the channel is open. For the acceptor of
+/// a channel, which sends no requests itself.
+void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
+
+/// Closes the channel of a viewer that hangs. A viewer pings twice a second; after its first ping,
+/// a silence of 1.5 s closes the channel and ends its subscriptions. Otherwise the process would
+/// send rows to a hanging viewer for ever. A viewer that was only slow opens the channel again and
+/// counts the rows that it missed.
+class ViewerMonitor final : public std::enable_shared_from_this<ViewerMonitor> {
+ public:
+  explicit ViewerMonitor(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}
+
+  /// Notes a ping. Any thread; wait-free.
+  void OnPing() noexcept { last_ping_.Set(SteadyClock().Now()); }
+  /// Starts checking on the worker while the channel is open. Further calls do nothing. Called by
+  /// one thread.
+  void Begin(const std::shared_ptr<Channel>& channel);
+
+ private:
+  void CheckAfter(std::chrono::milliseconds delay);
+  void Check(SteadyTime due);
+
+  const std::weak_ptr<Worker> worker_;
+  std::weak_ptr<Channel> channel_;  // used only on the worker after Begin()
+  bool has_begun_ = false;
+  Published<SteadyTime> last_ping_;
+};
+
+}  // namespace tendon

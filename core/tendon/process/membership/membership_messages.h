@@ -1,0 +1,135 @@
+#pragma once
+
+#include <tendon/middleware/frame.h>
+#include <tendon/process/process_description.h>
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// The messages between a GCM and the LCMs that join it. Each struct is the body of a frame;
+/// requests are answered, notices are not.
+namespace tendon::message {
+
+// From an LCM.
+inline constexpr auto kJoin = static_cast<MessageType>(0x300);    // request: Join -> JoinReply
+inline constexpr auto kReport = static_cast<MessageType>(0x301);  // notice: Report
+inline constexpr auto kRenew = static_cast<MessageType>(0x302);   // request: None -> None
+inline constexpr auto kLeave = static_cast<MessageType>(0x303);   // request: None -> None
+inline constexpr auto kReportHealth =
+    static_cast<MessageType>(0x304);  // request: Health -> GcmClock
+// From the GCM, on the channel on which the process joined. request: Wiring ->
+// ConnectionDescription; the LCM reports the connection before it answers
+inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
+// request: Wire -> None; the LCM reports the end of the connection before it replies
+inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
+inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
+
+/// The description of a joining process, from which the GCM rebuilds its state. A process that
+/// joins again with the same instance, and the last session in its Hello, continues its membership,
+/// even if the GCM has not yet noticed that the old link broke.
+struct Join {
+  ProcessDescription process;  ///< the GCM sets `state`, `reason` and `since`
+  std::vector<ComponentDescription> components;
+  std::vector<ConnectionDescription> connections;
+};
+
+/// The GCM's answer. A membership lasts while its channel is open and kRenew comes every 250 ms. It
+/// has ended when a renewal is refused with kDenied; join again then.
+struct JoinReply {
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t session = 0;                  ///< token of this membership
+  std::vector<ProcessDescription> processes;  ///< all present processes, including this one
+};
+
+/// The changes in a process since it joined or sent its last report. Each change is a
+/// CatalogueChange with revision 0. Of the process itself, only address, host, pid and plug-ins can
+/// change.
+struct Report {
+  std::vector<CatalogueChange> changes;
+};
+
+/// The resources that a process uses, sent every second. Not part of the catalogue.
+struct Health {
+  std::int64_t cpu_time = 0;  ///< ns of all threads since the start of the process
+  std::uint64_t memory = 0;   ///< resident bytes
+  std::int64_t time = 0;      ///< time of the measurement, ns on the steady clock of the process
+  /// How far the clock of the process is ahead of the GCM's clock, estimated from earlier answers.
+  std::chrono::nanoseconds clock_offset{0};
+  /// The largest possible error of clock_offset; negative if nothing is known yet.
+  std::chrono::nanoseconds clock_uncertainty{-1};
+};
+
+/// The GCM's steady clock at the time of its answer.
+struct GcmClock {
+  std::int64_t time = 0;  ///< ns
+};
+
+/// The two ends of a connection; `provided` is empty for a disconnect.
+struct Wire {
+  InterfaceName required;
+  InterfaceName provided;
+
+  bool operator==(const Wire&) const = default;
+};
+
+/// The order to the LCM of the required side: the two ends, and the address of the provider's
+/// process. If that process does not exist yet, the address is empty, and the connection is
+/// pending.
+struct Wiring {
+  Wire wire;
+  std::string address;
+  std::uint64_t instance = 0;
+};
+
+/// All present processes and their addresses. Sent at each change, so that pending and broken
+/// connections are made again.
+struct PeerList {
+  std::vector<ProcessDescription> processes;
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Join> =
+    tendon::Describe("tendon.Join", tendon::Field{"process", &tendon::message::Join::process},
+                     tendon::Field{"components", &tendon::message::Join::components},
+                     tendon::Field{"connections", &tendon::message::Join::connections});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::JoinReply> = tendon::Describe(
+    "tendon.JoinReply", tendon::Field{"gcm_instance", &tendon::message::JoinReply::gcm_instance},
+    tendon::Field{"session", &tendon::message::JoinReply::session},
+    tendon::Field{"processes", &tendon::message::JoinReply::processes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Report> =
+    tendon::Describe("tendon.Report", tendon::Field{"changes", &tendon::message::Report::changes});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Health> = tendon::Describe(
+    "tendon.Health", tendon::Field{"cpu_time", &tendon::message::Health::cpu_time, "ns"},
+    tendon::Field{"memory", &tendon::message::Health::memory, "B"},
+    tendon::Field{"time", &tendon::message::Health::time, "ns"},
+    tendon::Field{"clock_offset", &tendon::message::Health::clock_offset},
+    tendon::Field{"clock_uncertainty", &tendon::message::Health::clock_uncertainty});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GcmClock> = tendon::Describe(
+    "tendon.GcmClock", tendon::Field{"time", &tendon::message::GcmClock::time, "ns"});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Wire> =
+    tendon::Describe("tendon.Wire", tendon::Field{"required", &tendon::message::Wire::required},
+                     tendon::Field{"provided", &tendon::message::Wire::provided});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Wiring> =
+    tendon::Describe("tendon.Wiring", tendon::Field{"wire", &tendon::message::Wiring::wire},
+                     tendon::Field{"address", &tendon::message::Wiring::address},
+                     tendon::Field{"instance", &tendon::message::Wiring::instance});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::PeerList> = tendon::Describe(
+    "tendon.PeerList", tendon::Field{"processes", &tendon::message::PeerList::processes});
