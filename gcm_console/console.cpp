@@ -1,10 +1,10 @@
-#include <gcm_console/completion/completion.h>
-#include <gcm_console/completion/whole_path.h>
+#include <gcm_console/command_line/command_line.h>
+#include <gcm_console/command_line/help_text.h>
+#include <gcm_console/completion/path_completion.h>
+#include <gcm_console/completion/shell_completion.h>
 #include <gcm_console/console.h>
-#include <gcm_console/help/help_text.h>
-#include <gcm_console/line/command_line.h>
-#include <gcm_console/report.h>
 #include <tendon/base/text.h>
+#include <gcm_console/output/table.h>
 
 #include <cerrno>
 #include <exception>

@@ -58,7 +58,7 @@ tendon::Result<tendon::GcmClient*> Context::Client(std::shared_ptr<tendon::GcmLi
   if (session_ == nullptr) impatient.emplace();
   if (auto watching = (*client)->WaitUntilWatching(); !watching) return watching.error();
   client_ = *std::move(client);
-  if (settings_.remarks == Remarks::kMore) {
+  if (settings_.verbosity == Verbosity::kVerbose) {
     const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(
         std::chrono::steady_clock::now() - begin);
     const tendon::Catalogue catalogue = client_->catalogue();

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gcm_console/line/session.h>
-#include <gcm_console/line/settings.h>
-#include <gcm_console/report.h>
+#include <gcm_console/command_line/session.h>
+#include <gcm_console/command_line/settings.h>
+#include <gcm_console/output/table.h>
 #include <gcm_console/shell/line_reader.h>
 #include <program/exit_code.h>
 #include <tendon/base/result.h>
@@ -78,7 +78,7 @@ class Context {
   void PrintJsonLine(const nlohmann::ordered_json& content) const;
 
  private:
-  [[nodiscard]] bool is_quiet() const { return settings_.remarks == Remarks::kNone; }
+  [[nodiscard]] bool is_quiet() const { return settings_.verbosity == Verbosity::kQuiet; }
 
   Settings settings_;
   std::string verb_;

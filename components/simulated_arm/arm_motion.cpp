@@ -89,16 +89,16 @@ void ArmMotion::Rest() {
   is_cruising_ = false;
 }
 
-ArmMotion::Happenings ArmMotion::Step() {
-  Happenings happenings;
+ArmMotion::StepEvents ArmMotion::Step() {
+  StepEvents events;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     joints_[joint].Step(ReferenceOf(joint), step_);
-    happenings.limit_entered[joint] = joints_[joint].has_entered_limit();
+    events.limit_entered[joint] = joints_[joint].has_entered_limit();
   }
   elapsed_ = std::min(elapsed_ + step_, duration_);
-  happenings.goal_reached = has_goal_ && HasArrived();
-  if (happenings.goal_reached) has_goal_ = false;
-  return happenings;
+  events.goal_reached = has_goal_ && HasArrived();
+  if (events.goal_reached) has_goal_ = false;
+  return events;
 }
 
 JointPoint ArmMotion::ReferenceOf(std::size_t joint) {

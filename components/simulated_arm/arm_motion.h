@@ -14,7 +14,7 @@ namespace arm {
 class ArmMotion {
  public:
   /// The events in one step.
-  struct Happenings {
+  struct StepEvents {
     bool goal_reached = false;
     std::array<bool, kJoints> limit_entered{};
   };
@@ -34,7 +34,7 @@ class ArmMotion {
   /// Stops at once at the present position.
   void Rest();
 
-  Happenings Step();
+  StepEvents Step();
 
   [[nodiscard]] JointState state() const;
   /// The present goal with the total duration of its motion. While the arm moves at a velocity: the

@@ -42,13 +42,13 @@ void SimulatedArm::Startup() { motion_.Rest(); }
 
 void SimulatedArm::Run() {
   ProcessQueuedCommands();
-  const ArmMotion::Happenings happened = motion_.Step();
+  const ArmMotion::StepEvents events = motion_.Step();
   Measure();
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
-    if (!happened.limit_entered[joint]) continue;
+    if (!events.limit_entered[joint]) continue;
     limit_exceeded_({static_cast<std::int32_t>(joint), joints_.position[joint]});
   }
-  if (happened.goal_reached) goal_reached_();
+  if (events.goal_reached) goal_reached_();
 }
 
 void SimulatedArm::OnResume() {

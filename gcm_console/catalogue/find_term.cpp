@@ -1,14 +1,32 @@
 #include <gcm_console/catalogue/find_term.h>
+#include <re2/re2.h>
 #include <tendon/base/path.h>
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace console {
 namespace {
+
+using tendon::Error;
+using tendon::ErrorCode;
+
+re2::StringPiece PieceOf(std::string_view text) { return {text.data(), text.size()}; }
+
+/// The wrong part of an expression, which RE2 appends to its message after a colon.
+std::string MistakeIn(const re2::RE2& expression) {
+  const std::string& part = expression.error_arg();
+  std::string mistake = expression.error();
+  if (mistake.ends_with(": " + part)) {
+    mistake.erase(mistake.size() - part.size() - 2);
+    if (!part.empty()) mistake += " at '" + part + "'";
+  }
+  return mistake + "; expected an expression such as Get|Set";
+}
 
 std::string Lower(std::string text) {
   for (char& letter : text) {
@@ -23,6 +41,26 @@ bool IsExpression(const std::string& text) {
 }
 
 }  // namespace
+
+tendon::Result<Expression> Expression::Parse(std::string_view text) {
+  if (text.empty()) return Error{ErrorCode::kInvalid, "an empty expression matches everything"};
+  if (text.size() > kLongest) {
+    return Error{ErrorCode::kInvalid, "an expression is at most " + std::to_string(kLongest) +
+                                          " bytes long, this one has " +
+                                          std::to_string(text.size())};
+  }
+  re2::RE2::Options options;
+  options.set_case_sensitive(false);
+  options.set_log_errors(false);
+  options.set_max_mem(kMostMemory);
+  auto compiled = std::make_shared<const re2::RE2>(PieceOf(text), options);
+  if (!compiled->ok()) return Error{ErrorCode::kInvalid, MistakeIn(*compiled)};
+  return Expression(std::move(compiled));
+}
+
+bool Expression::IsIn(std::string_view text) const {
+  return re2::RE2::PartialMatch(PieceOf(text), *compiled_);
+}
 
 tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
   struct Key {
@@ -74,7 +112,7 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
   return term;
 }
 
-bool FindTerm::Fits(const Thing& thing) const { return Holds(thing) != is_negated_; }
+bool FindTerm::Fits(const CatalogueItem& item) const { return Holds(item) != is_negated_; }
 
 /// A word with a star is a pattern for the whole text; any other word must be a part of the text.
 /// Ignores case.
@@ -85,12 +123,12 @@ bool FindTerm::IsIn(const std::string& text) const {
 }
 
 /// Accepts "command", "required interface", or the short form of `ls --type`: "req".
-bool FindTerm::IsNoun(const Thing& thing) const {
-  if (expression_) return expression_->IsIn(thing.noun);
-  const auto is_code = [&](const Noun& noun) {
-    return noun.name == thing.noun && noun.code == Lower(text_);
+bool FindTerm::IsKind(const CatalogueItem& item) const {
+  if (expression_) return expression_->IsIn(item.kind);
+  const auto is_code = [&](const ItemKind& kind) {
+    return kind.name == item.kind && kind.code == Lower(text_);
   };
-  return thing.noun.starts_with(Lower(text_)) || std::ranges::any_of(kNouns, is_code);
+  return item.kind.starts_with(Lower(text_)) || std::ranges::any_of(kItemKinds, is_code);
 }
 
 /// Accepts the whole of "arm.LinkId -> geometry_msgs.Pose" or one of the two.
@@ -103,20 +141,20 @@ bool FindTerm::IsType(const std::string& type) const {
          (IsIn(type.substr(0, arrow)) || IsIn(type.substr(arrow + kArrow.size())));
 }
 
-bool FindTerm::Holds(const Thing& thing) const {
+bool FindTerm::Holds(const CatalogueItem& item) const {
   switch (kind_) {
     case Kind::kType:
-      return IsNoun(thing) || IsType(thing.type);
+      return IsKind(item) || IsType(item.type);
     case Kind::kState:
-      return !thing.state.empty() && IsIn(thing.state);
+      return !item.state.empty() && IsIn(item.state);
     case Kind::kHost:
-      return IsIn(thing.host);
+      return IsIn(item.host);
     case Kind::kProcess:
-      return IsIn(thing.path.substr(0, thing.path.find('/')));
+      return IsIn(item.path.substr(0, item.path.find('/')));
     case Kind::kPath:
       break;
   }
-  return IsIn(thing.path);
+  return IsIn(item.path);
 }
 
 }  // namespace console

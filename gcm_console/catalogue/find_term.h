@@ -1,13 +1,39 @@
 #pragma once
 
-#include <gcm_console/catalogue/expression.h>
-#include <gcm_console/catalogue/things.h>
+#include <gcm_console/catalogue/catalogue_items.h>
 #include <tendon/base/result.h>
 
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+
+namespace re2 {
+class RE2;
+}  // namespace re2
 
 namespace console {
+
+/// A regular expression in RE2 syntax that ignores upper and lower case. Matching takes linear time
+/// in the text and at most kMostMemory.
+class Expression {
+ public:
+  static constexpr std::size_t kLongest = 200;
+  static constexpr std::size_t kMostMemory = std::size_t{1} << 20U;
+
+  /// The error, kInvalid, says what is wrong and in which part.
+  static tendon::Result<Expression> Parse(std::string_view text);
+
+  /// True if a part of the text matches.
+  [[nodiscard]] bool IsIn(std::string_view text) const;
+
+ private:
+  explicit Expression(std::shared_ptr<const re2::RE2> compiled) : compiled_(std::move(compiled)) {}
+
+  std::shared_ptr<const re2::RE2> compiled_;
+};
 
 /// One search word: part of a path (ignoring case), a whole path with stars, or a regular
 /// `/expression/` that matches a part of the path. `type:` searches the kind ("command", "req"),
@@ -18,15 +44,15 @@ class FindTerm {
   /// The error, kInvalid, names an unknown key and the known ones, or the mistake in an expression.
   static tendon::Result<FindTerm> Parse(const std::string& word);
 
-  [[nodiscard]] bool Fits(const Thing& thing) const;
+  [[nodiscard]] bool Fits(const CatalogueItem& item) const;
 
  private:
   enum class Kind { kPath, kType, kState, kHost, kProcess };
 
   [[nodiscard]] bool IsIn(const std::string& text) const;
-  [[nodiscard]] bool IsNoun(const Thing& thing) const;
+  [[nodiscard]] bool IsKind(const CatalogueItem& item) const;
   [[nodiscard]] bool IsType(const std::string& type) const;
-  [[nodiscard]] bool Holds(const Thing& thing) const;
+  [[nodiscard]] bool Holds(const CatalogueItem& item) const;
 
   Kind kind_ = Kind::kPath;
   std::string text_;

@@ -25,23 +25,24 @@ bool IsIn(const std::set<std::string>& paths, std::string path) {
 
 bool IsGlob(const std::string& path) { return path.find('*') != path.npos; }
 
-Result<std::vector<Thing>> ThingsThatFit(const tendon::Catalogue& catalogue,
-                                         const std::string& glob) {
-  auto things = ThingsIn(catalogue);
-  std::erase_if(things, [&](const Thing& one) { return !tendon::MatchesGlob(glob, one.path); });
-  if (!things.empty()) return things;
+Result<std::vector<CatalogueItem>> MatchingItems(const tendon::Catalogue& catalogue,
+                                                 const std::string& glob) {
+  auto items = ItemsIn(catalogue);
+  std::erase_if(items,
+                [&](const CatalogueItem& one) { return !tendon::MatchesGlob(glob, one.path); });
+  if (!items.empty()) return items;
   return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists all names"};
 }
 
-Result<std::vector<Thing>> ThingsThatFitOrAreInside(const tendon::Catalogue& catalogue,
-                                                    const std::string& glob) {
-  const auto fitting = ThingsThatFit(catalogue, glob);
+Result<std::vector<CatalogueItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
+                                                            const std::string& glob) {
+  const auto fitting = MatchingItems(catalogue, glob);
   if (!fitting) return fitting;
   std::set<std::string> paths;
-  for (const Thing& one : *fitting) paths.insert(one.path);
-  auto things = ThingsIn(catalogue);
-  std::erase_if(things, [&](const Thing& one) { return !IsIn(paths, one.path); });
-  return things;
+  for (const CatalogueItem& one : *fitting) paths.insert(one.path);
+  auto items = ItemsIn(catalogue);
+  std::erase_if(items, [&](const CatalogueItem& one) { return !IsIn(paths, one.path); });
+  return items;
 }
 
 Error TakesOneName(const std::string& command, const std::string& glob) {

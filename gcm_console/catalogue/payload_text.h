@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/report.h>
+#include <gcm_console/output/table.h>
 #include <tendon/payload/schema.h>
 
 #include <string>

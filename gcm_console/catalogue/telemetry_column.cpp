@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/telemetry_column.h>
+#include <gcm_console/output/text.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
 
@@ -49,11 +50,9 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
 Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string>& columns) {
   const std::string table = ToString(path.interface_name());
   if (path.member.empty()) {
-    std::string all;
-    for (const std::string& column : columns) all += (all.empty() ? "" : ", ") + column;
-    return Error{ErrorCode::kInvalid, "'" + table +
-                                          "' is a whole table: name one of its columns (" + all +
-                                          "), such as " + table + "." + columns.front()};
+    return Error{ErrorCode::kInvalid,
+                 "'" + table + "' is a whole table: name one of its columns (" +
+                     Joined(columns, ", ") + "), such as " + table + "." + columns.front()};
   }
   if (std::find(columns.begin(), columns.end(), path.member) != columns.end()) return {};
   return Error{ErrorCode::kNotFound, table + " has no column '" + path.member + "'" +
@@ -113,7 +112,7 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
     tables.push_back({{name.process, name.component, name.interface, {}}, {}});
     table = std::prev(tables.end());
   }
-  const auto known = std::ranges::find(table->wanted, path, &RowPrinter::Wanted::path);
+  const auto known = std::ranges::find(table->wanted, path, &RowInbox::Wanted::path);
   if (known != table->wanted.end()) {
     known->is_found &= is_found;
     return;
@@ -165,8 +164,8 @@ bool IsTable(const std::string& interface) {
   return interface == "state" || interface.starts_with("state-");
 }
 
-Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
-                                    const std::vector<std::string>& patterns) {
+Result<ColumnChoice> MatchingColumns(const tendon::Catalogue& catalogue,
+                                     const std::vector<std::string>& patterns) {
   ColumnChoice choice;
   for (const std::string& pattern : patterns) {
     const bool is_glob = pattern.find('*') != std::string::npos;
@@ -195,7 +194,7 @@ Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
   return tendon::TableSubscription{path->process, path->component, path->interface, {path->member}};
 }
 
-std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
+std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
   constexpr std::chrono::milliseconds kPatience(500);
   const tendon::Catalogue catalogue = client.catalogue();
   StaleValues old{path.process + "/" + path.component,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/row_printer.h>
+#include <gcm_console/feeds/row_inbox.h>
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/client.h>
@@ -20,7 +20,7 @@ namespace console {
 /// The wanted columns of one table.
 struct TableChoice {
   tendon::TableSubscription subscription;
-  std::vector<RowPrinter::Wanted> wanted;
+  std::vector<RowInbox::Wanted> wanted;
 };
 
 /// The wanted columns, or parts of them, of any number of tables.
@@ -32,8 +32,8 @@ struct ColumnChoice {
 /// The columns that `patterns` name, in that order. A pattern may contain `*` and `**`, and may
 /// continue into a part of a column. Errors say what is missing and, for a table, which columns it
 /// has.
-tendon::Result<ColumnChoice> ColumnsThatFit(const tendon::Catalogue& catalogue,
-                                            const std::vector<std::string>& patterns);
+tendon::Result<ColumnChoice> MatchingColumns(const tendon::Catalogue& catalogue,
+                                             const std::vector<std::string>& patterns);
 
 /// Subscribes to a table by its path (first column) or by the path of a column (that column).
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
@@ -56,8 +56,8 @@ struct StaleValues {
 /// The age of the values of the component that `path` belongs to; empty while the component runs.
 /// Measures the newest row of the table, or of the component's first table if the path names none.
 /// Waits for that row up to half a second, unless the component was not started.
-[[nodiscard]] std::optional<StaleValues> OldValuesOf(tendon::GcmClient& client,
-                                                     const tendon::Path& path);
+[[nodiscard]] std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client,
+                                                       const tendon::Path& path);
 
 /// "robot/arm is suspended: 12 s old".
 [[nodiscard]] std::string ToText(const StaleValues& values);

@@ -1,7 +1,9 @@
+#include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/line/command_line.h>
+#include <gcm_console/completion/path_completion.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -20,27 +22,27 @@ const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::str
 }
 
 /// The state of a command line after the words before the last one.
-struct Standing {
+struct CompletionContext {
   const Page* page = nullptr;               // the verb, or `gcm` before the verb
   const Page::Option* option = nullptr;     // the option that expects a value next
   std::vector<std::string> arguments = {};  // the verb's arguments so far
 };
 
-Standing StandingOf(const Page& gcm, const std::vector<std::string>& words) {
-  Standing standing{.page = &gcm};
+CompletionContext CompletionContextOf(const Page& gcm, const std::vector<std::string>& words) {
+  CompletionContext context{.page = &gcm};
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const std::string& word = words[i];
-    if (std::exchange(standing.option, nullptr) != nullptr) continue;
+    if (std::exchange(context.option, nullptr) != nullptr) continue;
     if (word.starts_with('-') && word.size() > 1) {
-      const auto* option = FindOption(gcm, *standing.page, word);
-      if (option != nullptr && !option->value.empty()) standing.option = option;
-    } else if (const Page* part = standing.page->Find(word)) {
-      standing.page = part;
+      const auto* option = FindOption(gcm, *context.page, word);
+      if (option != nullptr && !option->value.empty()) context.option = option;
+    } else if (const Page* part = context.page->Find(word)) {
+      context.page = part;
     } else {
-      standing.arguments.push_back(word);
+      context.arguments.push_back(word);
     }
   }
-  return standing;
+  return context;
 }
 
 class Collector {
@@ -111,15 +113,33 @@ class Collector {
 
 /// Completes the value of "--color=", of which `value` is typed.
 Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
-                        const Standing& standing, const SystemQueries& system,
+                        const CompletionContext& context, const SystemQueries& system,
                         const std::string& at) {
-  const auto* option = FindOption(gcm, *standing.page, begin.substr(0, begin.size() - 1));
+  const auto* option = FindOption(gcm, *context.page, begin.substr(0, begin.size() - 1));
   if (option == nullptr) return {};
   Collector collector(value, system, at);
-  collector.OfferValues(option->kind, option->choices, gcm, standing.arguments);
+  collector.OfferValues(option->kind, option->choices, gcm, context.arguments);
   Completion found = collector.Take();
   for (auto& candidate : found.candidates) candidate.text.insert(0, begin);
   return found;
+}
+
+namespace fs = std::filesystem;
+
+/// The names in a folder that begin with the last part of `word`.
+std::vector<Completion::Candidate> Files(const std::string& word) {
+  const auto slash = word.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);
+  std::vector<Completion::Candidate> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none)) {
+    const std::string path = folder + entry.path().filename().string();
+    if (!path.starts_with(word)) continue;
+    files.push_back({path + (entry.is_directory(none) ? "/" : " "), ""});
+  }
+  std::sort(files.begin(), files.end(),
+            [](const auto& a, const auto& b) { return a.text < b.text; });
+  return files;
 }
 
 }  // namespace
@@ -127,28 +147,45 @@ Completion ValuesBehind(const std::string& begin, const std::string& value, cons
 Completion Complete(const Page& gcm, const std::vector<std::string>& words,
                     const SystemQueries& system, const std::string& at) {
   const std::string word = words.empty() ? "" : words.back();
-  const Standing standing = StandingOf(gcm, words);
+  const CompletionContext context = CompletionContextOf(gcm, words);
   if (const auto equals = word.find('=');
-      standing.option == nullptr && word.starts_with("--") && equals != std::string::npos) {
-    return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, standing, system,
+      context.option == nullptr && word.starts_with("--") && equals != std::string::npos) {
+    return ValuesBehind(word.substr(0, equals + 1), word.substr(equals + 1), gcm, context, system,
                         at);
   }
   Collector collector(word, system, at);
-  if (standing.option != nullptr) {
-    collector.OfferValues(standing.option->kind, standing.option->choices, gcm, standing.arguments);
+  if (context.option != nullptr) {
+    collector.OfferValues(context.option->kind, context.option->choices, gcm, context.arguments);
   } else if (word.starts_with('-')) {
-    collector.OfferOptions(*standing.page);
-    if (standing.page != &gcm) collector.OfferOptions(gcm);
-  } else if (!standing.page->parts.empty()) {
-    collector.OfferParts(*standing.page);
-  } else if (const auto& arguments = standing.page->arguments; !arguments.empty()) {
+    collector.OfferOptions(*context.page);
+    if (context.page != &gcm) collector.OfferOptions(gcm);
+  } else if (!context.page->parts.empty()) {
+    collector.OfferParts(*context.page);
+  } else if (const auto& arguments = context.page->arguments; !arguments.empty()) {
     const std::size_t last = arguments.size() - 1;
-    const std::size_t next = standing.arguments.size();
+    const std::size_t next = context.arguments.size();
     if (next > last && !arguments[last].is_many) return {};
     const auto& argument = arguments[std::min(next, last)];
-    collector.OfferValues(argument.kind, argument.choices, gcm, standing.arguments);
+    collector.OfferValues(argument.kind, argument.choices, gcm, context.arguments);
   }
   return collector.Take();
+}
+
+void AddFiles(Completion& completion, const std::string& word) {
+  if (!completion.is_file) return;
+  const bool is_option = word.starts_with("--") && word.find('=') != word.npos;
+  const std::string begin = is_option ? word.substr(0, word.find('=') + 1) : "";
+  completion.candidates = Files(word.substr(begin.size()));
+  for (auto& one : completion.candidates) one.text.insert(0, begin);
+}
+
+std::string CommonBegin(const std::vector<Completion::Candidate>& candidates) {
+  std::string common = candidates.front().text;
+  for (const auto& [text, help] : candidates) {
+    const auto end = std::mismatch(common.begin(), common.end(), text.begin(), text.end());
+    common.erase(end.first, common.end());
+  }
+  return common;
 }
 
 }  // namespace console

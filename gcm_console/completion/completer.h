@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/help/page.h>
+#include <gcm_console/command_line/help_page.h>
 #include <tendon/gcm/catalogue.h>
 
 #include <functional>
@@ -36,9 +36,10 @@ struct SystemQueries {
 Completion Complete(const Page& gcm, const std::vector<std::string>& words,
                     const SystemQueries& system, const std::string& at = "");
 
-/// All paths of this kind, in order. Of their parents, only those one name longer than `prefix`:
-/// "robot/arm/" for "robot/a".
-std::vector<std::string> PathsOf(const tendon::Catalogue& catalogue, WordKind kind,
-                                 const std::string& prefix);
+/// If the completion needs a file, adds the files that begin with `word`. Reads the disk.
+void AddFiles(Completion& completion, const std::string& word);
+
+/// The common prefix of all candidates; there must be at least one.
+std::string CommonBegin(const std::vector<Completion::Candidate>& candidates);
 
 }  // namespace console

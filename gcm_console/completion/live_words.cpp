@@ -1,4 +1,4 @@
-#include <gcm_console/call/argument_words.h>
+#include <gcm_console/command_line/argument_words.h>
 #include <gcm_console/completion/live_words.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/life/parameters.h>
@@ -23,22 +23,23 @@ constexpr std::chrono::seconds kFresh(2);
 /// Returns the answer that has arrived by `deadline`; returns at once if there is an earlier one.
 /// `start` sends the request, with a handler for the answer.
 template <typename T, typename Start>
-const T* Ask(Asked<T>& asked, std::uint64_t instance, Clock::time_point deadline, Start start) {
+const T* Ask(CachedAnswer<T>& cached, std::uint64_t instance, Clock::time_point deadline,
+             Start start) {
   const auto now = Clock::now();
-  if (asked.instance != instance) asked = {.instance = instance, .since = now - kFresh};
-  if (!asked.answer.valid() && now - asked.since >= kFresh) {
+  if (cached.instance != instance) cached = {.instance = instance, .since = now - kFresh};
+  if (!cached.answer.valid() && now - cached.since >= kFresh) {
     const auto answer = std::make_shared<std::promise<tendon::Result<T>>>();
-    asked.answer = answer->get_future();
-    asked.since = now;
+    cached.answer = answer->get_future();
+    cached.since = now;
     start([answer](tendon::Result<T> result) { answer->set_value(std::move(result)); });
   }
-  if (asked.answer.valid()) {
-    const auto until = asked.known ? now : deadline;
-    if (asked.answer.wait_until(until) == std::future_status::ready) {
-      if (auto result = asked.answer.get()) asked.known = *std::move(result);
+  if (cached.answer.valid()) {
+    const auto until = cached.known ? now : deadline;
+    if (cached.answer.wait_until(until) == std::future_status::ready) {
+      if (auto result = cached.answer.get()) cached.known = *std::move(result);
     }
   }
-  return asked.known ? &*asked.known : nullptr;
+  return cached.known ? &*cached.known : nullptr;
 }
 
 const ClassDescription* FindClass(const Classes& all, const tendon::ComponentDescription& of) {
@@ -150,7 +151,7 @@ std::vector<std::string> LiveWords::OfCommand(GcmClient& client,
       Ask(schemas_[type], InstanceOf(catalogue, path->process), deadline_,
           [&](auto handler) { client.GetSchema(path->process, type, std::move(handler)); });
   if (schema == nullptr) return {};
-  return WordsBehind(*schema, {before.begin() + 1, before.end()});
+  return NextWords(*schema, {before.begin() + 1, before.end()});
 }
 
 }  // namespace console

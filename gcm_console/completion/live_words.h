@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/line/word_kind.h>
+#include <gcm_console/command_line/word_kind.h>
 #include <tendon/gcm/client.h>
 
 #include <chrono>
@@ -15,7 +15,7 @@ namespace console {
 
 /// A request to a process, and its latest reply.
 template <typename T>
-struct Asked {
+struct CachedAnswer {
   std::uint64_t instance = 0;  ///< of the process
   std::chrono::steady_clock::time_point since;
   std::future<tendon::Result<T>> answer = {};  ///< valid while a reply is awaited
@@ -46,8 +46,8 @@ class LiveWords {
 
   const std::chrono::milliseconds patience_;
   TimePoint deadline_;
-  std::map<std::string, Asked<tendon::message::Classes>> classes_;  // by process
-  std::map<tendon::Fingerprint, Asked<tendon::Schema>> schemas_;
+  std::map<std::string, CachedAnswer<tendon::message::Classes>> classes_;  // by process
+  std::map<tendon::Fingerprint, CachedAnswer<tendon::Schema>> schemas_;
 };
 
 }  // namespace console

@@ -1,8 +1,9 @@
+#include <gcm_console/command_line/session.h>
 #include <gcm_console/console.h>
-#include <gcm_console/line/session.h>
-#include <gcm_console/report.h>
+#include <gcm_console/output/table.h>
 #include <gcm_console/shell/jobs.h>
 #include <tendon/base/os/termination.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <array>
@@ -29,6 +30,47 @@ std::string TextOf(const Words& words) {
 
 }  // namespace
 
+void JobLines::Add(std::string line) {
+  const std::scoped_lock lock(mutex_);
+  if (lines_.size() < kMost) {
+    lines_.push_back(std::move(line));
+  } else {
+    ++left_out_;
+  }
+}
+
+std::string JobLines::Take() {
+  const std::scoped_lock lock(mutex_);
+  std::string all;
+  for (const std::string& line : lines_) all += line + '\n';
+  if (left_out_ > 0) {
+    all += "gcm: " + tendon::Counted(left_out_, "line is left out", "lines are left out") +
+           ": there was no room for more\n";
+  }
+  lines_.clear();
+  left_out_ = 0;
+  return all;
+}
+
+JobStream::int_type JobStream::overflow(int_type letter) {
+  if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
+  Put(traits_type::to_char_type(letter));
+  return letter;
+}
+
+std::streamsize JobStream::xsputn(const char* text, std::streamsize count) {
+  for (std::streamsize i = 0; i < count; ++i) Put(text[i]);
+  return count;
+}
+
+void JobStream::Put(char letter) {
+  if (letter == '\n') {
+    lines_.Add(std::exchange(line_, ""));
+  } else {
+    line_ += letter;
+  }
+}
+
 class Jobs::Job {
  public:
   Job(int number, const Words& words, const Settings& settings, int columns, JobLines& lines)
@@ -39,7 +81,7 @@ class Jobs::Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
   ~Job() {
-    AskForTheEnd();
+    RequestEnd();
     thread_.join();
   }
 
@@ -50,7 +92,7 @@ class Jobs::Job {
     const std::scoped_lock lock(mutex_);
     return has_ended_;
   }
-  void AskForTheEnd() {
+  void RequestEnd() {
     const std::scoped_lock lock(mutex_);
     is_unwanted_ = true;
     if (interruption_ != nullptr) interruption_->Request();
@@ -114,7 +156,7 @@ Result<void> Jobs::End(const std::string& number) {
 }
 
 void Jobs::EndAll() {
-  for (const auto& job : jobs_) job->AskForTheEnd();
+  for (const auto& job : jobs_) job->RequestEnd();
   jobs_.clear();
 }
 

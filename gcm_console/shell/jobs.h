@@ -1,17 +1,53 @@
 #pragma once
 
-#include <gcm_console/line/settings.h>
-#include <gcm_console/shell/job_lines.h>
+#include <gcm_console/command_line/settings.h>
 #include <gcm_console/shell/words.h>
 #include <tendon/base/result.h>
 
+#include <cstddef>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
 namespace console {
+
+/// Collects the lines of several threads until they are printed. Counts the lines that do not fit.
+/// Thread-safe.
+class JobLines {
+ public:
+  static constexpr std::size_t kMost = 1000;
+
+  /// `line` has no line end.
+  void Add(std::string line);
+  /// Takes all lines since the last call, each with its line end.
+  std::string Take();
+
+ private:
+  std::mutex mutex_;
+  std::deque<std::string> lines_;
+  std::size_t left_out_ = 0;
+};
+
+/// Splits the output of one thread into lines.
+class JobStream final : public std::streambuf {
+ public:
+  explicit JobStream(JobLines& lines) : lines_(lines) {}
+
+ protected:
+  int_type overflow(int_type letter) override;
+  std::streamsize xsputn(const char* text, std::streamsize count) override;
+
+ private:
+  void Put(char letter);
+
+  JobLines& lines_;
+  std::string line_;
+};
 
 /// Background commands, each in its own thread and over its own link. They run until they end by
 /// themselves or this object is destroyed. For one thread.

@@ -1,6 +1,6 @@
-#include <gcm_console/completion/files.h>
+#include <gcm_console/completion/completer.h>
 #include <gcm_console/context.h>
-#include <gcm_console/report.h>
+#include <gcm_console/output/table.h>
 #include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
 #include <tendon/base/os/file.h>
@@ -176,8 +176,8 @@ class LineEditor final : public LineReader {
 
   unsigned char Complete() {
     const LineInfo* info = el_line(editor_.get());
-    const Unfinished line =
-        UnfinishedOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
+    const PartialCommand line =
+        PartialCommandOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
     const std::string& word = line.words.back();
     Completion found = completion_(line);
     AddFiles(found, word);
@@ -192,7 +192,7 @@ class LineEditor final : public LineReader {
   }
 
   /// Completes the last word of the line; keeps its typed beginning if possible.
-  void Replace(const Unfinished& line, const std::string& common, bool is_only_one) {
+  void Replace(const PartialCommand& line, const std::string& common, bool is_only_one) {
     const std::string& word = line.words.back();
     const bool is_whole = is_only_one && common.ends_with(' ');
     const std::string wanted = Quoted(common.substr(0, common.size() - (is_whole ? 1 : 0)));

@@ -1,6 +1,6 @@
-#include <gcm_console/completion/whole_path.h>
-#include <gcm_console/line/command_line.h>
-#include <gcm_console/place.h>
+#include <gcm_console/catalogue/place.h>
+#include <gcm_console/command_line/command_line.h>
+#include <gcm_console/completion/path_completion.h>
 #include <gcm_console/shell/shell.h>
 #include <tendon/base/os/termination.h>
 
@@ -80,7 +80,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
 int Shell::RunCommand(const Command& command, const Streams& streams) {
   const Words& words = command.words;
   const std::optional<Result<void>> own =
-      command.is_behind ? BeginBehind(words, streams) : RunOwnWord(words, streams);
+      command.is_background ? BeginInBackground(words, streams) : RunOwnWord(words, streams);
   if (own && *own) return program::kOk;
   if (own) {
     streams.err << "gcm: " << Plain(own->error().message) << '\n';
@@ -112,7 +112,7 @@ std::optional<Result<void>> Shell::RunOwnWord(const Words& words, const Streams&
   return Result<void>();
 }
 
-Result<void> Shell::BeginBehind(const Words& words, const Streams& streams) {
+Result<void> Shell::BeginInBackground(const Words& words, const Streams& streams) {
   if (streams.make_line_reader == nullptr || session_.settings().scripts > 0) {
     return Error{ErrorCode::kInvalid, "& works only at a prompt, and there is no prompt here"};
   }
@@ -148,7 +148,7 @@ std::vector<std::string> Shell::LiveWordsOf(WordKind kind, const Words& before) 
   return client ? live_words_.Of(**client, kind, before) : Words();
 }
 
-Completion Shell::Complete(const Unfinished& line) {
+Completion Shell::Complete(const PartialCommand& line) {
   return console::Complete(
       page_, line.words,
       {.catalogue = [this] { return session_.catalogue(); },

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <gcm_console/command_line/session.h>
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/completion/live_words.h>
 #include <gcm_console/console.h>
-#include <gcm_console/line/session.h>
 #include <gcm_console/shell/jobs.h>
 #include <gcm_console/shell/words.h>
 
@@ -31,7 +31,7 @@ class Shell {
   [[nodiscard]] std::string prompt() const;
   /// The completions of a line, from the catalogue as known now. Waits only for words that only a
   /// process knows, such as names of parameters: at most 100 ms, and only until the first reply.
-  [[nodiscard]] Completion Complete(const Unfinished& line);
+  [[nodiscard]] Completion Complete(const PartialCommand& line);
   /// Takes the complete lines that background jobs have written since the last call; empty if there
   /// are no jobs.
   std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
@@ -40,7 +40,7 @@ class Shell {
   int RunCommand(const Command& command, const Streams& streams);
   /// Runs one of the shell's own commands; empty if `words` is not one.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
-  tendon::Result<void> BeginBehind(const Words& words, const Streams& streams);
+  tendon::Result<void> BeginInBackground(const Words& words, const Streams& streams);
   std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);
   tendon::Result<void> GoTo(const std::string& typed);
 

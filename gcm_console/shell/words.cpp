@@ -37,16 +37,16 @@ class Reader {
       if (auto word = ReadWord(); !word) return word;
     }
   }
-  void EndCommand(bool is_behind) {
+  void EndCommand(bool is_background) {
     PassOverName(words_);
-    if (!words_.empty()) commands_.push_back({std::exchange(words_, {}), is_behind});
+    if (!words_.empty()) commands_.push_back({std::exchange(words_, {}), is_background});
   }
 
   [[nodiscard]] std::vector<Command>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
   /// The start of the last word; the line's end if there is none.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
-  /// The unfinished word so far.
+  /// The partial word so far.
   [[nodiscard]] const std::string& rest() const { return word_; }
 
  private:
@@ -139,17 +139,17 @@ std::string Quoted(std::string_view word) {
   return typed;
 }
 
-Unfinished UnfinishedOf(std::string_view line) {
+PartialCommand PartialCommandOf(std::string_view line) {
   Reader reader(line);
   const bool is_whole = static_cast<bool>(reader.Read());
-  Unfinished unfinished{std::move(reader.words()), std::string(line.substr(reader.begin()))};
+  PartialCommand partial{std::move(reader.words()), std::string(line.substr(reader.begin()))};
   if (!is_whole) {
-    unfinished.words.push_back(reader.rest());
-  } else if (unfinished.typed.empty()) {
-    unfinished.words.emplace_back();
+    partial.words.push_back(reader.rest());
+  } else if (partial.typed.empty()) {
+    partial.words.emplace_back();
   }
-  PassOverName(unfinished.words);
-  return unfinished;
+  PassOverName(partial.words);
+  return partial;
 }
 
 }  // namespace console

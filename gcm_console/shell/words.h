@@ -13,7 +13,7 @@ using Words = std::vector<std::string>;
 /// A command to run: its words, and whether it runs in the background.
 struct Command {
   Words words;
-  bool is_behind = false;
+  bool is_background = false;
 
   bool operator==(const Command&) const = default;
 };
@@ -30,10 +30,10 @@ tendon::Result<std::vector<Command>> CommandsOf(std::string_view line);
 
 /// The words of the last command of an unfinished line. The last word is empty after a blank;
 /// `typed` is its original text in the line.
-struct Unfinished {
+struct PartialCommand {
   Words words;
   std::string typed;
 };
-Unfinished UnfinishedOf(std::string_view line);
+PartialCommand PartialCommandOf(std::string_view line);
 
 }  // namespace console

@@ -1,5 +1,6 @@
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/security/certificate_authority.h>
 #include <tendon/security/certificate_check.h>
@@ -36,7 +37,7 @@ fs::path Authority(const Context& context) {
   return program::AuthorityOf(context.settings().network);
 }
 
-nlohmann::ordered_json JsonOf(const tendon::Certificate& certificate) {
+nlohmann::ordered_json CertificateJson(const tendon::Certificate& certificate) {
   return {{"name", certificate.name},
           {"role", ToString(certificate.role)},
           {"holder", ToString(certificate.holder)},
@@ -126,7 +127,7 @@ Result<ExitCode> Issue(Context& context, const CertArguments& arguments) {
   const std::string file = issued->certificate_file.string();
   const std::string key = issued->key_file.string();
   if (context.settings().json) {
-    auto content = JsonOf(issued->certificate);
+    auto content = CertificateJson(issued->certificate);
     content["certificate"] = file;
     content["key"] = key;
     content["dry_run"] = false;
@@ -142,7 +143,7 @@ Result<ExitCode> Check(Context& context, const CertArguments& arguments) {
   const auto checked = tendon::CheckCertificate(arguments.file, Authority(context), now);
   if (!checked) return checked.error();
   if (context.settings().json) {
-    auto content = JsonOf(checked->certificate);
+    auto content = CertificateJson(checked->certificate);
     content["key"] = checked->key ? nlohmann::ordered_json(checked->key->string()) : nullptr;
     content["warning"] = checked->warning;
     context.PrintJson(content);
@@ -177,10 +178,6 @@ Result<ExitCode> Revoke(Context& context, const CertArguments& arguments) {
   return program::kOk;
 }
 
-void AddCertDryRun(CLI::App& app, CertArguments& arguments) {
-  app.add_flag("--dry-run", arguments.is_dry, "print what would be done, but do nothing");
-}
-
 void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   app.add_option("name", arguments.name,
                  "owner of the certificate; for a process, the name by which it joins")
@@ -195,41 +192,43 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
       ->transform(CLI::Validator(&program::TransformCount, ""))
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
-  Names(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"), WordKind::kFile)
+  WithKind(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"),
+           WordKind::kFile)
       ->capture_default_str();
-  AddCertDryRun(app, arguments);
+  AddDryRun(app, arguments.is_dry);
 }
 
 /// One subcommand of `gcm cert`.
-struct Act {
+struct CertVerb {
   const char* name;
   const char* summary;
   void (*add_options)(CLI::App& app, CertArguments& arguments);
   Result<ExitCode> (*run)(Context& context, const CertArguments& arguments);
 };
 
-constexpr Act kActs[] = {
-    {"init", "make a CA", &AddCertDryRun, &Init},
+constexpr CertVerb kCertVerbs[] = {
+    {"init", "make a CA",
+     [](CLI::App& app, CertArguments& arguments) { AddDryRun(app, arguments.is_dry); }, &Init},
     {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
     {"check", "print the owner of a certificate, and whether it is valid",
      [](CLI::App& app, CertArguments& arguments) {
-       Names(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
-             WordKind::kFile)
+       WithKind(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
+                WordKind::kFile)
            ->required();
      },
      &Check},
     {"revoke", "revoke all certificates of a name",
      [](CLI::App& app, CertArguments& arguments) {
        app.add_option("name", arguments.name, "whose")->required();
-       AddCertDryRun(app, arguments);
+       AddDryRun(app, arguments.is_dry);
      },
      &Revoke}};
 
 Verb::Run PrepareCert(CLI::App& app) {
-  const auto chosen = std::make_shared<const Act*>(nullptr);
+  const auto chosen = std::make_shared<const CertVerb*>(nullptr);
   const auto arguments = std::make_shared<CertArguments>();
   app.require_subcommand(1);
-  for (const Act& act : kActs) {
+  for (const CertVerb& act : kCertVerbs) {
     CLI::App* part = app.add_subcommand(act.name, act.summary);
     part->fallthrough();
     act.add_options(*part, *arguments);

@@ -1,9 +1,12 @@
-#include <gcm_console/catalogue_json.h>
-#include <gcm_console/outcomes.h>
-#include <gcm_console/parameters/parameter_source.h>
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
 #include <tendon/base/text.h>
+#include <gcm_console/output/catalogue_json.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/configured_component.h>
+#include <gcm_console/verbs/outcomes.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
@@ -55,9 +58,8 @@ Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& nam
                  "no process has joined the GCM; start one with: lcm --name "
                  "NAME"};
   }
-  std::string list;
-  for (const std::string& name : present) list += (list.empty() ? "" : ", ") + name;
-  return Error{ErrorCode::kInvalid, "there are several processes: name one of " + list};
+  return Error{ErrorCode::kInvalid,
+               "there are several processes: name one of " + Joined(present, ", ")};
 }
 
 /// The configuration from the command line or a file; empty if neither is given.
@@ -74,16 +76,10 @@ Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   return text;
 }
 
-Result<Classes> AskForClasses(Context& context, const std::string& process) {
-  return context.Ask<Classes>([&](tendon::GcmClient& asked, auto handler) {
-    asked.GetClasses(process, std::move(handler));
-  });
-}
-
 /// The file from which the process has loaded the library; empty if the process does not report it.
 /// An empty library name means the library with the class.
 std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const LifeOrder& order) {
-  const auto known = AskForClasses(context, order.process);
+  const auto known = AskClasses(context, order.process);
   if (!known) return std::nullopt;
   std::string library = order.library;
   if (library.empty()) {
@@ -110,18 +106,18 @@ Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder&
   if (order.verb == LifeVerb::kConfigure) {
     const auto component = FindConfigured(client, context.settings().timeout,
                                           {.process = order.process, .component = order.component});
-    return component ? tendon::CheckConfiguration(component->of, order.configuration)
+    return component ? tendon::CheckConfiguration(component->description, order.configuration)
                      : component.error();
   }
-  const auto known = AskForClasses(context, order.process);
+  const auto known = AskClasses(context, order.process);
   if (!known) return known.error();
   return order.verb == LifeVerb::kLoad ? tendon::CheckPlugIn(*known, order.library)
                                        : tendon::CheckCreation(*known, order);
 }
 
 /// Executes the order, or prints what it would do; `object` and `done` are words for the user.
-Result<ExitCode> Carry(Context& context, const LifeOrder& order, const std::string& object,
-                       const std::string& done, bool is_dry) {
+Result<ExitCode> Execute(Context& context, const LifeOrder& order, const std::string& object,
+                         const std::string& done, bool is_dry) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Result<void> outcome =
@@ -153,7 +149,7 @@ Result<ExitCode> Load(Context& context, const ClassArguments& arguments) {
   const auto process = ProcessOf((*client)->catalogue(), arguments.process);
   if (!process) return process.error();
   const LifeOrder order{.verb = LifeVerb::kLoad, .process = *process, .library = arguments.library};
-  return Carry(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
+  return Execute(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
 }
 
 Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
@@ -183,7 +179,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
                         .class_name = arguments.class_name,
                         .library = arguments.library,
                         .configuration = *configuration};
-  return Carry(context, order, *process + "/" + order.component, "created", arguments.dry_run);
+  return Execute(context, order, *process + "/" + order.component, "created", arguments.dry_run);
 }
 
 Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
@@ -207,7 +203,7 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
                         .process = found->front().process,
                         .component = found->front().component,
                         .configuration = *configuration};
-  return Carry(context, order, ToString(found->front()), "configured", arguments.dry_run);
+  return Execute(context, order, ToString(found->front()), "configured", arguments.dry_run);
 }
 
 /// "arm.Configuration", or "-" if the class has none.
@@ -266,7 +262,7 @@ Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalogue(), arguments.process);
   if (!process) return process.error();
-  auto all = AskForClasses(context, *process);
+  auto all = AskClasses(context, *process);
   if (!all) return all.error();
   const bool is_one = !arguments.class_name.empty();
   if (is_one) {
@@ -305,18 +301,14 @@ void AddConfiguration(CLI::App& app, ClassArguments& arguments) {
   };
   auto* json = app.add_option("--arg", arguments.json, "its configuration, as a JSON object")
                    ->check(check_given);
-  Names(app.add_option("--configure", arguments.file, "a file with its configuration"),
-        WordKind::kFile)
+  WithKind(app.add_option("--configure", arguments.file, "a file with its configuration"),
+           WordKind::kFile)
       ->excludes(json);
 }
 
 void AddProcess(CLI::App& app, ClassArguments& arguments) {
-  Names(app.add_option("--in", arguments.process, "the process, if there are several"),
-        WordKind::kProcess);
-}
-
-void AddDryRun(CLI::App& app, ClassArguments& arguments) {
-  app.add_flag("--dry-run", arguments.dry_run, "print what would be done, but do nothing");
+  WithKind(app.add_option("--in", arguments.process, "the process, if there are several"),
+           WordKind::kProcess);
 }
 
 }  // namespace
@@ -326,19 +318,19 @@ std::vector<Verb> ClassVerbs() {
       {"load", "load a plug-in into a process",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         Names(app.add_option("library", arguments->library, "its name, without path"),
-               WordKind::kPlugIn)
+         WithKind(app.add_option("library", arguments->library, "its name, without path"),
+                  WordKind::kPlugIn)
              ->required();
          AddProcess(app, *arguments);
-         AddDryRun(app, *arguments);
+         AddDryRun(app, arguments->dry_run);
          return [arguments](Context& context) { return Load(context, *arguments); };
        }},
       {"classes", "list the classes of which a process can create components",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         Names(app.add_option("process", arguments->process, "needed if there are several"),
-               WordKind::kProcess);
-         Names(
+         WithKind(app.add_option("process", arguments->process, "needed if there are several"),
+                  WordKind::kProcess);
+         WithKind(
              app.add_option("class", arguments->class_name, "show the fields of its configuration"),
              WordKind::kClass);
          return [arguments](Context& context) { return List(context, *arguments); };
@@ -346,26 +338,28 @@ std::vector<Verb> ClassVerbs() {
       {"create", "create a component of a class",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         Names(app.add_option("class", arguments->class_name, "see: gcm classes"), WordKind::kClass)
+         WithKind(app.add_option("class", arguments->class_name, "see: gcm classes"),
+                  WordKind::kClass)
              ->required();
          app.add_option("name", arguments->component, "process/component, or component")
              ->required();
          AddProcess(app, *arguments);
-         Names(app.add_option("--library", arguments->library,
-                              "the plug-in with the class; it is loaded if it is not loaded yet"),
-               WordKind::kPlugIn);
+         WithKind(
+             app.add_option("--library", arguments->library,
+                            "the plug-in with the class; it is loaded if it is not loaded yet"),
+             WordKind::kPlugIn);
          AddConfiguration(app, *arguments);
-         AddDryRun(app, *arguments);
+         AddDryRun(app, arguments->dry_run);
          return [arguments](Context& context) { return Create(context, *arguments); };
        }},
       {"configure", "recreate a component that does not run, with another configuration",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         Names(app.add_option("component", arguments->component, "process/component"),
-               WordKind::kComponent)
+         WithKind(app.add_option("component", arguments->component, "process/component"),
+                  WordKind::kComponent)
              ->required();
          AddConfiguration(app, *arguments);
-         AddDryRun(app, *arguments);
+         AddDryRun(app, arguments->dry_run);
          return [arguments](Context& context) { return Configure(context, *arguments); };
        }},
   };

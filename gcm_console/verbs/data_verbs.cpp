@@ -1,10 +1,11 @@
 #include <gcm_console/catalogue/glob.h>
+#include <gcm_console/catalogue/place.h>
 #include <gcm_console/catalogue/telemetry_column.h>
-#include <gcm_console/outcomes.h>
-#include <gcm_console/place.h>
-#include <gcm_console/report.h>
-#include <gcm_console/row_printer.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/feeds/row_inbox.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/outcomes.h>
+#include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/clock.h>
 #include <tendon/base/os/termination.h>
@@ -30,7 +31,7 @@ namespace {
 using nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-ordered_json JsonOf(const StaleValues& old) {
+ordered_json StaleValuesJson(const StaleValues& old) {
   ordered_json json;
   json["why"] = ToString(old.why);
   if (old.age) json["age_s"] = std::chrono::duration<double>(*old.age).count();
@@ -49,7 +50,7 @@ class StaleComponents {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
     const auto [known, is_new] = known_.try_emplace(component);
-    if (is_new && path) known->second = OldValuesOf(client_, *path);
+    if (is_new && path) known->second = StaleValuesOf(client_, *path);
     if (is_new && known->second) {
       context_.err() << "gcm: " << Plain(ToText(*known->second)) << '\n';
     }
@@ -82,11 +83,11 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto value = context.Ask<std::string>(
       [&](tendon::GcmClient& asked, auto handler) { asked.Call(text, "", handler); });
   if (!value) return value.error();
-  const auto old = OldValuesOf(**client, *path);
+  const auto old = StaleValuesOf(**client, *path);
   if (old) context.err() << "gcm: " << Plain(ToText(*old)) << '\n';
   if (context.settings().json) {
     ordered_json document = {{"path", text}, {"value", tendon::JsonOrText(*value)}};
-    if (old) document["old"] = JsonOf(*old);
+    if (old) document["old"] = StaleValuesJson(*old);
     context.PrintJson(document);
   } else {
     context.out() << *value << '\n';
@@ -95,20 +96,20 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
 }
 
 /// The read commands and columns, or parts of columns, that a glob matches.
-Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalogue& catalogue,
-                                                 const std::string& glob) {
+Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& catalogue,
+                                                   const std::string& glob) {
   std::vector<std::string> paths;
-  const auto things = ThingsThatFit(catalogue, glob);
-  for (const Thing& one : things ? *things : std::vector<Thing>()) {
-    if (one.noun != "command") continue;
+  const auto items = MatchingItems(catalogue, glob);
+  for (const CatalogueItem& one : items ? *items : std::vector<CatalogueItem>()) {
+    if (one.kind != "command") continue;
     const auto place = FindPlace(catalogue, one.path);
     const bool is_read = place && place->member->signature.kind == tendon::CommandKind::kRead;
     if (is_read) paths.push_back(one.path);
   }
-  const auto columns = ColumnsThatFit(catalogue, {glob});
+  const auto columns = MatchingColumns(catalogue, {glob});
   if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
   if (!paths.empty()) return paths;
-  if (!things) return columns.error();
+  if (!items) return columns.error();
   return Error{ErrorCode::kNotFound, "no value that '" + glob +
                                          "' matches can be read; gcm find '" + glob +
                                          "' lists the matches"};
@@ -118,7 +119,7 @@ Result<std::vector<std::string>> ReadableThatFit(const tendon::Catalogue& catalo
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto paths = ReadableThatFit((*client)->catalogue(), glob);
+  const auto paths = MatchingReadables((*client)->catalogue(), glob);
   if (!paths) return paths.error();
   std::vector<Outcome> outcomes;
   StaleComponents old_components(context, **client);
@@ -132,7 +133,7 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
                             << '\n';
     } else if (context.settings().json) {
       ordered_json one = {{"path", path}, {"value", tendon::JsonOrText(*value)}};
-      if (const auto& old = old_components.Of(path)) one["old"] = JsonOf(*old);
+      if (const auto& old = old_components.Of(path)) one["old"] = StaleValuesJson(*old);
       values.push_back(std::move(one));
     } else {
       (void)old_components.Of(path);
@@ -153,7 +154,7 @@ struct WatchOptions {
 };
 
 /// Remembers that a GCM was lost after it had been found.
-class LostGcm final : public tendon::GcmListener {
+class GcmLossListener final : public tendon::GcmListener {
  public:
   void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {
     const std::scoped_lock lock(mutex_);
@@ -187,22 +188,22 @@ tendon::RowChoice ChoiceOf(const WatchOptions& options) {
 }
 
 /// The watched tables, each with its own rows.
-class Watching {
+class WatchedTables {
  public:
-  Watching(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
-           const tendon::RowChoice& rows)
+  WatchedTables(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
+                const tendon::RowChoice& rows)
       : telemetry_(telemetry) {
     for (TableChoice table : tables) {
       table.subscription.rows = rows;
-      const auto printer = std::make_shared<RowPrinter>(std::move(table.wanted), rows.delivery);
+      const auto inbox = std::make_shared<RowInbox>(std::move(table.wanted), rows.delivery);
       const auto& [process, component, name, columns, choice] = table.subscription;
-      tables_.push_back({ToString(tendon::InterfaceName(process, component, name)), printer,
-                         telemetry.Subscribe(table.subscription, printer)});
+      tables_.push_back({ToString(tendon::InterfaceName(process, component, name)), inbox,
+                         telemetry.Subscribe(table.subscription, inbox)});
     }
   }
-  Watching(const Watching&) = delete;
-  Watching& operator=(const Watching&) = delete;
-  ~Watching() { End(); }
+  WatchedTables(const WatchedTables&) = delete;
+  WatchedTables& operator=(const WatchedTables&) = delete;
+  ~WatchedTables() { End(); }
 
   /// No more rows come after this.
   void End() {
@@ -219,7 +220,7 @@ class Watching {
   std::vector<Row> Take() {
     std::vector<Row> all;
     for (const Table& table : tables_) {
-      for (PrintedRow& row : table.printer->Take()) all.push_back({&table.name, std::move(row)});
+      for (PrintedRow& row : table.inbox->Take()) all.push_back({&table.name, std::move(row)});
     }
     const auto time_here = [](const Row& row) {
       return row.content.time_ns - row.content.clock_offset_ns;
@@ -228,25 +229,25 @@ class Watching {
     return all;
   }
   [[nodiscard]] bool has_more() const {
-    return std::ranges::any_of(tables_, [](const Table& one) { return one.printer->has_more(); });
+    return std::ranges::any_of(tables_, [](const Table& one) { return one.inbox->has_more(); });
   }
   /// The size of the waiting rows of all tables.
   [[nodiscard]] std::size_t waiting_bytes() const {
     std::size_t all = 0;
-    for (const Table& table : tables_) all += table.printer->waiting_bytes();
+    for (const Table& table : tables_) all += table.inbox->waiting_bytes();
     return all;
   }
   /// The rows lost after the last printed row of each table.
   std::vector<std::pair<const std::string*, LostRows>> Rest() {
     std::vector<std::pair<const std::string*, LostRows>> all;
-    for (const Table& table : tables_) all.emplace_back(&table.name, table.printer->Rest());
+    for (const Table& table : tables_) all.emplace_back(&table.name, table.inbox->Rest());
     return all;
   }
   [[nodiscard]] std::optional<Error> mistake() const {
     bool is_any_left = false;
     for (const Table& table : tables_) {
-      if (auto mistake = table.printer->mistake()) return mistake;
-      is_any_left |= !table.printer->is_empty();
+      if (auto mistake = table.inbox->mistake()) return mistake;
+      is_any_left |= !table.inbox->is_empty();
     }
     if (is_any_left) return std::nullopt;
     return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
@@ -254,18 +255,18 @@ class Watching {
   /// The reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
     for (const Table& table : tables_) {
-      if (auto reason = table.printer->interruption()) return reason;
+      if (auto reason = table.inbox->interruption()) return reason;
     }
     return std::nullopt;
   }
   void Complain(std::ostream& err) {
-    for (const Table& table : tables_) PrintSentences(table.printer->TakeComplaints(), err);
+    for (const Table& table : tables_) PrintSentences(table.inbox->TakeNotices(), err);
   }
 
  private:
   struct Table {
     std::string name;
-    std::shared_ptr<RowPrinter> printer;
+    std::shared_ptr<RowInbox> inbox;
     tendon::TelemetryClient::Id id;
   };
 
@@ -302,7 +303,7 @@ class RowWriter {
   }
   /// Counts rows that are not printed.
   void Miss(const std::string& table, const LostRows& rows) {
-    if (rows.all() > 0) TellOfGap(table, rows);
+    if (rows.all() > 0) ReportGap(table, rows);
     lost_ += rows;
   }
   /// True if the requested number of rows is printed.
@@ -313,7 +314,7 @@ class RowWriter {
   [[nodiscard]] const LostRows& lost() const { return lost_; }
 
  private:
-  void TellOfGap(const std::string& table, const LostRows& lost) {
+  void ReportGap(const std::string& table, const LostRows& lost) {
     if (context_.settings().json) {
       return context_.PrintJsonLine({{"gap",
                                       {{"table", table},
@@ -321,11 +322,11 @@ class RowWriter {
                                        {"lost_network", lost.network},
                                        {"lost_viewer", lost.viewer}}}});
     }
-    untold_[table] += lost;
+    unreported_[table] += lost;
     const auto now = std::chrono::steady_clock::now();
-    if (now - last_told_ < 1s) return;
-    last_told_ = now;
-    for (const auto& [name, some] : std::exchange(untold_, {})) {
+    if (now - last_report_ < 1s) return;
+    last_report_ = now;
+    for (const auto& [name, some] : std::exchange(unreported_, {})) {
       context_.err() << "gcm: " << Plain(name) << ": "
                      << tendon::Counted(some.all(), "row is lost", "rows are lost") << " ("
                      << LostText(some) << ")\n";
@@ -360,8 +361,8 @@ class RowWriter {
   const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
   LostRows lost_;
-  std::map<std::string, LostRows> untold_;  // lost rows that were not reported yet, by table
-  std::chrono::steady_clock::time_point last_told_;
+  std::map<std::string, LostRows> unreported_;  // lost rows that were not reported yet, by table
+  std::chrono::steady_clock::time_point last_report_;
 };
 
 /// Reports once when a watched component stops running, and once when it runs again. If it had to
@@ -399,22 +400,22 @@ class StandstillNotices {
   struct Watched {
     std::string name;
     tendon::Path path;
-    StaleReason told = StaleReason::kNone;
+    StaleReason reported = StaleReason::kNone;
   };
 
   /// Checks one component. Returns true if it may have waited.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
     const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
     // For a lost process, the end of its rows is reported instead.
-    if (why == watched.told || why == StaleReason::kLost) return false;
+    if (why == watched.reported || why == StaleReason::kLost) return false;
     if (why == StaleReason::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
-      watched.told = why;
+      watched.reported = why;
       return false;
     }
-    if (const auto old = OldValuesOf(client_, watched.path)) {
+    if (const auto old = StaleValuesOf(client_, watched.path)) {
       context_.err() << "gcm: " << Plain(ToText(*old)) << '\n';
-      watched.told = why;
+      watched.reported = why;
     }
     return true;
   }
@@ -436,7 +437,7 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
 
 /// Returns false if no more rows are requested. After a signal, a write that would block fails, and
 /// the rows after it are lost.
-bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
+bool WriteRows(RowWriter& writer, const std::vector<WatchedTables::Row>& rows) {
   std::map<std::string, LostRows> missed;
   bool wants_more = true;
   for (const auto& [table, row] : rows) {
@@ -454,50 +455,50 @@ bool WriteRows(RowWriter& writer, const std::vector<Watching::Row>& rows) {
 }
 
 /// Prints the remaining rows if they are few; otherwise counts them as lost.
-void WriteRest(Watching& watching, RowWriter& writer, Context& context) {
+void WriteRest(WatchedTables& tables, RowWriter& writer, Context& context) {
   constexpr std::size_t kFew = std::size_t{64} << 10U;  // bytes
   if (writer.is_full()) return;
-  watching.End();
-  if (context.out().good() && watching.waiting_bytes() <= kFew) {
-    WriteRows(writer, watching.Take());
+  tables.End();
+  if (context.out().good() && tables.waiting_bytes() <= kFew) {
+    WriteRows(writer, tables.Take());
   }
   if (writer.is_full()) return;
-  for (const auto& [table, lost] : watching.Rest()) writer.Miss(*table, lost);
+  for (const auto& [table, lost] : tables.Rest()) writer.Miss(*table, lost);
   context.out().flush();
 }
 
 Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
   tendon::os::HoldTerminationSignals();
-  const auto lost_gcm = options.ends_with_link ? std::make_shared<LostGcm>() : nullptr;
-  const auto client = context.Client(lost_gcm);
+  const auto gcm_loss = options.ends_with_link ? std::make_shared<GcmLossListener>() : nullptr;
+  const auto client = context.Client(gcm_loss);
   if (!client) return client.error();
-  const auto columns = ColumnsThatFit((*client)->catalogue(), options.paths);
+  const auto columns = MatchingColumns((*client)->catalogue(), options.paths);
   if (!columns) return columns.error();
 
-  Watching watching((*client)->telemetry(), columns->tables, ChoiceOf(options));
+  WatchedTables tables((*client)->telemetry(), columns->tables, ChoiceOf(options));
   const auto begin = std::chrono::steady_clock::now();
   RowWriter writer(context, options, columns->paths);
-  StandstillNotices remarks(context, **client, columns->tables);
+  StandstillNotices notices(context, **client, columns->tables);
   bool wants_more = true;
   bool interrupted = false;
   std::optional<Error> broken;
   while (wants_more && !interrupted && !broken) {
-    interrupted = tendon::os::TerminationRequested(watching.has_more() ? 0ms : 20ms);
-    if (lost_gcm) broken = lost_gcm->reason();
-    if (lost_gcm && !broken) broken = watching.interruption();
-    if (!interrupted) wants_more = WriteRows(writer, watching.Take());
+    interrupted = tendon::os::TerminationRequested(tables.has_more() ? 0ms : 20ms);
+    if (gcm_loss) broken = gcm_loss->reason();
+    if (gcm_loss && !broken) broken = tables.interruption();
+    if (!interrupted) wants_more = WriteRows(writer, tables.Take());
     context.out().flush();
     interrupted = interrupted || tendon::os::TerminationRequested(0ms);
-    if (wants_more && !interrupted) remarks.Look();
-    const auto mistake = watching.mistake();  // the cause was already reported
-    if (!broken) watching.Complain(context.err());
+    if (wants_more && !interrupted) notices.Look();
+    const auto mistake = tables.mistake();  // the cause was already reported
+    if (!broken) tables.Complain(context.err());
     if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
   // Otherwise the reader has closed the output, or is blocked and the user has interrupted.
   if (context.out().good() || interrupted) {
-    WriteRest(watching, writer, context);
+    WriteRest(tables, writer, context);
     Summarize(writer, context.err());
   }
   if (broken && wants_more && !interrupted) return Error{ErrorCode::kUnreachable, broken->message};
@@ -511,10 +512,10 @@ std::vector<Verb> DataVerbs() {
       {"get", "read a value once",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         Names(app.add_option("path", *path,
-                              "a read command or column, such as "
-                              "robot/arm/state.Joints.position[0]; with *: all that it matches"),
-               WordKind::kReadable)
+         WithKind(app.add_option("path", *path,
+                                 "a read command or column, such as "
+                                 "robot/arm/state.Joints.position[0]; with *: all that it matches"),
+                  WordKind::kReadable)
              ->required();
          return [path](Context& context) {
            return IsGlob(*path) ? GetAll(context, *path) : GetOne(context, *path);
@@ -524,23 +525,19 @@ std::vector<Verb> DataVerbs() {
        "print every row of columns of state tables: ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
-         Names(app.add_option(
-                   "paths", options->paths,
-                   "columns, also with * and **, or a part of each (.position[0]); "
-                   "each row belongs to one table, and has - in the columns of other tables"),
-               WordKind::kColumn)
+         WithKind(app.add_option(
+                      "paths", options->paths,
+                      "columns, also with * and **, or a part of each (.position[0]); "
+                      "each row belongs to one table, and has - in the columns of other tables"),
+                  WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate, "at most this many rows per second (default: all)")
              ->transform(CLI::Validator(&program::TransformPositive, ""));
          app.add_flag("--latest", options->is_latest,
                       "print only the newest row; skip rows that come too fast to be printed");
-         app.add_option("--count", options->count, "end after this many rows")
-             ->transform(CLI::Validator(&program::TransformCount, ""));
-         app.add_option("--for", options->seconds, "end after this time: 10s, 500ms, 2min")
-             ->type_name("TIME")
-             ->transform(CLI::Validator(&program::TransformDuration, ""));
-         app.add_flag("--no-reconnect", options->ends_with_link,
-                      "end if the GCM or a process is lost, instead of waiting for it");
+         AddCount(app, options->count, "end after this many rows");
+         AddDuration(app, options->seconds);
+         AddNoReconnect(app, options->ends_with_link);
          return [options](Context& context) { return Watch(context, *options); };
        },
        {"gcm watch robot/arm/state.Joints --hz 5", "gcm watch 'robot/*/state.*' --for 10s",

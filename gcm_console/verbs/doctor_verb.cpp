@@ -1,6 +1,7 @@
-#include <gcm_console/report.h>
-#include <gcm_console/screen/screen.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/socket.h>
 #include <tendon/gcm/diagnosis.h>
@@ -95,10 +96,7 @@ class Doctor {
       Bad("processes", "none has joined this GCM",
           "lcm --name NAME --gcm " + context_.settings().gcm);
     }
-    if (auto health = context_.Ask<tendon::message::SystemHealth>(
-            [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); })) {
-      health_ = *std::move(health);
-    }
+    health_ = AskHealth(context_);
     for (const auto& [name, entry] : catalogue.processes()) {
       const bool answers = ExamineProcess(**client, entry);
       if (IsPresent(entry.process)) {
@@ -277,8 +275,7 @@ class Doctor {
   /// The plug-ins with the state of their files now; as in the catalogue if the process does not
   /// tell.
   std::vector<tendon::PluginDescription> AskForPlugins(const tendon::ProcessDescription& process) {
-    const auto known = context_.Ask<tendon::message::Classes>(
-        [&](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process.name, handler); });
+    const auto known = AskClasses(context_, process.name);
     return known ? known->loaded : process.plugins;
   }
   /// Checks that the process runs the code in its plug-ins' files.

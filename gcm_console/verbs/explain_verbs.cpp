@@ -1,7 +1,6 @@
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
-#include <gcm_console/wire/disputed_types.h>
-#include <gcm_console/wire/order.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/verb.h>
+#include <gcm_console/verbs/wire_checks.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/text.h>
 
@@ -33,7 +32,7 @@ std::string Share(const Candidate& candidate) {
          std::to_string(candidate.compatibility.needed);
 }
 
-ordered_json ToJson(const Candidate& candidate) {
+ordered_json CandidateJson(const Candidate& candidate) {
   ordered_json mismatches = ordered_json::array();
   for (const auto& one : candidate.compatibility.mismatches) mismatches.push_back(one.text);
   return {{"provided", ToString(candidate.provided)},   {"fits", candidate.compatibility.fits()},
@@ -51,7 +50,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   if (!candidates) return candidates.error();
   if (context.settings().json) {
     ordered_json all = ordered_json::array();
-    for (const Candidate& candidate : *candidates) all.push_back(ToJson(candidate));
+    for (const Candidate& candidate : *candidates) all.push_back(CandidateJson(candidate));
     context.PrintJson({{"required", text}, {"candidates", std::move(all)}});
     return program::kOk;
   }
@@ -131,7 +130,7 @@ const char* WordOf(tendon::ConnectionRemnant::Verdict verdict) {
   return verdict == Verdict::kNothing ? "nothing" : "something";
 }
 
-ordered_json ToJson(const Diagnosis& diagnosis) {
+ordered_json DiagnosisJson(const Diagnosis& diagnosis) {
   ordered_json steps = ordered_json::array();
   for (const DiagnosisStep& step : diagnosis.steps) {
     const char* verdict = step.verdict == DiagnosisStep::Verdict::kGood  ? "good"
@@ -154,7 +153,7 @@ ordered_json ToJson(const Diagnosis& diagnosis) {
 }
 
 /// The exit code of a lost process must differ from that of a missing GCM, kUnreachable.
-ExitCode ExitCodeOf(const Diagnosis& diagnosis) {
+ExitCode DiagnosisExitCode(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;
   return code == ErrorCode::kUnreachable ? program::kRefused : program::ExitCodeOf(code);
@@ -188,11 +187,11 @@ Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
   AddActivity(*diagnosis, catalogue);
   if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalogue, Served(context, *diagnosis));
   if (context.settings().json) {
-    context.PrintJson(ToJson(*diagnosis));
+    context.PrintJson(DiagnosisJson(*diagnosis));
   } else {
     Print(*diagnosis, context.out());
   }
-  return ExitCodeOf(*diagnosis);
+  return DiagnosisExitCode(*diagnosis);
 }
 
 }  // namespace
@@ -202,21 +201,22 @@ std::vector<Verb> ExplainVerbs() {
       {"candidates", "list the provided interfaces that fit a required interface, the best first",
        [](CLI::App& app) -> Verb::Run {
          auto required = std::make_shared<std::string>();
-         Names(app.add_option("required", *required, "process/component/interface"),
-               WordKind::kRequired)
+         WithKind(app.add_option("required", *required, "process/component/interface"),
+                  WordKind::kRequired)
              ->required();
          return [required](Context& context) { return Candidates(context, *required); };
        }},
       {"explain", "check a connection step by step and report what prevents it from working",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ExplainedEnds>();
-         Names(app.add_option("required", ends->required, "process/component/interface"),
-               WordKind::kRequired)
+         WithKind(app.add_option("required", ends->required, "process/component/interface"),
+                  WordKind::kRequired)
              ->required();
-         Names(app.add_option("provided", ends->provided,
-                              "the provided interface (default: the connected one, else the best "
-                              "candidate)"),
-               WordKind::kProvided);
+         WithKind(
+             app.add_option("provided", ends->provided,
+                            "the provided interface (default: the connected one, else the best "
+                            "candidate)"),
+             WordKind::kProvided);
          return [ends](Context& context) { return Explain(context, *ends); };
        }},
   };

@@ -1,11 +1,12 @@
+#include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/find_term.h>
-#include <gcm_console/catalogue/things.h>
-#include <gcm_console/graph/dot.h>
-#include <gcm_console/graph/svg.h>
-#include <gcm_console/report.h>
-#include <gcm_console/screen/asking_turns.h>
-#include <gcm_console/verb.h>
 #include <tendon/base/text.h>
+#include <gcm_console/feeds/query_throttle.h>
+#include <gcm_console/output/dot.h>
+#include <gcm_console/output/svg.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
@@ -170,20 +171,15 @@ std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits
   return rows;
 }
 
-std::string AllOf(const std::set<std::string>& verbs) {
-  std::string all;
-  for (const std::string& verb : verbs) all += (all.empty() ? "" : ", ") + verb;
-  return all;
-}
-
 /// "all is well", or the problems.
 std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
     return tendon::Counted(health.wrong, "thing", "things") + " with a problem: see " +
-           AllOf(health.verbs);
+           Joined(health.verbs, ", ");
   }
   if (health.at_rest.empty()) return "all is well";
-  return "nothing is wrong, but some connected components do not run: " + AllOf(health.at_rest);
+  return "nothing is wrong, but some connected components do not run: " +
+         Joined(health.at_rest, ", ");
 }
 
 Result<ExitCode> Status(Context& context) {
@@ -221,16 +217,15 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   }
   const auto client = context.Client();
   if (!client) return client.error();
-  auto things = ThingsIn((*client)->catalogue());
-  std::erase_if(things, [&terms](const Thing& thing) {
-    return !std::ranges::all_of(terms, [&](const FindTerm& term) { return term.Fits(thing); });
+  auto items = ItemsIn((*client)->catalogue());
+  std::erase_if(items, [&terms](const CatalogueItem& item) {
+    return !std::ranges::all_of(terms, [&](const FindTerm& term) { return term.Fits(item); });
   });
-  if (things.empty()) {
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-    return Error{ErrorCode::kNotFound, "nothing fits '" + all + "'; gcm ls -R lists all names"};
+  if (items.empty()) {
+    return Error{ErrorCode::kNotFound,
+                 "nothing fits '" + Joined(words, " ") + "'; gcm ls -R lists all names"};
   }
-  PrintThings(context, things);
+  PrintItems(context, items);
   return program::kOk;
 }
 
@@ -259,8 +254,8 @@ Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
   if (context.settings().json) {
     ordered_json nodes = ordered_json::array();
     ordered_json edges = ordered_json::array();
-    for (const Thing& thing : ThingsIn(catalogue)) {
-      if (thing.noun == "component") nodes.push_back(thing.path);
+    for (const CatalogueItem& item : ItemsIn(catalogue)) {
+      if (item.kind == "component") nodes.push_back(item.path);
     }
     for (const auto& connection : catalogue.connections()) {
       edges.push_back({{"required", ToString(connection.required)},
@@ -271,7 +266,7 @@ Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
   } else if (options.is_dot) {
     PrintDot(catalogue, context.out());
   } else if (options.is_svg) {
-    PrintSvg(SheetOf(catalogue), context.out());
+    PrintSvg(DiagramOf(catalogue), context.out());
   } else {
     PrintText(catalogue, context.out());
   }

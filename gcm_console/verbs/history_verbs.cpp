@@ -1,6 +1,6 @@
-#include <gcm_console/outcomes.h>
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/outcomes.h>
+#include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/life/undo_check.h>
@@ -24,7 +24,7 @@ using tendon::Error;
 using tendon::Result;
 using tendon::message::HistoryEntry;
 
-ordered_json ToJson(const HistoryEntry& step) {
+ordered_json StepJson(const HistoryEntry& step) {
   ordered_json json = {{"id", step.id}, {"verb", step.verb}};
   if (step.life.process.empty()) {
     json["required"] = ToString(step.wire.required);
@@ -60,7 +60,7 @@ struct UndoWords {
 };
 
 /// The result of an undo of several steps.
-struct Undone {
+struct UndoResult {
   std::vector<HistoryEntry> steps;
   std::vector<HistoryEntry> passed_over;
   std::optional<Error> error;  ///< the error that ended the undo
@@ -74,7 +74,7 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
 
 /// Undoes one step; if that is not possible, may skip it. Returns the error of the undo if it
 /// cannot be skipped either.
-Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& undone) {
+Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, UndoResult& undone) {
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
   if (step || !may_pass || step.error().code != tendon::ErrorCode::kFailed) return step;
@@ -85,12 +85,12 @@ Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, Undone& u
   return AskForUndo(context, words.step);
 }
 
-void Print(Context& context, const Undone& undone, bool is_dry) {
+void Print(Context& context, const UndoResult& undone, bool is_dry) {
   if (context.settings().json) {
     ordered_json steps = ordered_json::array();
-    for (const auto& step : undone.steps) steps.push_back(ToJson(step));
+    for (const auto& step : undone.steps) steps.push_back(StepJson(step));
     ordered_json passed_over = ordered_json::array();
-    for (const auto& step : undone.passed_over) passed_over.push_back(ToJson(step));
+    for (const auto& step : undone.passed_over) passed_over.push_back(StepJson(step));
     context.PrintJson({{"undone", std::move(steps)},
                        {"passed_over", std::move(passed_over)},
                        {"dry_run", is_dry}});
@@ -125,7 +125,7 @@ Result<tendon::message::History> AskForHistory(Context& context) {
 /// depend on the result.
 Result<void> CheckNewest(const tendon::Catalogue& catalogue,
                          const tendon::message::History& history, const UndoWords& words,
-                         Undone& undone) {
+                         UndoResult& undone) {
   const Error nothing{ErrorCode::kFailed, "there is nothing to undo"};
   if (undone.steps.empty()) return nothing;
   const HistoryEntry newest = undone.steps.front();
@@ -147,7 +147,7 @@ Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) 
   if (!history) return history.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  Undone undone;
+  UndoResult undone;
   for (auto step = history->entries.rbegin(); step != history->entries.rend(); ++step) {
     if (!step->undone && !step->passed_over) undone.steps.push_back(*step);
   }
@@ -162,7 +162,7 @@ Result<ExitCode> SayWhatWouldBeUndone(Context& context, const UndoWords& words) 
 
 Result<ExitCode> Undo(Context& context, const UndoWords& words) {
   if (words.dry_run) return SayWhatWouldBeUndone(context, words);
-  Undone undone;
+  UndoResult undone;
   while (!undone.error && undone.steps.size() < static_cast<std::size_t>(words.count)) {
     auto step = UndoOne(context, words, undone);
     if (step) {
@@ -186,7 +186,7 @@ Result<ExitCode> History(Context& context, std::size_t count) {
       all.end() - static_cast<std::ptrdiff_t>(std::min(count, all.size())), all.end());
   if (context.settings().json) {
     ordered_json steps = ordered_json::array();
-    for (const auto& step : newest) steps.push_back(ToJson(step));
+    for (const auto& step : newest) steps.push_back(StepJson(step));
     context.PrintJson({{"steps", std::move(steps)}});
     return program::kOk;
   }

@@ -1,7 +1,8 @@
 #include <gcm_console/catalogue/glob.h>
-#include <gcm_console/outcomes.h>
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/outcomes.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>
@@ -39,7 +40,7 @@ struct LifeArguments {
 };
 
 /// The words of a verb, "stop", "stopped".
-struct Wording {
+struct LifeVerbForms {
   LifeVerb verb;
   std::string_view infinitive;
   std::string_view done;
@@ -109,13 +110,13 @@ Result<Targets> FindTargets(const Catalogue& catalogue, LifeVerb verb,
   return targets;
 }
 
-Result<void> Carry(Context& context, const LifeOrder& order) {
+Result<void> SendOrder(Context& context, const LifeOrder& order) {
   return context.Ask<void>(
       [&](tendon::GcmClient& client, auto handler) { client.Steer(order, std::move(handler)); },
       tendon::GcmClient::kOrdersOfALife);
 }
 
-void SayWhatIsLeftOut(Context& context, const Targets& targets, std::string_view done) {
+void PrintLeftOut(Context& context, const Targets& targets, std::string_view done) {
   if (targets.left_out == 0) return;
   context.err() << "gcm: left out " << targets.left_out << " that "
                 << (targets.left_out == 1 ? "is" : "are") << " not in a state to be " << done
@@ -134,51 +135,52 @@ bool IsConfirmed(const Context& context, std::string_view infinitive, std::strin
   return Confirm(context, question);
 }
 
-Result<ExitCode> Steer(Context& context, const Wording& wording, const LifeArguments& arguments) {
+Result<ExitCode> Steer(Context& context, const LifeVerbForms& forms,
+                       const LifeArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
   const Catalogue catalogue = (*client)->catalogue();
-  const auto targets = FindTargets(catalogue, wording.verb, arguments);
+  const auto targets = FindTargets(catalogue, forms.verb, arguments);
   if (!targets) return targets.error();
-  SayWhatIsLeftOut(context, *targets, wording.done);
-  if (!IsConfirmed(context, wording.infinitive, "components", *targets, arguments)) {
+  PrintLeftOut(context, *targets, forms.done);
+  if (!IsConfirmed(context, forms.infinitive, "components", *targets, arguments)) {
     return Declined();
   }
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
-    LifeOrder order = OrderOf(wording.verb, path);
+    LifeOrder order = OrderOf(forms.verb, path);
     order.is_strict = arguments.is_strict;
-    outcomes.push_back(
-        {ToString(path), arguments.dry_run ? CheckLife(catalogue, order) : Carry(context, order)});
+    outcomes.push_back({ToString(path), arguments.dry_run ? CheckLife(catalogue, order)
+                                                          : SendOrder(context, order)});
   }
-  PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
+  PrintOutcomes(context, {forms.infinitive, forms.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
 }
 
-Verb SteeringVerb(std::string name, std::string summary, Wording wording) {
-  return {
-      std::move(name), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
-        auto arguments = std::make_shared<LifeArguments>();
-        Names(app.add_option("components", arguments->patterns,
-                             "process/component, or a glob such as robot/*, or ** for all"),
-              WordKind::kComponent)
-            ->required();
-        app.add_flag("--dry-run", arguments->dry_run, "print what would be done, but do nothing");
-        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-        if (wording.verb == LifeVerb::kStart) {
-          app.add_flag("--strict", arguments->is_strict,
-                       "refuse if a required interface that the component needs is not connected; "
-                       "without this option the component runs and waits for the connection");
-        }
-        return [=](Context& context) { return Steer(context, wording, *arguments); };
-      }};
+Verb SteeringVerb(std::string name, std::string summary, LifeVerbForms forms) {
+  return {std::move(name), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
+            auto arguments = std::make_shared<LifeArguments>();
+            WithKind(app.add_option("components", arguments->patterns,
+                                    "process/component, or a glob such as robot/*, or ** for all"),
+                     WordKind::kComponent)
+                ->required();
+            AddDryRun(app, arguments->dry_run);
+            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+            if (forms.verb == LifeVerb::kStart) {
+              app.add_flag(
+                  "--strict", arguments->is_strict,
+                  "refuse if a required interface that the component needs is not connected; "
+                  "without this option the component runs and waits for the connection");
+            }
+            return [=](Context& context) { return Steer(context, forms, *arguments); };
+          }};
 }
 
 using Ours = std::optional<tendon::message::Children>;
 
 /// A verb for whole processes.
-struct ProcessWording {
+struct ProcessVerbForms {
   std::string_view infinitive;
   std::string_view done;
   bool needs_ours;
@@ -229,7 +231,7 @@ Result<void> Forget(Context& context, const std::string& process) {
 /// Keeps unknown names, and processes that the GCM has not started; the GCM refuses them with a
 /// reason.
 Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
-                              const ProcessWording& wording, const LifeArguments& arguments) {
+                              const ProcessVerbForms& forms, const LifeArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     if (!IsGlob(pattern)) {
@@ -244,7 +246,7 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
       // Keeps a present process that this GCM has not started, because the GCM's error says where
       // to end it.
       const bool is_of_use =
-          wording.check(catalogue, ours, name).ok() || wording.check(catalogue, {}, name).ok();
+          forms.check(catalogue, ours, name).ok() || forms.check(catalogue, {}, name).ok();
       targets.Add({.process = name}, true, is_of_use);
     }
     if (is_found) continue;
@@ -264,42 +266,41 @@ Result<Ours> AskForOurs(Context& context) {
   return children.error();
 }
 
-Result<ExitCode> Carry(Context& context, const ProcessWording& wording,
-                       const LifeArguments& arguments) {
+Result<ExitCode> SteerProcesses(Context& context, const ProcessVerbForms& forms,
+                                const LifeArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
   const Catalogue catalogue = (*client)->catalogue();
-  const auto ours = wording.needs_ours ? AskForOurs(context) : Result<Ours>(Ours());
+  const auto ours = forms.needs_ours ? AskForOurs(context) : Result<Ours>(Ours());
   if (!ours) return ours.error();
-  const auto targets = FindProcesses(catalogue, *ours, wording, arguments);
+  const auto targets = FindProcesses(catalogue, *ours, forms, arguments);
   if (!targets) return targets.error();
-  SayWhatIsLeftOut(context, *targets, wording.done);
-  if (!IsConfirmed(context, wording.infinitive, "processes", *targets, arguments)) {
+  PrintLeftOut(context, *targets, forms.done);
+  if (!IsConfirmed(context, forms.infinitive, "processes", *targets, arguments)) {
     return Declined();
   }
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
     outcomes.push_back({path.process, arguments.dry_run
-                                          ? wording.check(catalogue, *ours, path.process)
-                                          : wording.carry(context, path.process)});
+                                          ? forms.check(catalogue, *ours, path.process)
+                                          : forms.carry(context, path.process)});
   }
-  PrintOutcomes(context, {wording.infinitive, wording.done, arguments.dry_run}, outcomes);
+  PrintOutcomes(context, {forms.infinitive, forms.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
 }
 
-Verb ProcessVerb(std::string summary, const ProcessWording& wording) {
-  return {
-      std::string(wording.infinitive), std::move(summary), [wording](CLI::App& app) -> Verb::Run {
-        auto arguments = std::make_shared<LifeArguments>();
-        Names(app.add_option("processes", arguments->patterns,
-                             "names of processes, or a glob such as desk*"),
-              WordKind::kProcess)
-            ->required();
-        app.add_flag("--dry-run", arguments->dry_run, "print what would be done, but do nothing");
-        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-        return [=](Context& context) { return Carry(context, wording, *arguments); };
-      }};
+Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
+  return {std::string(forms.infinitive), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
+            auto arguments = std::make_shared<LifeArguments>();
+            WithKind(app.add_option("processes", arguments->patterns,
+                                    "names of processes, or a glob such as desk*"),
+                     WordKind::kProcess)
+                ->required();
+            AddDryRun(app, arguments->dry_run);
+            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+            return [=](Context& context) { return SteerProcesses(context, forms, *arguments); };
+          }};
 }
 
 }  // namespace

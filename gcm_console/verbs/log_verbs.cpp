@@ -1,8 +1,8 @@
 #include <gcm_console/catalogue/glob.h>
-#include <gcm_console/inbox_queue.h>
-#include <gcm_console/outcomes.h>
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/feeds/inbox_queue.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/outcomes.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
@@ -134,7 +134,7 @@ void PrintLost(std::uint64_t lost, Context& context) {
                 << ": more came than could be printed\n";
 }
 
-void Remark(const LogInbox::Content& content, Context& context) {
+void PrintNotices(const LogInbox::Content& content, Context& context) {
   if (!content.complaint.empty()) context.err() << "gcm: " << Plain(content.complaint) << '\n';
   if (content.is_gcm_back) context.PrintGcmReturn();
 }
@@ -156,14 +156,14 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
 }
 
 /// The records that the GCM had when it was asked.
-struct Kept {
+struct KeptRecords {
   std::deque<LogRecord> records;
   std::uint64_t lost = 0;  // between them
 };
 
 /// Sorts by time: records arrive in the order in which the GCM received them. Prints all losses
 /// first: sorted records have no place for them.
-Result<void> PrintKept(Kept kept, const LogOptions& options, Context& context) {
+Result<void> PrintKept(KeptRecords kept, const LogOptions& options, Context& context) {
   auto& records = kept.records;
   std::set<std::string> processes;
   for (const LogRecord& record : records) processes.insert(record.process);
@@ -194,7 +194,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
   if (!client) return client.error();
   (*client)->WatchLog();
   const auto begin = std::chrono::steady_clock::now();
-  Kept kept;
+  KeptRecords kept;
   bool is_current = false;
   bool has_more = false;
   while (true) {
@@ -215,7 +215,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
       is_interrupted = is_interrupted || !PrintNew(content, options, context);
     }
     is_current = is_current || content.is_current;
-    Remark(content, context);
+    PrintNotices(content, context);
     context.out().flush();
     if (is_interrupted) return program::kInterrupted;
     if (!context.out().good() || (content.is_current && !options.follow)) return program::kOk;
@@ -243,7 +243,7 @@ Result<void> CheckLevelOrder(Context& context, const LevelOrder& order) {
   return entry ? RequirePresent((*entry)->process) : Result<void>(entry.error());
 }
 
-Result<void> Carry(Context& context, const LevelOrder& order) {
+Result<void> SetOneLevel(Context& context, const LevelOrder& order) {
   if (order.dry_run) return CheckLevelOrder(context, order);
   return context.Ask<void>([&](tendon::GcmClient& client, auto handler) {
     client.SetLogLevel(order.process, LevelOf(order.level), handler);
@@ -258,7 +258,7 @@ Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   std::vector<Outcome> outcomes;
   for (const auto& [name, entry] : catalogue.processes()) {
     if (!tendon::MatchesGlob(order.process, name) || !IsPresent(entry.process)) continue;
-    outcomes.push_back({name, Carry(context, {name, order.level, order.dry_run})});
+    outcomes.push_back({name, SetOneLevel(context, {name, order.level, order.dry_run})});
   }
   if (outcomes.empty()) {
     return Error{ErrorCode::kNotFound,
@@ -271,7 +271,7 @@ Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
 
 Result<ExitCode> SetLevel(Context& context, const LevelOrder& order) {
   if (IsGlob(order.process)) return SetLevels(context, order);
-  if (auto set = Carry(context, order); !set) return set.error();
+  if (auto set = SetOneLevel(context, order); !set) return set.error();
   if (context.settings().json) {
     context.PrintJson(
         {{"process", order.process}, {"level", order.level}, {"dry_run", order.dry_run}});
@@ -301,8 +301,8 @@ std::vector<Verb> LogVerbs() {
       {"log-level", "set the lowest level that a process logs, until it ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
-         Names(app.add_option("process", order->process, "process, or a glob such as r*"),
-               WordKind::kProcess)
+         WithKind(app.add_option("process", order->process, "process, or a glob such as r*"),
+                  WordKind::kProcess)
              ->required();
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()

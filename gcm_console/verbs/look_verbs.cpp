@@ -1,11 +1,12 @@
+#include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
-#include <gcm_console/catalogue/things.h>
-#include <gcm_console/catalogue_json.h>
-#include <gcm_console/place.h>
-#include <gcm_console/report.h>
-#include <gcm_console/show/details.h>
-#include <gcm_console/verb.h>
 #include <tendon/gcm/text.h>
+#include <gcm_console/catalogue/place.h>
+#include <gcm_console/output/catalogue_json.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>
@@ -27,52 +28,54 @@ struct ListOptions {
   std::string path;
   bool is_recursive = false;
   bool is_long = false;
-  std::vector<std::string> types;  ///< codes of kNouns
+  std::vector<std::string> types;  ///< codes of kItemKinds
 };
 
 /// Adds processor and memory use to processes that have no other detail.
-void AddHealth(Context& context, const Catalogue& catalogue, std::vector<Thing>& things) {
-  const auto lacks_detail = [&](const Thing& thing) {
-    return thing.noun == "process" && thing.detail.empty();
+void AddHealth(Context& context, const Catalogue& catalogue, std::vector<CatalogueItem>& items) {
+  const auto lacks_detail = [&](const CatalogueItem& item) {
+    return item.kind == "process" && item.detail.empty();
   };
-  if (std::none_of(things.begin(), things.end(), lacks_detail)) return;
+  if (std::none_of(items.begin(), items.end(), lacks_detail)) return;
   const SystemHealth health = AskHealth(context);
-  for (Thing& thing : things) {
-    if (!lacks_detail(thing)) continue;
-    const auto* of_process = FindHealth(health, catalogue.FindProcess(thing.path)->process);
-    thing.detail =
+  for (CatalogueItem& item : items) {
+    if (!lacks_detail(item)) continue;
+    const auto* of_process = FindHealth(health, catalogue.FindProcess(item.path)->process);
+    item.detail =
         "cpu " + tendon::CpuText(of_process) + ", memory " + tendon::MemoryText(of_process);
   }
 }
 
 /// Everything below a path, or only its direct content. For a glob, the matches, or also everything
 /// in them.
-Result<std::vector<Thing>> ThingsOf(const Catalogue& catalogue, const ListOptions& options) {
+Result<std::vector<CatalogueItem>> ListedItems(const Catalogue& catalogue,
+                                               const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
   if (IsGlob(options.path)) {
-    return is_deep ? ThingsThatFitOrAreInside(catalogue, options.path)
-                   : ThingsThatFit(catalogue, options.path);
+    return is_deep ? MatchingItemsAndContents(catalogue, options.path)
+                   : MatchingItems(catalogue, options.path);
   }
   const int deepest = DepthOf(options.path) + 1;
-  auto things = ThingsIn(catalogue, options.path);
-  std::erase_if(things, [&](const Thing& one) { return !is_deep && DepthOf(one.path) > deepest; });
-  return things;
+  auto items = ItemsIn(catalogue, options.path);
+  std::erase_if(items,
+                [&](const CatalogueItem& one) { return !is_deep && DepthOf(one.path) > deepest; });
+  return items;
 }
 
 /// Lists things by their full path, perhaps only of some kinds.
-Result<ExitCode> ListThings(Context& context, const Catalogue& catalogue,
-                            const ListOptions& options) {
-  auto found = ThingsOf(catalogue, options);
+Result<ExitCode> ListItems(Context& context, const Catalogue& catalogue,
+                           const ListOptions& options) {
+  auto found = ListedItems(catalogue, options);
   if (!found) return found.error();
-  auto& things = *found;
-  std::erase_if(things, [&](const Thing& thing) {
-    const auto noun = std::find_if(std::begin(kNouns), std::end(kNouns),
-                                   [&](const Noun& one) { return one.name == thing.noun; });
+  auto& items = *found;
+  std::erase_if(items, [&](const CatalogueItem& item) {
+    const auto kind = std::find_if(std::begin(kItemKinds), std::end(kItemKinds),
+                                   [&](const ItemKind& one) { return one.name == item.kind; });
     return !options.types.empty() &&
-           std::find(options.types.begin(), options.types.end(), noun->code) == options.types.end();
+           std::find(options.types.begin(), options.types.end(), kind->code) == options.types.end();
   });
-  if (options.is_long) AddHealth(context, catalogue, things);
-  PrintThings(context, things);
+  if (options.is_long) AddHealth(context, catalogue, items);
+  PrintItems(context, items);
   return program::kOk;
 }
 
@@ -121,7 +124,7 @@ Result<ExitCode> List(Context& context, const ListOptions& options) {
   const bool is_place = !wanted.path.empty() && !is_glob;
   const auto place = is_place ? FindPlace(catalogue, wanted.path) : Result<Place>(Place{});
   if (!place) return place.error();
-  return ListThings(context, catalogue, wanted);
+  return ListItems(context, catalogue, wanted);
 }
 
 Result<ExitCode> Tree(Context& context) {
@@ -134,14 +137,14 @@ Result<ExitCode> Tree(Context& context) {
 
 Verb::Run PrepareList(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
-  Names(app.add_option("path", options->path,
-                       "process/component/interface.member, or the beginning of it; or a glob: "
-                       "everything that it matches is listed"),
-        WordKind::kPath);
+  WithKind(app.add_option("path", options->path,
+                          "process/component/interface.member, or the beginning of it; or a glob: "
+                          "everything that it matches is listed"),
+           WordKind::kPath);
   app.add_flag("-R,--recursive", options->is_recursive, "also list the contents, by path");
   app.add_flag("-l,--long", options->is_long, "list by path, with type, state and connections");
   std::vector<std::string> codes;
-  for (const Noun& noun : kNouns) codes.emplace_back(noun.code);
+  for (const ItemKind& kind : kItemKinds) codes.emplace_back(kind.code);
   app.add_option("--type", options->types, "only these types, at any depth, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)

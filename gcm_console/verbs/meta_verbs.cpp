@@ -1,7 +1,7 @@
-#include <gcm_console/completion/completion.h>
-#include <gcm_console/help/help_text.h>
-#include <gcm_console/line/command_line.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/command_line/command_line.h>
+#include <gcm_console/command_line/help_text.h>
+#include <gcm_console/completion/shell_completion.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/name.h>
 #include <tendon/middleware/frame.h>
 
@@ -83,11 +83,11 @@ Result<ExitCode> Version(Context& context) {
 
 Verb::Run PrepareHelp(CLI::App& app) {
   auto options = std::make_shared<HelpOptions>();
-  Names(app.add_option("topic", options->words, "a verb, or a topic: exit-codes, paths, output"),
-        WordKind::kVerb);
-  Names(app.add_option("--manual", options->manual,
-                       "write pages for man of all verbs into this folder instead"),
-        WordKind::kFile)
+  WithKind(app.add_option("topic", options->words, "a verb, or a topic: exit-codes, paths, output"),
+           WordKind::kVerb);
+  WithKind(app.add_option("--manual", options->manual,
+                          "write pages for man of all verbs into this folder instead"),
+           WordKind::kFile)
       ->check(CLI::ExistingDirectory);
   return [options](Context& context) { return Help(context, *options); };
 }

@@ -1,9 +1,10 @@
 #include <gcm_console/catalogue/telemetry_column.h>
-#include <gcm_console/report.h>
-#include <gcm_console/screen/curve_feed.h>
-#include <gcm_console/screen/curve_picture.h>
-#include <gcm_console/screen/screen.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/feeds/curve_feed.h>
+#include <gcm_console/output/curve_picture.h>
+#include <gcm_console/output/screen.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
@@ -31,10 +32,10 @@ struct PlotOptions {
 };
 
 /// The plotted numbers; those of different tables arrive independently.
-class Plotting {
+class PlottedTables {
  public:
-  Plotting(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
-           double window, std::chrono::nanoseconds between)
+  PlottedTables(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
+                double window, std::chrono::nanoseconds between)
       : telemetry_(telemetry) {
     for (TableChoice table : tables) {
       table.subscription.rows.period = between;
@@ -42,9 +43,9 @@ class Plotting {
       tables_.push_back({feed, telemetry.Subscribe(table.subscription, feed)});
     }
   }
-  Plotting(const Plotting&) = delete;
-  Plotting& operator=(const Plotting&) = delete;
-  ~Plotting() {
+  PlottedTables(const PlottedTables&) = delete;
+  PlottedTables& operator=(const PlottedTables&) = delete;
+  ~PlottedTables() {
     for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
   }
 
@@ -79,11 +80,11 @@ class Plotting {
 };
 
 /// Shows as many curves as fit on the screen; a line below names the others.
-void Show(const Plotting& plotting, double window, Screen& screen) {
+void Show(const PlottedTables& plotted, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
-  std::vector<Curve> curves = plotting.curves();
-  const std::vector<std::string> notes = plotting.notes();
+  std::vector<Curve> curves = plotted.curves();
+  const std::vector<std::string> notes = plotted.notes();
   std::string footer = notes.empty() ? "" : notes.back();
   const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestCurveRows + 1)));
   if (curves.size() > fit) {
@@ -95,7 +96,8 @@ void Show(const Plotting& plotting, double window, Screen& screen) {
 }
 
 /// Collects until the time has passed or the user interrupts.
-Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotOptions& options) {
+Result<ExitCode> Collect(Context& context, const PlottedTables& plotted,
+                         const PlotOptions& options) {
   const bool has_screen = context.has_screen();
   const double seconds = options.seconds > 0.0 || has_screen ? options.seconds : options.window;
   const auto begin = std::chrono::steady_clock::now();
@@ -107,9 +109,9 @@ Result<ExitCode> Collect(Context& context, const Plotting& plotting, const PlotO
   }
   while (true) {
     if (tendon::os::TerminationRequested(keyboard ? 0ms : 50ms)) return program::kInterrupted;
-    if (const auto mistake = plotting.mistake()) return *mistake;
+    if (const auto mistake = plotted.mistake()) return *mistake;
     if (keyboard) {
-      Show(plotting, options.window, *screen);
+      Show(plotted, options.window, *screen);
       if (keyboard->NextKey(100ms) == 'q') return program::kOk;
       screen->PauseIfAsked(*keyboard);
     }
@@ -128,33 +130,31 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto choice = ColumnsThatFit((*client)->catalogue(), options.paths);
+  const auto choice = MatchingColumns((*client)->catalogue(), options.paths);
   if (!choice) return choice.error();
   const int columns = context.columns() > 0 ? context.columns() : kUsualColumns;
   const std::chrono::duration<double> dot(options.window / (2.0 * columns));
-  const Plotting plotting((*client)->telemetry(), choice->tables, options.window,
-                          std::chrono::duration_cast<std::chrono::nanoseconds>(dot));
-  const auto ended = Collect(context, plotting, options);
-  PrintSentences(plotting.notes(), context.err());
+  const PlottedTables plotted((*client)->telemetry(), choice->tables, options.window,
+                              std::chrono::duration_cast<std::chrono::nanoseconds>(dot));
+  const auto ended = Collect(context, plotted, options);
+  PrintSentences(plotted.notes(), context.err());
   if (!ended) return ended;
   // Prints the last picture again after the screen is restored.
-  context.out() << PictureOf(plotting.curves(), options.window, columns, kUsualRows);
+  context.out() << PictureOf(plotted.curves(), options.window, columns, kUsualRows);
   return ended;
 }
 
 Verb::Run PreparePlot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  Names(app.add_option(
-            "paths", options->paths,
-            "numbers in columns of state tables, also with * and **, or all numbers of a part"),
-        WordKind::kColumn)
+  WithKind(app.add_option(
+               "paths", options->paths,
+               "numbers in columns of state tables, also with * and **, or all numbers of a part"),
+           WordKind::kColumn)
       ->required();
   app.add_option("--window", options->window, "the time that is shown (default: 10s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
-  app.add_option("--for", options->seconds, "end after this time (into a pipe: the window)")
-      ->type_name("TIME")
-      ->transform(CLI::Validator(&program::TransformDuration, ""));
+  AddDuration(app, options->seconds, "end after this time (into a pipe: the window)");
   return [options](Context& context) { return Plot(context, *options); };
 }
 

@@ -1,8 +1,8 @@
 #include <gcm_console/catalogue/telemetry_column.h>
-#include <gcm_console/report.h>
-#include <gcm_console/screen/screen.h>
-#include <gcm_console/verb.h>
-#include <program/command_line.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/termination.h>
 
 #include <CLI/CLI.hpp>
@@ -180,14 +180,11 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
 
 Verb::Run PrepareRate(CLI::App& app) {
   auto options = std::make_shared<RateOptions>();
-  Names(app.add_option("path", options->path, "a state table, or a column of it"),
-        WordKind::kColumn)
+  WithKind(app.add_option("path", options->path, "a state table, or a column of it"),
+           WordKind::kColumn)
       ->required();
-  app.add_option("--count", options->count, "end after this many lines, one per second")
-      ->transform(CLI::Validator(&program::TransformCount, ""));
-  app.add_option("--for", options->seconds, "end after this time: 10s, 500ms, 2min")
-      ->type_name("TIME")
-      ->transform(CLI::Validator(&program::TransformDuration, ""));
+  AddCount(app, options->count, "end after this many lines, one per second");
+  AddDuration(app, options->seconds);
   return [options](Context& context) { return MeasureRate(context, *options); };
 }
 

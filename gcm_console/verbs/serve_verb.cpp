@@ -1,4 +1,4 @@
-#include <gcm_console/verb.h>
+#include <gcm_console/verbs/verb.h>
 #include <program/fan_out.h>
 #include <program/lcm_launch.h>
 #include <tendon/base/log.h>

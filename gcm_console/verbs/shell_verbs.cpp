@@ -1,6 +1,6 @@
-#include <gcm_console/line/input.h>
+#include <gcm_console/command_line/input_lines.h>
 #include <gcm_console/shell/shell.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 
@@ -27,7 +27,7 @@ fs::path HistoryFile() {
 
 ExitCode TypeLines(Shell& shell, const Streams& streams) {
   const auto reader = streams.make_line_reader(
-      HistoryFile(), [&shell](const Unfinished& line) { return shell.Complete(line); },
+      HistoryFile(), [&shell](const PartialCommand& line) { return shell.Complete(line); },
       [&shell] { return shell.TakeLines(); });
   int exit_code = program::kOk;
   while (!shell.has_ended()) {
@@ -121,8 +121,8 @@ Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
 
 Verb::Run PrepareScript(CLI::App& app) {
   auto options = std::make_shared<ScriptOptions>();
-  Names(app.add_option("file", options->file, "lines as in gcm shell; - reads them from stdin"),
-        WordKind::kFile)
+  WithKind(app.add_option("file", options->file, "lines as in gcm shell; - reads them from stdin"),
+           WordKind::kFile)
       ->required();
   app.add_flag("--keep-going", options->keeps_going, "continue after a line that has failed");
   return [options](Context& context) { return RunScript(context, *options); };

@@ -1,6 +1,7 @@
-#include <gcm_console/report.h>
-#include <gcm_console/verb.h>
-#include <gcm_console/wire/disputed_types.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
+#include <gcm_console/verbs/wire_checks.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/life/class_check.h>
@@ -192,7 +193,7 @@ Result<ExitCode> Diff(Context& context, const DiffWords& words) {
   return comparison.differences.empty() ? program::kOk : program::kRefused;
 }
 
-ordered_json ToJson(const PlanStep& step) {
+ordered_json PlanStepJson(const PlanStep& step) {
   return {{"kind", tendon::ToString(step.kind)},
           {"text", ToString(step)},
           {"takes_away", step.takes_away}};
@@ -201,7 +202,7 @@ ordered_json ToJson(const PlanStep& step) {
 void Print(const Plan& plan, Context& context) {
   if (context.settings().json) {
     ordered_json steps = ordered_json::array();
-    for (const PlanStep& step : plan.steps) steps.push_back(ToJson(step));
+    for (const PlanStep& step : plan.steps) steps.push_back(PlanStepJson(step));
     context.PrintJson({{"steps", std::move(steps)},
                        {"obstacles", plan.obstacles},
                        {"notes", plan.notes},
@@ -226,8 +227,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   const tendon::Catalogue catalogue = (*client)->catalogue();
   tendon::KnownClasses known;
   for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {
-    const auto classes = context.Ask<tendon::message::Classes>(
-        [&process](tendon::GcmClient& asked, auto handler) { asked.GetClasses(process, handler); });
+    const auto classes = AskClasses(context, process);
     if (classes) known[process] = *classes;  // otherwise the process itself refuses
   }
   return MakeCheckedPlan(catalogue, *wanted, known);
@@ -265,7 +265,7 @@ Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   return {};
 }
 
-ExitCode ExitCodeOf(const PlanOutcome& outcome, const Plan& plan) {
+ExitCode OutcomeExitCode(const PlanOutcome& outcome, const Plan& plan) {
   const bool is_whole = !outcome.error && plan.obstacles.empty();
   if (is_whole) return program::kOk;
   if (outcome.done > 0) return program::kPartial;
@@ -332,7 +332,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
       [&](std::size_t number, const PlanStep& step, const StepOutcome& came) {
         const auto [sign, word] = MarksOf(came.state);
         if (is_json) {
-          steps.push_back(ToJson(step));
+          steps.push_back(PlanStepJson(step));
           steps.back()["outcome"] = word;
           if (!came.reason.empty()) steps.back()["error"] = came.reason;
           return;
@@ -352,7 +352,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
   } else {
     Summarise(context, outcome, plan, former);
   }
-  return outcome.is_interrupted ? program::kInterrupted : ExitCodeOf(outcome, plan);
+  return outcome.is_interrupted ? program::kInterrupted : OutcomeExitCode(outcome, plan);
 }
 
 Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
@@ -374,8 +374,8 @@ std::vector<Verb> SystemVerbs() {
       {"save", "save the running system in a system file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<SaveWords>();
-         Names(app.add_option("file", words->file, "system file to create or to update"),
-               WordKind::kFile)
+         WithKind(app.add_option("file", words->file, "system file to create or to update"),
+                  WordKind::kFile)
              ->required();
          app.add_flag("--dry-run", words->dry_run,
                       "print what would be written, but write nothing");
@@ -384,10 +384,10 @@ std::vector<Verb> SystemVerbs() {
       {"import", "create a system file from a file of the cisst component manager",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ImportWords>();
-         Names(app.add_option("from", words->from, "with \"components\" and \"connections\""),
-               WordKind::kFile)
+         WithKind(app.add_option("from", words->from, "with \"components\" and \"connections\""),
+                  WordKind::kFile)
              ->required();
-         Names(app.add_option("to", words->to, "system file to create"), WordKind::kFile)
+         WithKind(app.add_option("to", words->to, "system file to create"), WordKind::kFile)
              ->required();
          app.add_option("--process", words->process, "the process that has the components")
              ->required();
@@ -399,22 +399,23 @@ std::vector<Verb> SystemVerbs() {
        "list the differences of a system file from the running system, or from another file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<DiffWords>();
-         Names(app.add_option("first", words->first, "system file"), WordKind::kFile)->required();
-         Names(app.add_option("second", words->second,
-                              "another system file (default: the running system)"),
-               WordKind::kFile);
+         WithKind(app.add_option("first", words->first, "system file"), WordKind::kFile)
+             ->required();
+         WithKind(app.add_option("second", words->second,
+                                 "another system file (default: the running system)"),
+                  WordKind::kFile);
          return [words](Context& context) { return Diff(context, *words); };
        }},
       {"plan", "list the steps that make the running system match a system file",
        [](CLI::App& app) -> Verb::Run {
          auto file = std::make_shared<std::string>();
-         Names(app.add_option("file", *file, "system file"), WordKind::kFile)->required();
+         WithKind(app.add_option("file", *file, "system file"), WordKind::kFile)->required();
          return [file](Context& context) { return PrintPlan(context, *file); };
        }},
       {"apply", "make the running system match a system file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ApplyWords>();
-         Names(app.add_option("file", words->file, "system file"), WordKind::kFile)->required();
+         WithKind(app.add_option("file", words->file, "system file"), WordKind::kFile)->required();
          app.add_flag("--yes", words->yes, "also remove what is not in the file");
          app.add_flag("--dry-run", words->dry_run, "only list the steps, like plan");
          app.add_flag("--keep-going", words->keep_going,

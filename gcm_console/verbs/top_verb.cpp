@@ -1,10 +1,12 @@
-#include <gcm_console/catalogue_json.h>
-#include <gcm_console/report.h>
-#include <gcm_console/screen/connection_feed.h>
-#include <gcm_console/screen/health_feed.h>
-#include <gcm_console/screen/screen.h>
-#include <gcm_console/screen/task_feed.h>
-#include <gcm_console/verb.h>
+#include <gcm_console/feeds/connection_feed.h>
+#include <gcm_console/feeds/health_feed.h>
+#include <gcm_console/feeds/task_feed.h>
+#include <gcm_console/output/catalogue_json.h>
+#include <gcm_console/output/screen.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/keyboard.h>
 #include <tendon/base/os/terminal.h>
 #include <tendon/base/os/termination.h>
@@ -140,7 +142,7 @@ Table BusiestOf(const tendon::Catalogue& catalogue, const SystemHealth& health) 
   return table;
 }
 
-nlohmann::ordered_json JsonOf(const tendon::Catalogue& catalogue, const SystemHealth& health) {
+nlohmann::ordered_json HealthJson(const tendon::Catalogue& catalogue, const SystemHealth& health) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const auto& [name, entry] : catalogue.processes()) {
     all.push_back({{"name", name},
@@ -150,7 +152,7 @@ nlohmann::ordered_json JsonOf(const tendon::Catalogue& catalogue, const SystemHe
   return all;
 }
 
-nlohmann::ordered_json JsonOf(const std::vector<ConnectionFigures>& connections) {
+nlohmann::ordered_json FiguresJson(const std::vector<ConnectionFigures>& connections) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const ConnectionFigures& figures : connections) {
     nlohmann::ordered_json one = {
@@ -167,7 +169,7 @@ nlohmann::ordered_json JsonOf(const std::vector<ConnectionFigures>& connections)
   return all;
 }
 
-nlohmann::ordered_json JsonOf(const std::vector<TaskFigures>& tasks) {
+nlohmann::ordered_json FiguresJson(const std::vector<TaskFigures>& tasks) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TaskFigures& task : tasks) {
     nlohmann::ordered_json one = {
@@ -211,10 +213,9 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
     context.Print(TableOf(all));
     return program::kOk;
   }
-  const auto health = context.Ask<SystemHealth>(
-      [](tendon::GcmClient& asked, auto handler) { asked.GetHealth(handler); });
-  context.PrintJson({{"processes", JsonOf(client.catalogue(), health ? *health : SystemHealth{})},
-                     {what, JsonOf(all)}});
+  const SystemHealth health = AskHealth(context);
+  context.PrintJson(
+      {{"processes", HealthJson(client.catalogue(), health)}, {what, FiguresJson(all)}});
   return program::kOk;
 }
 
@@ -259,9 +260,9 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
 
 /// The table of one feed below the processes.
 template <typename Figures>
-std::string PictureOf(const Table& processes, const std::vector<Figures>& all,
-                      const std::string& what, const TopOptions& options, const TopKeys& keys,
-                      const Layout& layout) {
+std::string ScreenText(const Table& processes, const std::vector<Figures>& all,
+                       const std::string& what, const TopOptions& options, const TopKeys& keys,
+                       const Layout& layout) {
   std::ostringstream picture;
   processes.Print(picture, layout);
   picture << '\n'
@@ -292,7 +293,7 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
     layout.columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
     const auto draw = [&](auto all, const char* what) {
       Arrange(all, options);
-      return PictureOf(processes, all, what, options, keys, layout);
+      return ScreenText(processes, all, what, options, keys, layout);
     };
     const bool is_of_connections = options.shows_connections;
     screen.Show(is_of_connections ? draw(LookAt(connections, options), "connection")

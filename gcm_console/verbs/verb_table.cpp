@@ -1,4 +1,4 @@
-#include <gcm_console/verb.h>
+#include <gcm_console/verbs/verb.h>
 
 #include <iterator>
 #include <utility>

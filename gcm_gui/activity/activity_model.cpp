@@ -52,7 +52,7 @@ bool DidTheSame(const Action& action, const Action& step) {
          action.component == step.component && action.life == step.life;
 }
 
-StateMark MarkOf(const Action& action) {
+StateMark OutcomeMark(const Action& action) {
   switch (action.outcome) {
     case Action::Outcome::kRunning:
       return StateMark::kPending;
@@ -113,7 +113,7 @@ QVariant ActivityModel::data(const QModelIndex& index, int role) const {
     case kTimeRole:
       return ClockText(action.when);
     case kGlyphMarkRole:
-      return QVariant::fromValue(MarkOf(action));
+      return QVariant::fromValue(OutcomeMark(action));
     case kObjectRole:
       return object(action);
     case kDetailRole:

@@ -32,7 +32,7 @@ constexpr std::uint32_t kMostCells = 16;
 constexpr int kCellsInRow = 4;
 constexpr int kLeastCell = 40;
 
-QString TextOf(const Json& value) {
+QString EntryText(const Json& value) {
   return ToQString(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
@@ -55,7 +55,7 @@ class NumberEntry final : public Entry {
     const bool is_fine = field_.isDuration() && IsFinerThanDouble(word.json);
     return is_fine ? Json(word.json) : *ParseOrderedJson(word.json);
   }
-  void setValue(const Json& value) override { field_.setText(TextOf(value)); }
+  void setValue(const Json& value) override { field_.setText(EntryText(value)); }
   [[nodiscard]] QStringList refusals() const override {
     const QString refusal = field_.refusal();
     return refusal.isEmpty() ? QStringList() : QStringList(refusal);
@@ -80,7 +80,7 @@ class JsonEntry final : public Entry {
     const auto value = typed();
     return value ? *value : Json(line_.text().toStdString());
   }
-  void setValue(const Json& value) override { line_.setText(TextOf(value)); }
+  void setValue(const Json& value) override { line_.setText(EntryText(value)); }
   [[nodiscard]] QStringList refusals() const override {
     const auto value = typed();
     if (!value) return {ToQString(value.error().message)};
@@ -103,7 +103,7 @@ class TextEntry final : public Entry {
   explicit TextEntry(QLineEdit& line) : line_(line) {}
 
   [[nodiscard]] Json value() const override { return line_.text().toStdString(); }
-  void setValue(const Json& value) override { line_.setText(TextOf(value)); }
+  void setValue(const Json& value) override { line_.setText(EntryText(value)); }
 
  private:
   QLineEdit& line_;
@@ -125,7 +125,7 @@ class ChoiceEntry final : public Entry {
   explicit ChoiceEntry(QComboBox& box) : box_(box) {}
 
   [[nodiscard]] Json value() const override { return box_.currentText().toStdString(); }
-  void setValue(const Json& value) override { box_.setCurrentText(TextOf(value)); }
+  void setValue(const Json& value) override { box_.setCurrentText(EntryText(value)); }
 
  private:
   QComboBox& box_;

@@ -1,4 +1,4 @@
-#include <gcm_console/completion/files.h>
+#include <gcm_console/completion/completer.h>
 #include <gcm_console/shell/words.h>
 #include <gcm_gui/console/console_page.h>
 #include <gcm_gui/language/words.h>
@@ -25,7 +25,7 @@ constexpr int kFewestColumns = 40;
 
 /// Completes the last word of the line as far as it is unique; empty if nothing can be added.
 std::optional<QString> Completed(const QString& line, const console::Completion& completion) {
-  const auto unfinished = console::UnfinishedOf(line.toStdString());
+  const auto unfinished = console::PartialCommandOf(line.toStdString());
   const std::string& word = unfinished.words.back();
   std::string common = console::CommonBegin(completion.candidates);
   if (common.size() <= word.size()) return std::nullopt;

@@ -1,4 +1,4 @@
-#include <gcm_console/completion/files.h>
+#include <gcm_console/completion/completer.h>
 #include <gcm_console/shell/shell.h>
 #include <gcm_gui/console/console_runner.h>
 #include <gcm_gui/console/output_pipe.h>
@@ -152,7 +152,7 @@ void ConsoleRunner::interrupt() {
 void ConsoleRunner::complete(const QString& line) {
   if (is_running_) return;
   post([this, courier = courier_, line](console::Shell& shell) {
-    const auto unfinished = console::UnfinishedOf(line.toStdString());
+    const auto unfinished = console::PartialCommandOf(line.toStdString());
     console::Completion completion = shell.Complete(unfinished);
     console::AddFiles(completion, unfinished.words.back());
     courier->post([this, line, completion] { Q_EMIT completed(line, completion); });

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <gcm_console/command_line/settings.h>
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/line/settings.h>
 #include <gcm_gui/session/courier.h>
 
 #include <QObject>

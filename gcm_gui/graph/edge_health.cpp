@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::seconds kBetween{1};
 
-QString TextOf(const ConnectionFlaw& flaw) {
+QString FlawSentence(const ConnectionFlaw& flaw) {
   switch (flaw.kind) {
     case ConnectionFlaw::Kind::kCallsRefused:
       return (flaw.count == 1 ? Words::tr("%1 call found the mailbox full")
@@ -38,7 +38,7 @@ QString TextOf(const ConnectionFlaw& flaw) {
 
 QString HealthWarning(const ConnectionCounts& now, const std::optional<ConnectionCounts>& before) {
   QStringList warnings;
-  for (const ConnectionFlaw& flaw : FlawsOf(now, before)) warnings.append(TextOf(flaw));
+  for (const ConnectionFlaw& flaw : FlawsOf(now, before)) warnings.append(FlawSentence(flaw));
   return warnings.join(QStringLiteral("; "));
 }
 

@@ -18,7 +18,7 @@ double InSeconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double>(time).count();
 }
 
-InterfaceHealth TextOf(const ConnectionCounts& counts) {
+InterfaceHealth InterfaceHealthOf(const ConnectionCounts& counts) {
   InterfaceHealth health;
   if (counts.round_trip.count() >= 0) health.brief = DurationText(InSeconds(counts.round_trip));
   const std::uint64_t lost = counts.refused + counts.lost_events;
@@ -93,7 +93,7 @@ void HealthFigures::hearCounts(const InterfaceName& required,
                                const Result<ConnectionCounts>& counts) {
   const QString path = ToQString(ToString(required));
   if (counts) {
-    interfaces_[path] = TextOf(*counts);
+    interfaces_[path] = InterfaceHealthOf(*counts);
   } else {
     interfaces_.remove(path);
   }

@@ -9,7 +9,7 @@ namespace tendon::gui {
 namespace {
 
 /// Only records that need attention have a mark.
-QVariant MarkOf(LogLevel level) {
+QVariant LevelMark(LogLevel level) {
   if (level == LogLevel::kError) return QVariant::fromValue(StateMark::kFaulted);
   if (level == LogLevel::kWarning) return QVariant::fromValue(StateMark::kWarning);
   return {};
@@ -39,7 +39,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
     case kTimeRole:
       return ClockText(record.time);
     case kGlyphMarkRole:
-      return MarkOf(record.level);
+      return LevelMark(record.level);
     case kGlyphRole:
       return QStringLiteral(" ");
     case kStaleRole:  // dimmed: only of interest when debugging

@@ -36,7 +36,7 @@ Face FaceOf(ItemKind kind) {
   return kind <= ItemKind::kRequired ? Face::kPlain : Face::kMono;
 }
 
-QString TitleOf(int column) {
+QString ColumnTitle(int column) {
   switch (column) {
     case CatalogueModel::kValue:
       return Words::tr("State / value");
@@ -72,7 +72,7 @@ QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, in
   if (orientation != Qt::Horizontal) return {};
   switch (role) {
     case Qt::DisplayRole:
-      return TitleOf(section);
+      return ColumnTitle(section);
     case Qt::ToolTipRole:
     case Qt::AccessibleDescriptionRole:
       return ExplanationOf(section);
@@ -275,7 +275,7 @@ QString CatalogueModel::spokenText(const CatalogueItem& item, int column) const 
     return words.join(QStringLiteral(", "));
   }
   const QString text = factText(item, column);
-  return TitleOf(column) + QStringLiteral(": ") +
+  return ColumnTitle(column) + QStringLiteral(": ") +
          (text == kNotKnown ? Words::tr("not known") : text);
 }
 

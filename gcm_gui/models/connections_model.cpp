@@ -14,7 +14,7 @@ bool ByRequired(const ConnectionDescription& a, const ConnectionDescription& b) 
   return a.required < b.required;
 }
 
-QString StateText(const ConnectionDescription& connection) {
+QString ConnectionStateText(const ConnectionDescription& connection) {
   const QString word = WordOf(MarkOf(connection.state));
   return connection.reason.empty() ? word
                                    : word + QStringLiteral(" · ") + ToQString(connection.reason);
@@ -50,7 +50,7 @@ QVariant ConnectionsModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (index.column() == kRequired) return required;
-      return index.column() == kProvided ? provided : StateText(row);
+      return index.column() == kProvided ? provided : ConnectionStateText(row);
     case kPathRole:
       return index.column() == kProvided ? provided : required;
     case kFaceRole:
@@ -62,7 +62,7 @@ QVariant ConnectionsModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       return ToQString(row.reason);
     case Qt::AccessibleTextRole:
-      return Words::tr("%1 from %2, %3").arg(required, provided, StateText(row));
+      return Words::tr("%1 from %2, %3").arg(required, provided, ConnectionStateText(row));
     default:
       return {};
   }

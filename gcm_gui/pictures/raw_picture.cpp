@@ -136,7 +136,7 @@ bool ReadField(const Schema::Field& field, CdrReader& reader, RawPicture& pictur
   return SkipOver(field.schema, reader);
 }
 
-std::uint64_t NumberIn(const Json& object, const char* name) {
+std::uint64_t UnsignedIn(const Json& object, const char* name) {
   const auto found = object.find(name);
   return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
 }
@@ -200,11 +200,11 @@ std::optional<RawPicture> PictureOf(const std::string& json) {
   }
   auto data = BytesIn(answer["data"]);
   if (!data) return std::nullopt;
-  RawPicture picture{.width = NumberIn(answer, "width"),
-                     .height = NumberIn(answer, "height"),
-                     .step = NumberIn(answer, "step"),
-                     .encoding = EncodingOfChannels(NumberIn(answer, "channels")),
-                     .is_bigendian = NumberIn(answer, "is_bigendian") != 0,
+  RawPicture picture{.width = UnsignedIn(answer, "width"),
+                     .height = UnsignedIn(answer, "height"),
+                     .step = UnsignedIn(answer, "step"),
+                     .encoding = EncodingOfChannels(UnsignedIn(answer, "channels")),
+                     .is_bigendian = UnsignedIn(answer, "is_bigendian") != 0,
                      .data = *std::move(data)};
   if (const auto encoding = answer.find("encoding"); encoding != answer.end()) {
     if (!encoding->is_string()) return std::nullopt;

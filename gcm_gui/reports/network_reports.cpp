@@ -1,4 +1,4 @@
-#include <gcm_console/events/event_choice.h>
+#include <gcm_console/catalogue/event_choice.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/reports/network_reports.h>
@@ -64,7 +64,7 @@ void NetworkReports::follow() {
   }
   std::map<InterfaceName, EventSubscription> fit;
   if (!patterns.empty()) {
-    for (auto& one : console::EventsThatFit(store_.catalogue(), patterns)) {
+    for (auto& one : console::MatchingEvents(store_.catalogue(), patterns)) {
       fit.emplace(one.provided, std::move(one));
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/events/event_inbox.h>
+#include <gcm_console/feeds/event_inbox.h>
 #include <gcm_gui/reports/asked_types.h>
 #include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/catalogue_store.h>

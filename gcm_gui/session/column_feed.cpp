@@ -59,7 +59,7 @@ ExactNumber NumberOf(const NumericField& channel, std::span<const std::byte> bod
   return value->real();
 }
 
-ValueNamesPointer NamesOf(const Schema& schema) {
+ValueNamesPointer ValueNamesOf(const Schema& schema) {
   ValueNames names;
   if (schema.kind() == Schema::Kind::kBool) {
     names = {.type = QStringLiteral("bool"),
@@ -100,7 +100,7 @@ void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
   if (!schema_) return;
   auto channel = FindNumericField(*schema_, field);
   if (channel.ok()) {
-    tap.names = NamesOf(channel->schema);
+    tap.names = ValueNamesOf(channel->schema);
     tap.channel = std::move(*channel);
     tap.stale.reset();
   } else {

@@ -17,7 +17,7 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 template <typename T>
-std::optional<Error> RefusalOf(const Result<T>& result) {
+std::optional<Error> ErrorOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
 }
 
@@ -141,7 +141,7 @@ void Session::connectInterfaces(const InterfaceName& required, const InterfaceNa
   action.required = required;
   action.provided = provided;
   client_->Connect(required, provided, [finish = begin(std::move(action))](const auto& result) {
-    finish(RefusalOf(result));
+    finish(ErrorOf(result));
   });
 }
 
@@ -150,7 +150,7 @@ void Session::disconnectInterface(const InterfaceName& required) {
   action.verb = Action::Verb::kDisconnect;
   action.required = required;
   client_->Disconnect(required, [finish = begin(std::move(action))](const auto& result) {
-    finish(RefusalOf(result));
+    finish(ErrorOf(result));
   });
 }
 
@@ -163,7 +163,7 @@ void Session::replaceConnection(const InterfaceName& required, const InterfaceNa
   action.required = required;
   action.provided = provided;
   client_->Replace(required, provided, [finish = begin(std::move(action))](const auto& result) {
-    finish(RefusalOf(result));
+    finish(ErrorOf(result));
   });
 }
 
@@ -187,7 +187,7 @@ void Session::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_poi
                        std::uint64_t step) {
   const auto heard = [this, courier = courier_, id, start](const auto& result) {
     courier->post([this, id, start, result] {
-      finish(id, SecondsSince(start), RefusalOf(result));
+      finish(id, SecondsSince(start), ErrorOf(result));
       if (!result.ok()) return;
       activity_.markUndone(id, ActionOf(*result));
     });
@@ -200,7 +200,7 @@ void Session::forget(const std::string& process) {
   action.verb = Action::Verb::kForget;
   action.process = process;
   client_->Forget(process, [finish = begin(std::move(action))](const auto& result) {
-    finish(RefusalOf(result));
+    finish(ErrorOf(result));
   });
 }
 
@@ -211,7 +211,7 @@ void Session::steer(LifeVerb verb, const std::string& process, const std::string
   action.component = process + '/' + component;
   client_->Steer(
       {.verb = verb, .process = process, .component = component},
-      [finish = begin(std::move(action))](const auto& result) { finish(RefusalOf(result)); });
+      [finish = begin(std::move(action))](const auto& result) { finish(ErrorOf(result)); });
 }
 
 void Session::setLogLevel(const std::string& process, LogLevel level) {
@@ -220,7 +220,7 @@ void Session::setLogLevel(const std::string& process, LogLevel level) {
   action.process = process;
   action.argument = ToQString(tendon::ToString(level));
   client_->SetLogLevel(process, level, [finish = begin(std::move(action))](const auto& result) {
-    finish(RefusalOf(result));
+    finish(ErrorOf(result));
   });
 }
 
@@ -254,7 +254,7 @@ void Session::finishCall(ActivityModel::Id id, const Result<std::string>& answer
   const auto call = open_calls_.extract(id);
   if (call.empty()) return;
   const double seconds = SecondsSince(call.mapped().start);
-  finish(id, seconds, RefusalOf(answer));
+  finish(id, seconds, ErrorOf(answer));
   call.mapped().handler(answer, seconds);
 }
 

@@ -27,7 +27,7 @@ DifferenceWords WordsOf(SystemDifference::Kind kind) {
   return {"?", ""};
 }
 
-StateMark MarkOf(PlanLine::Kind kind) {
+StateMark LineMark(PlanLine::Kind kind) {
   switch (kind) {
     case PlanLine::Kind::kObstacle:
     case PlanLine::Kind::kNote:
@@ -121,7 +121,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return line.trail.isEmpty() ? line.text : line.text + QStringLiteral(", ") + line.trail;
     case kGlyphMarkRole:
-      return QVariant::fromValue(MarkOf(line.kind));
+      return QVariant::fromValue(LineMark(line.kind));
     case kTrailRole:
       return line.trail;
     default:

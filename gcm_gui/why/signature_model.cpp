@@ -11,7 +11,7 @@ namespace {
 
 using Verdict = SignatureRow::Verdict;
 
-StateMark MarkOf(Verdict verdict) {
+StateMark VerdictMark(Verdict verdict) {
   switch (verdict) {
     case Verdict::kMissing:
     case Verdict::kChanged:
@@ -100,7 +100,7 @@ QVariant SignatureModel::data(const QModelIndex& index, int role) const {
     case kGlyphRole:
       return is_verdict ? QString() : cell.glyph;
     case kGlyphMarkRole:
-      return is_verdict ? QVariant::fromValue(MarkOf(row.verdict)) : QVariant();
+      return is_verdict ? QVariant::fromValue(VerdictMark(row.verdict)) : QVariant();
     case kStaleRole:
       return row.verdict == Verdict::kUnneeded;
     case Qt::AccessibleTextRole:

@@ -17,7 +17,7 @@
 namespace tendon::gui {
 namespace {
 
-QString ShortName(const InterfaceName& name) {
+QString ShortInterfaceName(const InterfaceName& name) {
   return ToQString(name.component + '/' + name.interface);
 }
 
@@ -67,7 +67,8 @@ void WhyCard::buildHead() {
 void WhyCard::begin(const message::Wire& wire) {
   const bool other = wire != report_.diagnosis.wire;
   report_.diagnosis.wire = wire;
-  title_->setText(ShortName(wire.required) + QStringLiteral(" → ") + ShortName(wire.provided));
+  title_->setText(ShortInterfaceName(wire.required) + QStringLiteral(" → ") +
+                  ShortInterfaceName(wire.provided));
   title_->setToolTip(ToQString(ToString(wire.required) + " → " + ToString(wire.provided)));
   setAccessibleName(Words::tr("Why? ") + title_->toolTip());
   if (other || isHidden()) {

@@ -9,7 +9,7 @@ namespace {
 
 QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
-QString WordOf(DiagnosisStep::Verdict verdict) {
+QString VerdictWord(DiagnosisStep::Verdict verdict) {
   switch (verdict) {
     case DiagnosisStep::Verdict::kGood:
       return QStringLiteral("ok  ");
@@ -51,7 +51,7 @@ QString WhyReport::text() const {
   if (refusal) lines.append(QStringLiteral("  ") + history());
   int number = 0;
   for (const DiagnosisStep& step : diagnosis.steps) {
-    lines.append(QStringLiteral("  %1 ").arg(++number) + WordOf(step.verdict) +
+    lines.append(QStringLiteral("  %1 ").arg(++number) + VerdictWord(step.verdict) +
                  ToQString(step.text));
     for (const auto& detail : step.details) {
       lines.append(QStringLiteral("         ") + ToQString(detail));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/line/settings.h>
+#include <gcm_console/command_line/settings.h>
 
 #include <QString>
 

@@ -51,6 +51,12 @@ DEFINES_TYPE = re.compile(r"(?:class|struct|union|enum class|enum) (?:\[\[\w+\]\
 PRIVATE_NAME = re.compile(r"(?:constexpr|constinit|const|static|thread_local)\b[^=({]*?\b(k\w+)\b"
                           r"|using (\w+) =|(?:class|struct|enum class) (\w+)\b(?!;)")
 NO_FUNCTION = re.compile(r"\s*(inline namespace|namespace|class|struct|enum|union|extern|export)\b")
+NO_NAMED_FUNCTION = re.compile(r"namespace|class|struct|enum|union|using|static_assert|friend|extern|concept|template <"
+                               r"|return|[#/}{ \t]")
+TEMPLATE_ARGUMENTS = re.compile(r"<[^<>()]*(?:\([^()]*\))?[^<>()]*>")
+FUNCTION_NAME = re.compile(r"(?:^|[\s&*>])(?!operator$)(\w*[a-z]\w*)$")
+LISTS_SOURCES = re.compile(r"^\s*(?:add_library|add_executable|target_sources|tendon_test|tendon_component)"
+                           r"\(\s*([\w-]+)([^()]*)\)", re.M)
 INSTALLED = re.compile(r"FILE_SET HEADERS BASE_DIRS \S+\s+FILES\s+([\w/.\s]+)")
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
@@ -266,6 +272,29 @@ def joined_sources_share_no_names(files):
                 yield f"{file.path}:{number}: {name} is private to {place}, too, and the two are compiled together"
 
 
+def helpers_hide_no_declared_functions(files):
+    """Sources of a target are compiled several at a time, so what is private to one is seen by the next. There it is
+    taken instead of a function that a header declares in the same namespace or in one around it, and no compiler
+    says so."""
+    by_path = {file.path: file for file in files if file.is_code}
+    declared = {path: list(functions_of(file.lines)) for path, file in by_path.items() if file.suffix == ".h"}
+    reported = set()
+    for sources in sources_of_targets(files).values():
+        if len(sources) < 2:
+            continue
+        functions = {}  # by name
+        for path in reachable(sources, by_path):
+            for number, namespaces, name in declared.get(path, ()):
+                functions.setdefault(name, []).append((namespaces, f"{path}:{number}"))
+        for path in sorted(sources):
+            for number, namespaces, name in helpers_of(by_path[path].lines):
+                hidden = (place for around, place in functions.get(name, ()) if namespaces[:len(around)] == around)
+                if (place := next(hidden, None)) and (path, number) not in reported:
+                    reported.add((path, number))
+                    yield (f"{path}:{number}: {name} is also the function of {place}, which another source of this "
+                           f"target may mean; give the helper a name of its own")
+
+
 def installed_headers_include_no_internal_ones(files):
     """A header in the file set HEADERS is installed; a user's compiler must find whatever it includes."""
     installed = set()
@@ -294,6 +323,66 @@ def folders_are_built(files):
         named_above = re.search(rf"(?<!\w){re.escape(PurePosixPath(folder).name)}(?!\w)", lists[above])
         if not named_above and not any(f"/{folder} " in other for other in lists.values()):
             yield f"{folder}/CMakeLists.txt:1: nobody builds it; add it to {above}/CMakeLists.txt"
+
+
+def sources_of_targets(files):
+    """The .cpp files that the CMakeLists.txt name, by the target."""
+    known = {file.path for file in files if file.suffix == ".cpp"}
+    targets = {}
+    for file in files:
+        if file.name != "CMakeLists.txt":
+            continue
+        folder = os.path.dirname(file.path)
+        text = "\n".join(line.split("#")[0] for line in file.lines)
+        for target, names in LISTS_SOURCES.findall(text):
+            paths = {os.path.normpath(os.path.join(folder, name)) for name in names.split()}
+            targets.setdefault(target, set()).update(paths & known)
+    return targets
+
+
+def reachable(sources, by_path):
+    """The sources and all files that they include."""
+    seen, waiting = set(), list(sources)
+    while waiting:
+        path = waiting.pop()
+        if path in by_path and path not in seen:
+            seen.add(path)
+            waiting.extend(include.target for include in by_path[path].includes)
+    return seen
+
+
+def functions_of(lines):
+    """The functions of namespaces: line number, the named namespaces around, name."""
+    for number, namespaces, line in in_namespaces(lines):
+        if all(namespaces) and (name := function_name(line)):
+            yield number, names_in(namespaces), name
+
+
+def helpers_of(lines):
+    """The functions, constants, types and aliases of unnamed namespaces, in the same form."""
+    for number, namespaces, line in in_namespaces(lines):
+        if not namespaces[-1]:
+            match = PRIVATE_NAME.match(line)
+            name = next(group for group in match.groups() if group) if match else function_name(line)
+            if name:
+                yield number, names_in(namespaces), name
+
+
+def names_in(namespaces):
+    """("a::b", "") is a, b."""
+    return tuple(name for one in namespaces for name in one.split("::") if name)
+
+
+def function_name(line):
+    """The name of the function whose declaration begins in this line; None if none does."""
+    if NO_NAMED_FUNCTION.match(line) or "(" not in line:
+        return None
+    line = line.replace("decltype(auto)", "auto")
+    while (shorter := TEMPLATE_ARGUMENTS.sub("", line)) != line:
+        line = shorter
+    head = re.sub(r"\[\[.*?\]\]", "", line).split("(")[0]
+    match = None if "=" in head or "{" in head else FUNCTION_NAME.search(head)
+    return match and match[1]
 
 
 def private_names_of(lines):
@@ -328,7 +417,7 @@ FILE_RULES = (
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
     scripts_are_narrow, functions_are_short)
-TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names,
+TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
               installed_headers_include_no_internal_ones, folders_are_built)
 
 

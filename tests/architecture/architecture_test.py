@@ -23,6 +23,10 @@ def installs(*names):
     return f"target_sources(a\n  PUBLIC FILE_SET HEADERS BASE_DIRS core\n  FILES\n    {' '.join(names)}\n)\n"
 
 
+def builds(*names):
+    return f"add_library(all\n  {' '.join(names)})\n"
+
+
 def function(lines, indent=""):
     """A function of that many lines, its signature being two of them."""
     text = ["Result<int> Run(int first,", "                int last) {", *["  Step();"] * (lines - 3), "}"]
@@ -122,6 +126,18 @@ BROKEN = {
           "core/tendon/gcm/b.cpp": in_namespace("namespace {\nusing Kind = Flaw::Kind;\n}  // namespace")},
          "core/tendon/gcm/b.cpp:4", "Kind is private to"),
     ],
+    "helpers_hide_no_declared_functions": [
+        ({"lcm/CMakeLists.txt": builds("a.cpp", "b.cpp"), "lcm/words.h": in_namespace("std::string Quoted(View word);"),
+          "lcm/a.cpp": include("lcm/words.h"),
+          "lcm/b.cpp": in_namespace("namespace {\nstd::string Quoted(const std::string& text) {\n}\n}  // namespace")},
+         "lcm/b.cpp:4", "Quoted is also the function of lcm/words.h:3"),
+        ({"lcm/CMakeLists.txt": builds("a.cpp", "b.cpp"), "lcm/all.h": include("lcm/clock.h"),
+          "lcm/clock.h": in_namespace("[[nodiscard]] const Map<int, Clock>& SteadyClock() noexcept;"),
+          "lcm/a.cpp": include("lcm/all.h"),
+          "lcm/b.cpp": in_namespace("namespace os {\nnamespace {\nusing SteadyClock = Other;\n}  // namespace",
+                                    "}  // namespace os")},
+         "lcm/b.cpp:5", "SteadyClock is also the function of lcm/clock.h:3"),
+    ],
     "installed_headers_include_no_internal_ones": [
         ({"core/tendon/base/CMakeLists.txt": installs("a.h"), "core/tendon/base/a.h": include("tendon/base/b.h"),
           "core/tendon/base/b.h": include()},
@@ -189,6 +205,16 @@ KEPT = {
          "core/tendon/gcm/b.cpp": in_namespace("namespace server {\nnamespace {\nclass A {\n};\n}  // namespace",
                                                "}  // namespace server"),
          "core/tendon/gcm/c.cpp": in_namespace("namespace {\nclass A {\n};\n}  // namespace")},
+    ],
+    "helpers_hide_no_declared_functions": [
+        # In another target, in a namespace beside, in a class, and in a header that nothing here includes.
+        {"lcm/CMakeLists.txt": builds("a.cpp", "b.cpp") + "add_library(other c.cpp d.cpp)  # b.cpp\n",
+         "lcm/a.cpp": include("lcm/a.h"), "lcm/c.cpp": include("lcm/words.h"), "lcm/d.cpp": "",
+         "lcm/a.h": in_namespace("namespace os {\nvoid Quoted(int word);\n}  // namespace os",
+                                 "class Line {\n  void Quoted(int word);\n};", "constexpr int kLength = Quoted(1);",
+                                 "void Line::Quoted(int word) {\n}"),
+         "lcm/words.h": in_namespace("void Quoted(int word);"), "lcm/more.h": in_namespace("void Quoted(int word);"),
+         "lcm/b.cpp": in_namespace("namespace {\nvoid Quoted(const char* word) {\n}\n}  // namespace")},
     ],
     "installed_headers_include_no_internal_ones": [
         {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h") + "target_sources(a PRIVATE c.h)\n",

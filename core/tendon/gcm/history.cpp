@@ -38,7 +38,7 @@ std::string LineOf(const message::HistoryEntry& step) {
 }
 
 /// Throws OrderedJson::exception if the line is not a step.
-std::optional<message::HistoryEntry> StepOf(const OrderedJson& line) {
+std::optional<message::HistoryEntry> EntryOf(const OrderedJson& line) {
   message::HistoryEntry step;
   step.id = line.at("id").get<std::uint64_t>();
   step.verb = line.at("verb").get<std::string>();
@@ -108,7 +108,7 @@ bool ReadLine(std::string_view text, std::vector<message::HistoryEntry>& steps, 
       }
       return true;
     }
-    auto step = StepOf(line);
+    auto step = EntryOf(line);
     if (step) steps.push_back(std::move(*step));
     return step.has_value();
   } catch (const OrderedJson::exception&) {

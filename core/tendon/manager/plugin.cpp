@@ -21,7 +21,7 @@ constexpr const char* kRegister = "TendonRegisterComponents";
 constexpr const char* kAbi = "TendonPluginAbi";
 constexpr const char* kLoads = "expected a library that loads, found that ";
 
-Error Refusal(const fs::path& file, const std::string& reason) {
+Error LoadError(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kFailed, "plug-in " + file.string() + ": " + reason};
 }
 
@@ -53,9 +53,9 @@ std::map<LoadedFile, void*>& LoadedLibraries() {
 Result<void*> LoadGuarded(const fs::path& file, const fs::path& original) {
   try {
     const auto loaded = os::LoadSharedLibrary(file, original);
-    return loaded ? loaded : Refusal(original, loaded.error().message);
+    return loaded ? loaded : LoadError(original, loaded.error().message);
   } catch (...) {
-    return Refusal(original, kLoads + ("its start-up " + ThrownWords()));
+    return LoadError(original, kLoads + ("its start-up " + ThrownWords()));
   }
 }
 
@@ -63,16 +63,17 @@ Result<void*> LoadGuarded(const fs::path& file, const fs::path& original) {
 Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   void* const entry = os::FindSymbol(library, kRegister);
   if (entry == nullptr) {
-    return Refusal(original, std::string("expected the function ") + kRegister +
-                                 ", found none; it is not a plug-in with components");
+    return LoadError(original, std::string("expected the function ") + kRegister +
+                                   ", found none; it is not a plug-in with components");
   }
-  if (auto checked = CheckAbi(library); !checked) return Refusal(original, checked.error().message);
+  if (auto checked = CheckAbi(library); !checked)
+    return LoadError(original, checked.error().message);
   ComponentRegistry registry;
   try {
     reinterpret_cast<void (*)(ComponentRegistry&)>(entry)(registry);
   } catch (...) {
-    return Refusal(original, std::string("expected ") + kRegister + " to return, found that it " +
-                                 ThrownWords());
+    return LoadError(original, std::string("expected ") + kRegister + " to return, found that it " +
+                                   ThrownWords());
   }
   return registry;
 }
@@ -102,7 +103,7 @@ std::string DescribePluginAbi(std::uint64_t abi) {
 
 Result<Plugin> LoadPlugin(const fs::path& file, std::chrono::milliseconds patience) {
   auto copy = os::LibraryCopy::Make(file);
-  if (!copy) return Refusal(file, copy.error().message);
+  if (!copy) return LoadError(file, copy.error().message);
   Plugin plugin{.registry = {}, .content = (*copy)->content()};
   const std::scoped_lock lock(loaded_mutex);
   void*& library = LoadedLibraries()[{plugin.content.file, plugin.content.hash}];
@@ -127,15 +128,15 @@ Result<ComponentRegistry> OpenPlugin(const fs::path& file, const fs::path& origi
 Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
                          std::chrono::milliseconds patience) {
   if (auto checked = os::CheckSharedLibrary(file); !checked) {
-    return Refusal(original, checked.error().message);
+    return LoadError(original, checked.error().message);
   }
   const fs::path program = ProbeProgram();
   if (program.empty()) return {};
   const auto outcome = os::RunProgram(program, {file.string(), original.string()}, patience);
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
-    return Refusal(original, kLoads + ("it has not finished after " +
-                                       std::to_string(patience.count()) + " ms"));
+    return LoadError(original, kLoads + ("it has not finished after " +
+                                         std::to_string(patience.count()) + " ms"));
   }
   // The output is checked too, because the plug-in itself may print text or end the process with
   // any exit code.
@@ -147,7 +148,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   }
   const std::string how =
       outcome->exit_code ? "exit code " + std::to_string(*outcome->exit_code) : outcome->signal;
-  return Refusal(original, kLoads + ("it ends the process that loads it with " + how));
+  return LoadError(original, kLoads + ("it ends the process that loads it with " + how));
 }
 
 }  // namespace tendon

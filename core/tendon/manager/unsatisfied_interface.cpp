@@ -9,7 +9,7 @@ bool HasNeededMember(const std::vector<MemberDescription>& members) {
   return std::ranges::any_of(members, [](const auto& member) { return !member.optional; });
 }
 
-std::string ReasonOf(const ConnectionDescription* connection) {
+std::string WaitReason(const ConnectionDescription* connection) {
   if (connection == nullptr) return "not connected";
   return std::string(ToString(connection->state)) +
          (connection->reason.empty() ? "" : ": " + connection->reason);
@@ -30,7 +30,7 @@ std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ComponentDescription& compo
     const ConnectionDescription* connection = find(required.name);
     if (connection != nullptr && connection->state == ConnectionState::kActive) continue;
     needs.push_back({.interface = required.name,
-                     .reason = ReasonOf(connection),
+                     .reason = WaitReason(connection),
                      .has_connection = connection != nullptr});
   }
   return needs;

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-struct Wait {
+struct PendingConnect {
   std::thread::id thread;
   std::function<void()> give_up;
 };
@@ -22,7 +22,7 @@ struct Waits {
   std::mutex mutex;
   std::multiset<std::thread::id> ended;  // default-constructed: all threads
   std::uint64_t last_number = 0;
-  std::map<std::uint64_t, Wait> all;
+  std::map<std::uint64_t, PendingConnect> all;
 };
 
 /// Never destroyed: threads may wait until the program ends.
@@ -54,7 +54,7 @@ CancellableConnect::CancellableConnect(std::function<void()> give_up) {
   const auto thread = std::this_thread::get_id();
   if (waits.AreOver(thread)) give_up();
   number_ = ++waits.last_number;
-  waits.all.emplace(number_, Wait{thread, std::move(give_up)});
+  waits.all.emplace(number_, PendingConnect{thread, std::move(give_up)});
 }
 
 CancellableConnect::~CancellableConnect() {

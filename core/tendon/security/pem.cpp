@@ -40,7 +40,7 @@ std::string OnlyEntry(const X509_NAME* subject, int kind) {
           static_cast<std::size_t>(ASN1_STRING_length(text))};
 }
 
-std::pair<bool, Holder> KindOf(X509& certificate) {
+std::pair<bool, Holder> HolderKindOf(X509& certificate) {
   const bool is_authority = X509_check_ca(&certificate) != 0;
   const std::uint32_t usage = X509_get_extended_key_usage(&certificate);
   const bool serves = usage != UINT32_MAX && (usage & XKU_SSL_SERVER) != 0;
@@ -87,7 +87,7 @@ void Wipe(std::string& secret) {
 }
 
 Result<Certificate> Describe(X509& certificate) {
-  const auto [is_authority, holder] = KindOf(certificate);
+  const auto [is_authority, holder] = HolderKindOf(certificate);
   if (is_authority) {
     return Error{ErrorCode::kInvalid,
                  "it is the certificate of a CA, which identifies no person or process"};

@@ -19,7 +19,7 @@ namespace {
 constexpr qsizetype kLongestArgument = 24;
 
 /// "arm · MoveTo", and the argument if it is short.
-QString TitleOf(const Favourite& favourite) {
+QString FavouriteTitle(const Favourite& favourite) {
   const QString member = favourite.path.section('.', -1);
   QString title = favourite.path.section('/', 1, 1) + QStringLiteral(" · ") + member;
   const bool is_short = favourite.argument.size() <= kLongestArgument;
@@ -47,7 +47,7 @@ void FavouriteBar::build() {
   clear();
   buttons_.clear();
   for (const Favourite& favourite : favourites_.all()) {
-    auto* button = new HoldButton(TitleOf(favourite));
+    auto* button = new HoldButton(FavouriteTitle(favourite));
     button->setObjectName(QStringLiteral("favourite.") + favourite.path);
     button->setAccessibleName(Words::tr("Call ") + favourite.path);
     button->setProperty("changesSystem", true);

@@ -1,5 +1,5 @@
-#include <gcm_console/graph/dot.h>
-#include <gcm_console/graph/svg.h>
+#include <gcm_console/output/dot.h>
+#include <gcm_console/output/svg.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/graph/emphasis/emphasis.h>
 #include <gcm_gui/graph/emphasis/graph_hover.h>
@@ -116,7 +116,7 @@ void GraphExport::save(const QString& file) {
   if (kind == QStringLiteral("svg")) {
     return write(file, [catalogue, places = PlacesIn(scene_)] {
       std::ostringstream text;
-      console::PrintSvg(console::SheetOf(catalogue, places), text);
+      console::PrintSvg(console::DiagramOf(catalogue, places), text);
       return QByteArray::fromStdString(text.str());
     });
   }
@@ -126,7 +126,7 @@ void GraphExport::save(const QString& file) {
       if (places.empty()) {
         console::PrintDot(catalogue, text);
       } else {
-        console::PrintDot(catalogue, console::SheetOf(catalogue, places), text);
+        console::PrintDot(catalogue, console::DiagramOf(catalogue, places), text);
       }
       return QByteArray::fromStdString(text.str());
     });

@@ -17,7 +17,7 @@ constexpr ColumnLayout::Spacing kNodeSpacing{56, 12};
 constexpr ColumnLayout::Spacing kProcessSpacing{48, 16};
 constexpr graph::Size kEmptyProcess{128, 24};
 
-QString ProcessOf(const QString& path) { return path.section('/', 0, 0); }
+QString ProcessNameOf(const QString& path) { return path.section('/', 0, 0); }
 
 QRectF RectOf(const graph::Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
 
@@ -59,8 +59,8 @@ void GraphLayout::takeAffinities(const std::vector<Affinity>& affinities) {
   inside_.clear();
   across_.clear();
   for (const Affinity& affinity : affinities_) {
-    const QString provider = ProcessOf(affinity.provider);
-    const QString client = ProcessOf(affinity.client);
+    const QString provider = ProcessNameOf(affinity.provider);
+    const QString client = ProcessNameOf(affinity.client);
     if (provider == client) {
       inside_[provider].push_back(affinity);
     } else {

@@ -36,7 +36,7 @@ NodePicture NodeOf(const ConnectionIndex& connections, const ProcessEntry& entry
 
 /// The position of a name in a sorted list, or the position at which to insert it.
 template <typename Things>
-auto PlaceOf(Things& things, const std::string& name) {
+auto FindByName(Things& things, const std::string& name) {
   return std::lower_bound(things.begin(), things.end(), name,
                           [](const auto& thing, const std::string& wanted) {
                             return thing.name.toStdString() < wanted;
@@ -78,7 +78,7 @@ const GraphPicture& PictureUpdater::update(const Catalogue& catalogue, const Tou
 void PictureUpdater::updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
                                 const TouchedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
-  auto process = PlaceOf(picture_.processes, part.process);
+  auto process = FindByName(picture_.processes, part.process);
   const bool known = IsAt(picture_.processes, process, part.process);
   if (entry == nullptr) {
     if (known) picture_.processes.erase(process);
@@ -98,7 +98,7 @@ void PictureUpdater::updatePart(const Catalogue& catalogue, const ConnectionInde
     return;
   }
   const auto component = entry->components.find(part.component);
-  auto node = PlaceOf(process->nodes, part.component);
+  auto node = FindByName(process->nodes, part.component);
   const bool has_node = IsAt(process->nodes, node, part.component);
   if (component == entry->components.end()) {
     if (has_node) process->nodes.erase(node);

@@ -18,7 +18,7 @@ constexpr std::size_t kMostSteps = 50;
 constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
 constexpr double kFurthest = 1e6;           // a larger distance is a mistake in the file
 
-QByteArray TextOf(const GraphPlaces::Map& places) {
+QByteArray MapText(const GraphPlaces::Map& places) {
   QJsonObject all;
   for (const auto& [path, place] : places) all.insert(path, QJsonArray{place.x(), place.y()});
   return QJsonDocument(QJsonObject{{"schema", 1}, {"places", all}}).toJson();
@@ -85,7 +85,7 @@ void GraphPlaces::begin(const QString& key) {
 void GraphPlaces::keep() {
   Q_EMIT changed();
   if (file_.isEmpty()) return;
-  FileWriter::instance().write(file_, TextOf(all_), this, [this](const QString& refusal) {
+  FileWriter::instance().write(file_, MapText(all_), this, [this](const QString& refusal) {
     if (!refusal.isEmpty()) Q_EMIT notice(NotSaved(file_, refusal));
   });
 }

@@ -22,7 +22,7 @@ constexpr int kFieldWidth = 200;
 constexpr int kCountWidth = 88;
 
 /// The searchable text of a component.
-QString TextOf(const ComponentItem& item) {
+QString SearchText(const ComponentItem& item) {
   QString text = item.path();
   for (const PortItem* port : item.ports()) text += ' ' + ToQString(port->port().name.interface);
   return text;
@@ -107,7 +107,7 @@ void GraphSearch::search() {
   found_.clear();
   Emphasis::Names names;
   for (const auto& [path, item] : graph_.graph().components()) {
-    const QString text = words.isEmpty() ? QString() : TextOf(*item);
+    const QString text = words.isEmpty() ? QString() : SearchText(*item);
     const bool fits = std::all_of(words.begin(), words.end(), [&](const QString& word) {
       return text.contains(word, Qt::CaseInsensitive);
     });

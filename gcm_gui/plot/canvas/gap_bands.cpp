@@ -19,7 +19,7 @@ constexpr double kSilentTint = 0.10;
 constexpr double kSilentHatch = 0.3;
 constexpr double kLabelSpace = 8;
 
-QString TextOf(std::uint64_t lost, bool is_standstill) {
+QString GapText(std::uint64_t lost, bool is_standstill) {
   if (lost > 0) return QString::number(lost) + Words::tr(" lost");
   return is_standstill ? Words::tr("stood still") : Words::tr("restarted");
 }
@@ -95,7 +95,7 @@ void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
   std::vector<Band> labels;
   const QFontMetricsF metrics(Theme::instance().small());
   const auto half_width = [&](const Band& band) {
-    return (metrics.horizontalAdvance(TextOf(band.lost, band.is_standstill)) + kLabelSpace) / 2;
+    return (metrics.horizontalAdvance(GapText(band.lost, band.is_standstill)) + kLabelSpace) / 2;
   };
   const auto centre = [](const Band& band) { return (band.left + band.right) / 2; };
   for (const Band& band : bands) {
@@ -116,7 +116,7 @@ void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
     const double left = std::clamp(centre(label) - width / 2, rect.left(),
                                    std::max(rect.left(), rect.right() - width));
     painter.drawText(QRectF(left, rect.top() + 2, width, metrics.height()), Qt::AlignCenter,
-                     TextOf(label.lost, label.is_standstill));
+                     GapText(label.lost, label.is_standstill));
   }
   painter.restore();
 }

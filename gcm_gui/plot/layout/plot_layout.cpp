@@ -56,7 +56,7 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
 }
 
 /// The number; `usual` if it is missing; empty if it is not a number.
-std::optional<double> NumberOf(const QJsonValue& json, double usual) {
+std::optional<double> NumberOr(const QJsonValue& json, double usual) {
   if (json.isUndefined()) return usual;
   return json.isDouble() ? std::optional(json.toDouble()) : std::nullopt;
 }
@@ -66,8 +66,8 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   curve.key = {json["path"].toString(), json["unit"].toString()};
   curve.is_hidden = json["hidden"].toBool();
   if (curve.key.path.isEmpty()) return Words::tr("a curve has no path");
-  const auto factor = NumberOf(json["scale"], 1);
-  const auto offset = NumberOf(json["offset"], 0);
+  const auto factor = NumberOr(json["scale"], 1);
+  const auto offset = NumberOr(json["offset"], 0);
   if (!factor || !offset) {
     return Words::tr("scale and offset of %1 must be numbers").arg(curve.key.path);
   }

@@ -33,7 +33,7 @@ bool IsRound(double base, double span) {
 }
 
 // Readable integers with all digits; other numbers as short as possible.
-QString TextOf(double base) {
+QString BaseText(double base) {
   constexpr int kMostZeros = 4;
   constexpr double kIntegers = 1e20;  // larger than any 64-bit integer
   if (base != std::floor(base) || std::abs(base) >= kIntegers) {
@@ -53,7 +53,7 @@ QString TextOf(double base) {
 
 QString AxisFrame::baseText() const {
   if (base == 0) return {};
-  return (base > 0 ? QStringLiteral("+") : QString()) + TextOf(base);
+  return (base > 0 ? QStringLiteral("+") : QString()) + BaseText(base);
 }
 
 AxisRange Moved(const AxisRange& range, const AxisFrame& from, const AxisFrame& to) {

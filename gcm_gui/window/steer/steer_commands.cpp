@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-QKeySequence KeyOf(LifeVerb verb) {
+QKeySequence ShortcutOf(LifeVerb verb) {
   switch (verb) {
     case LifeVerb::kStart:
       return Qt::Key_F6;
@@ -48,7 +48,7 @@ SteerCommands::SteerCommands(const CatalogueStore& store, Selection& selection,
 void SteerCommands::addCommands(Commands& commands) {
   for (const LifeVerb verb : kSteerVerbs) {
     own_.append(&commands.add(Commands::Menu::kSystem, WordOf(verb) + QStringLiteral("…"),
-                              KeyOf(verb), [this, verb] { ask(verb); }));
+                              ShortcutOf(verb), [this, verb] { ask(verb); }));
   }
 }
 

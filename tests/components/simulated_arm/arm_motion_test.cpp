@@ -20,11 +20,11 @@ struct WatchedArm {
   }
   void Step() {
     const JointState before = motion.state();
-    const ArmMotion::Happenings happened = motion.Step();
+    const ArmMotion::StepEvents events = motion.Step();
     const JointState after = motion.state();
-    goals += happened.goal_reached ? 1 : 0;
+    goals += events.goal_reached ? 1 : 0;
     for (std::size_t joint = 0; joint < kJoints; ++joint) {
-      limits += happened.limit_entered[joint] ? 1 : 0;
+      limits += events.limit_entered[joint] ? 1 : 0;
       const double acceleration = (after.velocity[joint] - before.velocity[joint]) / kStep;
       ASSERT_GE(after.position[joint], configuration.lower[joint]) << joint;
       ASSERT_LE(after.position[joint], configuration.upper[joint]) << joint;

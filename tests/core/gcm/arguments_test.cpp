@@ -10,7 +10,7 @@ using test::JointStateSchema;
 using test::MemberOf;
 using test::Numbers;
 
-std::vector<std::string> NamesOf(const std::vector<MatchingRead>& reads) {
+std::vector<std::string> NamesOfReads(const std::vector<MatchingRead>& reads) {
   std::vector<std::string> names;
   for (const MatchingRead& read : reads) names.push_back(read.name + (read.is_whole ? "" : " ~"));
   return names;
@@ -25,7 +25,7 @@ TEST(MatchingReads, BeginWithOneThatAnswersTheTypeAndIsNamedLikewise) {
   for (MemberDescription* read : {&other, &get}) read->signature.out = set.signature.in;
   load.signature.out = FingerprintOf<std::int32_t>();
   const auto reads = [&](const std::vector<MemberDescription>& commands) {
-    return NamesOf(MatchingReads({.name = "Control", .commands = commands}, set));
+    return NamesOfReads(MatchingReads({.name = "Control", .commands = commands}, set));
   };
 
   EXPECT_THAT(reads({load, other, get, set}), testing::ElementsAre("GetGains"));
@@ -33,7 +33,7 @@ TEST(MatchingReads, BeginWithOneThatAnswersTheTypeAndIsNamedLikewise) {
   set.in_type = "arm.Gains";
   EXPECT_THAT(reads({load, other, set}), testing::ElementsAre("GetDefaults"));
   EXPECT_THAT(reads({load, set}), testing::IsEmpty());
-  EXPECT_THAT(NamesOf(MatchingReads({.name = "Control", .commands = {load, set}}, load)),
+  EXPECT_THAT(NamesOfReads(MatchingReads({.name = "Control", .commands = {load, set}}, load)),
               testing::IsEmpty());
 }
 
@@ -46,8 +46,9 @@ TEST(MatchingReads, GoOnWithThoseThatAnswerAnotherStructure) {
   MemberDescription pose = MemberOf("GetPose", CommandKind::kQualifiedRead);
   pose.out_type = "arm.Pose";
 
-  EXPECT_THAT(NamesOf(MatchingReads({.name = "Control", .commands = {pose, joints, move}}, move)),
-              testing::ElementsAre("GetJoints ~"));
+  EXPECT_THAT(
+      NamesOfReads(MatchingReads({.name = "Control", .commands = {pose, joints, move}}, move)),
+      testing::ElementsAre("GetJoints ~"));
 }
 
 TEST(CommonFields, AreThoseOfTheSameNameUnitAndShape) {

@@ -8,7 +8,7 @@ namespace {
 
 using testing::IsEmpty;
 
-std::vector<UnsatisfiedInterface> WaitsOf(const Catalogue& catalogue) {
+std::vector<UnsatisfiedInterface> DeskWaits(const Catalogue& catalogue) {
   return WaitsOf(*catalogue.FindProcess("desk"), *catalogue.FindComponent("desk", "teleoperation"));
 }
 
@@ -20,29 +20,29 @@ Catalogue Desk(ComponentState state, ProcessState process = ProcessState::kAlive
 
 TEST(Waiting, IsAComponentThatRunsWithoutWhatItNeeds) {
   for (const auto state : {ComponentState::kActive, ComponentState::kSuspended}) {
-    EXPECT_EQ(WaitingReasons(WaitsOf(Desk(state))), "waiting for Robot: not connected");
+    EXPECT_EQ(WaitingReasons(DeskWaits(Desk(state))), "waiting for Robot: not connected");
   }
 }
 
 TEST(Waiting, IsNoneThatDoesNotRun) {
   for (const auto state : {ComponentState::kConstructed, ComponentState::kReady,
                            ComponentState::kFinished, ComponentState::kFaulted}) {
-    EXPECT_THAT(WaitsOf(Desk(state)), IsEmpty()) << ToString(state);
+    EXPECT_THAT(DeskWaits(Desk(state)), IsEmpty()) << ToString(state);
   }
 }
 
 TEST(Waiting, IsNoneOfAProcessThatIsNotThere) {
-  EXPECT_THAT(WaitsOf(Desk(ComponentState::kActive, ProcessState::kLost)), IsEmpty());
-  EXPECT_THAT(WaitsOf(Desk(ComponentState::kActive, ProcessState::kLeft)), IsEmpty());
-  EXPECT_EQ(WaitsOf(Desk(ComponentState::kActive, ProcessState::kSuspect)).size(), 1U);
+  EXPECT_THAT(DeskWaits(Desk(ComponentState::kActive, ProcessState::kLost)), IsEmpty());
+  EXPECT_THAT(DeskWaits(Desk(ComponentState::kActive, ProcessState::kLeft)), IsEmpty());
+  EXPECT_EQ(DeskWaits(Desk(ComponentState::kActive, ProcessState::kSuspect)).size(), 1U);
 }
 
 TEST(Waiting, EndsWhenTheConnectionStands) {
   test::CatalogBuilder demo = test::RunningDemo();
-  EXPECT_THAT(WaitsOf(demo.catalogue()), IsEmpty());
+  EXPECT_THAT(DeskWaits(demo.catalogue()), IsEmpty());
 
   demo.Connection(test::kNeeded, test::kOffered, ConnectionState::kPending, "arm is faulted");
-  EXPECT_EQ(WaitingReasons(WaitsOf(demo.catalogue())),
+  EXPECT_EQ(WaitingReasons(DeskWaits(demo.catalogue())),
             "waiting for Robot: pending: arm is faulted");
 }
 

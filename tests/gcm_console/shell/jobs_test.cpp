@@ -1,4 +1,4 @@
-#include <gcm_console/shell/job_lines.h>
+#include <gcm_console/shell/jobs.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>

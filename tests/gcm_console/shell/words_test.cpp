@@ -1,4 +1,4 @@
-#include <gcm_console/line/command_line.h>
+#include <gcm_console/command_line/command_line.h>
 #include <gcm_console/shell/words.h>
 #include <gtest/gtest.h>
 
@@ -40,11 +40,11 @@ TEST(Words, AnAmpersandLeavesACommandBehind) {
 TEST(Words, TheProgramsNameBeforeAVerbIsPassedOver) {
   EXPECT_EQ(Of("gcm ls robot; gcm tree & gcm"), (Commands{{"ls", "robot"}, {"tree"}, {"gcm"}}));
   EXPECT_EQ(Of("find gcm"), (Commands{{"find", "gcm"}}));
-  EXPECT_EQ(UnfinishedOf("gcm sho").words, Words{"sho"});
-  EXPECT_EQ(UnfinishedOf("gcm ").words, Words{""});
-  EXPECT_EQ(UnfinishedOf("gcm call {").words, (Words{"call", "{"}));
-  EXPECT_EQ(UnfinishedOf("gcm {").words, Words{"{"});
-  EXPECT_EQ(UnfinishedOf("gcm").words, Words{"gcm"});
+  EXPECT_EQ(PartialCommandOf("gcm sho").words, Words{"sho"});
+  EXPECT_EQ(PartialCommandOf("gcm ").words, Words{""});
+  EXPECT_EQ(PartialCommandOf("gcm call {").words, (Words{"call", "{"}));
+  EXPECT_EQ(PartialCommandOf("gcm {").words, Words{"{"});
+  EXPECT_EQ(PartialCommandOf("gcm").words, Words{"gcm"});
 }
 
 TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
@@ -67,14 +67,14 @@ TEST(Words, WhatHasNoEndIsRefused) {
 }
 
 TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {
-  EXPECT_EQ(UnfinishedOf("").words, (Words{""}));
-  EXPECT_EQ(UnfinishedOf("ls").words, (Words{"ls"}));
-  EXPECT_EQ(UnfinishedOf("ls ").words, (Words{"ls", ""}));
-  EXPECT_EQ(UnfinishedOf("cd a; get b/c").words, (Words{"get", "b/c"}));
-  EXPECT_EQ(UnfinishedOf("cd a;").words, (Words{""}));
-  EXPECT_EQ(UnfinishedOf("get b/c").typed, "b/c");
-  EXPECT_EQ(UnfinishedOf("save my\\ ").typed, "my\\ ");
-  EXPECT_EQ(UnfinishedOf("save my\\ ").words, (Words{"save", "my "}));
+  EXPECT_EQ(PartialCommandOf("").words, (Words{""}));
+  EXPECT_EQ(PartialCommandOf("ls").words, (Words{"ls"}));
+  EXPECT_EQ(PartialCommandOf("ls ").words, (Words{"ls", ""}));
+  EXPECT_EQ(PartialCommandOf("cd a; get b/c").words, (Words{"get", "b/c"}));
+  EXPECT_EQ(PartialCommandOf("cd a;").words, (Words{""}));
+  EXPECT_EQ(PartialCommandOf("get b/c").typed, "b/c");
+  EXPECT_EQ(PartialCommandOf("save my\\ ").typed, "my\\ ");
+  EXPECT_EQ(PartialCommandOf("save my\\ ").words, (Words{"save", "my "}));
 }
 
 TEST(Words, QuotedTheyAreReadAsTheyWere) {

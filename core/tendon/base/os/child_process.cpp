@@ -15,7 +15,7 @@
 namespace tendon::os {
 namespace {
 
-using SteadyClock = std::chrono::steady_clock;
+using WaitClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostOutput = 65536;
 
@@ -82,11 +82,11 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
 }
 
 /// Reads until the other end is closed; false if the deadline passes first.
-bool ReadAll(int descriptor, SteadyClock::time_point deadline, std::string& out) {
+bool ReadAll(int descriptor, WaitClock::time_point deadline, std::string& out) {
   std::array<char, 4096> part{};
   while (true) {
     const auto left =
-        std::chrono::ceil<std::chrono::milliseconds>(deadline - SteadyClock::now()).count();
+        std::chrono::ceil<std::chrono::milliseconds>(deadline - WaitClock::now()).count();
     if (left <= 0) return false;
     pollfd wanted{.fd = descriptor, .events = POLLIN, .revents = 0};
     const int ready = poll(&wanted, 1, static_cast<int>(left));
@@ -110,7 +110,7 @@ int WaitForEnd(pid_t child) {
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
                                   std::chrono::milliseconds patience) {
-  const auto deadline = SteadyClock::now() + patience;
+  const auto deadline = WaitClock::now() + patience;
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     return Error{ErrorCode::kFailed, std::string("no pipe: ") + std::strerror(errno)};

@@ -29,7 +29,7 @@ Addresses AddressesOf(const std::string& host, std::uint16_t port) {
   return {is_known ? found : nullptr, &freeaddrinfo};
 }
 
-std::optional<std::string> NumberOf(const sockaddr& address, socklen_t size) {
+std::optional<std::string> NumericAddress(const sockaddr& address, socklen_t size) {
   std::array<char, NI_MAXHOST> number{};
   const int failure =
       getnameinfo(&address, size, number.data(), number.size(), nullptr, 0, NI_NUMERICHOST);
@@ -50,7 +50,7 @@ bool IsNoRouteError(std::string_view text) { return text.find(kNoRoute) != text.
 std::string NumberOf(const std::string& host) {
   const Addresses addresses = AddressesOf(host, 0);
   if (!addresses) return host;
-  return NumberOf(*addresses->ai_addr, addresses->ai_addrlen).value_or(host);
+  return NumericAddress(*addresses->ai_addr, addresses->ai_addrlen).value_or(host);
 }
 
 std::string AddressTowards(const std::string& host, std::uint16_t port) {
@@ -62,7 +62,7 @@ std::string AddressTowards(const std::string& host, std::uint16_t port) {
     auto* const raw = reinterpret_cast<sockaddr*>(&local);
     const bool has_way = connect(socket.get(), one->ai_addr, one->ai_addrlen) == 0 &&
                          getsockname(socket.get(), raw, &size) == 0;
-    if (has_way) return NumberOf(*raw, size).value_or("");
+    if (has_way) return NumericAddress(*raw, size).value_or("");
   }
   return {};
 }

@@ -13,7 +13,7 @@ namespace {
 
 bool Answers(CommandKind kind) { return kind != CommandKind::kVoid && kind != CommandKind::kWrite; }
 
-Error Refusal(const std::string& command, Status status) {
+Error CallError(const std::string& command, Status status) {
   const std::string words = command + ": " + std::string(ToString(status));
   switch (status.code()) {
     case Status::kNotActive:
@@ -213,7 +213,7 @@ Result<std::string> ProcessRequests::Read(const Order& order,
   constexpr std::uint8_t kLast = Status::kFailed;
   const Status status(called.status <= kLast ? static_cast<Status::Code>(called.status)
                                              : Status::kFailed);
-  if (!status) return Refusal(order.command, status);
+  if (!status) return CallError(order.command, status);
   if (!Answers(order.signature.kind)) return std::string();
   auto json = ToJson(*Find(order.signature.out), called.answer);
   if (!json) return Error{ErrorCode::kInvalid, order.command + ": " + json.error().message};

@@ -35,7 +35,7 @@ std::string TextOf(const message::Wire& wire) {
 }
 
 /// The same for the components of steps.
-void PutLeadersFirst(std::vector<PlanStep>& steps) {
+void SortByLeaders(std::vector<PlanStep>& steps) {
   std::map<ComponentPath, PlanStep> by_path;
   std::vector<ComponentPath> order;
   for (PlanStep& step : steps) {
@@ -73,9 +73,9 @@ class Planner {
     }
     plan_.untouched = CompareSystems(wanted_, running_.file, StartComparison::kIgnore).equal;
     AddRests();
-    PutLeadersFirst(makings_);
+    SortByLeaders(makings_);
     std::ranges::reverse(removals_);
-    PutLeadersFirst(removals_);  // reversed: followers come before their leaders
+    SortByLeaders(removals_);  // reversed: followers come before their leaders
     std::ranges::reverse(removals_);
     for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());

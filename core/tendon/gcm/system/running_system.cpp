@@ -29,7 +29,7 @@ SystemFile::Component ComponentOf(const ComponentDescription& running) {
   return component;
 }
 
-SystemFile::Process ProcessOf(const ProcessEntry& entry) {
+SystemFile::Process SavedProcessOf(const ProcessEntry& entry) {
   SystemFile::Process process{.name = entry.process.name, .components = {}};
   for (const auto& [name, component] : entry.components) {
     process.components.push_back(ComponentOf(component));
@@ -91,7 +91,7 @@ RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
                        AbsentProcesses absent) {
   RunningSystem running{.file = {.name = name, .processes = {}, .connections = {}}, .loose = {}};
   for (const auto& [process_name, entry] : catalogue.processes()) {
-    if (IsSaved(entry, absent)) running.file.processes.push_back(ProcessOf(entry));
+    if (IsSaved(entry, absent)) running.file.processes.push_back(SavedProcessOf(entry));
   }
   const SystemIndex index(running.file);
   for (const auto& [process_name, entry] : catalogue.processes()) {

@@ -1,4 +1,5 @@
 #include <tendon/payload/json/json_place.h>
+#include <tendon/payload/json/json_scanner.h>
 
 #include <algorithm>
 #include <charconv>
@@ -6,94 +7,6 @@
 
 namespace tendon {
 namespace {
-
-/// Walks over JSON text from value to value. Never reads beyond the text, even if it is not JSON.
-class JsonWalk {
- public:
-  explicit JsonWalk(std::string_view text) : text_(text) { SkipSpace(); }
-
-  [[nodiscard]] std::size_t place() const { return place_; }
-
-  /// Enters the `nth` member of that name in an object; false if there is none.
-  bool EnterMember(std::string_view name, int nth) {
-    if (!Take('{')) return false;
-    for (SkipSpace(); Next() == '"'; SkipSpace()) {
-      const std::size_t begin = at_;
-      const std::string_view key = TakeString();
-      SkipSpace();
-      if (!Take(':')) return false;
-      SkipSpace();
-      if (key == name && --nth == 0) {
-        place_ = begin;
-        return true;
-      }
-      SkipValue();
-      SkipSpace();
-      if (!Take(',')) return false;
-    }
-    return false;
-  }
-
-  bool EnterElement(std::size_t index) {
-    if (!Take('[')) return false;
-    for (SkipSpace(); index > 0; --index, SkipSpace()) {
-      SkipValue();
-      SkipSpace();
-      if (!Take(',')) return false;
-    }
-    place_ = at_;
-    return true;
-  }
-
- private:
-  [[nodiscard]] char Next() const { return at_ < text_.size() ? text_[at_] : '\0'; }
-
-  bool Take(char letter) {
-    const bool is_there = Next() == letter;
-    if (is_there) ++at_;
-    return is_there;
-  }
-
-  void SkipSpace() { at_ = std::min(text_.find_first_not_of(" \t\r\n", at_), text_.size()); }
-
-  /// Without its quotes, but with its escapes.
-  std::string_view TakeString() {
-    const std::size_t begin = ++at_;
-    while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
-    const std::size_t end = std::min(at_, text_.size());
-    at_ = std::min(end + 1, text_.size());
-    return text_.substr(begin, end - begin);
-  }
-
-  void SkipValue() {
-    if (Next() == '"') {
-      TakeString();
-    } else if (Next() == '{' || Next() == '[') {
-      SkipContainer();
-    } else {
-      at_ = std::min(text_.find_first_of(",]} \t\r\n", at_), text_.size());
-    }
-  }
-
-  void SkipContainer() {
-    int depth = 0;
-    do {
-      const char letter = Next();
-      if (letter == '"') {
-        TakeString();
-        continue;
-      }
-      if (letter == '{' || letter == '[') ++depth;
-      if (letter == '}' || letter == ']') --depth;
-      ++at_;
-    } while (depth > 0 && at_ < text_.size());
-    at_ = std::min(at_, text_.size());
-  }
-
-  const std::string_view text_;
-  std::size_t at_ = 0;
-  std::size_t place_ = 0;
-};
 
 /// Takes the first part off a path: "processes", "[0]", "name". An index keeps its brackets.
 std::string_view TakePart(std::string_view& path) {
@@ -105,20 +18,49 @@ std::string_view TakePart(std::string_view& path) {
   return part;
 }
 
-bool Enter(JsonWalk& walk, std::string_view part, int nth) {
-  if (!part.starts_with('[')) return walk.EnterMember(part, nth);
+/// Enters the `nth` member of that name in an object, and sets `place` to its key; false if there
+/// is none.
+bool EnterMember(JsonScanner& walk, std::string_view name, int nth, std::size_t& place) {
+  if (!walk.IsAt('{')) return false;
+  for (bool is_there = walk.Enter(); is_there && walk.IsAt('"'); is_there = walk.Next()) {
+    const std::size_t begin = walk.offset();
+    std::string_view key = walk.Take();
+    if (!walk.ToValue()) return false;
+    key = key.substr(1, key.size() - 2);  // the quotes
+    if (key == name && --nth == 0) {
+      place = begin;
+      return true;
+    }
+    walk.Take();
+  }
+  return false;
+}
+
+bool EnterElement(JsonScanner& walk, std::size_t index, std::size_t& place) {
+  if (!walk.IsAt('[')) return false;
+  for (walk.Enter(); index > 0; --index) {
+    walk.Take();
+    if (!walk.Next()) return false;
+  }
+  place = walk.offset();
+  return true;
+}
+
+bool Enter(JsonScanner& walk, std::string_view part, int nth, std::size_t& place) {
+  if (!part.starts_with('[')) return EnterMember(walk, part, nth, place);
   std::size_t index = 0;
   std::from_chars(part.data() + 1, part.data() + part.size(), index);
-  return walk.EnterElement(index);
+  return EnterElement(walk, index, place);
 }
 
 std::string PlaceOfNth(std::string_view text, std::string_view path, int nth) {
-  JsonWalk walk(text);
+  JsonScanner walk(text);
+  std::size_t place = 0;
   while (!path.empty()) {
     const std::string_view part = TakePart(path);
-    if (part.empty() || !Enter(walk, part, path.empty() ? nth : 1)) break;
+    if (part.empty() || !Enter(walk, part, path.empty() ? nth : 1, place)) break;
   }
-  return LineAndColumn(text, walk.place());
+  return LineAndColumn(text, place);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kTo = " to ";
 
-std::string ToString(double number) {
+std::string NumberText(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
 }
@@ -22,7 +22,7 @@ bool ReadNumber(std::string_view& text, double& number) {
 }  // namespace
 
 std::string ToString(const Range& range) {
-  return ToString(range.lowest) + std::string(kTo) + ToString(range.highest);
+  return NumberText(range.lowest) + std::string(kTo) + NumberText(range.highest);
 }
 
 bool ReadRange(std::string_view& text, Range& range) {

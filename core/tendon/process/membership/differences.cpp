@@ -18,8 +18,8 @@ std::map<Key, const Description*> ByKey(const std::vector<Description>& descript
 
 /// Calls `removed(key)` and `changed(description)`.
 template <typename Key, typename Description, typename Removed, typename Changed>
-void Compare(const std::map<Key, const Description*>& before,
-             const std::map<Key, const Description*>& after, Removed removed, Changed changed) {
+void CompareMaps(const std::map<Key, const Description*>& before,
+                 const std::map<Key, const Description*>& after, Removed removed, Changed changed) {
   for (const auto& [key, description] : before) {
     if (!after.contains(key)) removed(key);
   }
@@ -41,7 +41,7 @@ std::vector<CatalogueChange> Differences(const ProcessContent& before,
                                          const ProcessContent& after) {
   std::vector<CatalogueChange> gone;
   std::vector<CatalogueChange> there;
-  Compare(
+  CompareMaps(
       ByKey(before.components, &ComponentDescription::name),
       ByKey(after.components, &ComponentDescription::name),
       [&](const std::string& name) {
@@ -53,7 +53,7 @@ std::vector<CatalogueChange> Differences(const ProcessContent& before,
         there.back().components = {component};
       });
   std::vector<CatalogueChange> changes;  // removed connections before components, added ones after
-  Compare(
+  CompareMaps(
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),
       [&](std::uint64_t id) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenBatches(20);
 
 template <typename List>
-std::vector<std::string> NamesOf(const List& list) {
+std::vector<std::string> ListedNames(const List& list) {
   std::vector<std::string> names;
   for (const auto& one : list) names.push_back(one->name());
   return names;
@@ -175,7 +175,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
                                   [&](const auto* one) { return one->name() == wanted.table; });
   if (table == tables.end()) {
     return Error{ErrorCode::kNotFound, where + " has no state table '" + wanted.table + "'" +
-                                           DidYouMean(wanted.table, NamesOf(tables))};
+                                           DidYouMean(wanted.table, ListedNames(tables))};
   }
   Source source{.table = *table, .columns = {}, .enabled = nullptr};
   const auto columns = (*table)->columns();
@@ -185,7 +185,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
                                      [&](const auto& one) { return one->name() == name; });
     if (column == columns.end()) {
       return Error{ErrorCode::kNotFound, where + "/" + wanted.table + " has no column '" + name +
-                                             "'" + DidYouMean(name, NamesOf(columns))};
+                                             "'" + DidYouMean(name, ListedNames(columns))};
     }
     const auto place = static_cast<std::size_t>(column - columns.begin());
     if (is_named[place]) {

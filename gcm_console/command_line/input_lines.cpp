@@ -1,0 +1,61 @@
+#include <gcm_console/command_line/input_lines.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <iostream>
+
+namespace console {
+namespace {
+
+using tendon::Error;
+using tendon::ErrorCode;
+
+/// True if a read error ended the input. The C++ library hides read errors of standard input.
+bool IsBroken(const std::istream& in) {
+  return in.bad() || (&in == &std::cin && std::ferror(stdin) != 0);
+}
+
+Error Broken() {
+  return {ErrorCode::kInvalid, "the input cannot be read completely: give a file, or a pipe"};
+}
+
+}  // namespace
+
+bool InputLines::Next(std::string& line) {
+  constexpr std::size_t kLongest = std::size_t{1} << 20U;
+  line.clear();
+  auto* const buffer = in_.rdbuf();
+  bool is_end = error_.has_value();
+  try {
+    while (!is_end && line.size() <= kLongest) {
+      const int letter = buffer->sbumpc();
+      is_end = letter == std::istream::traits_type::eof();
+      if (letter == '\n') return true;
+      if (!is_end) line += static_cast<char>(letter);
+    }
+  } catch (...) {
+    in_.setstate(std::ios::badbit);
+  }
+  if (line.size() > kLongest) {
+    error_ = {ErrorCode::kInvalid, "a line is longer than 1 MiB: is the input a text?"};
+  } else if (IsBroken(in_)) {
+    error_ = Broken();
+  }
+  return !error_ && !line.empty();
+}
+
+tendon::Result<std::string> AllOf(std::istream& in) {
+  constexpr std::size_t kMost = std::size_t{16} << 20U;
+  std::string all;
+  std::array<char, 65536> part{};
+  while (all.size() <= kMost && in) {
+    in.read(part.data(), part.size());
+    all.append(part.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  if (all.size() > kMost) return Error{ErrorCode::kInvalid, "the input is over 16 MiB"};
+  if (IsBroken(in)) return Broken();
+  return all;
+}
+
+}  // namespace console

@@ -1,0 +1,116 @@
+#include <gcm_console/feeds/curve_feed.h>
+
+#include <utility>
+
+namespace console {
+namespace {
+
+using tendon::NumericField;
+using tendon::Result;
+
+/// True if `path` is equal to `whole` or below it.
+bool IsWithin(const std::string& path, const std::string& whole) {
+  return path.starts_with(whole) &&
+         (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
+}
+
+/// The number at this path, or all numbers below it.
+Result<std::vector<NumericField>> NumbersOf(const tendon::Schema& schema,
+                                            const std::string& field) {
+  auto one = tendon::FindNumericField(schema, field);
+  if (one) return std::vector{*std::move(one)};
+  std::vector<NumericField> all = tendon::NumericFields(schema);
+  std::erase_if(all, [&](const NumericField& channel) { return !IsWithin(channel.path, field); });
+  if (all.empty()) return one.error();
+  return all;
+}
+
+}  // namespace
+
+void CurveFeed::OnSubscribed(const std::vector<tendon::Schema>& columns) {
+  const std::scoped_lock lock(mutex_);
+  is_subscribed_ = true;
+  sources_.clear();
+  curves_.clear();
+  left_out_.clear();
+  complaint_.clear();
+  for (const auto& wanted : wanted_) Add(wanted, columns.at(wanted.column));
+}
+
+void CurveFeed::Add(const RowInbox::Wanted& wanted, const tendon::Schema& schema) {
+  const auto numbers = NumbersOf(schema, wanted.path.field);
+  if (!numbers) {
+    const std::string why = ToString(wanted.path) + ": " + numbers.error().message;
+    if (wanted.is_found) return left_out_.push_back(why);
+    mistake_ = tendon::Error{numbers.error().code, why};
+    return;
+  }
+  tendon::Path title = wanted.path;
+  for (const NumericField& number : *numbers) {
+    title.field = number.path;
+    if (curves_.size() == kMostCurves) {
+      return left_out_.push_back(ToString(title) + " and later numbers are left out: at most " +
+                                 std::to_string(kMostCurves) + " numbers of a table can be drawn");
+    }
+    sources_.push_back({wanted.column, number});
+    curves_.push_back({ToString(title), number.unit, number.schema, {}});
+  }
+}
+
+std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
+  constexpr double kNanosecond = 1e-9;
+  const std::scoped_lock lock(mutex_);
+  for (std::size_t row = 0; row < batch.count; ++row) {
+    const double time = static_cast<double>(batch.times[row]) * kNanosecond;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      auto& samples = curves_[i].samples;
+      // If the clock went back, the source was restarted.
+      if (!samples.empty() && time < samples.back().time) samples.clear();
+      samples.push_back(
+          {time, ReadExactly(sources_[i].channel, batch.cell(row, sources_[i].column))});
+    }
+  }
+  for (Curve& curve : curves_) {
+    auto& samples = curve.samples;
+    while (!samples.empty() && samples.back().time - samples.front().time > window_) {
+      samples.pop_front();
+    }
+    if (samples.size() <= kMostSamples) continue;
+    is_cut_ = true;
+    samples.erase(samples.begin(), samples.end() - kMostSamples);
+  }
+  return 0;
+}
+
+void CurveFeed::OnStale(const tendon::Error& reason) {
+  const std::scoped_lock lock(mutex_);
+  complaint_ = reason.message;
+}
+
+std::vector<Curve> CurveFeed::curves() const {
+  const std::scoped_lock lock(mutex_);
+  return curves_;
+}
+
+std::optional<tendon::Error> CurveFeed::mistake() const {
+  const std::scoped_lock lock(mutex_);
+  return mistake_;
+}
+
+bool CurveFeed::is_empty() const {
+  const std::scoped_lock lock(mutex_);
+  return is_subscribed_ && curves_.empty();
+}
+
+std::vector<std::string> CurveFeed::notes() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::string> notes = left_out_;
+  if (is_cut_) {
+    notes.push_back("the newest " + std::to_string(kMostSamples) +
+                    " samples of each curve are drawn; a shorter --window shows all of its time");
+  }
+  if (!complaint_.empty()) notes.push_back(complaint_);
+  return notes;
+}
+
+}  // namespace console

@@ -1,0 +1,27 @@
+#include <gcm_console/verbs/common_options.h>
+#include <program/command_line.h>
+
+#include <CLI/CLI.hpp>
+
+namespace console {
+
+void AddDryRun(CLI::App& app, bool& is_dry) {
+  app.add_flag("--dry-run", is_dry, "print what would be done, but do nothing");
+}
+
+void AddCount(CLI::App& app, std::uint64_t& count, const std::string& help) {
+  app.add_option("--count", count, help)->transform(CLI::Validator(&program::TransformCount, ""));
+}
+
+void AddDuration(CLI::App& app, double& seconds, const std::string& help) {
+  app.add_option("--for", seconds, help)
+      ->type_name("TIME")
+      ->transform(CLI::Validator(&program::TransformDuration, ""));
+}
+
+void AddNoReconnect(CLI::App& app, bool& ends_with_link) {
+  app.add_flag("--no-reconnect", ends_with_link,
+               "end if the GCM or a process is lost, instead of waiting for it");
+}
+
+}  // namespace console

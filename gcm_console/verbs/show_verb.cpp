@@ -1,0 +1,308 @@
+#include <gcm_console/catalogue/catalogue_items.h>
+#include <gcm_console/catalogue/glob.h>
+#include <gcm_console/catalogue/payload_text.h>
+#include <tendon/base/text.h>
+#include <tendon/gcm/arguments.h>
+#include <gcm_console/catalogue/place.h>
+#include <gcm_console/feeds/task_feed.h>
+#include <gcm_console/output/catalogue_json.h>
+#include <gcm_console/output/table.h>
+#include <gcm_console/output/text.h>
+#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/queries.h>
+#include <gcm_console/verbs/verb.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text.h>
+#include <tendon/gcm/waiting.h>
+#include <tendon/payload/json.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <thread>
+
+namespace console {
+namespace {
+
+using nlohmann::ordered_json;
+using program::ExitCode;
+using tendon::Catalogue;
+using tendon::InterfaceName;
+using tendon::Result;
+using tendon::message::SystemHealth;
+
+/// The options of its own thread; empty if it has none or they are the default.
+std::string ThreadText(const tendon::ComponentDescription& component) {
+  const bool is_usual =
+      component.thread.empty() || component.thread.front() == tendon::ThreadOptions();
+  return is_usual ? "" : tendon::ToJson(component.thread.front());
+}
+
+/// Its file, and how that differs from the running code.
+void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
+  table.Add({"library", plugin.name + ": " + tendon::PluginText(plugin)});
+  const std::string change = tendon::PluginChangeText(plugin);
+  if (change.empty()) return;
+  const bool is_gone = plugin.state == tendon::PluginState::kGone;
+  table.Add({"its file", change + (is_gone ? "" : ", which is not the loaded one")});
+}
+
+void AddProcess(Context& context, const tendon::ProcessDescription& process, Table& table) {
+  table.Add({"state", std::string(ToString(process.state))});
+  if (!process.reason.empty()) table.Add({"reason", process.reason});
+  table.Add({"since", tendon::WallTimeText(process.since)});
+  table.Add({"host", process.host});
+  table.Add({"pid", std::to_string(process.pid)});
+  table.Add({"address", process.address});
+  const SystemHealth system = AskHealth(context);
+  const auto* health = FindHealth(system, process);
+  table.Add({"cpu", tendon::CpuText(health)});
+  table.Add({"memory", tendon::MemoryText(health)});
+  table.Add({"clock", tendon::ClockText(health)});
+  for (const tendon::PluginDescription& plugin : process.plugins) AddPlugin(plugin, table);
+}
+
+void AddComponent(const tendon::ProcessEntry& process,
+                  const tendon::ComponentDescription& component, Table& table) {
+  table.Add({"component", component.name});
+  table.Add({"class", component.class_name});
+  const auto* plugin = tendon::FindNamed(process.process.plugins, component.library);
+  if (plugin != nullptr) {
+    AddPlugin(*plugin, table);
+  } else if (!component.library.empty()) {
+    table.Add({"library", component.library});
+  }
+  if (!component.configuration.empty()) table.Add({"configuration", component.configuration});
+  table.Add({"state", std::string(ToString(component.state))});
+  for (const tendon::UnsatisfiedInterface& need : WaitsOf(process, component)) {
+    table.Add({"waiting for", need.interface + ": " + need.reason});
+  }
+  if (!component.fault.empty()) {
+    table.Add({"fault", component.fault});
+    table.Add({"faulted at", tendon::WallTimeText(component.fault_time)});
+  }
+  if (!component.warning.empty()) table.Add({"warning", component.warning});
+  if (component.period > 0.0) {
+    table.Add({"period", ordered_json(component.period).dump() + " s"});
+  }
+  if (!component.leader.empty()) table.Add({"runs after", component.leader});
+  if (const std::string thread = ThreadText(component); !thread.empty()) {
+    table.Add({"thread", thread});
+  }
+}
+
+/// The facts about a thing, one per line.
+Table Facts(Context& context, const Catalogue& catalogue, const Place& place) {
+  Table table({"WHAT", "VALUE"});
+  const auto& process = place.process->process;
+  table.Add({"process", process.name});
+  if (place.component == nullptr) {
+    AddProcess(context, process, table);
+    return table;
+  }
+  const auto& component = *place.component;
+  AddComponent(*place.process, component, table);
+  const auto name_of = [&](const std::string& interface) {
+    return InterfaceName(process.name, component.name, interface);
+  };
+  if (place.provided != nullptr) {
+    table.Add({"provided", place.provided->name});
+    const std::string users = UsersOf(catalogue, name_of(place.provided->name));
+    if (!users.empty()) table.Add({"connection", users});
+  }
+  if (place.required != nullptr) {
+    table.Add({"required", place.required->name});
+    const InterfaceName required = name_of(place.required->name);
+    table.Add({"connection", ProviderOf(catalogue, required)});
+    const auto* connection = catalogue.FindConnection(required);
+    if (connection != nullptr) table.Add({"number", std::to_string(connection->id)});
+  }
+  if (place.member != nullptr && !place.member->hazard.empty()) {
+    table.Add({"hazard", place.member->hazard});
+  }
+  if (place.member != nullptr && place.member->expires_after > 0.0) {
+    table.Add({"expires", "unless called again within " + ExpiryText(place.member->expires_after)});
+  }
+  return table;
+}
+
+/// Adds the timing of a running task in the last second, which its table provides at once.
+void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
+  using namespace std::chrono_literals;
+  constexpr double kMicro = 1e6;
+  constexpr double kPercent = 100.0;
+  TaskFeed feed(client, place.process->process.name + "/" + place.component->name);
+  const auto deadline = std::chrono::steady_clock::now() + 500ms;
+  auto tasks = feed.Look();
+  while (!tasks.empty() && !tasks[0].is_known && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(5ms);
+    tasks = feed.Look();
+  }
+  if (tasks.empty() || !tasks[0].is_known) return;
+  const TaskFigures& task = tasks[0];
+  table.Add({"rate", Fixed(task.rate, 1) + " Hz"});
+  table.Add({"late", Fixed(task.late * kMicro, 0) + " us, at most " +
+                         Fixed(task.latest * kMicro, 0) + " us"});
+  table.Add({"compute", Fixed(task.compute * kMicro, 1) + " us"});
+  table.Add({"load", Fixed(task.load * kPercent, 1) + " %"});
+  table.Add({"skipped", std::to_string(task.skipped)});
+}
+
+/// "3 of 64 wait".
+std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
+  return std::to_string(waiting) + " of " + std::to_string(capacity) + " wait";
+}
+
+/// Adds the health of a working connection.
+void AddCounts(Context& context, const Place& place, Table& table) {
+  const auto counts = AskCounts(context, place);
+  if (!counts) return;
+  using Seconds = std::chrono::duration<double>;
+  using Microseconds = std::chrono::duration<double, std::micro>;
+  const double age = Seconds(counts->age).count();
+  table.Add({"stands for", Fixed(age, 1) + " s"});
+  if (counts->round_trip.count() >= 0) {
+    table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
+  }
+  const double rate = age > 0.0 ? static_cast<double>(counts->taken) / age : 0.0;
+  table.Add(
+      {"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
+                            " per second since it was made; reads bypass the mailbox and are not "
+                            "counted"});
+  if (counts->capacity > 0) {
+    table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
+  }
+  table.Add({"refused", std::to_string(counts->refused)});
+  table.Add({"replaced", std::to_string(counts->replaced)});
+  table.Add({"lost events", std::to_string(counts->lost_events)});
+}
+
+/// Prints the fields of a member's argument or result, if the process still answers.
+void PrintPayload(Context& context, const std::string& process, const std::string& title,
+                  const tendon::Fingerprint& fingerprint) {
+  const auto schema = AskSchema(context, process, fingerprint);
+  if (!schema) {
+    context.err() << "gcm: the content of the " << title
+                  << " is unknown: " << Plain(schema.error().message) << '\n';
+    return;
+  }
+  context.out() << '\n' << title << '\n';
+  context.Print(FieldsOf(*schema));
+}
+
+/// Prints the read commands that return the value that a command sets, as lines to copy. Does not
+/// call them, because `show` only displays.
+void PrintReads(Context& context, const Place& place, const std::string& path,
+                const tendon::Schema& schema) {
+  const std::string interface = path.substr(0, path.rfind('.') + 1);
+  for (const auto& read : MatchingReads(*place.provided, *place.member)) {
+    std::string what = "all of it";
+    if (!read.is_whole) {
+      const auto offered = AskSchema(context, place.process->process.name, read.type);
+      if (!offered) return;
+      what = Joined(CommonFields(schema, *offered), ", ");
+    }
+    if (what.empty()) continue;
+    context.out() << "gcm get " << interface << read.name << "  # as it is now: " << what << '\n';
+  }
+}
+
+/// Prints the line that calls the command, to copy.
+void PrintCall(Context& context, const Place& place, const std::string& path) {
+  const auto& member = *place.member;
+  if (!TakesArgument(member.signature)) {
+    context.out() << "\ngcm call " << path << '\n';
+    return;
+  }
+  const auto schema = AskSchema(context, place.process->process.name, member.signature.in);
+  if (!schema) return;
+  context.out() << "\ngcm call " << path << " '" << JsonSkeleton(*schema) << "'\n";
+  PrintReads(context, place, path, *schema);
+}
+
+void PrintPayloads(Context& context, const Place& place, const std::string& path) {
+  const auto& member = *place.member;
+  const std::string& process = place.process->process.name;
+  const auto& signature = member.signature;
+  if (TakesArgument(signature)) PrintPayload(context, process, "argument", signature.in);
+  if (GivesAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
+  if (place.noun == "command") PrintCall(context, place, path);
+}
+
+void PrintPlace(Context& context, const Catalogue& catalogue, const Place& place,
+                const std::string& path) {
+  Table facts = Facts(context, catalogue, place);
+  const bool is_component =
+      place.component != nullptr && place.provided == nullptr && place.required == nullptr;
+  if (is_component && place.component->state == tendon::ComponentState::kActive) {
+    if (const auto client = context.Client()) AddTask(**client, place, facts);
+  }
+  if (is_component) {
+    const auto fill = AskFill(context, place);
+    if (fill) facts.Add({"mailbox", WaitingText(fill->waiting, fill->capacity)});
+  }
+  if (place.required != nullptr) AddCounts(context, place, facts);
+  context.Print(facts);
+  context.out() << '\n';
+  context.Print(ListingOf(catalogue, place));
+  if (place.member != nullptr) PrintPayloads(context, place, path);
+}
+
+/// Shows each thing below its path.
+Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto items = MatchingItems(catalogue, glob);
+  if (!items) return items.error();
+  auto all = nlohmann::ordered_json::array();
+  for (const CatalogueItem& item : *items) {
+    const auto place = FindPlace(catalogue, item.path);
+    if (!place) continue;
+    if (context.settings().json) {
+      all.push_back({{"path", item.path}});
+      all.back().update(JsonOf(context, catalogue, *place));
+      continue;
+    }
+    context.out() << (&item == &items->front() ? "" : "\n") << Plain(item.path) << ":\n";
+    PrintPlace(context, catalogue, *place, item.path);
+  }
+  if (context.settings().json) context.PrintJson({{"things", std::move(all)}});
+  return program::kOk;
+}
+
+Result<ExitCode> Show(Context& context, const std::string& path) {
+  if (IsGlob(path)) return ShowAll(context, path);
+  const auto client = context.Client();
+  if (!client) return client.error();
+  const Catalogue catalogue = (*client)->catalogue();
+  const auto place = FindPlace(catalogue, path);
+  if (!place) return place.error();
+  if (context.settings().json) {
+    context.PrintJson(JsonOf(context, catalogue, *place));
+  } else {
+    PrintPlace(context, catalogue, *place, path);
+  }
+  return program::kOk;
+}
+
+}  // namespace
+
+std::vector<Verb> ShowVerbs() {
+  return {
+      {"show", "show everything about one process, component, interface or member",
+       [](CLI::App& app) -> Verb::Run {
+         auto path = std::make_shared<std::string>();
+         WithKind(
+             app.add_option("path", *path,
+                            "path or pattern of what to show; with *: everything that it matches"),
+             WordKind::kPath)
+             ->required();
+         return [path](Context& context) { return Show(context, *path); };
+       }},
+  };
+}
+
+}  // namespace console
