@@ -3,8 +3,8 @@
 #include <gcm_console/completion/path_completion.h>
 #include <gcm_console/completion/shell_completion.h>
 #include <gcm_console/console.h>
-#include <tendon/base/text.h>
 #include <gcm_console/output/table.h>
+#include <tendon/base/text.h>
 
 #include <cerrno>
 #include <exception>

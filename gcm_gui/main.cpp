@@ -1,17 +1,17 @@
-#include <gcm_gui/fence/fence.h>
-#include <gcm_gui/fence/fenced_application.h>
-#include <gcm_gui/files/kept_values.h>
+#include <gcm_gui/files/saved_settings.h>
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/guard/guarded_application.h>
+#include <gcm_gui/help/tour.h>
 #include <gcm_gui/language/language.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/session/session.h>
+#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/tour/tour.h>
+#include <gcm_gui/views/catalogue_columns.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/views/columns/catalogue_columns.h>
-#include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
@@ -88,20 +88,20 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kep
   const auto columns = QStringLiteral("catalogueColumns");
   // Broken saved values must not keep the window from opening.
   const auto restore = [&](QWidget& view, auto&& part) {
-    tendon::gui::Fence::run(&view, tendon::gui::ViewWork::kHandling, part);
+    tendon::gui::ExceptionGuard::run(&view, tendon::gui::ViewWork::kHandling, part);
   };
   restore(window, [&] { window.restoreGeometry(kept.value(geometry)); });
   restore(window, [&] { window.panels().restore(kept.value(panels)); });
   restore(window.catalogue(),
           [&] { window.catalogue().tree().columns().restore(kept.value(columns)); });
-  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window,
-                   [&window, &kept, geometry, panels, columns] {
-                     tendon::gui::Fence::run(&window, tendon::gui::ViewWork::kHandling, [&] {
-                       kept.set(geometry, window.saveGeometry());
-                       kept.set(panels, window.panels().state());
-                       kept.set(columns, window.catalogue().tree().columns().state());
-                     });
-                   });
+  QObject::connect(
+      qApp, &QCoreApplication::aboutToQuit, &window, [&window, &kept, geometry, panels, columns] {
+        tendon::gui::ExceptionGuard::run(&window, tendon::gui::ViewWork::kHandling, [&] {
+          kept.set(geometry, window.saveGeometry());
+          kept.set(panels, window.panels().state());
+          kept.set(columns, window.catalogue().tree().columns().state());
+        });
+      });
 }
 
 /// Relative to the programs, both in the build and when installed.
@@ -170,7 +170,7 @@ int Run(const Options& options) {
   if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
-  const int code = tendon::gui::FencedApplication::exec();
+  const int code = tendon::gui::GuardedApplication::exec();
   end.emplace();  // a hanging process must not delay the end of the program
   return code;
 }
@@ -192,7 +192,7 @@ int main(int argc, char** argv) {
                  "use gcm, and host a GCM with: gcm serve"});
   }
   tendon::gui::WatchedApplication application(argc, argv);
-  tendon::gui::Fence::instance();  // before threads that may need it
+  tendon::gui::ExceptionGuard::instance();  // before threads that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
   tendon::gui::SpeakAs(QLocale::system());

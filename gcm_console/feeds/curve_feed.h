@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/payload/numeric_field.h>
 #include <gcm_console/feeds/row_inbox.h>
+#include <tendon/payload/numeric_field.h>
 #include <tendon/process/telemetry_client.h>
 
 #include <deque>

@@ -1,5 +1,5 @@
-#include <tendon/gcm/text.h>
 #include <gcm_console/feeds/event_inbox.h>
+#include <tendon/gcm/text.h>
 
 #include <chrono>
 #include <utility>

@@ -1,7 +1,7 @@
-#include <tendon/payload/numeric_axis.h>
 #include <gcm_console/output/curve_picture.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
+#include <tendon/payload/numeric_axis.h>
 
 #include <algorithm>
 #include <array>

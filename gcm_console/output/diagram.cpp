@@ -1,6 +1,6 @@
 #include <gcm_console/catalogue/telemetry_column.h>
-#include <tendon/base/text.h>
 #include <gcm_console/output/diagram.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include <tendon/base/text.h>
 #include <gcm_console/output/table.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <functional>

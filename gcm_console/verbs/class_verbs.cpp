@@ -1,4 +1,3 @@
-#include <tendon/base/text.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
@@ -7,6 +6,7 @@
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/life/life_plan.h>
 #include <tendon/gcm/lookup.h>

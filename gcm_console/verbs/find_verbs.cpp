@@ -1,12 +1,12 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/find_term.h>
-#include <tendon/base/text.h>
 #include <gcm_console/feeds/query_throttle.h>
 #include <gcm_console/output/dot.h>
 #include <gcm_console/output/svg.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
 #include <gcm_console/verbs/verb.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>

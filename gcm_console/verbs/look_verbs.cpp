@@ -1,12 +1,12 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
-#include <tendon/gcm/text.h>
 #include <gcm_console/catalogue/place.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/place_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
+#include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 
 #include <CLI/CLI.hpp>

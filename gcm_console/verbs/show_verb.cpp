@@ -1,8 +1,6 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/payload_text.h>
-#include <tendon/base/text.h>
-#include <tendon/gcm/arguments.h>
 #include <gcm_console/catalogue/place.h>
 #include <gcm_console/feeds/task_feed.h>
 #include <gcm_console/output/catalogue_json.h>
@@ -11,6 +9,8 @@
 #include <gcm_console/verbs/place_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
+#include <tendon/base/text.h>
+#include <tendon/gcm/arguments.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>

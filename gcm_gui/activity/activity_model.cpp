@@ -1,7 +1,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -11,8 +11,6 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kKept = 500;
-
-QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
 QString VerbText(const Action& action) {
   switch (action.verb) {
@@ -86,8 +84,8 @@ QString ActivityModel::object(const Action& action) const {
   if (!action.component.empty()) return ToQString(action.component);
   if (!action.command.isEmpty()) return (action.command + ' ' + action.argument).trimmed();
   if (action.required.interface.empty()) return {};
-  if (action.provided.interface.empty()) return Name(action.required);
-  return Name(action.required) + QStringLiteral(" → ") + Name(action.provided);
+  if (action.provided.interface.empty()) return ToQString(action.required);
+  return ToQString(action.required) + QStringLiteral(" → ") + ToQString(action.provided);
 }
 
 QString ActivityModel::outcome(const Action& action) const {
@@ -122,7 +120,8 @@ QVariant ActivityModel::data(const QModelIndex& index, int role) const {
     case kPathRole:
       if (!action.component.empty()) return ToQString(action.component);
       if (!action.command.isEmpty()) return action.command;
-      return action.required.interface.empty() ? ToQString(action.process) : Name(action.required);
+      return action.required.interface.empty() ? ToQString(action.process)
+                                               : ToQString(action.required);
     case Qt::AccessibleTextRole:
       return QStringList{VerbText(action), object(action), outcome(action)}.join(' ');
     default:
@@ -134,12 +133,13 @@ QString ActivityModel::command(int row) const {
   const Action& action = this->action(row);
   switch (action.verb) {
     case Action::Verb::kConnect:
-      return QStringLiteral("gcm connect %1 %2").arg(Name(action.required), Name(action.provided));
+      return QStringLiteral("gcm connect %1 %2")
+          .arg(ToQString(action.required), ToQString(action.provided));
     case Action::Verb::kDisconnect:
-      return QStringLiteral("gcm disconnect %1").arg(Name(action.required));
+      return QStringLiteral("gcm disconnect %1").arg(ToQString(action.required));
     case Action::Verb::kReplace:
       return QStringLiteral("gcm connect %1 %2 --replace")
-          .arg(Name(action.required), Name(action.provided));
+          .arg(ToQString(action.required), ToQString(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");
     case Action::Verb::kSteer:

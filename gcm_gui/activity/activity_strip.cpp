@@ -1,13 +1,13 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/activity/events_page.h>
+#include <gcm_gui/activity/log_page.h>
 #include <gcm_gui/console/console_page.h>
-#include <gcm_gui/events/events_page.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/log/log_page.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/link_button.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 
@@ -99,13 +99,13 @@ void ActivityStrip::linkRow(int row) {
   line->setSpacing(0);
   line->addStretch();
   if (activity_.canUndo(row)) {
-    QToolButton* undo = MakeLink(Words::tr("Undo"), QStringLiteral("undo"));
+    QToolButton* undo = MakeLinkButton(Words::tr("Undo"), QStringLiteral("undo"));
     undo->setProperty("changesSystem", true);
     connect(undo, &QToolButton::clicked, this, [this] { actions_.undo(); });
     line->addWidget(undo);
   }
   if (const QString command = activity_.command(row); !command.isEmpty()) {
-    QToolButton* copy = MakeLink(Words::tr("Copy as command"), QStringLiteral("copyCommand"));
+    QToolButton* copy = MakeLinkButton(Words::tr("Copy as command"), QStringLiteral("copyCommand"));
     copy->setToolTip(command);
     connect(copy, &QToolButton::clicked, this,
             [command] { QGuiApplication::clipboard()->setText(command); });

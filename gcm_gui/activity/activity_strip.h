@@ -3,7 +3,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/activity/problems_model.h>
 #include <gcm_gui/models/selection.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/system_requests.h>
 #include <gcm_gui/views/tab_panel.h>
 #include <gcm_gui/window/window_parts.h>
 

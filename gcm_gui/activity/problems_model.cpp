@@ -1,10 +1,10 @@
 #include <gcm_gui/activity/problems_model.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/models/row_list_model.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <tendon/gcm/catalogue.h>

@@ -1,14 +1,14 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/call/hold_button.h>
-#include <gcm_gui/call/repeat/repeat_row.h>
+#include <gcm_gui/call/repeat_row.h>
 #include <gcm_gui/call/value_form.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/pictures/picture_view.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/image_view.h>
+#include <gcm_gui/views/link_button.h>
 #include <tendon/gcm/arguments.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
@@ -109,7 +109,7 @@ CallPanel::CallPanel(CommandCalls& calls, QWidget* parent) : QWidget(parent), ca
 }
 
 void CallPanel::build() {
-  head_ = new HeadRow(QString());
+  head_ = new HeaderRow(QString());
   kind_ = new QLabel;
   SetRole(*kind_, QStringLiteral("dim mono"));
   head_->addRight(kind_);
@@ -120,8 +120,8 @@ void CallPanel::build() {
   expiry_ = MakeWords(QStringLiteral("call.expiry"));
   SetRole(*expiry_, QStringLiteral("dim"));
   expiry_->setContentsMargins(kInset, 2 * kGrid, kInset, 0);
-  picture_ = new PictureView(QString());
-  connect(picture_, &PictureView::shown, this,
+  picture_ = new ImageView(QString());
+  connect(picture_, &ImageView::shown, this,
           [this] { answer_->setVisible(picture_->image().isNull()); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, kGap, 0, 0);
@@ -165,23 +165,23 @@ QWidget* CallPanel::buildButtons() {
     tell(Words::tr("Not called: this can set something in motion; hold the button for 0.4 s"),
          QStringLiteral("warning"));
   });
-  retry_ = MakeLink(Words::tr("Ask again"), QStringLiteral("call.retry"));
+  retry_ = MakeLinkButton(Words::tr("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
-  as_json_ = MakeLink(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
+  as_json_ = MakeLinkButton(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
   as_json_->setToolTip(Words::tr("The argument as text, instead of a form"));
   as_json_->setCheckable(true);
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
-  QToolButton* copy = MakeLink(Words::tr("Copy"), QStringLiteral("call.copy"));
+  QToolButton* copy = MakeLinkButton(Words::tr("Copy"), QStringLiteral("call.copy"));
   copy->setAccessibleName(Words::tr("Copy as command"));
   copy->setToolTip(Words::tr("Copies the command line that does the same in a terminal"));
   connect(copy, &QToolButton::clicked, this, &CallPanel::copyCommand);
-  QToolButton* favourite = MakeLink(QStringLiteral("★"), QStringLiteral("call.favourite"));
+  QToolButton* favourite = MakeLinkButton(QStringLiteral("★"), QStringLiteral("call.favourite"));
   favourite->setAccessibleName(Words::tr("Add to the favourites"));
   favourite->setToolTip(Words::tr("Adds a button for this command and argument"));
   connect(favourite, &QToolButton::clicked, this,
           [this] { Q_EMIT favouriteRequested(path_, ToQString(argument())); });
   buildRepeat();
-  QToolButton* repeat = MakeLink(Words::tr("Repeat"), QStringLiteral("call.showRepeat"));
+  QToolButton* repeat = MakeLinkButton(Words::tr("Repeat"), QStringLiteral("call.showRepeat"));
   repeat->setToolTip(Words::tr("Calls it again and again"));
   repeat->setCheckable(true);
   connect(repeat, &QToolButton::toggled, repeat_, &QWidget::setVisible);
@@ -442,9 +442,9 @@ void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
   if (answer->empty()) return;
   answer_->setText(Readable(*answer));
   answer_->setToolTip(WholeAnswer(*answer));
-  if (!LooksLikePicture(*answer)) return answer_->setVisible(true);
+  if (!LooksLikeImage(*answer)) return answer_->setVisible(true);
   const auto json = std::make_shared<const std::string>(*answer);
-  picture_->showFrom([json] { return PictureOf(*json); });
+  picture_->showFrom([json] { return RawImageOf(*json); });
 }
 
 void CallPanel::tell(const QString& text, const QString& role) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/session/command_calls.h>
+#include <gcm_gui/session/system_requests.h>
 #include <tendon/gcm/arguments.h>
 #include <tendon/interface/interface_description.h>
 
@@ -22,9 +22,9 @@ class QToolButton;
 
 namespace tendon::gui {
 
-class HeadRow;
+class HeaderRow;
 class HoldButton;
-class PictureView;
+class ImageView;
 class RepeatRow;
 class ValueForm;
 
@@ -99,7 +99,7 @@ class CallPanel : public QWidget {
   QString unavailable_;
   QHash<QString, std::string> last_arguments_;  // by path
 
-  HeadRow* head_ = nullptr;
+  HeaderRow* head_ = nullptr;
   QLabel* kind_ = nullptr;
   QLabel* expiry_ = nullptr;
   QStackedWidget* argument_ = nullptr;
@@ -112,7 +112,7 @@ class CallPanel : public QWidget {
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
   QLabel* answer_ = nullptr;
-  PictureView* picture_ = nullptr;  // shows an answer that is a picture
+  ImageView* picture_ = nullptr;  // shows an answer that is a picture
 };
 
 }  // namespace tendon::gui

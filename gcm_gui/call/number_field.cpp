@@ -1,5 +1,5 @@
-#include <gcm_gui/call/copied_numbers.h>
 #include <gcm_gui/call/number_field.h>
+#include <gcm_gui/call/pasted_numbers.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/number_flaw.h>
 #include <gcm_gui/models/text.h>
@@ -95,7 +95,7 @@ void NumberField::showChange() {
 
 bool NumberField::takeList(const QString& text) {
   if (isReadOnly()) return false;
-  const CopiedNumbers copied = NumbersIn(text);
+  const PastedNumbers copied = NumbersIn(text);
   if (!copied.is_list) return false;
   const QString refusal = copied.refusal.isEmpty() ? refusalOfList(copied.words) : copied.refusal;
   if (!refusal.isEmpty()) {

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum Column { kName, kEntry, kUnit, kColumns };
+enum Column { kNameColumn, kEntryColumn, kUnitColumn, kFormColumns };
 
 /// A field without its own unit or range inherits those of its parent.
 Schema::Field Within(const Schema::Field& outer, Schema::Field field) {
@@ -54,7 +54,7 @@ ValueForm::ValueForm(const Schema& schema, QWidget* parent)
   grid_->setContentsMargins(kInset, kGrid, kInset, kGrid);
   grid_->setHorizontalSpacing(2 * kGrid);
   grid_->setVerticalSpacing(kGrid);
-  grid_->setColumnStretch(kEntry, 1);
+  grid_->setColumnStretch(kEntryColumn, 1);
   const bool has_fields = schema.kind() == Schema::Kind::kStructure;
   const Schema::Field whole{.name = "value", .unit = {}, .schema = schema};
   entry_ = has_fields ? addFields(whole, {}, 0) : addField(whole, {}, 0);
@@ -122,14 +122,14 @@ std::unique_ptr<Entry> ValueForm::addField(const Schema::Field& field, const QSt
   widget->setObjectName(QStringLiteral("form.") + whole);
   if (widget->toolTip().isEmpty()) widget->setToolTip(HelpOf(field));
   const bool is_wide = field.schema.kind() == Schema::Kind::kArray;
-  is_wide ? grid_->addWidget(widget, row + 1, kName, 1, kColumns)
-          : grid_->addWidget(widget, row, kEntry);
+  is_wide ? grid_->addWidget(widget, row + 1, kNameColumn, 1, kFormColumns)
+          : grid_->addWidget(widget, row, kEntryColumn);
   auto* refusals = new QLabel;
   refusals->setObjectName(QStringLiteral("refusals.") + whole);
   refusals->setTextFormat(Qt::PlainText);
   refusals->setWordWrap(true);
   SetRole(*refusals, QStringLiteral("bad"));
-  grid_->addWidget(refusals, row + (is_wide ? 2 : 1), kName, 1, kColumns);
+  grid_->addWidget(refusals, row + (is_wide ? 2 : 1), kNameColumn, 1, kFormColumns);
   places_.push_back({.name = whole, .entry = entry.get(), .refusals = refusals});
   return std::move(entry);
 }
@@ -141,11 +141,11 @@ void ValueForm::addName(const Schema::Field& field, const QString& text, int lev
   name->setMinimumHeight(kRowHeight);
   name->setToolTip(HelpOf(field));
   SetRole(*name, QStringLiteral("dim"));
-  grid_->addWidget(name, row, kName);
+  grid_->addWidget(name, row, kNameColumn);
   if (field.unit.empty()) return;
   auto* unit = new QLabel(ToQString(field.unit));
   SetRole(*unit, QStringLiteral("dim mono"));
-  grid_->addWidget(unit, row, kUnit);
+  grid_->addWidget(unit, row, kUnitColumn);
 }
 
 }  // namespace tendon::gui

@@ -2,7 +2,7 @@
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -18,7 +18,7 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
     : QWidget(parent),
       mode_(mode),
       model_(mode),
-      head_(new HeadRow(Words::tr("Connect"))),
+      head_(new HeaderRow(Words::tr("Connect"))),
       about_(new QLabel),
       field_(new QLineEdit),
       list_(new CandidateList(model_)),

@@ -12,7 +12,7 @@ class QLineEdit;
 namespace tendon::gui {
 
 class CandidateList;
-class HeadRow;
+class HeaderRow;
 
 /// The right column while the user makes a connection: the candidates, best first, and a filter.
 /// Enter, a click or a digit picks a candidate; Escape ends the connect mode.
@@ -47,7 +47,7 @@ class CandidatePanel : public QWidget {
 
   ConnectMode& mode_;
   CandidatesModel model_;
-  HeadRow* head_;
+  HeaderRow* head_;
   QLabel* about_;
   QLineEdit* field_;
   CandidateList* list_;

@@ -130,8 +130,8 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
       return choice ? row.tip : QVariant();
     case kPathRole:
       return choice ? row.name : QString();
-    case kFaceRole:
-      return static_cast<int>(choice ? Face::kMono : Face::kPlain);
+    case kFontStyleRole:
+      return static_cast<int>(choice ? FontStyle::kMono : FontStyle::kPlain);
     case kGlyphRole:
       return row.digit;
     case kAccentRole:

@@ -1,8 +1,8 @@
 #include <gcm_gui/connect/connect_mode.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -12,8 +12,6 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kDigits = 9;
-
-QString Name(const InterfaceName& name) { return ToQString(ToString(name)); }
 
 /// Compares, in order of importance: fits, is alive, is free, fills more members, is near.
 bool IsBetter(const Candidate& a, const Candidate& b, const std::string& process) {
@@ -44,8 +42,8 @@ QStringList Candidate::reasons() const {
 
 ConnectMode::ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent)
     : QObject(parent), store_(store), actions_(actions) {
-  connect(&store, &CatalogueStore::changed, this, Fenced(this, &ConnectMode::follow));
-  connect(&store, &CatalogueStore::typesLearned, this, Fenced(this, &ConnectMode::follow));
+  connect(&store, &CatalogueStore::changed, this, Guarded(this, &ConnectMode::follow));
+  connect(&store, &CatalogueStore::typesLearned, this, Guarded(this, &ConnectMode::follow));
 }
 
 const Candidate* ConnectMode::best() const {
@@ -109,20 +107,15 @@ void ConnectMode::pick(const PortName& port) {
   if (candidate == nullptr) return;
   if (!candidate->fits()) return refuse(*candidate);
   const auto [required, provided] = wireTo(port);
-  const bool replaces = former_.has_value() || candidate->former.has_value();
   leave();
-  if (replaces) {
-    actions_.replaceConnection(required, provided);
-  } else {
-    actions_.connectInterfaces(required, provided);
-  }
+  actions_.connectOrReplace(required, provided);
   Q_EMIT picked(required, provided);
 }
 
 void ConnectMode::refuse(const Candidate& candidate) {
   const QString obstacle = candidate.present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
   const QString reason =
-      Name(candidate.port.name) + obstacle + candidate.reasons().join(QStringLiteral("; "));
+      ToQString(candidate.port.name) + obstacle + candidate.reasons().join(QStringLiteral("; "));
   const message::Wire wire = wireTo(candidate.port);
   const bool is_meant = !candidate.present && candidate.looksAlike();
   Q_EMIT notice(reason);

@@ -2,7 +2,7 @@
 
 #include <gcm_gui/graph/layout/graph_picture.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/system_requests.h>
 #include <tendon/interface/compatibility.h>
 #include <tendon/process/membership/membership_messages.h>
 

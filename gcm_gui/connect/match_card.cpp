@@ -1,7 +1,7 @@
 #include <gcm_gui/connect/match_card.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>

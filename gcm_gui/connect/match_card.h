@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/system_requests.h>
 #include <gcm_gui/views/overlay_card.h>
 
 #include <QCheckBox>

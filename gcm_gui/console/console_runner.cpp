@@ -2,8 +2,8 @@
 #include <gcm_console/shell/shell.h>
 #include <gcm_gui/console/console_runner.h>
 #include <gcm_gui/console/output_pipe.h>
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <program/exit_code.h>
@@ -24,8 +24,8 @@ constexpr auto kThread = QT_TRANSLATE_NOOP("Words", "the console");
 }  // namespace
 
 /// The data shared by runner and thread.
-struct ConsoleRunner::Desk {
-  Desk(console::Settings the_settings, std::function<void()> wake)
+struct ConsoleRunner::SharedState {
+  SharedState(console::Settings the_settings, std::function<void()> wake)
       : settings(std::move(the_settings)), pipe(std::move(wake)) {}
 
   const console::Settings settings;
@@ -40,15 +40,15 @@ struct ConsoleRunner::Desk {
 };
 
 /// Reports the end of a line in every case, even if the thread throws or the line never begins.
-class ConsoleRunner::End {
+class ConsoleRunner::LineReport {
  public:
-  End(ConsoleRunner& runner, std::shared_ptr<Courier> courier)
-      : runner_(runner), courier_(std::move(courier)) {}
-  End(const End&) = delete;
-  End& operator=(const End&) = delete;
-  ~End() {
-    Fence::run(kThread, [&] {
-      courier_->post(
+  LineReport(ConsoleRunner& runner, std::shared_ptr<GuiPoster> poster)
+      : runner_(runner), poster_(std::move(poster)) {}
+  LineReport(const LineReport&) = delete;
+  LineReport& operator=(const LineReport&) = delete;
+  ~LineReport() {
+    ExceptionGuard::run(kThread, [&] {
+      poster_->post(
           [runner = &runner_, code = exit_code, text = prompt] { runner->finish(code, text); });
     });
   }
@@ -58,18 +58,18 @@ class ConsoleRunner::End {
 
  private:
   ConsoleRunner& runner_;
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
 };
 
 ConsoleRunner::ConsoleRunner(console::Settings settings, QObject* parent)
     : QObject(parent),
-      courier_(std::make_shared<Courier>(this)),
-      desk_(std::make_shared<Desk>(std::move(settings), [this, courier = courier_] {
-        courier->post([this] { deliver(); });
-      })) {}
+      poster_(std::make_shared<GuiPoster>(this)),
+      desk_(std::make_shared<SharedState>(
+          std::move(settings), [this, poster = poster_] { poster->post([this] { deliver(); }); })) {
+}
 
 ConsoleRunner::~ConsoleRunner() {
-  courier_->detach();
+  poster_->detach();
   desk_->pipe.close();
   if (!thread_.joinable()) return;
   std::unique_lock lock(desk_->mutex);
@@ -96,7 +96,7 @@ void ConsoleRunner::post(Job job) {
   if (!thread_.joinable()) thread_ = std::thread([desk = desk_] { work(desk); });
 }
 
-void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
+void ConsoleRunner::work(const std::shared_ptr<SharedState>& desk) {
   os::HoldTerminationSignals();
   os::Interruption interruption;
   std::optional<console::Shell> shell;
@@ -109,7 +109,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
     desk->jobs.pop_front();
     if (desk->is_interrupted) interruption.Request();  // it may be older than this object
     lock.unlock();
-    Fence::run(kThread, [&] {
+    ExceptionGuard::run(kThread, [&] {
       if (!shell || shell->has_ended()) shell.emplace(desk->settings);
       job(*shell);
     });
@@ -127,7 +127,7 @@ void ConsoleRunner::work(const std::shared_ptr<Desk>& desk) {
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
   // Must not own the desk, because the desk owns the job.
-  auto end = std::make_shared<End>(*this, courier_);
+  auto end = std::make_shared<LineReport>(*this, poster_);
   post([end = std::move(end), &pipe = desk_->pipe, line = line.toStdString(),
         columns](console::Shell& shell) {
     PipeStream out(pipe, OutputPipe::Kind::kOut);
@@ -151,11 +151,11 @@ void ConsoleRunner::interrupt() {
 
 void ConsoleRunner::complete(const QString& line) {
   if (is_running_) return;
-  post([this, courier = courier_, line](console::Shell& shell) {
+  post([this, poster = poster_, line](console::Shell& shell) {
     const auto unfinished = console::PartialCommandOf(line.toStdString());
     console::Completion completion = shell.Complete(unfinished);
     console::AddFiles(completion, unfinished.words.back());
-    courier->post([this, line, completion] { Q_EMIT completed(line, completion); });
+    poster->post([this, line, completion] { Q_EMIT completed(line, completion); });
   });
 }
 
@@ -169,7 +169,7 @@ void ConsoleRunner::deliver() {
 /// Waits until all output of the line has been passed on.
 void ConsoleRunner::finish(int exit_code, const QString& prompt) {
   if (!desk_->pipe.isEmpty()) {
-    return courier_->post([this, exit_code, prompt] { finish(exit_code, prompt); });
+    return poster_->post([this, exit_code, prompt] { finish(exit_code, prompt); });
   }
   is_running_ = false;
   if (prompt != std::exchange(prompt_, prompt)) Q_EMIT promptChanged(prompt);

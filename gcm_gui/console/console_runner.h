@@ -2,7 +2,7 @@
 
 #include <gcm_console/command_line/settings.h>
 #include <gcm_console/completion/completer.h>
-#include <gcm_gui/session/courier.h>
+#include <gcm_gui/files/gui_poster.h>
 
 #include <QObject>
 #include <QString>
@@ -45,17 +45,17 @@ class ConsoleRunner : public QObject {
 
  private:
   using Job = std::function<void(console::Shell& shell)>;
-  struct Desk;
-  class End;
+  struct SharedState;
+  class LineReport;
 
   void post(Job job);
   /// The function of the thread, which may outlive the runner if a request does not end.
-  static void work(const std::shared_ptr<Desk>& desk);
+  static void work(const std::shared_ptr<SharedState>& desk);
   void deliver();
   void finish(int exit_code, const QString& prompt);
 
-  std::shared_ptr<Courier> courier_;
-  std::shared_ptr<Desk> desk_;
+  std::shared_ptr<GuiPoster> poster_;
+  std::shared_ptr<SharedState> desk_;
   QStringDecoder decode_{QStringDecoder::Utf8};
   QString prompt_;
   bool is_running_ = false;

@@ -1,5 +1,5 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/background.h>
+#include <gcm_gui/guard/exception_guard.h>
 
 #include <condition_variable>
 #include <deque>
@@ -54,7 +54,7 @@ void Background::work(const char* what, const std::shared_ptr<Queue>& queue) {
     Task task = std::move(queue->tasks.front());
     queue->tasks.pop_front();
     lock.unlock();
-    Fence::run(what, task);
+    ExceptionGuard::run(what, task);
     task = nullptr;
     lock.lock();
   }

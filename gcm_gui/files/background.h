@@ -9,15 +9,15 @@
 
 namespace tendon::gui {
 
-/// Runs tasks one after another in its own thread; the Fence reports a task that throws. A task
-/// must not use its requester: the destructor abandons a task that takes too long, which then
+/// Runs tasks one after another in its own thread; the ExceptionGuard reports a task that throws. A
+/// task must not use its requester: the destructor abandons a task that takes too long, which then
 /// continues.
 class Background {
  public:
   using Task = std::function<void()>;
 
-  /// `what` names the work for stderr and the Fence: QT_TRANSLATE_NOOP("Words", "a system file").
-  /// `patience` is how long the destructor waits.
+  /// `what` names the work for stderr and the ExceptionGuard: QT_TRANSLATE_NOOP("Words", "a system
+  /// file"). `patience` is how long the destructor waits.
   explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;

@@ -1,5 +1,5 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_reader.h>
+#include <gcm_gui/guard/exception_guard.h>
 
 #include <QFile>
 #include <utility>
@@ -20,15 +20,15 @@ QString Read(const QString& name, QByteArray& content) try {
 }  // namespace
 
 FileReader::FileReader(QObject* parent)
-    : QObject(parent), courier_(std::make_shared<Courier>(this)) {}
+    : QObject(parent), poster_(std::make_shared<GuiPoster>(this)) {}
 
-FileReader::~FileReader() { courier_->detach(); }
+FileReader::~FileReader() { poster_->detach(); }
 
 void FileReader::read(const QString& name, Done done) {
-  thread_.start([courier = courier_, name, done = std::move(done)] {
+  thread_.start([poster = poster_, name, done = std::move(done)] {
     QByteArray content;
     const QString refusal = Read(name, content);
-    courier->post(
+    poster->post(
         [done, content, refusal] { done(refusal.isEmpty() ? content : QByteArray(), refusal); });
   });
 }

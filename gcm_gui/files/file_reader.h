@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/files/background.h>
-#include <gcm_gui/session/courier.h>
+#include <gcm_gui/files/gui_poster.h>
 
 #include <QByteArray>
 #include <QObject>
@@ -28,7 +28,7 @@ class FileReader : public QObject {
   void read(const QString& file, Done done);
 
  private:
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
   Background thread_{QT_TRANSLATE_NOOP("Words", "the reading of a file")};
 };
 

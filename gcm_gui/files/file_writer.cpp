@@ -1,5 +1,5 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 
 #include <QCoreApplication>

@@ -1,8 +1,7 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/edge_health.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/reports/counts_text.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/connection_health.h>
 
@@ -45,7 +44,7 @@ QString HealthWarning(const ConnectionCounts& now, const std::optional<Connectio
 EdgeHealth::EdgeHealth(SystemReports& reports, Seen seen, QObject* parent)
     : QObject(parent), reports_(reports), seen_(std::move(seen)) {
   second_.setInterval(kBetween);
-  connect(&second_, &QTimer::timeout, this, Fenced(this, &EdgeHealth::look));
+  connect(&second_, &QTimer::timeout, this, Guarded(this, &EdgeHealth::look));
 }
 
 void EdgeHealth::setLooking(bool looking) { looking ? second_.start() : second_.stop(); }

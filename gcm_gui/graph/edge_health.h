@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/reports/system_reports.h>
+#include <gcm_gui/session/system_reports.h>
 
 #include <QObject>
 #include <QString>

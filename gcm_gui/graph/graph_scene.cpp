@@ -1,17 +1,17 @@
-#include <gcm_gui/fence/fence.h>
-#include <gcm_gui/graph/card_place.h>
-#include <gcm_gui/graph/emphasis/emphasis.h>
-#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/card_placement.h>
+#include <gcm_gui/graph/emphasis.h>
+#include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/graph/layout/graph_places.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
-#include <gcm_gui/graph/places/glide.h>
-#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/graph/layout_animation.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -65,7 +65,7 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
       selection_(selection),
       mode_(mode),
       layout_(new LayoutWorker(this)),
-      glide_(new Glide(this)),
+      animation_(new LayoutAnimation(this)),
       preview_(new EdgeItem),
       emphasis_(new Emphasis(*this)),
       hover_(new GraphHover(*this, *emphasis_, mode)),
@@ -77,13 +77,13 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
     setBackgroundBrush(Theme::instance().color(Token::kCanvas));
     update();
   });
-  connect(&store, &CatalogueStore::changed, this, Fenced(this, &GraphScene::showCatalogue));
-  connect(&selection, &Selection::changed, this, Fenced(this, &GraphScene::showSelection));
+  connect(&store, &CatalogueStore::changed, this, Guarded(this, &GraphScene::showCatalogue));
+  connect(&selection, &Selection::changed, this, Guarded(this, &GraphScene::showSelection));
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
   connect(places_, &GraphPlaces::changed, this, &GraphScene::showPlaces);
   connect(layout_, &LayoutWorker::arranged, this, &GraphScene::showArrangement);
-  connect(glide_, &Glide::moved, this, [this] { showItems(true); });
-  Touched all;
+  connect(animation_, &LayoutAnimation::moved, this, [this] { showItems(true); });
+  ChangedParts all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   showCatalogue(store.catalogue(), all);
 }
@@ -114,7 +114,7 @@ const EdgeItem* GraphScene::edge(const QString& required) const {
 
 bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
-void GraphScene::showCatalogue(const Catalogue& catalogue, const Touched& touched) {
+void GraphScene::showCatalogue(const Catalogue& catalogue, const ChangedParts& touched) {
   layout_->arrange(updater_.update(catalogue, touched), placesByHand());
   if (layout_->isAtWork()) showItems(false);  // only items that already have a place
 }
@@ -125,7 +125,7 @@ void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
     const bool is_large = static_cast<std::size_t>(to.nodes.size()) > kMostGliding;
-    carried_.empty() && !is_large ? glide_->goTo(to) : glide_->putAt(to);
+    carried_.empty() && !is_large ? animation_->goTo(to) : animation_->putAt(to);
   }
   showItems(moved);
 }
@@ -165,7 +165,7 @@ void GraphScene::showProcesses() {
   std::set<QString> processes;
   std::set<QString> components;
   bool other_ports = false;
-  const Arrangement& now = glide_->now();
+  const Arrangement& now = animation_->now();
   for (const auto& process : updater_.picture().processes) {
     const auto rect = now.boxes.constFind(process.name);
     if (rect == now.boxes.constEnd()) continue;
@@ -243,7 +243,7 @@ void GraphScene::showWarning(const InterfaceName& required, const QString& warni
   if (it != edges_.end()) it->second->setWarning(warning);
 }
 
-void GraphScene::showRefused(const Refusals::ByRequired& refused) {
+void GraphScene::showRefused(const RefusedConnections::ByRequired& refused) {
   refused_ = refused;
   showEdges();
   Q_EMIT shown();
@@ -333,12 +333,12 @@ bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   auto* card = new CardItem;
   const QString title = CardTitle(candidate.port);
   const QStringList lines = FirstOf(candidate.reasons(), reasons);
-  const CardPlace place = placeBeside(item->scenePos());
-  std::optional<CardPlace::Found> best;
+  const CardPlacement place = placeBeside(item->scenePos());
+  std::optional<CardPlacement::Corner> best;
   double best_width = 0;
   for (const double width : kCardWidths) {
     card->setTexts(title, lines, width);
-    const CardPlace::Found found = place.Find(card->size());
+    const CardPlacement::Corner found = place.Find(card->size());
     if (best && found.cost >= best->cost) continue;
     best = found;
     best_width = width;
@@ -354,9 +354,9 @@ bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
   return true;
 }
 
-CardPlace GraphScene::placeBeside(const QPointF& point) const {
-  const QRectF reach = CardPlace::Reach(point, kCardWidths.front());
-  CardPlace place(point, visible_);
+CardPlacement GraphScene::placeBeside(const QPointF& point) const {
+  const QRectF reach = CardPlacement::Reach(point, kCardWidths.front());
+  CardPlacement place(point, visible_);
   const auto avoid = [&](const QRectF& rect, double weight) {
     if (rect.intersects(reach)) place.Avoid(rect, weight);
   };

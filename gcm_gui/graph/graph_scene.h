@@ -1,11 +1,11 @@
 #pragma once
 
 #include <gcm_gui/connect/connect_mode.h>
+#include <gcm_gui/diagnosis/refused_connections.h>
 #include <gcm_gui/graph/items/edge_item.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/why/refusals.h>
 
 #include <QGraphicsScene>
 #include <QHash>
@@ -19,12 +19,12 @@
 namespace tendon::gui {
 
 class CardItem;
-class CardPlace;
+class CardPlacement;
 class ComponentItem;
 class Emphasis;
-class Glide;
 class GraphHover;
 class GraphPlaces;
+class LayoutAnimation;
 class LayoutWorker;
 class PortItem;
 class ProcessItem;
@@ -58,7 +58,7 @@ class GraphScene : public QGraphicsScene {
   /// The places that the user has chosen for components.
   [[nodiscard]] GraphPlaces& places() const { return *places_; }
   /// Makes a finder of the place for a card at this point.
-  [[nodiscard]] CardPlace placeBeside(const QPointF& point) const;
+  [[nodiscard]] CardPlacement placeBeside(const QPointF& point) const;
 
  public Q_SLOTS:
   /// Shows a dashed edge for a pending request, until forgetRequested().
@@ -69,7 +69,7 @@ class GraphScene : public QGraphicsScene {
   /// Shows components at these places during a drag, by path; they take precedence over places().
   void carry(const std::map<QString, QPointF>& places);
   /// Shows refused connections as failed edges until the list no longer contains them.
-  void showRefused(const tendon::gui::Refusals::ByRequired& refused);
+  void showRefused(const tendon::gui::RefusedConnections::ByRequired& refused);
   /// Called when the pointer is on this port. If the port does not fit, a card or refusalPointed()
   /// shows the reasons.
   void point(const std::optional<tendon::gui::PortName>& port);
@@ -92,7 +92,7 @@ class GraphScene : public QGraphicsScene {
   void drawForeground(QPainter* painter, const QRectF& rect) override;
 
  private:
-  void showCatalogue(const Catalogue& catalogue, const Touched& touched);
+  void showCatalogue(const Catalogue& catalogue, const ChangedParts& touched);
   void showItems(bool moved);
   void showArrangement(bool moved);
   void showContents();
@@ -114,13 +114,13 @@ class GraphScene : public QGraphicsScene {
   const ConnectMode& mode_;
   PictureUpdater updater_;
   LayoutWorker* layout_;
-  Glide* glide_;
+  LayoutAnimation* animation_;
   std::map<QString, ProcessItem*> processes_;
   std::map<QString, ComponentItem*> components_;
   std::map<PortName, PortItem*> ports_;
   std::map<QString, EdgeItem*> edges_;  // by edge key
   std::map<InterfaceName, InterfaceName> requested_;
-  Refusals::ByRequired refused_;
+  RefusedConnections::ByRequired refused_;
   EdgeItem* preview_;
   Emphasis* emphasis_;
   GraphHover* hover_;

@@ -2,7 +2,7 @@
 
 #include <gcm_gui/connect/connect_mode.h>
 #include <gcm_gui/graph/graph_scene.h>
-#include <gcm_gui/graph/places/node_drag.h>
+#include <gcm_gui/graph/node_drag.h>
 #include <gcm_gui/models/selection.h>
 
 #include <QElapsedTimer>

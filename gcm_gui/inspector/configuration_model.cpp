@@ -9,12 +9,11 @@
 namespace tendon::gui {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMostRows = 500;
 
 /// Adds one row for a list of values, and one row per member for an object.
-void AddRows(const QString& name, const Json& value, std::vector<ConfigurationRow>& rows) {
+void AddRows(const QString& name, const nlohmann::ordered_json& value,
+             std::vector<ConfigurationRow>& rows) {
   const bool is_list_of_objects = value.is_array() && !value.empty() && value.front().is_object();
   if (rows.size() == kMostRows) return;
   if (value.is_object() && !value.empty()) {
@@ -39,8 +38,8 @@ QVariant ConfigurationModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return row.name;
-    case kFaceRole:
-      return static_cast<int>(Face::kMono);
+    case kFontStyleRole:
+      return static_cast<int>(FontStyle::kMono);
     case kTrailRole:
       return row.value;
     case Qt::ToolTipRole:

@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/cycle_figures.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::optional<double> ValueOf(const ColumnValues& values, std::string_view field
 
 CycleFigures::CycleFigures(SignalSource& source, QObject* parent)
     : QObject(parent), source_(source) {
-  connect(&source, &SignalSource::valuesArrived, this, Fenced(this, &CycleFigures::hearValues));
+  connect(&source, &SignalSource::valuesArrived, this, Guarded(this, &CycleFigures::hearValues));
 }
 
 QString CycleFigures::cycleColumn() const { return component_ + QStringLiteral("/state.Cycle"); }

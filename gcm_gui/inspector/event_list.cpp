@@ -1,11 +1,11 @@
-#include <gcm_gui/events/events_page.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/activity/events_page.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/link_button.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
-#include <gcm_gui/views/tools/tool_row.h>
+#include <gcm_gui/views/tool_row.h>
 
 #include <QLabel>
 #include <QToolButton>
@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::milliseconds kRatePeriod{500};
+constexpr std::chrono::milliseconds kCountPeriod{500};
 
 }  // namespace
 
@@ -24,17 +24,18 @@ EventList::EventList(SystemReports& reports, QWidget* parent)
   RowView* list = MakeRowList(events_, QStringLiteral("inspector.events"), Words::tr("Events"),
                               Words::tr("No event has been raised since this was opened."));
   list->rows().setAllLeft(true);
-  QToolButton* clear = MakeLink(Words::tr("Clear"), QStringLiteral("inspector.clearEvents"));
+  QToolButton* clear = MakeLinkButton(Words::tr("Clear"), QStringLiteral("inspector.clearEvents"));
   connect(clear, &QToolButton::clicked, &events_, &EventsModel::clear);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(MakeToolRow({rate_}, {clear}));
   column->addWidget(list, 1);
-  connect(&reports, &SystemReports::eventsArrived, &events_, Fenced(&events_, &EventsModel::hear));
-  connect(&reports, &SystemReports::eventsLost, &events_, Fenced(&events_, &EventsModel::hearLost));
-  connect(&rate_timer_, &QTimer::timeout, this, Fenced(this, &EventList::showRate));
-  rate_timer_.setInterval(kRatePeriod);
+  connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::hear));
+  connect(&reports, &SystemReports::eventsLost, &events_,
+          Guarded(&events_, &EventsModel::hearLost));
+  connect(&rate_timer_, &QTimer::timeout, this, Guarded(this, &EventList::showRate));
+  rate_timer_.setInterval(kCountPeriod);
   connect(&events_, &QAbstractItemModel::rowsInserted, this, &EventList::showRate);
   connect(&events_, &QAbstractItemModel::rowsRemoved, this, &EventList::showRate);
   connect(&events_, &QAbstractItemModel::modelReset, this, &EventList::showRate);

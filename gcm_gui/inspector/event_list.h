@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_gui/events/events_model.h>
-#include <gcm_gui/reports/system_reports.h>
+#include <gcm_gui/activity/events_model.h>
+#include <gcm_gui/session/system_reports.h>
 
 #include <QTimer>
 #include <QWidget>

@@ -1,9 +1,8 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/health_figures.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/reports/counts_text.h>
 #include <tendon/gcm/text.h>
 
 #include <QPointer>
@@ -32,7 +31,7 @@ InterfaceHealth InterfaceHealthOf(const ConnectionCounts& counts) {
 HealthFigures::HealthFigures(SystemReports& reports, const CatalogueStore& store, QObject* parent)
     : QObject(parent), reports_(reports), store_(store) {
   timer_.setInterval(kAskPeriod);
-  connect(&timer_, &QTimer::timeout, this, Fenced(this, &HealthFigures::ask));
+  connect(&timer_, &QTimer::timeout, this, Guarded(this, &HealthFigures::ask));
 }
 
 void HealthFigures::show(const std::string& process, const std::string& component) {
@@ -46,7 +45,7 @@ void HealthFigures::show(const std::string& process, const std::string& componen
   ask();
 }
 
-QList<Fact> HealthFigures::processFacts() const {
+QList<Property> HealthFigures::processFacts() const {
   const ProcessEntry* entry = store_.catalogue().FindProcess(process_);
   const auto* health = entry == nullptr ? nullptr : FindHealth(health_, entry->process);
   if (health == nullptr) return {};

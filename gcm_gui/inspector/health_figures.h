@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gcm_gui/reports/system_reports.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/views/fact_grid.h>
+#include <gcm_gui/session/system_reports.h>
+#include <gcm_gui/views/property_grid.h>
 
 #include <QHash>
 #include <QObject>
@@ -32,7 +32,7 @@ class HealthFigures : public QObject {
   void show(const std::string& process, const std::string& component);
 
   /// Processor, memory, clock.
-  [[nodiscard]] QList<Fact> processFacts() const;
+  [[nodiscard]] QList<Property> processFacts() const;
   /// By the path of an interface of the component.
   [[nodiscard]] const QHash<QString, InterfaceHealth>& interfaces() const { return interfaces_; }
 

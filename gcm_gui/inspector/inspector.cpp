@@ -1,6 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
-#include <gcm_gui/call/careful.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/inspector/thread_facts.h>
@@ -8,14 +8,14 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/steer/steer_row.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/fact_grid.h>
-#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/link_button.h>
+#include <gcm_gui/views/property_grid.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/state_label.h>
@@ -44,14 +44,14 @@ constexpr std::chrono::milliseconds kFiguresPeriod{250};
 enum Page { kNothingPage, kProcessPage, kComponentPage };
 
 /// The file of the running plug-in, and its difference from the running code.
-QList<Fact> PluginFacts(const ProcessDescription& process, const std::string& library) {
+QList<Property> PluginFacts(const ProcessDescription& process, const std::string& library) {
   const auto* plugin = FindNamed(process.plugins, library);
   if (plugin == nullptr) return {};
   const QString file = ToQString(plugin->file);
-  QList<Fact> facts{{Words::tr("Plug-in"), file.section('/', -1), file},
-                    {Words::tr("Written"), ToQString(WallTimeText(plugin->written)), file}};
+  QList<Property> facts{{Words::tr("Plug-in"), file.section('/', -1), file},
+                        {Words::tr("Written"), ToQString(WallTimeText(plugin->written)), file}};
   if (const QString change = PluginChangeWords(*plugin); !change.isEmpty()) {
-    facts.append({Words::tr("Older than its file"), change, {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Older than its file"), change, {}, Property::Kind::kSentence});
   }
   return facts;
 }
@@ -95,10 +95,10 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
   column->addWidget(buildHead());
   column->addWidget(pages_, 1);
 
-  connect(&store, &CatalogueStore::changed, this, Fenced(this, &Inspector::refresh));
-  connect(&selection, &Selection::changed, this, Fenced(this, &Inspector::showSelected));
+  connect(&store, &CatalogueStore::changed, this, Guarded(this, &Inspector::refresh));
+  connect(&selection, &Selection::changed, this, Guarded(this, &Inspector::showSelected));
   connect(values_, &ValuesPage::plotRequested, this, &Inspector::plotRequested);
-  connect(&figures_timer_, &QTimer::timeout, this, Fenced(this, &Inspector::showFigures));
+  connect(&figures_timer_, &QTimer::timeout, this, Guarded(this, &Inspector::showFigures));
   connect(call_, &CallPanel::favouriteRequested, this, &Inspector::favouriteRequested);
   connect(&health_, &HealthFigures::changed, this, &Inspector::showHealth);
   figures_timer_.start(kFiguresPeriod);
@@ -106,7 +106,7 @@ Inspector::Inspector(const CatalogueStore& store, Selection& selection, SignalSo
 }
 
 QWidget* Inspector::buildHead() {
-  auto* head = new HeadRow;
+  auto* head = new HeaderRow;
   name_ = new QLabel;
   name_->setObjectName(QStringLiteral("inspector.name"));
   SetRole(*name_, QStringLiteral("strong"));
@@ -123,7 +123,7 @@ QWidget* Inspector::buildProcessPage() {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
-  process_facts_ = new FactGrid;
+  process_facts_ = new PropertyGrid;
   forget_ = new QPushButton(Words::tr("Forget this process"));
   forget_->setObjectName(QStringLiteral("forget"));
   forget_->setProperty("changesSystem", true);
@@ -145,7 +145,7 @@ QWidget* Inspector::buildComponentPage() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  component_facts_ = new FactGrid;
+  component_facts_ = new PropertyGrid;
   steer_ = new SteerRow;
   connect(steer_, &SteerRow::notice, this, &Inspector::notice);
   connect(steer_, &SteerRow::chosen, this, [this](LifeVerb verb) {
@@ -160,10 +160,10 @@ QWidget* Inspector::buildComponentPage() {
   tabs_->addPage(buildThread(), Words::tr("Thread"));
   tabs_->addPage(buildConfiguration(), Words::tr("Config"));
   connect(tabs_, &TabPanel::currentChanged, this, &Inspector::watchValues);
-  Fence::setName(*this, Words::tr("Inspector"));
-  Fence::setName(*values_, Words::tr("Inspector: values"));
-  Fence::setName(*events_, Words::tr("Inspector: events"));
-  Fence::setName(*call_, Words::tr("Inspector: call"));
+  ExceptionGuard::setName(*this, Words::tr("Inspector"));
+  ExceptionGuard::setName(*values_, Words::tr("Inspector: values"));
+  ExceptionGuard::setName(*events_, Words::tr("Inspector: events"));
+  ExceptionGuard::setName(*call_, Words::tr("Inspector: call"));
   column->addWidget(component_facts_);
   column->addWidget(steer_);
   column->addWidget(tabs_, 1);
@@ -195,7 +195,7 @@ QWidget* Inspector::buildInterfaces() {
 }
 
 QWidget* Inspector::buildThread() {
-  thread_facts_ = new FactGrid;
+  thread_facts_ = new PropertyGrid;
   thread_facts_->setObjectName(QStringLiteral("inspector.thread"));
   auto* page = new QScrollArea;
   page->setFrameShape(QFrame::NoFrame);
@@ -242,7 +242,7 @@ QWidget* Inspector::makeLinks(const InterfaceRow& row) {
     addPeerLinks(*cell, row);
     return cell;
   }
-  QToolButton* why = MakeLink(Words::tr("Why?"), QStringLiteral("why"));
+  QToolButton* why = MakeLinkButton(Words::tr("Why?"), QStringLiteral("why"));
   why->setAccessibleName(Words::tr("Why is ") + row.path + QStringLiteral(" ") + row.value);
   line->addWidget(why);
   connect(why, &QToolButton::clicked, this, [this, path = row.path] { Q_EMIT whyRequested(path); });
@@ -252,7 +252,7 @@ QWidget* Inspector::makeLinks(const InterfaceRow& row) {
 void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
   const QString required = ToQString(ToString(peer.required));
   const auto add = [&](const QString& word, const QString& name) {
-    QToolButton* button = MakeLink(word, name);
+    QToolButton* button = MakeLinkButton(word, name);
     button->setAccessibleName(word + ' ' + required);
     button->setProperty("changesSystem", true);
     cell.layout()->addWidget(button);
@@ -331,15 +331,15 @@ void Inspector::showProcessFacts() {
   const ProcessDescription& process = entry->process;
   QString since = WordOf(process.state) + Words::tr(" since");
   since[0] = since[0].toUpper();
-  QList<Fact> facts{{Words::tr("Host"), ToQString(process.host)},
-                    {Words::tr("Process id"), QString::number(process.pid)},
-                    {Words::tr("Address"), ToQString(process.address)},
-                    {Words::tr("Components"), QString::number(entry->components.size())},
-                    {since, ClockText(process.since).section('.', 0, 0)}};
+  QList<Property> facts{{Words::tr("Host"), ToQString(process.host)},
+                        {Words::tr("Process id"), QString::number(process.pid)},
+                        {Words::tr("Address"), ToQString(process.address)},
+                        {Words::tr("Components"), QString::number(entry->components.size())},
+                        {since, ClockText(process.since).section('.', 0, 0)}};
   facts += health_.processFacts();
   for (const auto& plugin : process.plugins) facts += PluginFacts(process, plugin.name);
   if (!process.reason.empty()) {
-    facts.append({Words::tr("Reason"), ToQString(process.reason), {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Reason"), ToQString(process.reason), {}, Property::Kind::kSentence});
   }
   process_facts_->show(facts);
 }
@@ -416,13 +416,13 @@ void Inspector::showFigures() {
   const auto* component = store_.catalogue().FindComponent(path->process, path->component);
   if (component == nullptr) return;
   const ProcessEntry& entry = *store_.catalogue().FindProcess(path->process);
-  QList<Fact> facts{{Words::tr("Class"), ToQString(component->class_name)}};
+  QList<Property> facts{{Words::tr("Class"), ToQString(component->class_name)}};
   if (const auto waits = WaitsOf(entry, *component); !waits.empty()) {
-    facts.append({Words::tr("Waits for"), ReasonsText(waits), {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Waits for"), ReasonsText(waits), {}, Property::Kind::kSentence});
   }
   facts += PluginFacts(entry.process, component->library);
   if (!component->fault.empty()) {
-    facts.append({Words::tr("Fault"), ToQString(component->fault), {}, Fact::Kind::kSentence});
+    facts.append({Words::tr("Fault"), ToQString(component->fault), {}, Property::Kind::kSentence});
   }
   if (wanted_period_ > 0) facts += TimingFacts(wanted_period_, figures_);
   if (const auto process = health_.processFacts(); !process.isEmpty()) {

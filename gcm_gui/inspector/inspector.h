@@ -6,9 +6,8 @@
 #include <gcm_gui/inspector/interfaces_model.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/command_calls.h>
 #include <gcm_gui/session/signal_source.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/system_requests.h>
 
 #include <QTimer>
 #include <QWidget>
@@ -21,7 +20,7 @@ namespace tendon::gui {
 
 class CallPanel;
 class EventList;
-class FactGrid;
+class PropertyGrid;
 class RowView;
 class StateLabel;
 class SteerRow;
@@ -90,10 +89,10 @@ class Inspector : public QWidget {
   QLabel* name_;
   StateLabel* state_;
   QLabel* process_;
-  FactGrid* component_facts_;
-  FactGrid* thread_facts_ = nullptr;
+  PropertyGrid* component_facts_;
+  PropertyGrid* thread_facts_ = nullptr;
   SteerRow* steer_;
-  FactGrid* process_facts_;
+  PropertyGrid* process_facts_;
   QPushButton* forget_;
   QLabel* nothing_;
   RowView* interface_list_;

@@ -2,7 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 
@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-using Kind = InterfaceRow::Kind;
+using RowKind = InterfaceRow::Kind;
 
 class RowBuilder {
  public:
@@ -31,7 +31,7 @@ class RowBuilder {
     const InterfaceName name{process_, component_.name, required.name};
     const auto* connection = connections_.Of(name);
     const StateMark mark = MarkOf(connection);
-    Add({Kind::kRequired,
+    Add({RowKind::kRequired,
          PathOf(name),
          ToQString(required.name),
          QStringLiteral("required"),
@@ -41,13 +41,13 @@ class RowBuilder {
     if (connection != nullptr) {
       AddPeer(QStringLiteral("← "), connection->provided, name, mark);
     }
-    AddMembers(name, Kind::kMember, required.functions);
-    AddMembers(name, Kind::kEvent, required.event_handlers);
+    AddMembers(name, RowKind::kMember, required.functions);
+    AddMembers(name, RowKind::kEvent, required.event_handlers);
   }
 
   void AddProvided(const ProvidedDescription& provided) {
     const InterfaceName name{process_, component_.name, provided.name};
-    Add({Kind::kProvided,
+    Add({RowKind::kProvided,
          PathOf(name),
          ToQString(provided.name),
          QStringLiteral("provided"),
@@ -58,10 +58,10 @@ class RowBuilder {
     const auto table = std::find_if(component_.tables.begin(), component_.tables.end(),
                                     [&](const auto& t) { return t.name == provided.name; });
     if (table == component_.tables.end()) {
-      AddMembers(name, Kind::kMember, provided.commands);
+      AddMembers(name, RowKind::kMember, provided.commands);
     } else {
       for (const auto* column : ColumnsOf(*table)) {
-        Add({Kind::kColumn,
+        Add({RowKind::kColumn,
              PathOf(name) + '.' + ToQString(column->name),
              ToQString(column->name),
              ToQString(column->type).section('.', -1),
@@ -70,7 +70,7 @@ class RowBuilder {
              {}});
       }
     }
-    AddMembers(name, Kind::kEvent, provided.events);
+    AddMembers(name, RowKind::kEvent, provided.events);
   }
 
   void AddClients(const InterfaceName& provided) {
@@ -83,11 +83,11 @@ class RowBuilder {
     }
   }
 
-  void AddMembers(const InterfaceName& interface, Kind kind,
+  void AddMembers(const InterfaceName& interface, RowKind kind,
                   const std::vector<MemberDescription>& members) {
     for (const auto& member : members) {
       const QString value =
-          kind == Kind::kEvent ? QString() : ToQString(ToString(member.signature.kind));
+          kind == RowKind::kEvent ? QString() : ToQString(ToString(member.signature.kind));
       Add({kind,
            PathOf(interface) + '.' + ToQString(member.name),
            ToQString(member.name),
@@ -104,7 +104,7 @@ class RowBuilder {
                StateMark mark) {
     const QString name = ToQString(peer.component + '/' + peer.interface);
     const QString process = peer.process == process_ ? QString() : ToQString(peer.process);
-    Add({Kind::kPeer, PathOf(peer), arrow + name, process, {}, mark, required});
+    Add({RowKind::kPeer, PathOf(peer), arrow + name, process, {}, mark, required});
   }
 
   static QString PathOf(const InterfaceName& name) { return ToQString(tendon::ToString(name)); }
@@ -118,19 +118,19 @@ class RowBuilder {
 };
 
 QVariant NameData(const InterfaceRow& row, int role) {
-  const bool interface = row.kind == Kind::kRequired || row.kind == Kind::kProvided;
+  const bool interface = row.kind == RowKind::kRequired || row.kind == RowKind::kProvided;
   switch (role) {
     case Qt::DisplayRole:
       return row.name;
-    case kFaceRole:
-      if (row.kind == Kind::kPeer) return static_cast<int>(Face::kMono);
-      return static_cast<int>(interface ? Face::kStrong : Face::kPlain);
+    case kFontStyleRole:
+      if (row.kind == RowKind::kPeer) return static_cast<int>(FontStyle::kMono);
+      return static_cast<int>(interface ? FontStyle::kStrong : FontStyle::kPlain);
     case kGlyphMarkRole:
       return interface ? QVariant::fromValue(row.mark) : QVariant();
     case kGlyphRole:
-      if (row.kind == Kind::kMember) return QStringLiteral("ƒ");
-      if (row.kind == Kind::kEvent) return QStringLiteral("⚡");
-      return row.kind == Kind::kColumn ? QStringLiteral("~") : QStringLiteral(" ");
+      if (row.kind == RowKind::kMember) return QStringLiteral("ƒ");
+      if (row.kind == RowKind::kEvent) return QStringLiteral("⚡");
+      return row.kind == RowKind::kColumn ? QStringLiteral("~") : QStringLiteral(" ");
     case kDetailRole:
       return row.types;
     default:
@@ -143,7 +143,7 @@ QVariant NameData(const InterfaceRow& row, int role) {
 QVariant InterfacesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const InterfaceRow& row = this->row(index.row());
-  const bool is_interface = row.kind == Kind::kRequired || row.kind == Kind::kProvided;
+  const bool is_interface = row.kind == RowKind::kRequired || row.kind == RowKind::kProvided;
   const InterfaceHealth health = is_interface ? health_.value(row.path) : InterfaceHealth();
   switch (role) {
     case kPathRole:
@@ -173,7 +173,7 @@ void InterfacesModel::show(const Catalogue& catalogue, const std::string& proces
 
 int InterfacesModel::rowOf(const QString& path) const {
   for (int i = 0; i < rowCount(); ++i) {
-    if (row(i).kind != Kind::kPeer && row(i).path == path) return i;
+    if (row(i).kind != RowKind::kPeer && row(i).path == path) return i;
   }
   return -1;
 }

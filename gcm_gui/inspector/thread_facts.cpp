@@ -43,7 +43,7 @@ QString ProcessorsText(const ThreadOptions& options) {
   return numbers.join(QStringLiteral(", "));
 }
 
-QList<Fact> CycleFacts(double period, const CycleFigures& figures) {
+QList<Property> CycleFacts(double period, const CycleFigures& figures) {
   const auto& last = figures.lastSecond();
   const auto time = [&](double CycleFigures::LastSecond::*value) {
     return last ? DurationText((*last).*value) : kNone;
@@ -66,7 +66,7 @@ QList<Fact> CycleFacts(double period, const CycleFigures& figures) {
 
 }  // namespace
 
-QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
+QList<Property> TimingFacts(double period, const CycleFigures& figures) {
   const auto& last = figures.lastSecond();
   const QString percent = last ? QString::number(100 * last->compute / period, 'f', 1) : kNone;
   return {
@@ -89,8 +89,8 @@ QList<Fact> TimingFacts(double period, const CycleFigures& figures) {
        Words::tr("How much of its period it computes, mean of the last second")}};
 }
 
-QList<Fact> ThreadFacts(const ComponentDescription& component, const CycleFigures& figures) {
-  QList<Fact> facts{{Words::tr("Thread"), OwnerText(component)}};
+QList<Property> ThreadFacts(const ComponentDescription& component, const CycleFigures& figures) {
+  QList<Property> facts{{Words::tr("Thread"), OwnerText(component)}};
   if (!component.thread.empty() && component.leader.empty()) {
     const ThreadOptions& options = component.thread.front();
     facts.append({Words::tr("Scheduling"), SchedulingText(options)});
@@ -98,7 +98,8 @@ QList<Fact> ThreadFacts(const ComponentDescription& component, const CycleFigure
   }
   if (component.period > 0) facts += CycleFacts(component.period, figures);
   if (!component.warning.empty()) {
-    facts.append({Words::tr("Warning"), ToQString(component.warning), {}, Fact::Kind::kSentence});
+    facts.append(
+        {Words::tr("Warning"), ToQString(component.warning), {}, Property::Kind::kSentence});
   }
   return facts;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/inspector/cycle_figures.h>
-#include <gcm_gui/views/fact_grid.h>
+#include <gcm_gui/views/property_grid.h>
 #include <tendon/manager/component_description.h>
 
 #include <QList>
@@ -9,10 +9,10 @@
 namespace tendon::gui {
 
 /// A few facts that show how well a task keeps its period.
-[[nodiscard]] QList<Fact> TimingFacts(double period, const CycleFigures& figures);
+[[nodiscard]] QList<Property> TimingFacts(double period, const CycleFigures& figures);
 
 /// The facts about the thread that runs a component, and about its cycles in the last second.
-[[nodiscard]] QList<Fact> ThreadFacts(const ComponentDescription& component,
-                                      const CycleFigures& figures);
+[[nodiscard]] QList<Property> ThreadFacts(const ComponentDescription& component,
+                                          const CycleFigures& figures);
 
 }  // namespace tendon::gui

@@ -1,10 +1,10 @@
 #include <gcm_gui/inspector/values_model.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/sparkline.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/models/trend.h>
-#include <gcm_gui/plot/rate_badge.h>
+#include <gcm_gui/plot/controls/rate_badge.h>
 
 #include <algorithm>
 #include <utility>
@@ -62,14 +62,14 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole:
       if (isSilent(*block)) return silenceOf(*block);
       return QString(block->column + field + '\n' + wholeOf(place)).trimmed();
-    case kFaceRole:
-      return static_cast<int>(Face::kMono);
+    case kFontStyleRole:
+      return static_cast<int>(FontStyle::kMono);
     case kDetailRole:
       return index.column() == kName ? detailOf(*block, channel) : QString();
-    case kTrendRole:
+    case kSparklineRole:
       if (channel >= block->trends.size()) return {};
       return QVariant::fromValue(
-          TrendOf((*block->values.channels)[channel].schema, block->trends[channel]));
+          SparklineOf((*block->values.channels)[channel].schema, block->trends[channel]));
     case kStaleRole:
       return isOld(*block);
     case kFreshRole:

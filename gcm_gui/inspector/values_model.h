@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_gui/models/facts/row_rate.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/row_rate.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/base/clock.h>
 #include <tendon/manager/component_description.h>

@@ -1,8 +1,8 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/pictures/picture_shelf.h>
+#include <gcm_gui/views/image_list.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 
@@ -17,18 +17,18 @@ constexpr std::chrono::milliseconds kTick{250};
 }  // namespace
 
 ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* parent)
-    : QWidget(parent), selection_(selection), source_(source), pictures_(new PictureShelf) {
+    : QWidget(parent), selection_(selection), source_(source), pictures_(new ImageList) {
   list_ = MakeRowList(values_, QStringLiteral("inspector.values"), Words::tr("Values"),
                       Words::tr("This component has no state table."));
   list_->setColumnHidden(ValuesModel::kValue, true);
   list_->rows().setValueColumn(ValuesModel::kValue);
   list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   connect(&source, &SignalSource::valuesArrived, &values_,
-          Fenced(&values_, &ValuesModel::showValues));
+          Guarded(&values_, &ValuesModel::showValues));
   connect(&source, &SignalSource::valuesRefused, &values_,
-          Fenced(&values_, &ValuesModel::showRefusal));
+          Guarded(&values_, &ValuesModel::showRefusal));
   connect(&source, &SignalSource::valuesArrived, pictures_,
-          Fenced(pictures_, &PictureShelf::showValues));
+          Guarded(pictures_, &ImageList::showValues));
   connect(&values_, &QAbstractItemModel::dataChanged, list_->viewport(),
           [list = list_] { list->viewport()->update(); });
   connect(list_, &QTreeView::clicked, this, &ValuesPage::askAgain);
@@ -39,7 +39,7 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
   });
   connect(list_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &ValuesPage::publishSelection);
-  connect(&tick_, &QTimer::timeout, &values_, Fenced(&values_, &ValuesModel::tick));
+  connect(&tick_, &QTimer::timeout, &values_, Guarded(&values_, &ValuesModel::tick));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

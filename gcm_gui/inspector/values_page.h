@@ -11,7 +11,7 @@
 
 namespace tendon::gui {
 
-class PictureShelf;
+class ImageList;
 class RowView;
 
 /// The live values of one component, and below them its pictures.
@@ -38,7 +38,7 @@ class ValuesPage : public QWidget {
   ValuesModel values_;
   QTimer tick_;
   RowView* list_;
-  PictureShelf* pictures_;
+  ImageList* pictures_;
 };
 
 }  // namespace tendon::gui

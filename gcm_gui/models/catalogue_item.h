@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/connection_index.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/payload/numeric_field.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/catalogue_item.h>
-#include <gcm_gui/models/facts/column_arrivals.h>
+#include <gcm_gui/models/column_arrivals.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/session/catalogue_store.h>
@@ -59,7 +59,7 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
  public Q_SLOTS:
-  void update(const tendon::Catalogue& catalogue, const tendon::gui::Touched& touched);
+  void update(const tendon::Catalogue& catalogue, const tendon::gui::ChangedParts& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
   /// Sets the columns with a subscription; only their silence counts as an interruption.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
@@ -72,7 +72,7 @@ class CatalogueModel : public QAbstractItemModel {
   void updateProcess(const Catalogue& catalogue, const ConnectionIndex& connections,
                      const std::string& name);
   void updateComponent(const Catalogue& catalogue, const ConnectionIndex& connections,
-                       const TouchedPart& part);
+                       const ChangedPart& part);
   void merge(CatalogueItem& item, CatalogueItem& fresh);
   void mergeChildren(CatalogueItem& parent, std::vector<std::unique_ptr<CatalogueItem>> fresh);
   void insertChild(CatalogueItem& parent, int row, std::unique_ptr<CatalogueItem> child);

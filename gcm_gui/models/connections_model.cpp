@@ -1,7 +1,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connections_model.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -53,8 +53,8 @@ QVariant ConnectionsModel::data(const QModelIndex& index, int role) const {
       return index.column() == kProvided ? provided : ConnectionStateText(row);
     case kPathRole:
       return index.column() == kProvided ? provided : required;
-    case kFaceRole:
-      return static_cast<int>(index.column() == kState ? Face::kPlain : Face::kMono);
+    case kFontStyleRole:
+      return static_cast<int>(index.column() == kState ? FontStyle::kPlain : FontStyle::kMono);
     case kStaleRole:
       return outdated_;
     case kGlyphMarkRole:

@@ -5,7 +5,7 @@
 namespace tendon::gui {
 
 /// The font of a row's name.
-enum class Face { kPlain, kStrong, kMono };
+enum class FontStyle { kPlain, kStrong, kMono };
 
 /// The roles that a row's delegate reads from every model of the window, besides Qt's own. All are
 /// optional.
@@ -15,7 +15,7 @@ enum RowRole : int {
   kTimeRole,                     ///< QString: the time of day, before all else
   kGlyphRole,                    ///< QString: a letter before the name
   kGlyphMarkRole,                ///< StateMark: a shape before the name instead
-  kFaceRole,                     ///< int: Face
+  kFontStyleRole,                ///< int: FontStyle
   kDetailRole,                   ///< QString: dim text after the name
   kMarkRole,                     ///< StateMark before the text of a value
   kUnitRole,                     ///< QString after a number
@@ -26,7 +26,7 @@ enum RowRole : int {
   kObjectRole,                   ///< QString: a path after the name, the object of an action
   kQuietRole,                    ///< bool: a value in dim text
   kProseRole,                    ///< bool: a value in words, not a number
-  kTrendRole,                    ///< Trend: the recent course of a value
+  kSparklineRole,                ///< Sparkline: the recent course of a value
   kLeftRole,                     ///< bool: a value in words, aligned to the left
   kFreshRole,                    ///< bool: a value that has just changed, or the name of a new row
 };

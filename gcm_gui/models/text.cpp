@@ -41,6 +41,8 @@ QString ToQString(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString ToQString(const InterfaceName& name) { return ToQString(ToString(name)); }
+
 QString NumberText(double value) {
   const double size = std::abs(value);
   if (!std::isfinite(value)) return QString::number(value);
@@ -124,6 +126,23 @@ std::int64_t WallClock() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::system_clock::now().time_since_epoch())
       .count();
+}
+
+QStringList CountsLines(const ConnectionCounts& counts) {
+  QStringList lines{Words::tr("stands for ") + AgeText(counts.age.count())};
+  if (counts.round_trip.count() >= 0) {
+    const double seconds = std::chrono::duration<double>(counts.round_trip).count();
+    lines << Words::tr("round trip ") + DurationText(seconds);
+  }
+  lines << Words::tr("%1 calls and events").arg(counts.taken);
+  if (counts.capacity > 0) {
+    lines << Words::tr("%1 of %2 wait").arg(counts.waiting).arg(counts.capacity);
+  }
+  lines << Words::tr("%1 refused, %2 replaced, %3 events lost")
+               .arg(counts.refused)
+               .arg(counts.replaced)
+               .arg(counts.lost_events);
+  return lines;
 }
 
 }  // namespace tendon::gui

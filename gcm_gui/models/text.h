@@ -1,17 +1,25 @@
 #pragma once
 
+#include <tendon/base/name.h>
 #include <tendon/interface/interface_description.h>
 #include <tendon/payload/numeric_field.h>
 
 #include <QString>
+#include <QStringList>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+
+namespace tendon {
+struct ConnectionCounts;
+}
 
 /// Formats numbers and times for tables: short, of constant width, independent of the locale.
 namespace tendon::gui {
 
 [[nodiscard]] QString ToQString(std::string_view text);
+/// "desk/teleoperation/Robot".
+[[nodiscard]] QString ToQString(const InterfaceName& name);
 
 /// "0.2013", "-1.250", "1764300000", "1.200e+15", "12": integers unchanged, other numbers with at
 /// least four significant digits.
@@ -63,5 +71,8 @@ enum class TypeNames { kShort, kWhole };
 
 /// The present time in ns since 1970, like ProcessDescription::since.
 [[nodiscard]] std::int64_t WallClock();
+
+/// All counters of a connection, one sentence per line.
+[[nodiscard]] QStringList CountsLines(const ConnectionCounts& counts);
 
 }  // namespace tendon::gui

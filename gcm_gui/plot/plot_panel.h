@@ -1,8 +1,7 @@
 #pragma once
 
-#include <gcm_gui/plot/csv/csv_export.h>
-#include <gcm_gui/plot/marks/mark_track.h>
-#include <gcm_gui/plot/row_losses.h>
+#include <gcm_gui/plot/series/csv_export.h>
+#include <gcm_gui/plot/series/mark_track.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/value_names.h>
@@ -21,7 +20,7 @@ class QStackedWidget;
 namespace tendon::gui {
 
 class FileReader;
-class PlotHead;
+class PlotHeader;
 class PlotPage;
 class PlotView;
 
@@ -148,7 +147,7 @@ class PlotPanel : public QWidget {
   CsvExport csv_;
   FileReader* reader_;
   MarkTrack marks_;
-  PlotHead* head_;
+  PlotHeader* head_;
   QStackedWidget* pages_;
   std::function<QList<CurveKey>(const QString& path)> candidates_;
   std::function<RowLosses(const QString& path)> losses_;

@@ -1,16 +1,16 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
+#include <gcm_gui/plot/canvas/mark_flags.h>
 #include <gcm_gui/plot/canvas/sweep_painter.h>
-#include <gcm_gui/plot/legend/legend_area.h>
-#include <gcm_gui/plot/legend/legend_entries.h>
-#include <gcm_gui/plot/marks/mark_flags.h>
-#include <gcm_gui/plot/plot_navigator.h>
-#include <gcm_gui/plot/plot_overlay.h>
+#include <gcm_gui/plot/controls/curve_editor.h>
+#include <gcm_gui/plot/controls/legend_area.h>
+#include <gcm_gui/plot/controls/legend_entries.h>
+#include <gcm_gui/plot/controls/plot_navigator.h>
+#include <gcm_gui/plot/controls/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/plot/scaling/curve_editor.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -35,6 +35,7 @@ namespace {
 constexpr int kFrame = 16;       // ms
 constexpr int kLegendTicks = 6;  // frames between updates of its numbers
 constexpr int kCurrentMark = 2;  // pixels at the left edge
+constexpr double kGrab = 5;      // pixels around a cursor
 constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, or drag it here");
 
 std::uint64_t NextId() {
@@ -48,17 +49,17 @@ std::int64_t LocalNow() {
 
 }  // namespace
 
-PlotView::PlotView(QWidget* parent) : PlotView(std::make_shared<TimeLink>(), parent) {}
+PlotView::PlotView(QWidget* parent) : PlotView(std::make_shared<SharedTimeAxis>(), parent) {}
 
-PlotView::PlotView(std::shared_ptr<TimeLink> link, QWidget* parent)
+PlotView::PlotView(std::shared_ptr<SharedTimeAxis> time_axis, QWidget* parent)
     : QwtPlot(parent),
       axes_(*this),
-      link_(std::move(link)),
-      window_(link_->window()),
-      cursors_(link_->cursors()),
+      time_axis_(std::move(time_axis)),
+      window_(time_axis_->window()),
+      cursors_(time_axis_->cursors()),
       id_(NextId()),
       newest_ns_(std::numeric_limits<std::int64_t>::min()) {
-  link_->join(curves_);
+  time_axis_->join(curves_);
   setAccessibleName(Words::tr("Plot"));
   setAcceptDrops(true);
   setSizePolicy(QSizePolicy::Expanding,
@@ -69,10 +70,10 @@ PlotView::PlotView(std::shared_ptr<TimeLink> link, QWidget* parent)
   curvesChanged();
   connect(&Theme::instance(), &Theme::changed, this, &PlotView::takeTheme);
   timer_.setTimerType(Qt::PreciseTimer);
-  connect(&timer_, &QTimer::timeout, this, &PlotView::refreshFenced);
+  connect(&timer_, &QTimer::timeout, this, &PlotView::refreshGuarded);
 }
 
-PlotView::~PlotView() { link_->leave(curves_); }
+PlotView::~PlotView() { time_axis_->leave(curves_); }
 
 void PlotView::build() {
   auto* canvas_widget = qobject_cast<QwtPlotCanvas*>(canvas());
@@ -163,8 +164,8 @@ void PlotView::setFit(Fit fit) {
 
 void PlotView::setScale(ValueScale scale) {
   curves_.setScale(scale);
-  link_->leave(curves_);  // ranges in the history belong to the other scale
-  link_->join(curves_);
+  time_axis_->leave(curves_);  // ranges in the history belong to the other scale
+  time_axis_->join(curves_);
   changed();
   updateLegend();
 }
@@ -234,7 +235,7 @@ void PlotView::describeMarks() {
 
 void PlotView::setHover(std::optional<int> x) {
   if (curves_.empty()) x = std::nullopt;
-  if (link_->setHover(x)) updateLegend();
+  if (time_axis_->setHover(x)) updateLegend();
 }
 
 std::vector<SourceFigures> PlotView::figures() const { return curves_.figures(now()); }
@@ -250,14 +251,14 @@ void PlotView::setMarkedCurrent(bool marked) {
 }
 
 void PlotView::changed() {
-  link_->touch();
+  time_axis_->touch();
   noticeChange();
 }
 
 // Called after a change of this plot, or of another plot with the same time.
 void PlotView::noticeChange() {
-  if (link_->revision() == seen_revision_) return;
-  seen_revision_ = link_->revision();
+  if (time_axis_->revision() == seen_revision_) return;
+  seen_revision_ = time_axis_->revision();
   dirty_ = true;
   updateLive();
 }
@@ -278,7 +279,7 @@ void PlotView::updateLive() {
   Q_EMIT liveChanged(was_live_);
 }
 
-std::int64_t PlotView::now() const { return link_->clock().now(LocalNow()); }
+std::int64_t PlotView::now() const { return time_axis_->clock().now(LocalNow()); }
 
 // The width of the time axis in columns; slightly different from the canvas.
 double PlotView::columns() const {
@@ -290,7 +291,7 @@ void PlotView::noticeSamples() {
   const std::int64_t newest = curves_.newestTime();
   if (newest == newest_ns_) return;
   newest_ns_ = newest;
-  link_->clock().hear(newest, LocalNow());
+  time_axis_->clock().hear(newest, LocalNow());
   dirty_ = true;
 }
 
@@ -312,9 +313,9 @@ std::vector<SeenSlices> PlotView::seenSlices() const {
 }
 
 /// If the computation throws, drawing would fail too, so the plot is covered.
-void PlotView::refreshFenced() {
-  if (!Fence::instance().isCovered(this)) {
-    Fence::run(this, ViewWork::kDrawing, [this] { refresh(); });
+void PlotView::refreshGuarded() {
+  if (!ExceptionGuard::instance().isCovered(this)) {
+    ExceptionGuard::run(this, ViewWork::kDrawing, [this] { refresh(); });
   }
 }
 
@@ -323,7 +324,7 @@ void PlotView::refresh() {
   window_.follow(now(), columns() * devicePixelRatioF());
   noticeChange();
   const bool legend_is_due = ticks_++ % kLegendTicks == 0;
-  if (legend_is_due || link_->hover() != shown_hover_) updateLegend();
+  if (legend_is_due || time_axis_->hover() != shown_hover_) updateLegend();
   if (legend_is_due) noticeSideRoom();
   if (legend_is_due) describeMarks();
   if (window_ == drawn_window_ && !dirty_) return;
@@ -359,7 +360,7 @@ void PlotView::noticeSideRoom() {
 
 void PlotView::drawItems(QPainter* painter, const QRectF& canvas_rect,
                          const QwtScaleMap maps[QwtAxis::AxisPositions]) const {
-  Fence::run(const_cast<PlotView*>(this), ViewWork::kDrawing, [&] {
+  ExceptionGuard::run(const_cast<PlotView*>(this), ViewWork::kDrawing, [&] {
     if (!window_.isSweeping()) return QwtPlot::drawItems(painter, canvas_rect, maps);
     DrawSweep(*this, window_, *painter, canvas_rect, maps);
   });
@@ -371,7 +372,7 @@ void PlotView::drawCanvas(QPainter* painter) {
 }
 
 void PlotView::updateLegend() {
-  shown_hover_ = link_->hover();
+  shown_hover_ = time_axis_->hover();
   std::optional<std::int64_t> at;
   if (shown_hover_ && !curves_.empty()) {
     const double seconds = invTransform(QwtAxis::XBottom, *shown_hover_);
@@ -435,6 +436,157 @@ void PlotView::startDrag(const QString& path) {
   auto* drag = new QDrag(this);
   drag->setMimeData(signal);
   drag->exec(Qt::MoveAction | Qt::CopyAction, Qt::MoveAction);
+}
+
+void PlotView::setWindow(std::chrono::nanoseconds length) {
+  window_.setLength(length);
+  changed();
+}
+
+void PlotView::setMotion(TimeWindow::Motion motion) {
+  window_.setMotion(motion);
+  changed();
+  Q_EMIT motionChanged();
+}
+
+void PlotView::setPaused(bool paused) {
+  if (paused) {
+    window_.follow(now(), columns() * devicePixelRatioF());
+    window_.hold();
+  } else {
+    window_.goLive();
+  }
+  changed();
+}
+
+void PlotView::goLive() {
+  if (!isLive() || !isFitted()) time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
+  window_.goLive();
+  for (UnitAxis& axis : curves_.axes()) axis.fitted = true;
+  changed();
+}
+
+void PlotView::goLiveTogether() {
+  if (!isLive()) {
+    time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
+    time_axis_->fitAll();
+    window_.goLive();
+    return changed();
+  }
+  goLive();
+}
+
+bool PlotView::isLive() const { return window_.isLive(); }
+
+bool PlotView::isFitted() const {
+  const auto& axes = curves_.axes();
+  return std::all_of(axes.begin(), axes.end(), [](const UnitAxis& axis) { return axis.fitted; });
+}
+
+bool PlotView::isFirst() const {
+  return std::all_of(above_.begin(), above_.end(),
+                     [](const auto& plot) { return plot == nullptr || plot->curves().empty(); });
+}
+
+void PlotView::zoomTime(double factor, double x) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kZoomTime);
+  window_.zoom(factor, invTransform(QwtAxis::XBottom, x));
+  changed();
+}
+
+// Sets the range of an axis. Refuses a range that cannot be shown, and a range between two whole
+// numbers, where the axis would have no labels.
+void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
+  constexpr double kNarrower = 1 - 1e-9;  // rounding changes a moved range by less
+  const bool has_whole =
+      curves_.scale() == ValueScale::kLinear && axis.numbers == NumberKind::kWhole;
+  const bool is_between = has_whole && range.span() < std::min(1.0, axis.range.span() * kNarrower);
+  if (IsShowable(range) && !is_between) axis.range = range;
+  axis.fitted = false;
+}
+
+void PlotView::zoomValues(double factor, double y) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kZoomValues);
+  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
+  const double at = (y - map.p1()) / (map.p2() - map.p1());  // of the height, from below
+  for (UnitAxis& axis : curves_.axes()) {
+    const double fixed = axis.range.low + at * axis.range.span();
+    choose(axis, {.low = fixed + (axis.range.low - fixed) * factor,
+                  .high = fixed + (axis.range.high - fixed) * factor});
+  }
+  changed();
+}
+
+void PlotView::panTime(double pixels) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kMove);
+  window_.pan((window_.to() - window_.from()) * pixels / columns());
+  changed();
+}
+
+void PlotView::panValues(double pixels) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kMove);
+  for (UnitAxis& axis : curves_.axes()) {
+    const double by = axis.range.span() * pixels / canvas()->height();
+    choose(axis, {.low = axis.range.low + by, .high = axis.range.high + by});
+  }
+  changed();
+}
+
+void PlotView::zoomTo(const QRect& rect) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
+  window_.show(invTransform(QwtAxis::XBottom, rect.left()),
+               invTransform(QwtAxis::XBottom, rect.right()));
+  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
+  const auto part = [&](int y) { return (y - map.p1()) / (map.p2() - map.p1()); };
+  for (UnitAxis& axis : curves_.axes()) {
+    const AxisRange all = axis.range;
+    choose(axis, {.low = all.low + part(rect.bottom()) * all.span(),
+                  .high = all.low + part(rect.top()) * all.span()});
+  }
+  changed();
+}
+
+void PlotView::endRun() { time_axis_->endRun(); }
+
+void PlotView::goBack() {
+  time_axis_->goBack();
+  noticeChange();
+}
+
+void PlotView::goForward() {
+  time_axis_->goForward();
+  noticeChange();
+}
+
+bool PlotView::hasFormerView() const { return time_axis_->hasFormer(); }
+
+bool PlotView::hasLaterView() const { return time_axis_->hasLater(); }
+
+void PlotView::placeCursor(Cursor cursor, double x) {
+  if (curves_.empty()) return;
+  cursors_.set(cursor, window_.shownAt(invTransform(QwtAxis::XBottom, x)));
+  changed();
+  Q_EMIT cursorsChanged(true);
+}
+
+std::optional<Cursor> PlotView::cursorAt(double x) const {
+  for (const Cursor cursor : kCursors) {
+    const auto time = cursors_.time(cursor);
+    if (time && std::abs(transform(QwtAxis::XBottom, window_.pointOf(*time)) - x) <= kGrab) {
+      return cursor;
+    }
+  }
+  return std::nullopt;
+}
+
+void PlotView::showCursors(bool shown) {
+  cursors_.clear();
+  if (shown) {
+    placeCursor(Cursor::kA, columns() / 3);
+    placeCursor(Cursor::kB, columns() * 2 / 3);
+  }
+  changed();
+  Q_EMIT cursorsChanged(cursors_.any());
 }
 
 }  // namespace tendon::gui

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <gcm_gui/plot/axes/plot_axes.h>
+#include <gcm_gui/plot/canvas/plot_axes.h>
 #include <gcm_gui/plot/frame_governor.h>
-#include <gcm_gui/plot/link/time_link.h>
 #include <gcm_gui/plot/series/cursors.h>
 #include <gcm_gui/plot/series/curve_set.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/time_window.h>
+#include <gcm_gui/plot/shared_time_axis.h>
 #include <qwt_axis.h>
 #include <qwt_plot.h>
 
@@ -42,8 +42,8 @@ class PlotView : public QwtPlot {
  public:
   /// With a time axis of its own.
   explicit PlotView(QWidget* parent = nullptr);
-  /// Shares the time axis of `link`: a change applies to all plots that share it.
-  explicit PlotView(std::shared_ptr<TimeLink> link, QWidget* parent = nullptr);
+  /// Shares `time_axis`: a change applies to all plots that share it.
+  explicit PlotView(std::shared_ptr<SharedTimeAxis> time_axis, QWidget* parent = nullptr);
   ~PlotView() override;
 
   /// Returns the existing curve if the path is already plotted. Feed it by Curve::append().
@@ -80,9 +80,9 @@ class PlotView : public QwtPlot {
   void panTime(double pixels);
   void panValues(double pixels);
   void zoomTo(const QRect& rect);
-  /// Ends the present step of the history; see TimeLink::Gesture.
+  /// Ends the present step of the history; see SharedTimeAxis::Gesture.
   void endRun();
-  // See TimeLink.
+  // See SharedTimeAxis.
   void goBack();
   void goForward();
   [[nodiscard]] bool hasFormerView() const;
@@ -168,7 +168,7 @@ class PlotView : public QwtPlot {
 
  private:
   void build();
-  void refreshFenced();
+  void refreshGuarded();
   void takeTheme();
   void startDrag(const QString& path);
   void noticeSamples();
@@ -187,8 +187,8 @@ class PlotView : public QwtPlot {
 
   PlotAxes axes_;
   CurveSet curves_;
-  std::shared_ptr<TimeLink> link_;
-  TimeWindow& window_;  // belongs to the link, like the cursors
+  std::shared_ptr<SharedTimeAxis> time_axis_;
+  TimeWindow& window_;  // belongs to the shared time axis, like the cursors
   Cursors& cursors_;
   const std::uint64_t id_;
   std::uint64_t seen_revision_ = 0;

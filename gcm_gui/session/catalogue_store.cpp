@@ -7,18 +7,18 @@
 namespace tendon::gui {
 namespace {
 
-void Touch(Touched& touched, const ConnectionDescription& connection) {
+void Touch(ChangedParts& touched, const ConnectionDescription& connection) {
   touched.insert({connection.required.process, connection.required.component});
   touched.insert({connection.provided.process, connection.provided.component});
 }
 
 /// Adds both ends of a process's connections, because the rows of both show the connection.
-void TouchConnections(Touched& touched, const ProcessEntry& entry) {
+void TouchConnections(ChangedParts& touched, const ProcessEntry& entry) {
   for (const auto& [id, connection] : entry.connections) Touch(touched, connection);
 }
 
 /// The parts that `change` touches, in the catalogue before it is applied.
-void Touch(Touched& touched, const Catalogue& before, const CatalogueChange& change) {
+void Touch(ChangedParts& touched, const Catalogue& before, const CatalogueChange& change) {
   const ProcessEntry* entry = before.FindProcess(change.process);
   switch (change.kind) {
     case CatalogueChange::Kind::kProcess:
@@ -47,7 +47,7 @@ void Touch(Touched& touched, const Catalogue& before, const CatalogueChange& cha
   }
 }
 
-void TouchAll(Touched& touched, const Catalogue& catalogue) {
+void TouchAll(ChangedParts& touched, const Catalogue& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     touched.insert({name, {}});
     TouchConnections(touched, entry);
@@ -56,11 +56,11 @@ void TouchAll(Touched& touched, const Catalogue& catalogue) {
 
 /// Moves about `most` components from the front of `parts` to the result; a whole process counts as
 /// all its components.
-Touched TakeSome(Touched& parts, const Catalogue& catalogue, std::size_t most) {
-  Touched some;
+ChangedParts TakeSome(ChangedParts& parts, const Catalogue& catalogue, std::size_t most) {
+  ChangedParts some;
   for (std::size_t count = 0; !parts.empty() && count < most;) {
-    const TouchedPart part = *parts.begin();
-    const auto same_process = [&](const TouchedPart& other) {
+    const ChangedPart part = *parts.begin();
+    const auto same_process = [&](const ChangedPart& other) {
       return other.process == part.process;
     };
     const ProcessEntry* entry = catalogue.FindProcess(part.process);
@@ -83,14 +83,14 @@ CatalogueStore::CatalogueStore(QObject* parent) : QObject(parent) {
 }
 
 void CatalogueStore::tell() {
-  const Touched some = TakeSome(untold_, catalogue_, kMostAtOnce);
+  const ChangedParts some = TakeSome(untold_, catalogue_, kMostAtOnce);
   if (!untold_.empty()) next_.start();
   Q_EMIT changed(catalogue_, some);
 }
 
 void CatalogueStore::noteState(const std::string& process, const ComponentDescription& component,
                                std::optional<std::int64_t> changed_at) {
-  const auto [known, is_new] = states_.try_emplace(TouchedPart{process, component.name});
+  const auto [known, is_new] = states_.try_emplace(ChangedPart{process, component.name});
   if (!is_new && known->second.state == component.state) return;
   known->second.state = component.state;
   known->second.since = is_new ? std::nullopt : changed_at;
@@ -98,7 +98,7 @@ void CatalogueStore::noteState(const std::string& process, const ComponentDescri
 
 std::optional<std::int64_t> CatalogueStore::stateSince(const std::string& process,
                                                        const std::string& component) const {
-  const auto known = states_.find(TouchedPart{process, component});
+  const auto known = states_.find(ChangedPart{process, component});
   return known == states_.end() ? std::nullopt : known->second.since;
 }
 
@@ -119,14 +119,14 @@ void CatalogueStore::replace(Catalogue catalogue) {
 
 void CatalogueStore::apply(const std::vector<CatalogueChange>& changes) {
   for (const auto& change : changes) {
-    Touched here;
+    ChangedParts here;
     Touch(here, catalogue_, change);
     if (!catalogue_.Apply(change)) continue;
     untold_.merge(here);
     for (const auto& component : change.components)
       noteState(change.process, component, WallClock());
     if (change.kind == CatalogueChange::Kind::kComponentRemoved) {
-      states_.erase(TouchedPart{change.process, change.component});
+      states_.erase(ChangedPart{change.process, change.component});
     }
   }
   if (!untold_.empty()) tell();

@@ -16,13 +16,13 @@ namespace tendon::gui {
 
 /// A component that has changed itself, or in a connection of one of its interfaces. An empty
 /// component means the whole process.
-struct TouchedPart {
+struct ChangedPart {
   std::string process;
   std::string component;
 
-  auto operator<=>(const TouchedPart&) const = default;
+  auto operator<=>(const ChangedPart&) const = default;
 };
-using Touched = std::set<TouchedPart>;
+using ChangedParts = std::set<ChangedPart>;
 
 /// The window's copy of the catalogue, shared by all views. GUI thread.
 class CatalogueStore : public QObject {
@@ -52,7 +52,7 @@ class CatalogueStore : public QObject {
  Q_SIGNALS:
   /// Announces changes that arrived together; if they touch many components, in steps from the
   /// event loop, so that no step blocks the window.
-  void changed(const tendon::Catalogue& catalogue, const tendon::gui::Touched& touched);
+  void changed(const tendon::Catalogue& catalogue, const tendon::gui::ChangedParts& touched);
   /// FindSchema() now knows more types of the catalogue.
   void typesLearned();
 
@@ -67,8 +67,8 @@ class CatalogueStore : public QObject {
                  std::optional<std::int64_t> changed_at);
 
   Catalogue catalogue_;
-  std::map<TouchedPart, KnownState> states_;
-  Touched untold_;
+  std::map<ChangedPart, KnownState> states_;
+  ChangedParts untold_;
   QTimer next_;
 };
 

@@ -1,6 +1,6 @@
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/pictures/raw_picture.h>
 #include <gcm_gui/session/column_feed.h>
+#include <gcm_gui/views/raw_image.h>
 #include <tendon/payload/json.h>
 
 #include <algorithm>
@@ -43,11 +43,11 @@ std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting)
   return dropped;
 }
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 ExactNumber NumberOf(const NumericField& channel, std::span<const std::byte> body) {
   const auto value = ReadExactly(channel, body);
-  if (!value) return kNone;
+  if (!value) return kNotANumber;
   // States are stored as signed integers, like the numbers in ValueNames.
   const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
   if (value->kind() == NumericValue::Kind::kSigned || is_state) {
@@ -84,12 +84,12 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   if (columns.empty()) return;
   const bool is_healed = schema_.has_value();
   schema_ = columns.front();
-  is_picture_ = DescribesPicture(*schema_);
+  is_picture_ = DescribesImage(*schema_);
   varies_ = !is_picture_ && HasSequence(*schema_);
   shape_ = std::make_shared<const std::vector<NumericField>>(NumericFields(*schema_));
   if (is_healed) {  // a renewed subscription, not the first
     newest_row_.clear();
-    is_healed_ = true;
+    is_renewed_ = true;
   }
   fresh_ = true;
   stale_.reset();
@@ -131,7 +131,7 @@ void ColumnFeed::keepNewest(const RowBatch& batch) {
   fresh_ = true;
 }
 
-void ColumnFeed::takeStanding(const RowBatch& batch) {
+void ColumnFeed::takeInitialRow(const RowBatch& batch) {
   const std::lock_guard lock(mutex_);
   if (newest_row_.empty() && batch.count > 0) keepNewest(batch);
 }
@@ -146,9 +146,9 @@ bool ColumnFeed::lacksRow() {
   return lock && newest_row_.empty();
 }
 
-bool ColumnFeed::takeHealed() {
+bool ColumnFeed::takeRenewed() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  return lock && std::exchange(is_healed_, false);
+  return lock && std::exchange(is_renewed_, false);
 }
 
 QString ColumnFeed::refusal() {
@@ -189,10 +189,10 @@ void ColumnFeed::untap(const std::string& field) { order({field, false}); }
 void ColumnFeed::order(Order one) {
   orders_.push_back(std::move(one));
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (lock) obey();
+  if (lock) executeOrders();
 }
 
-void ColumnFeed::obey() {
+void ColumnFeed::executeOrders() {
   for (const auto& [field, is_wanted] : std::exchange(orders_, {})) {
     if (!is_wanted) {
       taps_.erase(field);
@@ -205,10 +205,10 @@ void ColumnFeed::obey() {
   }
 }
 
-ColumnFeed::Taken ColumnFeed::take(const std::string& field) {
+ColumnFeed::NewSamples ColumnFeed::take(const std::string& field) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return {};
-  obey();
+  executeOrders();
   const auto it = taps_.find(field);
   if (it == taps_.end()) return {};
   Tap& tap = it->second;
@@ -230,7 +230,7 @@ ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
 std::optional<ColumnValues> ColumnFeed::takeValues() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return std::nullopt;
-  obey();
+  executeOrders();
   if (!schema_ || !std::exchange(fresh_, false)) return std::nullopt;
   ColumnValues values;
   values.channels = shapeOf(newest_row_);
@@ -242,8 +242,8 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
     values.values.push_back(ReadExactly(channel, newest_row_));
   }
   if (is_picture_) {
-    if (auto picture = PictureOf(*schema_, newest_row_)) {
-      values.picture = std::make_shared<const RawPicture>(*std::move(picture));
+    if (auto picture = RawImageOf(*schema_, newest_row_)) {
+      values.picture = std::make_shared<const RawImage>(*std::move(picture));
     }
   }
   if (values.channels->empty()) {

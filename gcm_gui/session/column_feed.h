@@ -30,7 +30,7 @@ class ColumnFeed final : public RowSink {
     bool begins_epoch = false;
     std::vector<Sample> samples;
   };
-  struct Taken {
+  struct NewSamples {
     std::vector<Run> runs;
     std::optional<QString> stale;  ///< set while there are no samples: the reason
     /// The names of the number's values, once known; null for plain numbers.
@@ -42,19 +42,19 @@ class ColumnFeed final : public RowSink {
   void OnStale(const Error& reason) override;
   /// Takes the row that existed before the subscription, because the source may write no further
   /// row. Ignored if rows have already arrived.
-  void takeStanding(const RowBatch& batch);
+  void takeInitialRow(const RowBatch& batch);
   /// These also return false while a batch is being read.
   [[nodiscard]] bool hasRow();
   [[nodiscard]] bool lacksRow();
   /// Returns true if the subscription was renewed since the last call. Then also drops the newest
   /// row, which may be very old.
-  [[nodiscard]] bool takeHealed();
+  [[nodiscard]] bool takeRenewed();
 
   /// `field` is the part of a path after the column: ".position[0]", or empty. If a batch is being
   /// read, the tap starts at the next take.
   void tap(const std::string& field);
   void untap(const std::string& field);
-  [[nodiscard]] Taken take(const std::string& field);
+  [[nodiscard]] NewSamples take(const std::string& field);
   /// The newest row, if one has arrived or the column has become known since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
   /// The reason why there are no rows, if known; also empty while a batch is being read.
@@ -79,7 +79,7 @@ class ColumnFeed final : public RowSink {
 
   void order(Order one);
   /// Executes the orders; call it with the lock held.
-  void obey();
+  void executeOrders();
   void resolve(const std::string& field, Tap& tap) const;
   void keepNewest(const RowBatch& batch);
   /// Returns the number of dropped samples.
@@ -100,7 +100,7 @@ class ColumnFeed final : public RowSink {
   RowLosses told_losses_;      // GUI thread only
   std::vector<Order> orders_;  // GUI thread only
   bool fresh_ = false;
-  bool is_healed_ = false;
+  bool is_renewed_ = false;
   ChannelList shape_;
 };
 

@@ -14,11 +14,6 @@ constexpr milliseconds kValuesPeriod{100};
 constexpr milliseconds kSweepPeriod{1000};
 constexpr int kIdleSweeps = 3;
 
-/// The part after the column: ".position[0]".
-std::string FieldOf(const QString& column, const QString& signal) {
-  return signal.mid(column.size()).toStdString();
-}
-
 /// Receives the row that was written before the subscription, because a subscription to every row
 /// gets only new rows.
 class InitialRowSink final : public RowSink {
@@ -27,7 +22,7 @@ class InitialRowSink final : public RowSink {
 
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
   std::size_t OnRows(const RowBatch& batch) override {
-    feed_->takeStanding(batch);
+    feed_->takeInitialRow(batch);
     return 0;
   }
   void OnStale(const Error& /*reason*/) override {}
@@ -61,7 +56,7 @@ LiveSignals::~LiveSignals() {
 
 void LiveSignals::end(const Column& column) {
   telemetry_.Unsubscribe(column.id);
-  if (column.standing) telemetry_.Unsubscribe(*column.standing);
+  if (column.initial) telemetry_.Unsubscribe(*column.initial);
 }
 
 LiveSignals::Column* LiveSignals::open(const QString& path) {
@@ -79,17 +74,19 @@ void LiveSignals::subscribe(const QString& signal) {
   const QString path = ColumnPathOf(signal);
   Column* column = open(path);
   if (column == nullptr) return;
-  if (++column->users[signal] == 1) column->feed->tap(FieldOf(path, signal));
+  User& user = column->users[signal];
+  if (++user.count > 1) return;
+  user.field = signal.mid(path.size()).toStdString();
+  column->feed->tap(user.field);
 }
 
 void LiveSignals::release(const QString& signal) {
-  const QString path = ColumnPathOf(signal);
-  const auto it = columns_.find(path);
+  const auto it = columns_.find(ColumnPathOf(signal));
   if (it == columns_.end()) return;
   const auto user = it->second.users.find(signal);
-  if (user == it->second.users.end() || --user->second > 0) return;
+  if (user == it->second.users.end() || --user->second.count > 0) return;
+  it->second.feed->untap(user->second.field);
   it->second.users.erase(user);
-  it->second.feed->untap(FieldOf(path, signal));
 }
 
 void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
@@ -107,21 +104,21 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
     Column* column = open(path);
     if (column == nullptr) continue;
     column->watchers.insert(owner);
-    seekStandingRow(*column);
+    requestInitialRow(*column);
   }
 }
 
-void LiveSignals::seekStandingRow(Column& column) {
-  if (column.feed->takeHealed()) endStanding(column);  // its row may have been dropped
-  if (column.standing && column.feed->hasRow()) endStanding(column);
-  if (column.standing || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
+void LiveSignals::requestInitialRow(Column& column) {
+  if (column.feed->takeRenewed()) endInitialRow(column);  // its row may have been dropped
+  if (column.initial && column.feed->hasRow()) endInitialRow(column);
+  if (column.initial || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
   TableSubscription wanted = column.table;
   wanted.rows.delivery = RowDelivery::kNewest;
-  column.standing = telemetry_.Subscribe(wanted, std::make_shared<InitialRowSink>(column.feed));
+  column.initial = telemetry_.Subscribe(wanted, std::make_shared<InitialRowSink>(column.feed));
 }
 
-void LiveSignals::endStanding(Column& column) {
-  if (column.standing) telemetry_.Unsubscribe(*std::exchange(column.standing, std::nullopt));
+void LiveSignals::endInitialRow(Column& column) {
+  if (column.initial) telemetry_.Unsubscribe(*std::exchange(column.initial, std::nullopt));
 }
 
 RowLosses LiveSignals::losses(const QString& signal) const {
@@ -137,16 +134,18 @@ void LiveSignals::drain() {
   // A receiver may subscribe or release in its handler: iterate over a copy of the names.
   QList<std::pair<QString, QString>> signals_of_columns;
   for (const auto& [path, column] : columns_) {
-    for (const auto& [signal, users] : column.users) signals_of_columns.append({path, signal});
+    for (const auto& [signal, user] : column.users) signals_of_columns.append({path, signal});
   }
   for (const auto& [path, signal] : signals_of_columns) {
     const auto it = columns_.find(path);
-    if (it != columns_.end() && it->second.users.contains(signal)) drainSignal(it->second, signal);
+    if (it == columns_.end()) continue;
+    const auto user = it->second.users.find(signal);
+    if (user != it->second.users.end()) drainSignal(*it->second.feed, signal, user->second.field);
   }
 }
 
-void LiveSignals::drainSignal(Column& column, const QString& signal) {
-  const ColumnFeed::Taken taken = column.feed->take(FieldOf(ColumnPathOf(signal), signal));
+void LiveSignals::drainSignal(ColumnFeed& feed, const QString& signal, const std::string& field) {
+  const ColumnFeed::NewSamples taken = feed.take(field);
   if (taken.names) Q_EMIT namesLearned(signal, *taken.names);
   for (const auto& run : taken.runs) {
     if (run.begins_epoch) Q_EMIT epochBegan(signal);
@@ -159,7 +158,7 @@ void LiveSignals::drainValues() {
   QList<std::pair<QString, ColumnValues>> arrived;
   QList<std::pair<QString, QString>> refused;
   for (auto& [path, column] : columns_) {
-    seekStandingRow(column);
+    requestInitialRow(column);
     if (column.watchers.isEmpty()) continue;
     if (auto values = column.feed->takeValues()) arrived.append({path, std::move(*values)});
     const QString refusal = column.feed->refusal();

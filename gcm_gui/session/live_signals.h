@@ -45,12 +45,17 @@ class LiveSignals : public SignalSource {
   void dropUnused();
 
  private:
+  struct User {
+    int count = 0;      // of subscriptions to the signal
+    std::string field;  // the part of the signal after the column: ".position[0]"
+  };
+
   struct Column {
     std::shared_ptr<ColumnFeed> feed;
     TableSubscription table;
     TelemetryClient::Id id = 0;
-    std::optional<TelemetryClient::Id> standing;  // set until a row has arrived
-    std::map<QString, int> users;                 // by signal
+    std::optional<TelemetryClient::Id> initial;  // of the initial row, set until a row has arrived
+    std::map<QString, User> users;               // by signal
     QSet<const QObject*> watchers;
     int idle_sweeps = 0;
 
@@ -61,9 +66,9 @@ class LiveSignals : public SignalSource {
   Column* open(const QString& column);
   /// Requests the row that existed before the subscription, if the column has users and no row yet;
   /// does so again after a lost link, because there may be another row.
-  void seekStandingRow(Column& column);
-  void endStanding(Column& column);
-  void drainSignal(Column& column, const QString& signal);
+  void requestInitialRow(Column& column);
+  void endInitialRow(Column& column);
+  void drainSignal(ColumnFeed& feed, const QString& signal, const std::string& field);
   void end(const Column& column);
 
   TelemetryClient& telemetry_;

@@ -46,30 +46,30 @@ Action ActionOf(const message::HistoryEntry& step) {
 
 class Session::Listener final : public GcmListener {
  public:
-  Listener(Session& session, std::shared_ptr<Courier> courier)
-      : session_(session), courier_(std::move(courier)) {}
+  Listener(Session& session, std::shared_ptr<GuiPoster> poster)
+      : session_(session), poster_(std::move(poster)) {}
 
   void OnSnapshot(const Catalogue& catalogue) override {
-    courier_->post([this, catalogue] { session_.hearSnapshot(catalogue); });
+    poster_->post([this, catalogue] { session_.hearSnapshot(catalogue); });
   }
   void OnChanges(const std::vector<CatalogueChange>& changes) override {
-    courier_->post([this, changes] { session_.hearChanges(changes); });
+    poster_->post([this, changes] { session_.hearChanges(changes); });
   }
   void OnGcmLost(const Error& reason) override {
-    courier_->post([this, reason] { session_.hearLost(reason); });
+    poster_->post([this, reason] { session_.hearLost(reason); });
   }
   void OnLog(const LogBatch& batch) override {
-    courier_->post([this, batch] { Q_EMIT session_.reports_->logArrived(batch); });
+    poster_->post([this, batch] { Q_EMIT session_.reports_->logArrived(batch); });
   }
 
  private:
   Session& session_;  // used only in the session's thread, while the session lives
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
 };
 
 Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
                  Role role, std::chrono::milliseconds timeout)
-    : undo_choice_(NameOfThisWindow()), courier_(std::make_shared<Courier>(this)) {
+    : undo_choice_(NameOfThisWindow()), poster_(std::make_shared<GuiPoster>(this)) {
   link_.setAddress(ToQString(address), hosted);
   GcmClient::Options options;
   options.name = NameOfThisWindow();
@@ -77,15 +77,15 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   options.role = role;
   options.timeout = timeout;
   client_ = std::make_shared<GcmClient>(std::move(middleware), options,
-                                        std::make_shared<Listener>(*this, courier_));
+                                        std::make_shared<Listener>(*this, poster_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
-  reports_ = std::make_unique<NetworkReports>(*client_, store_, courier_);
+  reports_ = std::make_unique<NetworkReports>(*client_, store_, poster_);
   plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
   connect(&link_, &LinkState::wantedAnew, this, [this] { client_->Resync(); });
 }
 
 Session::~Session() {
-  courier_->detach();
+  poster_->detach();
   plans_.reset();
   live_signals_.reset();
   reports_.reset();
@@ -110,8 +110,8 @@ void Session::hearChanges(const std::vector<CatalogueChange>& changes) {
 
 /// Learns types in advance, so that mismatches can be explained when the user asks.
 void Session::learnTypes() {
-  client_->LearnDisputedTypes([this, courier = courier_](const auto& /*as far as they answer*/) {
-    courier->post([this] { Q_EMIT store_.typesLearned(); });
+  client_->LearnDisputedTypes([this, poster = poster_](const auto& /*as far as they answer*/) {
+    poster->post([this] { Q_EMIT store_.typesLearned(); });
   });
 }
 
@@ -120,9 +120,9 @@ void Session::hearLost(const Error& reason) { link_.setUnreachable(ToQString(rea
 Session::Finish Session::begin(Action action) {
   const ActivityModel::Id id = activity_.begin(std::move(action));
   const auto start = std::chrono::steady_clock::now();
-  return [this, courier = courier_, id, start](const std::optional<Error>& refusal) {
+  return [this, poster = poster_, id, start](const std::optional<Error>& refusal) {
     const double seconds = SecondsSince(start);
-    courier->post([this, id, seconds, refusal] { finish(id, seconds, refusal); });
+    poster->post([this, id, seconds, refusal] { finish(id, seconds, refusal); });
   };
 }
 
@@ -145,16 +145,7 @@ void Session::connectInterfaces(const InterfaceName& required, const InterfaceNa
   });
 }
 
-void Session::disconnectInterface(const InterfaceName& required) {
-  Action action;
-  action.verb = Action::Verb::kDisconnect;
-  action.required = required;
-  client_->Disconnect(required, [finish = begin(std::move(action))](const auto& result) {
-    finish(ErrorOf(result));
-  });
-}
-
-void Session::replaceConnection(const InterfaceName& required, const InterfaceName& provided) {
+void Session::connectOrReplace(const InterfaceName& required, const InterfaceName& provided) {
   if (store_.catalogue().FindConnection(required) == nullptr) {
     return connectInterfaces(required, provided);
   }
@@ -167,13 +158,22 @@ void Session::replaceConnection(const InterfaceName& required, const InterfaceNa
   });
 }
 
+void Session::disconnectInterface(const InterfaceName& required) {
+  Action action;
+  action.verb = Action::Verb::kDisconnect;
+  action.required = required;
+  client_->Disconnect(required, [finish = begin(std::move(action))](const auto& result) {
+    finish(ErrorOf(result));
+  });
+}
+
 void Session::undo() {
   Action action;
   action.verb = Action::Verb::kUndo;
   const ActivityModel::Id id = activity_.begin(std::move(action));
   const auto start = std::chrono::steady_clock::now();
-  client_->GetHistory([this, courier = courier_, id, start](const auto& history) {
-    courier->post([this, id, start, history] {
+  client_->GetHistory([this, poster = poster_, id, start](const auto& history) {
+    poster->post([this, id, start, history] {
       const Result<std::uint64_t> step =
           history ? undo_choice_.Choose(*history, std::chrono::steady_clock::now(), WallClock())
                   : Result<std::uint64_t>(history.error());
@@ -185,8 +185,8 @@ void Session::undo() {
 
 void Session::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                        std::uint64_t step) {
-  const auto heard = [this, courier = courier_, id, start](const auto& result) {
-    courier->post([this, id, start, result] {
+  const auto heard = [this, poster = poster_, id, start](const auto& result) {
+    poster->post([this, id, start, result] {
       finish(id, SecondsSince(start), ErrorOf(result));
       if (!result.ok()) return;
       activity_.markUndone(id, ActionOf(*result));
@@ -225,8 +225,8 @@ void Session::setLogLevel(const std::string& process, LogLevel level) {
 }
 
 void Session::findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) {
-  client_->GetSchema(process, type, [courier = courier_, handler](const auto& schema) {
-    courier->post([handler, schema] { handler(schema); });
+  client_->GetSchema(process, type, [poster = poster_, handler](const auto& schema) {
+    poster->post([handler, schema] { handler(schema); });
   });
 }
 
@@ -239,14 +239,14 @@ void Session::callCommand(const std::string& path, const std::string& argument,
   const ActivityModel::Id id = activity_.begin(std::move(action));
   open_calls_[id] = {path.substr(0, path.find('/')), std::chrono::steady_clock::now(),
                      std::move(handler)};
-  client_->Call(path, argument, [this, courier = courier_, id](const auto& answer) {
-    courier->post([this, id, answer] { finishCall(id, answer); });
+  client_->Call(path, argument, [this, poster = poster_, id](const auto& answer) {
+    poster->post([this, id, answer] { finishCall(id, answer); });
   });
 }
 
 void Session::readValue(const std::string& path, ValueHandler handler) {
-  client_->Call(path, {}, [courier = courier_, handler](const auto& value) {
-    courier->post([handler, value] { handler(value); });
+  client_->Call(path, {}, [poster = poster_, handler](const auto& value) {
+    poster->post([handler, value] { handler(value); });
   });
 }
 
@@ -278,10 +278,10 @@ void Session::giveUpCalls() {
 void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   const Catalogue& catalogue = store_.catalogue();
   const Result<Diagnosis> diagnosis = Diagnose(catalogue, wire);
-  if (!diagnosis) return courier_->post([handler, diagnosis] { handler(diagnosis); });
-  const auto tell = [this, courier = courier_, handler](Diagnosis complete,
-                                                        const Result<ConnectionCounts>& served) {
-    courier->post([this, handler, complete, served]() mutable {
+  if (!diagnosis) return poster_->post([handler, diagnosis] { handler(diagnosis); });
+  const auto tell = [this, poster = poster_, handler](Diagnosis complete,
+                                                      const Result<ConnectionCounts>& served) {
+    poster->post([this, handler, complete, served]() mutable {
       AddActivity(complete, store_.catalogue());
       if (complete.failure) AddRemainders(complete, store_.catalogue(), served);
       handler(complete);

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <gcm_gui/activity/activity_model.h>
-#include <gcm_gui/reports/network_reports.h>
+#include <gcm_gui/files/gui_poster.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/command_calls.h>
-#include <gcm_gui/session/connection_checks.h>
-#include <gcm_gui/session/courier.h>
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 #include <gcm_gui/session/live_signals.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/network_reports.h>
+#include <gcm_gui/session/system_requests.h>
 #include <gcm_gui/session/undo_choice.h>
 #include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/client.h>
@@ -45,8 +43,8 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   [[nodiscard]] PlanRunner& plans() { return *plans_; }
 
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
+  void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
-  void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override;
   void forget(const std::string& process) override;
   void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
@@ -88,7 +86,7 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   ActivityModel activity_;
   UndoChoice undo_choice_;
   std::map<ActivityModel::Id, OpenCall> open_calls_;
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
   std::shared_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;
   std::unique_ptr<NetworkReports> reports_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/value_names.h>
 #include <tendon/payload/numeric_field.h>
@@ -16,7 +15,7 @@
 
 namespace tendon::gui {
 
-struct RawPicture;
+struct RawImage;
 
 /// The numbers in a column, in wire order; a new list if their number changes.
 using ChannelList = std::shared_ptr<const std::vector<NumericField>>;
@@ -26,10 +25,10 @@ struct ColumnValues {
   ChannelList channels;  ///< never null
   /// By channel; no value if the row does not have it. Empty before the first row.
   std::vector<std::optional<NumericValue>> values;
-  QString text;                                    ///< of a column without numbers, as JSON
-  std::shared_ptr<const RawPicture> picture = {};  ///< of a column with a picture; otherwise null
-  std::uint64_t rows = 0;                          ///< the number of rows so far, this one included
-  std::int64_t time = 0;  ///< of this row, ns on this process's steady clock
+  QString text;                                  ///< of a column without numbers, as JSON
+  std::shared_ptr<const RawImage> picture = {};  ///< of a column with a picture; otherwise null
+  std::uint64_t rows = 0;                        ///< the number of rows so far, this one included
+  std::int64_t time = 0;                         ///< of this row, ns on this process's steady clock
 };
 
 /// Live data of state tables, by path, in two ways: every row of one number (a signal, for plots),

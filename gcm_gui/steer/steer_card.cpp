@@ -2,9 +2,8 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/steer/steer_card.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
-#include <gcm_gui/theme/text_line.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QKeyEvent>

@@ -1,5 +1,5 @@
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/steer/steer_words.h>
 

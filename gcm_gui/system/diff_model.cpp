@@ -129,7 +129,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-void PlanModel::show(const Restore& restore) {
+void PlanModel::show(const PlanController& restore) {
   std::vector<PlanLine> lines;
   for (const std::string& obstacle : restore.plan().obstacles) {
     lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), Words::tr("cannot be")});

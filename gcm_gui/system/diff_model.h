@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/row_list_model.h>
-#include <gcm_gui/system/restore.h>
+#include <gcm_gui/system/plan_controller.h>
 #include <tendon/gcm/system/comparison.h>
 
 #include <QString>
@@ -41,7 +41,7 @@ class PlanModel : public RowListModel<PlanLine> {
   using RowListModel::RowListModel;
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  void show(const Restore& restore);
+  void show(const PlanController& restore);
 };
 
 }  // namespace tendon::gui

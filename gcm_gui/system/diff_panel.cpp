@@ -43,7 +43,7 @@ QVBoxLayout* Frame(QWidget& page, QLabel& words, RowView& list, QHBoxLayout& but
 
 }  // namespace
 
-DiffPanel::DiffPanel(SystemDocument& document, Restore& restore, const QString& refusal,
+DiffPanel::DiffPanel(SystemDocument& document, PlanController& restore, const QString& refusal,
                      QWidget* parent)
     : QWidget(parent),
       document_(document),
@@ -59,7 +59,7 @@ DiffPanel::DiffPanel(SystemDocument& document, Restore& restore, const QString& 
   pages_->addWidget(buildDiff());
   pages_->addWidget(buildPlan());
   connect(&document, &SystemDocument::changed, this, &DiffPanel::showDiff);
-  connect(&restore, &Restore::changed, this, &DiffPanel::showPlan);
+  connect(&restore, &PlanController::changed, this, &DiffPanel::showPlan);
   showDiff();
   showPlan();
 }
@@ -104,9 +104,9 @@ QWidget* DiffPanel::buildPlan() {
   carry_out_ = MakeButton(Words::tr("Carry out"), "plan.carryOut", *buttons);
   SetRole(*carry_out_, QStringLiteral("primary"));
   Frame(*page, *plan_text_, *step_list_, *buttons);
-  connect(back_, &QPushButton::clicked, &restore_, &Restore::leave);
-  connect(stop_, &QPushButton::clicked, &restore_, &Restore::stop);
-  connect(undo_, &QPushButton::clicked, &restore_, &Restore::undo);
+  connect(back_, &QPushButton::clicked, &restore_, &PlanController::leave);
+  connect(stop_, &QPushButton::clicked, &restore_, &PlanController::stop);
+  connect(undo_, &QPushButton::clicked, &restore_, &PlanController::undo);
   connect(carry_out_, &QPushButton::clicked, this, [this] {
     restore_.execute(go_on_->isChecked() ? AfterError::kGoOn : AfterError::kStop);
   });
@@ -172,11 +172,11 @@ QString DiffPanel::planText() const {
   const PlanOutcome& outcome = restore_.outcome();
   const auto untouched = static_cast<std::int64_t>(plan.untouched);
   switch (restore_.phase()) {
-    case Restore::Phase::kIdle:
+    case PlanController::Phase::kIdle:
       return {};
-    case Restore::Phase::kAsking:
+    case PlanController::Phase::kAsking:
       return Words::tr("To %1: asking the processes for their classes…").arg(restore_.goal());
-    case Restore::Phase::kPreview:
+    case PlanController::Phase::kPreview:
       return Words::tr("To %1: %2; %3")
           .arg(restore_.goal(),
                plan.steps.empty() ? Words::tr("there is nothing to do")
@@ -186,12 +186,12 @@ QString DiffPanel::planText() const {
                    ? Words::tr("nothing stays unchanged")
                    : Words::tr("will not touch ") +
                          CountText(untouched, Words::tr("%1 item"), Words::tr("%1 items")));
-    case Restore::Phase::kRunning:
+    case PlanController::Phase::kRunning:
       return Words::tr("To %1: step %2 of %3")
           .arg(restore_.goal())
           .arg(restore_.outcomes().size() + 1)
           .arg(plan.steps.size());
-    case Restore::Phase::kDone:
+    case PlanController::Phase::kDone:
       return Words::tr("To %1: %2 done, %3 failed, %4 left")
           .arg(restore_.goal())
           .arg(outcome.done)
@@ -202,24 +202,24 @@ QString DiffPanel::planText() const {
 }
 
 void DiffPanel::showPlan() {
-  const Restore::Phase phase = restore_.phase();
-  const int page = phase == Restore::Phase::kIdle ? 0 : 1;
+  const PlanController::Phase phase = restore_.phase();
+  const int page = phase == PlanController::Phase::kIdle ? 0 : 1;
   const bool is_new = phase != std::exchange(shown_phase_, phase);
   const bool turned = pages_->currentIndex() != page;
   steps_.show(restore_);
   plan_text_->setText(planText());
-  const bool waits = phase == Restore::Phase::kPreview;
+  const bool waits = phase == PlanController::Phase::kPreview;
   carry_out_->setVisible(waits);
   go_on_->setVisible(waits);
   allow(*carry_out_, !restore_.plan().steps.empty());
-  stop_->setVisible(phase == Restore::Phase::kRunning);
+  stop_->setVisible(phase == PlanController::Phase::kRunning);
   undo_->setVisible(restore_.canUndo());
-  back_->setEnabled(phase != Restore::Phase::kRunning);
+  back_->setEnabled(phase != PlanController::Phase::kRunning);
   pages_->setCurrentIndex(page);
   if (!is_new) return;
   // Moves the focus away from the buttons, because a key may still be pressed.
-  if (waits || phase == Restore::Phase::kAsking) step_list_->setFocus();
-  if (phase == Restore::Phase::kDone) back_->setFocus();
+  if (waits || phase == PlanController::Phase::kAsking) step_list_->setFocus();
+  if (phase == PlanController::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/system/diff_model.h>
-#include <gcm_gui/system/restore.h>
+#include <gcm_gui/system/plan_controller.h>
 #include <gcm_gui/system/system_document.h>
 
 #include <QString>
@@ -23,7 +23,7 @@ class DiffPanel : public QWidget {
 
  public:
   /// `refusal` says why this window cannot change anything; empty if it can.
-  DiffPanel(SystemDocument& document, Restore& restore, const QString& refusal,
+  DiffPanel(SystemDocument& document, PlanController& restore, const QString& refusal,
             QWidget* parent = nullptr);
 
  public Q_SLOTS:
@@ -44,9 +44,9 @@ class DiffPanel : public QWidget {
   [[nodiscard]] const SystemDifference* currentLine() const;
 
   SystemDocument& document_;
-  Restore& restore_;
+  PlanController& restore_;
   const QString refusal_;
-  Restore::Phase shown_phase_ = Restore::Phase::kIdle;
+  PlanController::Phase shown_phase_ = PlanController::Phase::kIdle;
   DiffModel differences_;
   PlanModel steps_;
   QStackedWidget* pages_;

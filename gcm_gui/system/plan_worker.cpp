@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/system/plan_worker.h>
 #include <tendon/gcm/system/client_executor.h>
 
@@ -9,19 +9,19 @@ namespace tendon::gui {
 PlanWorker::PlanWorker(std::shared_ptr<GcmClient> client, std::chrono::milliseconds timeout)
     : client_(std::move(client)),
       timeout_(timeout),
-      courier_(std::make_shared<Courier>(this)),
+      poster_(std::make_shared<GuiPoster>(this)),
       is_stopped_(std::make_shared<Flag>()) {}
 
 PlanWorker::~PlanWorker() {
   stop();
-  courier_->detach();
+  poster_->detach();
 }
 
 void PlanWorker::stop() { is_stopped_->Set(true); }
 
 void PlanWorker::carryOut(Plan plan, AfterError after_error, Progress progress, Done done) {
   is_stopped_ = std::make_shared<Flag>();
-  thread_.start([client = client_, timeout = timeout_, courier = courier_, is_stopped = is_stopped_,
+  thread_.start([client = client_, timeout = timeout_, poster = poster_, is_stopped = is_stopped_,
                  plan = std::move(plan), after_error, progress = std::move(progress),
                  done = std::move(done)] {
     PlanOutcome outcome;
@@ -30,14 +30,14 @@ void PlanWorker::carryOut(Plan plan, AfterError after_error, Progress progress, 
       outcome = ExecutePlan(
           plan, executor, after_error,
           [&](std::size_t number, const PlanStep& /*of the plan*/, const StepOutcome& came) {
-            courier->post([progress, number, came] { progress(number, came); });
+            poster->post([progress, number, came] { progress(number, came); });
           },
           [&] { return is_stopped->Get(); });
     } catch (...) {
       outcome.error = Error{ErrorCode::kFailed, WordsOfException().toStdString()};
       outcome.failed = 1;
     }
-    courier->post([done, outcome] { done(outcome); });
+    poster->post([done, outcome] { done(outcome); });
   });
 }
 

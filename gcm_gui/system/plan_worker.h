@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/files/background.h>
-#include <gcm_gui/session/courier.h>
+#include <gcm_gui/files/gui_poster.h>
 #include <gcm_gui/system/plan_runner.h>
 #include <tendon/gcm/client.h>
 #include <tendon/lockfree/flag.h>
@@ -28,7 +28,7 @@ class PlanWorker final : public QObject, public PlanRunner {
  private:
   std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
   std::shared_ptr<Flag> is_stopped_;  // of the newest plan: stops it after the present step
   Background thread_{QT_TRANSLATE_NOOP("Words", "a step of a plan")};
 };

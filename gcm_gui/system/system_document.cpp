@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/system_document.h>
@@ -110,10 +110,13 @@ Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
 }  // namespace
 
 SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent)
-    : QObject(parent), store_(store), reports_(reports), courier_(std::make_shared<Courier>(this)) {
+    : QObject(parent),
+      store_(store),
+      reports_(reports),
+      poster_(std::make_shared<GuiPoster>(this)) {
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
-  connect(&soon_, &QTimer::timeout, this, Fenced(this, &SystemDocument::hear));
+  connect(&soon_, &QTimer::timeout, this, Guarded(this, &SystemDocument::hear));
   connect(&store, &CatalogueStore::changed, this, [this] {
     if (!soon_.isActive()) soon_.start();
   });
@@ -121,7 +124,7 @@ SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& repor
 
 SystemDocument::~SystemDocument() {
   for (const QString& path : std::as_const(unsaved_)) write(path, {});
-  courier_->detach();
+  poster_->detach();
 }
 
 QString SystemDocument::title() const {
@@ -138,13 +141,13 @@ void SystemDocument::hear() {
 void SystemDocument::compare() {
   is_behind_ = std::exchange(is_comparing_, true);
   if (is_behind_) return;
-  comparing_.start([this, courier = courier_, version = version_, file = file_,
+  comparing_.start([this, poster = poster_, version = version_, file = file_,
                     running = SystemOf(store_.catalogue(), file_.name).file] {
     SystemComparison comparison;
-    const bool is_done =
-        Fence::run(QT_TRANSLATE_NOOP("Words", "the comparison with a system file"),
-                   [&] { comparison = CompareSystems(file, running, StartComparison::kIgnore); });
-    courier->post([this, version, is_done, comparison = std::move(comparison)] {
+    const bool is_done = ExceptionGuard::run(
+        QT_TRANSLATE_NOOP("Words", "the comparison with a system file"),
+        [&] { comparison = CompareSystems(file, running, StartComparison::kIgnore); });
+    poster->post([this, version, is_done, comparison = std::move(comparison)] {
       is_comparing_ = false;
       const bool is_old = version != version_;
       if (!is_old && is_done) show(comparison);
@@ -164,11 +167,11 @@ void SystemDocument::show(SystemComparison comparison) {
 }
 
 void SystemDocument::take(const QString& path, const SystemFile& file, std::function<void()> done) {
-  comparing_.start([this, courier = courier_, path, file, done = std::move(done),
+  comparing_.start([this, poster = poster_, path, file, done = std::move(done),
                     revision = store_.catalogue().revision(),
                     running = SystemOf(store_.catalogue(), file.name).file] {
     auto comparison = CompareSystems(file, running, StartComparison::kIgnore);
-    courier->post([this, path, file, done, revision, comparison = std::move(comparison)] {
+    poster->post([this, path, file, done, revision, comparison = std::move(comparison)] {
       path_ = path;
       file_ = file;
       modified_ = 0;
@@ -193,9 +196,9 @@ void SystemDocument::open(const QString& path) {
 void SystemDocument::importFrom(const QString& path, const QString& process) {
   const QFileInfo from(path);
   const QString to = from.path() + '/' + from.completeBaseName() + QStringLiteral(".gcm.json");
-  thread_.start([this, courier = courier_, path, to, process = process.toStdString()] {
+  thread_.start([this, poster = poster_, path, to, process = process.toStdString()] {
     const auto imported = ImportTo(to, path, process);
-    courier->post([this, to, imported] {
+    poster->post([this, to, imported] {
       if (!imported) return Q_EMIT told(ToQString(imported.error().message));
       imported_ = to;
       take(to, imported->file, [this, to, left_out = imported->left_out] {
@@ -210,17 +213,18 @@ void SystemDocument::importFrom(const QString& path, const QString& process) {
 
 void SystemDocument::read(const QString& path,
                           std::function<void(const Result<SystemFile>&)> done) {
-  thread_.start([courier = courier_, path, done = std::move(done)] {
+  thread_.start([poster = poster_, path, done = std::move(done)] {
     auto read = ReadSystemFile(path.toStdString());
-    courier->post([done, read = std::move(read)] { done(read); });
+    poster->post([done, read = std::move(read)] { done(read); });
   });
 }
 
-std::optional<SystemDocument::Started> SystemDocument::startedBy(
+std::optional<SystemDocument::StartedProcesses> SystemDocument::startedBy(
     const Result<message::Children>& answer) {
-  if (answer) return Started{*answer, {}};
+  if (answer) return StartedProcesses{*answer, {}};
   if (answer.error().code == ErrorCode::kDenied) {
-    return Started{{}, Words::tr("this GCM is too old to report which processes it has started")};
+    return StartedProcesses{
+        {}, Words::tr("this GCM is too old to report which processes it has started")};
   }
   Q_EMIT told(ToQString(answer.error().message));
   return std::nullopt;
@@ -235,18 +239,18 @@ void SystemDocument::save(const QString& path) {
   });
 }
 
-void SystemDocument::write(const QString& path, const Started& started) {
+void SystemDocument::write(const QString& path, const StartedProcesses& started) {
   RunningSystem running = SystemOf(store_.catalogue(), SystemName(path));
   const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
   QStringList sentences{Words::tr("Saved to ") + FileName(path)};
   if (!running.loose.empty()) sentences.append(ToQString(running.LeftOut()[0]));
   if (!started.note.isEmpty()) sentences.append(started.note);
-  thread_.start([this, courier = courier_, path, missing, layout = layout_,
+  thread_.start([this, poster = poster_, path, missing, layout = layout_,
                  children = started.children, running = std::move(running), sentences] {
     const std::string file = path.toStdString();
     const auto system = SystemToSave(file, running, children, layout, missing);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
-    courier->post([this, path, system, written, sentences] {
+    poster->post([this, path, system, written, sentences] {
       if (!written) return Q_EMIT told(ToQString(written.error().message));
       take(path, *system, [this, sentences] { Q_EMIT told(sentences.join(QStringLiteral("; "))); });
     });
@@ -261,17 +265,16 @@ void SystemDocument::update(const std::string& what) {
       });
 }
 
-void SystemDocument::writePart(const std::string& what, const Started& started) {
+void SystemDocument::writePart(const std::string& what, const StartedProcesses& started) {
   SystemFile running = SystemOf(store_.catalogue(), file_.name).file;
   SetStarts(started.children, running);
-  thread_.start(
-      [this, courier = courier_, path = path_, system = WithPartOf(file_, running, what)] {
-        const auto written = WriteSystemFile(path.toStdString(), system);
-        courier->post([this, path, system, written] {
-          if (!written) return Q_EMIT told(ToQString(written.error().message));
-          take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
-        });
-      });
+  thread_.start([this, poster = poster_, path = path_, system = WithPartOf(file_, running, what)] {
+    const auto written = WriteSystemFile(path.toStdString(), system);
+    poster->post([this, path, system, written] {
+      if (!written) return Q_EMIT told(ToQString(written.error().message));
+      take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
+    });
+  });
 }
 
 }  // namespace tendon::gui

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <gcm_gui/files/background.h>
-#include <gcm_gui/reports/system_reports.h>
+#include <gcm_gui/files/gui_poster.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/courier.h>
+#include <gcm_gui/session/system_reports.h>
 #include <gcm_gui/system/snapshots.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/running_system.h>
@@ -77,14 +77,14 @@ class SystemDocument : public QObject {
 
   /// The processes started by the GCM; empty if the GCM is too old to report them, which `note`
   /// then says.
-  struct Started {
+  struct StartedProcesses {
     message::Children children;
     QString note;
   };
   /// Empty if the answer is any other error; then told() is emitted, and nothing is written.
-  std::optional<Started> startedBy(const Result<message::Children>& answer);
-  void write(const QString& path, const Started& started);
-  void writePart(const std::string& what, const Started& started);
+  std::optional<StartedProcesses> startedBy(const Result<message::Children>& answer);
+  void write(const QString& path, const StartedProcesses& started);
+  void writePart(const std::string& what, const StartedProcesses& started);
 
   const CatalogueStore& store_;
   SystemReports& reports_;
@@ -100,7 +100,7 @@ class SystemDocument : public QObject {
   bool is_comparing_ = false;
   bool is_behind_ = false;     // must be compared again
   std::uint64_t version_ = 0;  // version of file_
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
   Background thread_{QT_TRANSLATE_NOOP("Words", "a system file")};
   Background comparing_{QT_TRANSLATE_NOOP("Words", "the comparison with a system file")};
 };

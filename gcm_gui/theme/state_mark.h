@@ -25,6 +25,7 @@ enum class StateMark {
   kLost,
 };
 inline constexpr int kStateMarkCount = 12;
+inline constexpr double kStaleMarkOpacity = 0.45;
 
 /// "active", "not connected", in the user's language; always shown or spoken beside the shape.
 [[nodiscard]] QString WordOf(StateMark mark);

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFontDatabase>
+#include <QLabel>
 #include <QPalette>
 #include <QPointer>
 #include <QStyle>
@@ -163,6 +164,15 @@ void SetRole(QWidget& widget, const QString& role) {
   widget.setProperty("role", role);
   widget.style()->unpolish(&widget);
   widget.style()->polish(&widget);
+}
+
+QLabel* MakeTextLine(const QString& name, const QString& role) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  SetRole(*label, role);
+  return label;
 }
 
 }  // namespace tendon::gui

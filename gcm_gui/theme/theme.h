@@ -4,8 +4,10 @@
 
 #include <QFont>
 #include <QObject>
+#include <QString>
 
 class QWidget;
+class QLabel;
 
 namespace tendon::gui {
 
@@ -67,5 +69,8 @@ class Theme : public QObject {
 /// "warning", "bad", "accent", several with blanks between; "" for none. A push button may be
 /// "primary".
 void SetRole(QWidget& widget, const QString& role);
+
+/// An empty label for plain text that wraps, with this style role; the caller owns it.
+[[nodiscard]] QLabel* MakeTextLine(const QString& name, const QString& role);
 
 }  // namespace tendon::gui

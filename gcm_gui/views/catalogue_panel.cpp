@@ -1,12 +1,12 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/views/link.h>
+#include <gcm_gui/views/link_button.h>
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -32,12 +32,12 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
       count_(new QLabel),
       field_(new QLineEdit),
       tree_(new CatalogueTree(filter, selection, source)),
-      gone_(MakeLink({}, QStringLiteral("catalogue.gone"))) {
+      gone_(MakeLinkButton({}, QStringLiteral("catalogue.gone"))) {
   setObjectName(QStringLiteral("cataloguePanel"));
   setAutoFillBackground(true);
   SetRole(*count_, QStringLiteral("dim"));
   count_->setObjectName(QStringLiteral("catalogueCount"));
-  auto* head = new HeadRow(Words::tr("Catalogue"));
+  auto* head = new HeaderRow(Words::tr("Catalogue"));
   head->addRight(count_);
   field_->setObjectName(QStringLiteral("filter"));
   field_->setAccessibleName(Words::tr("Filter the catalogue"));
@@ -65,11 +65,11 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 
   count_soon_.setSingleShot(true);
   count_soon_.setInterval(kCountPause);
-  connect(&count_soon_, &QTimer::timeout, this, Fenced(this, &CataloguePanel::showCount));
+  connect(&count_soon_, &QTimer::timeout, this, Guarded(this, &CataloguePanel::showCount));
   connect(field_, &QLineEdit::textChanged, &filter_, &CatalogueFilter::setText);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::showCount);
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::foldGone);
-  connect(&selection, &Selection::changed, this, Fenced(this, &CataloguePanel::showSelected));
+  connect(&selection, &Selection::changed, this, Guarded(this, &CataloguePanel::showSelected));
   connect(gone_, &QToolButton::toggled, this, &CataloguePanel::foldGone);
   const auto hear_rows = [this](const QModelIndex& below) {
     count_soon_.start();

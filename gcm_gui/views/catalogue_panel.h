@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/models/filter/catalogue_filter.h>
+#include <gcm_gui/models/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
 
 #include <QModelIndex>

@@ -1,8 +1,8 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/views/catalogue_columns.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/views/columns/catalogue_columns.h>
 
 #include <QContextMenuEvent>
 #include <QScopedValueRollback>
@@ -30,7 +30,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
   columns_ = new CatalogueColumns(*this);
   settle_.setSingleShot(true);
   settle_.setInterval(kSettle);
-  connect(&settle_, &QTimer::timeout, this, Fenced(this, &CatalogueTree::watchVisible));
+  connect(&settle_, &QTimer::timeout, this, Guarded(this, &CatalogueTree::watchVisible));
   connectModel();
   restore({}, 0, filter.rowCount({}) - 1);
 }
@@ -53,7 +53,7 @@ void CatalogueTree::connectModel() {
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
-  connect(&selection_, &Selection::changed, this, Fenced(this, &CatalogueTree::showSelection));
+  connect(&selection_, &Selection::changed, this, Guarded(this, &CatalogueTree::showSelection));
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &CatalogueTree::publishSelection);
   connect(this, &QTreeView::doubleClicked, this, &CatalogueTree::activateRow);
@@ -61,7 +61,7 @@ void CatalogueTree::connectModel() {
   connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& i) { remember(i, false); });
 }
 
-void CatalogueTree::Open::note(const QString& path, bool open) {
+void CatalogueTree::ExpandedRows::note(const QString& path, bool open) {
   (open ? expanded : collapsed).insert(path);
   (open ? collapsed : expanded).remove(path);
 }
@@ -76,7 +76,7 @@ void CatalogueTree::remember(const QModelIndex& index, bool open) {
 
 void CatalogueTree::restore(const QModelIndex& parent, int first, int last) {
   const QScopedValueRollback guard(restoring_, true);
-  const Open& known = filtered_ ? *filtered_ : own_;
+  const ExpandedRows& known = filtered_ ? *filtered_ : own_;
   for (int row = first; row <= last; ++row) {
     const QModelIndex index = model()->index(row, 0, parent);
     const QString path = index.data(kPathRole).toString();

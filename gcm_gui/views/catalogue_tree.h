@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/models/filter/catalogue_filter.h>
+#include <gcm_gui/models/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/views/row_view.h>
@@ -49,7 +49,7 @@ class CatalogueTree : public RowView {
 
  private:
   /// The expanded rows, by path.
-  struct Open {
+  struct ExpandedRows {
     QSet<QString> expanded;
     QSet<QString> collapsed;  // processes, which are expanded by default
 
@@ -70,8 +70,8 @@ class CatalogueTree : public RowView {
   Selection& selection_;
   SignalSource& source_;
   CatalogueColumns* columns_ = nullptr;
-  Open own_;
-  std::optional<Open> filtered_;  // set while there is a filter
+  ExpandedRows own_;
+  std::optional<ExpandedRows> filtered_;  // set while there is a filter
   QTimer settle_;
   bool restoring_ = false;
   bool publishing_ = false;

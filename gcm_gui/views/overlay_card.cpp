@@ -1,6 +1,6 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/overlay_card.h>
@@ -17,8 +17,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kWidest = 760;
-constexpr int kMargin = 12;
+constexpr int kWidestCard = 760;
+constexpr int kCardMargin = 12;
 
 bool IsOwnKey(int key) {
   return key == Qt::Key_Escape || key == Qt::Key_Space || key == Qt::Key_Return ||
@@ -31,11 +31,11 @@ OverlayCard::OverlayCard(QWidget& place, QWidget* body)
     : QFrame(place.window()),
       place_(place),
       body_(body),
-      head_(new HeadRow),
+      head_(new HeaderRow),
       leave_(new QToolButton),
       scroll_(new QScrollArea) {
   setProperty("role", QStringLiteral("card"));
-  Fence::setName(*this, {});
+  ExceptionGuard::setName(*this, {});
   setFocusPolicy(Qt::StrongFocus);
   setAutoFillBackground(true);
   leave_->setObjectName(QStringLiteral("closeCard"));
@@ -85,9 +85,10 @@ void OverlayCard::close() {
 
 void OverlayCard::fit() {
   if (isHidden()) return;
-  const QRect room = QRect(place_.mapTo(window(), QPoint()), place_.size())
-                         .adjusted(kMargin, kHeadHeight + kMargin, -kMargin, -kMargin);
-  const int width = std::min(kWidest, room.width());
+  const QRect room =
+      QRect(place_.mapTo(window(), QPoint()), place_.size())
+          .adjusted(kCardMargin, kHeadHeight + kCardMargin, -kCardMargin, -kCardMargin);
+  const int width = std::min(kWidestCard, room.width());
   QLayout& lines = *body_->layout();
   lines.activate();
   const int wanted = kHeadHeight + 4 + lines.totalHeightForWidth(width - 2);

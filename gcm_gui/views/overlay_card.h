@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace tendon::gui {
 
-class HeadRow;
+class HeaderRow;
 
 /// A card over the lower part of a widget, as high as its contents. It is not modal: the rest of
 /// the window stays usable. Escape closes it and returns the focus.
@@ -29,7 +29,7 @@ class OverlayCard : public QFrame {
 
  protected:
   [[nodiscard]] QWidget& body() { return *body_; }
-  [[nodiscard]] HeadRow& head() { return *head_; }
+  [[nodiscard]] HeaderRow& head() { return *head_; }
   /// The close button, the last one in the head.
   [[nodiscard]] QToolButton& leave() { return *leave_; }
   /// Adds a widget to the head, before the close button.
@@ -47,7 +47,7 @@ class OverlayCard : public QFrame {
  private:
   QWidget& place_;
   QWidget* body_;
-  HeadRow* head_;
+  HeaderRow* head_;
   QToolButton* leave_;
   QScrollArea* scroll_;
   QPointer<QWidget> before_;  // had the focus before

@@ -1,7 +1,8 @@
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/state_of.h>
-#include <gcm_gui/models/trend.h>
+#include <gcm_gui/models/sparkline.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>
 
@@ -19,9 +20,8 @@ namespace {
 constexpr int kGlyphWidth = 16;
 constexpr int kSpace = 6;
 constexpr int kTrendWidth = 48;
-constexpr int kTrendRight = 108;        // from a trend to the row's right edge
-constexpr double kStaleOpacity = 0.45;  // of marks
-constexpr int kHeaderPadding = 8;       // below the texts of a header
+constexpr int kTrendRight = 108;   // from a trend to the row's right edge
+constexpr int kHeaderPadding = 8;  // below the texts of a header
 
 /// Draws as much of `text` as fits, and returns the width used.
 int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
@@ -57,12 +57,12 @@ void PaintTint(QPainter& painter, const QRect& room, int width) {
 
 QFont FontOf(const QModelIndex& index) {
   const Theme& theme = Theme::instance();
-  switch (static_cast<Face>(index.data(kFaceRole).toInt())) {
-    case Face::kStrong:
+  switch (static_cast<FontStyle>(index.data(kFontStyleRole).toInt())) {
+    case FontStyle::kStrong:
       return theme.strong();
-    case Face::kMono:
+    case FontStyle::kMono:
       return theme.mono();
-    case Face::kPlain:
+    case FontStyle::kPlain:
       break;
   }
   return theme.text();
@@ -140,7 +140,7 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
   if (mark.isValid()) {
     const QRect place(rect.right() - used - kGlyphWidth - 2, rect.top(), kGlyphWidth,
                       rect.height());
-    painter.setOpacity(stale ? kStaleOpacity : 1.0);
+    painter.setOpacity(stale ? kStaleMarkOpacity : 1.0);
     PaintMark(painter, place, mark.value<StateMark>());
     painter.setOpacity(1.0);
     used += kGlyphWidth + 2;
@@ -150,7 +150,7 @@ QRect RowDelegate::paintValue(QPainter& painter, QRect rect, const QModelIndex& 
 
 void RowDelegate::paintTrend(QPainter& painter, const QRect& row, const QRect& free,
                              const QModelIndex& index) const {
-  const auto trend = index.data(kTrendRole).value<Trend>();
+  const auto trend = index.data(kSparklineRole).value<Sparkline>();
   const QRect place(row.right() - kTrendRight - kTrendWidth, row.top() + 5, kTrendWidth,
                     row.height() - 10);
   const bool is_free = free.left() <= place.left() && place.right() <= free.right();
@@ -187,7 +187,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   const QString glyph = index.data(kGlyphRole).toString();
   const QRect place(rect.left(), rect.top(), kGlyphWidth, rect.height());
   if (mark.isValid()) {
-    painter.setOpacity(stale ? kStaleOpacity : 1.0);
+    painter.setOpacity(stale ? kStaleMarkOpacity : 1.0);
     PaintMark(painter, place, mark.value<StateMark>());
     painter.setOpacity(1.0);
   } else if (!glyph.isEmpty()) {
@@ -201,7 +201,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   const bool quiet = stale || index.data(kQuietRole).toBool();
   if (index.data(kFreshRole).toBool()) font.setBold(true);
   // The end of a path is its most specific part.
-  const bool path = static_cast<Face>(index.data(kFaceRole).toInt()) == Face::kMono;
+  const bool path = static_cast<FontStyle>(index.data(kFontStyleRole).toInt()) == FontStyle::kMono;
   const int used =
       PaintText(painter, rect, index.data().toString(), font, quiet ? Token::kDim : Token::kText,
                 Qt::AlignLeft, path ? Qt::ElideMiddle : Qt::ElideRight);

@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
@@ -37,17 +37,18 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
 
 void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
                       const QModelIndex& index) const {
-  drawInside([&] { drawFencedRow(painter, option, index); });
+  drawInside([&] { drawGuardedRow(painter, option, index); });
 }
 
 /// No exception may pass QTreeView::paintEvent(), because its painter would never be ended.
 void RowView::drawInside(const std::function<void()>& draw) const {
   auto* view = const_cast<RowView*>(this);
-  if (!Fence::instance().isCovered(view)) Fence::run(view, ViewWork::kDrawing, draw);
+  if (!ExceptionGuard::instance().isCovered(view))
+    ExceptionGuard::run(view, ViewWork::kDrawing, draw);
 }
 
-void RowView::drawFencedRow(QPainter* painter, const QStyleOptionViewItem& option,
-                            const QModelIndex& index) const {
+void RowView::drawGuardedRow(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
   const bool selected = selectionModel() != nullptr && selectionModel()->isSelected(index);
   const bool hovered =
       option.rect.contains(viewport()->mapFromGlobal(QCursor::pos())) && viewport()->underMouse();

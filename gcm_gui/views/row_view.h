@@ -28,8 +28,8 @@ class RowView : public QTreeView {
 
  private:
   void drawInside(const std::function<void()>& draw) const;
-  void drawFencedRow(QPainter* painter, const QStyleOptionViewItem& option,
-                     const QModelIndex& index) const;
+  void drawGuardedRow(QPainter* painter, const QStyleOptionViewItem& option,
+                      const QModelIndex& index) const;
 
   RowDelegate* delegate_;
   QString empty_text_;

@@ -10,7 +10,6 @@ namespace {
 
 constexpr int kMarkWidth = 16;
 constexpr int kMarkSpace = 2;
-constexpr double kStaleMarkOpacity = 0.45;
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-#include <gcm_gui/fence/fence.h>
-#include <gcm_gui/theme/head_row.h>
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/views/tab_panel.h>
 
 #include <QStackedWidget>
@@ -10,7 +10,7 @@ namespace tendon::gui {
 
 TabPanel::TabPanel(const QString& name, QWidget* parent)
     : QWidget(parent),
-      head_(new HeadRow(this)),
+      head_(new HeaderRow(this)),
       tabs_(new QTabBar),
       pages_(new QStackedWidget(this)) {
   setObjectName(name);
@@ -33,7 +33,7 @@ TabPanel::TabPanel(const QString& name, QWidget* parent)
 
 int TabPanel::addPage(QWidget* page, const QString& title) {
   pages_->addWidget(page);
-  Fence::setName(*page, title);
+  ExceptionGuard::setName(*page, title);
   return tabs_->addTab(title);
 }
 

@@ -8,7 +8,7 @@ class QTabBar;
 
 namespace tendon::gui {
 
-class HeadRow;
+class HeaderRow;
 
 /// Pages with a row of tabs, and room for tools at the right of the tabs.
 class TabPanel : public QWidget {
@@ -30,7 +30,7 @@ class TabPanel : public QWidget {
   void currentChanged(int page);
 
  private:
-  HeadRow* head_;
+  HeaderRow* head_;
   QTabBar* tabs_;
   QStackedWidget* pages_;
 };

@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
@@ -69,7 +69,7 @@ EmptyState::EmptyState(const LinkState& link, Offers offers, QWidget* parent)
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);
   middle->addStretch(1);
-  connect(&link, &LinkState::changed, this, Fenced(this, &EmptyState::refresh));
+  connect(&link, &LinkState::changed, this, Guarded(this, &EmptyState::refresh));
   refresh();
 }
 

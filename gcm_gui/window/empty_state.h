@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 
 #include <QWidget>
 

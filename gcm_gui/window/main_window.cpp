@@ -1,48 +1,44 @@
 #include <gcm_gui/activity/activity_strip.h>
-#include <gcm_gui/call/favourites/favourite_bar.h>
+#include <gcm_gui/call/favourite_bar.h>
+#include <gcm_gui/commands/graph_commands.h>
+#include <gcm_gui/commands/window_commands.h>
 #include <gcm_gui/connect/candidate_panel.h>
 #include <gcm_gui/connect/match_card.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/diagnosis/diagnosis_binding.h>
+#include <gcm_gui/diagnosis/diagnosis_card.h>
 #include <gcm_gui/graph/edge_health.h>
-#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
-#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/graph/zoom_buttons.h>
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/help/tour.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/reports/system_reports.h>
-#include <gcm_gui/steer/steer_card.h>
+#include <gcm_gui/session/system_reports.h>
+#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tab_panel.h>
-#include <gcm_gui/why/why_binding.h>
-#include <gcm_gui/why/why_card.h>
-#include <gcm_gui/window/bar/lost_banner.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/bar/top_bar.h>
-#include <gcm_gui/window/commands/command_palette.h>
-#include <gcm_gui/window/commands/commands.h>
 #include <gcm_gui/window/empty_state.h>
-#include <gcm_gui/window/file/gcm_start.h>
-#include <gcm_gui/window/file/other_gcm.h>
-#include <gcm_gui/window/file/system_files.h>
-#include <gcm_gui/window/graph/graph_commands.h>
-#include <gcm_gui/window/help/keys_card.h>
+#include <gcm_gui/window/gcm_launcher.h>
+#include <gcm_gui/window/gcm_switcher.h>
+#include <gcm_gui/window/lost_banner.h>
 #include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/mark_binding.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gcm_gui/window/plot_binding.h>
-#include <gcm_gui/window/plots/mark_binding.h>
-#include <gcm_gui/window/steer/steer_commands.h>
-#include <gcm_gui/window/zoom_buttons.h>
+#include <gcm_gui/window/top_bar.h>
 #include <tendon/base/log.h>
 #include <tendon/base/path.h>
 
@@ -83,12 +79,12 @@ MainWindow::MainWindow(WindowParts parts)
   setWindowIcon(ThemeIcon(QStringLiteral("logo"), Token::kAccent));
   resize(kWindow);
   connectModels();
-  connectFence();
+  connectExceptionGuard();
   buildViews();
   connectViews();
-  addCommands();
+  commands_ = new WindowCommands(*this);
   second_.start(kSecond);
-  connect(&second_, &QTimer::timeout, this, Fenced(this, &MainWindow::tick));
+  connect(&second_, &QTimer::timeout, this, Guarded(this, &MainWindow::tick));
   tick();
   showPage();
   showLink();
@@ -97,34 +93,37 @@ MainWindow::MainWindow(WindowParts parts)
 
 MainWindow::~MainWindow() = default;
 
+Tour& MainWindow::tour() const { return commands_->tour(); }
+
 void MainWindow::connectModels() {
   CatalogueStore& store = parts_.store;
   connect(&store, &CatalogueStore::changed, &catalogue_model_,
-          Fenced(&catalogue_model_, &CatalogueModel::update));
+          Guarded(&catalogue_model_, &CatalogueModel::update));
   connect(&store, &CatalogueStore::changed, &connections_,
-          Fenced(&connections_, &ConnectionsModel::update));
-  connect(&store, &CatalogueStore::changed, &problems_, Fenced(&problems_, &ProblemsModel::update));
-  connect(&store, &CatalogueStore::changed, this, Fenced(this, &MainWindow::showPage));
+          Guarded(&connections_, &ConnectionsModel::update));
+  connect(&store, &CatalogueStore::changed, &problems_,
+          Guarded(&problems_, &ProblemsModel::update));
+  connect(&store, &CatalogueStore::changed, this, Guarded(this, &MainWindow::showPage));
   connect(&parts_.source, &SignalSource::valuesArrived, &catalogue_model_,
-          Fenced(&catalogue_model_, &CatalogueModel::showValues));
+          Guarded(&catalogue_model_, &CatalogueModel::showValues));
   connect(&parts_.activity, &ActivityModel::finished, &problems_,
-          Fenced(&problems_, &ProblemsModel::hear));
-  Touched all;
+          Guarded(&problems_, &ProblemsModel::hear));
+  ChangedParts all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   catalogue_model_.update(store.catalogue(), all);
   connections_.update(store.catalogue());
   problems_.update(store.catalogue());
 }
 
-void MainWindow::connectFence() {
-  Fence::setName(catalogue_model_, Words::tr("Catalogue"));
-  Fence::setName(filter_, Words::tr("Catalogue"));
-  Fence::setName(connections_, Words::tr("Connections"));
-  Fence::setName(problems_, Words::tr("Problems"));
-  Fence& fence = Fence::instance();
-  connect(&fence, &Fence::changed, &problems_,
-          [this, &fence] { problems_.showFaults(fence.faults()); });
-  connect(&fence, &Fence::told, this, [this](const ViewFault& fault) {
+void MainWindow::connectExceptionGuard() {
+  ExceptionGuard::setName(catalogue_model_, Words::tr("Catalogue"));
+  ExceptionGuard::setName(filter_, Words::tr("Catalogue"));
+  ExceptionGuard::setName(connections_, Words::tr("Connections"));
+  ExceptionGuard::setName(problems_, Words::tr("Problems"));
+  ExceptionGuard& guard = ExceptionGuard::instance();
+  connect(&guard, &ExceptionGuard::changed, &problems_,
+          [this, &guard] { problems_.showFaults(guard.faults()); });
+  connect(&guard, &ExceptionGuard::told, this, [this](const ViewFault& fault) {
     Log(LogLevel::kError, "gcm-gui",
         QStringLiteral("%1: %2 (%3 times)")
             .arg(fault.view, fault.what)
@@ -137,7 +136,7 @@ void MainWindow::connectFence() {
 
 void MainWindow::buildViews() {
   catalogue_ = new CataloguePanel(filter_, selection_, parts_.source);
-  Fence::setName(*catalogue_, Words::tr("Catalogue"));
+  ExceptionGuard::setName(*catalogue_, Words::tr("Catalogue"));
   strip_ = new ActivityStrip(parts_, problems_, selection_);
   setMenuWidget(buildTop());
   QSplitter* centre = buildCentre();
@@ -200,8 +199,8 @@ QSplitter* MainWindow::buildCentre() {
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
-  Fence::setName(*plots_, Words::tr("Plots"));
-  Fence::setName(*binding_, Words::tr("Plots"));
+  ExceptionGuard::setName(*plots_, Words::tr("Plots"));
+  ExceptionGuard::setName(*binding_, Words::tr("Plots"));
   new MarkBinding(*plots_, parts_.store, parts_.activity, parts_.reports, plots_);
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
@@ -217,18 +216,18 @@ QSplitter* MainWindow::buildCentre() {
 
 QWidget* MainWindow::buildGraphPage() {
   scene_ = new GraphScene(parts_.store, selection_, mode_, this);
-  Fence::setName(*scene_, Words::tr("Graph"));
+  ExceptionGuard::setName(*scene_, Words::tr("Graph"));
   graph_ = new GraphView(*scene_, selection_, mode_);
   new ZoomButtons(*graph_);
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
   auto* empty =
       new EmptyState(parts_.link, {.gcm = !parts_.gcm.isEmpty(), .demo = !parts_.demo.isEmpty()});
-  other_ = new OtherGcm(*this, parts_.link);
-  connect(empty, &EmptyState::otherRequested, other_, &OtherGcm::ask);
-  gcm_start_ = new GcmStart(parts_.gcm, parts_.link, this);
-  connect(empty, &EmptyState::gcmRequested, gcm_start_, &GcmStart::start);
-  connect(empty, &EmptyState::tourRequested, this, [this] { tour_->start(); });
+  other_ = new GcmSwitcher(*this, parts_.link);
+  connect(empty, &EmptyState::otherRequested, other_, &GcmSwitcher::ask);
+  gcm_start_ = new GcmLauncher(parts_.gcm, parts_.link, this);
+  connect(empty, &EmptyState::gcmRequested, gcm_start_, &GcmLauncher::start);
+  connect(empty, &EmptyState::tourRequested, this, [this] { tour().start(); });
   connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
   graph_page_->addWidget(empty);
   graph_page_->addWidget(graph_);
@@ -297,27 +296,27 @@ void MainWindow::connectViews() {
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
   top_bar_->showProblemCount(problems_.rowCount());
-  connect(&parts_.link, &LinkState::changed, this, Fenced(this, &MainWindow::showLink));
+  connect(&parts_.link, &LinkState::changed, this, Guarded(this, &MainWindow::showLink));
   connectModeToViews();
   connectWhy();
 }
 
 void MainWindow::connectWhy() {
-  why_card_ = new WhyCard(*centralWidget());
-  why_ = new WhyBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
+  why_card_ = new DiagnosisCard(*centralWidget());
+  why_ = new DiagnosisBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
   connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(),
-          Fenced(&why_->refusals(), &Refusals::hear));
+          Guarded(&why_->refusals(), &RefusedConnections::hear));
   connect(&mode_, &ConnectMode::misfitPicked, &parts_.activity,
           [&activity = parts_.activity](const message::Wire& wire, const QString& reason) {
             activity.finish(activity.begin({.required = wire.required, .provided = wire.provided}),
                             0.0, reason);
           });
-  connect(&why_->refusals(), &Refusals::changed, scene_,
+  connect(&why_->refusals(), &RefusedConnections::changed, scene_,
           [this] { scene_->showRefused(why_->refusals().all()); });
-  connect(graph_, &GraphView::whyRequested, why_, &WhyBinding::open);
-  connect(inspector_, &Inspector::whyRequested, why_, &WhyBinding::open);
-  connect(strip_, &ActivityStrip::problemChosen, why_, &WhyBinding::openProblem);
-  connect(why_, &WhyBinding::notice, notice_, &NoticeLine::tell);
+  connect(graph_, &GraphView::whyRequested, why_, &DiagnosisBinding::open);
+  connect(inspector_, &Inspector::whyRequested, why_, &DiagnosisBinding::open);
+  connect(strip_, &ActivityStrip::problemChosen, why_, &DiagnosisBinding::openProblem);
+  connect(why_, &DiagnosisBinding::notice, notice_, &NoticeLine::tell);
   match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
   auto* health = new EdgeHealth(
       parts_.reports, [this] { return graph_->seenConnections(); }, this);
@@ -422,9 +421,7 @@ void MainWindow::escape() {
   if (mode_.active()) return mode_.leave();
   if (why_card_->isVisible()) return why_card_->close();
   if (match_->isVisible()) return match_->close();
-  if (keys_->isVisible()) return keys_->close();
-  if (steer_->card().isVisible()) return steer_->card().close();
-  notice_->tell({});
+  if (!commands_->closeCard()) notice_->tell({});
 }
 
 void MainWindow::showPage() {
@@ -462,7 +459,7 @@ void MainWindow::showPerspective(Panels::Perspective perspective) {
 void MainWindow::tick() {
   const qint64 now = WallClock();
   const auto tell = [now](auto& view) {
-    Fence::run(&view, ViewWork::kHandling, [&] { view.setNow(now); });
+    ExceptionGuard::run(&view, ViewWork::kHandling, [&] { view.setNow(now); });
   };
   tell(catalogue_model_);
   tell(*catalogue_);
@@ -470,9 +467,9 @@ void MainWindow::tick() {
   tell(*top_bar_);
   tell(*lost_);
   // Old faults disappear after a while.
-  Fence::run(&problems_, ViewWork::kHandling,
-             [this] { problems_.showFaults(Fence::instance().faults()); });
-  Fence::instance().noteUnnoted();
+  ExceptionGuard::run(&problems_, ViewWork::kHandling,
+                      [this] { problems_.showFaults(ExceptionGuard::instance().faults()); });
+  ExceptionGuard::instance().noteUnnoted();
 }
 
 }  // namespace tendon::gui

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <gcm_gui/activity/problems_model.h>
-#include <gcm_gui/call/favourites/favourites.h>
+#include <gcm_gui/call/favourites.h>
 #include <gcm_gui/connect/connect_mode.h>
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/models/catalogue_filter.h>
 #include <gcm_gui/models/connections_model.h>
-#include <gcm_gui/models/filter/catalogue_filter.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/window/panels.h>
 #include <gcm_gui/window/window_parts.h>
@@ -23,31 +23,27 @@ namespace tendon::gui {
 class ActivityStrip;
 class CandidatePanel;
 class CataloguePanel;
-class CommandPalette;
-class Commands;
-class GcmStart;
+class DiagnosisBinding;
+class DiagnosisCard;
+class GcmLauncher;
+class GcmSwitcher;
 class GraphCommands;
 class GraphScene;
 class GraphView;
 class Inspector;
-class KeysCard;
 class LostBanner;
 class MatchCard;
 class NoticeLine;
-class OtherGcm;
 class PlotBinding;
 class PlotPanel;
-class Redo;
-class SteerCommands;
 class SystemFiles;
 class TabPanel;
 class TopBar;
 class Tour;
-class WhyBinding;
-class WhyCard;
+class WindowCommands;
 
-/// The window: a bar, three columns, a strip. It creates the views, connects them and assigns keys;
-/// the views themselves know their contents.
+/// The window: a bar, three columns, a strip. It creates the views and connects them; the views
+/// themselves know their contents, and WindowCommands assigns the keys.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -68,8 +64,12 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
   [[nodiscard]] SystemFiles& files() const { return *files_; }
   [[nodiscard]] TabPanel& centre() const { return *centre_; }
-  [[nodiscard]] Tour& tour() const { return *tour_; }
+  [[nodiscard]] Tour& tour() const;
   [[nodiscard]] Panels& panels() const { return *panels_; }
+  [[nodiscard]] NoticeLine& notice() const { return *notice_; }
+  [[nodiscard]] DiagnosisBinding& diagnosis() const { return *why_; }
+  [[nodiscard]] GcmSwitcher& gcmSwitcher() const { return *other_; }
+  [[nodiscard]] GcmLauncher& gcmLauncher() const { return *gcm_start_; }
   [[nodiscard]] Favourites& favourites() { return favourites_; }
   [[nodiscard]] CatalogueModel& catalogueModel() { return catalogue_model_; }
 
@@ -89,7 +89,7 @@ class MainWindow : public QMainWindow {
  private:
   void connectModels();
   /// Reports views that have thrown.
-  void connectFence();
+  void connectExceptionGuard();
   void buildViews();
   [[nodiscard]] QWidget* buildTop();
   [[nodiscard]] QWidget* buildRight();
@@ -101,13 +101,6 @@ class MainWindow : public QMainWindow {
   void connectModeToViews();
   void connectWhy();
   void addFavourites();
-  void addCommands();
-  void addSystemCommands();
-  void addSteerCommands();
-  void addPlotCommands();
-  void addHelpCommands();
-  void addPalette();
-  void forbidChanges();
   void showPage();
   void showLink();
   void showPerspective(Panels::Perspective perspective);
@@ -125,8 +118,7 @@ class MainWindow : public QMainWindow {
   ConnectMode mode_;
   Favourites favourites_;
 
-  Commands* commands_ = nullptr;
-  CommandPalette* palette_ = nullptr;
+  WindowCommands* commands_ = nullptr;
   TopBar* top_bar_ = nullptr;
   LostBanner* lost_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;
@@ -144,15 +136,11 @@ class MainWindow : public QMainWindow {
   CandidatePanel* candidates_ = nullptr;
   ActivityStrip* strip_ = nullptr;
   Panels* panels_ = nullptr;
-  WhyCard* why_card_ = nullptr;
-  WhyBinding* why_ = nullptr;
+  DiagnosisCard* why_card_ = nullptr;
+  DiagnosisBinding* why_ = nullptr;
   MatchCard* match_ = nullptr;
-  SteerCommands* steer_ = nullptr;
-  Redo* redo_ = nullptr;
-  OtherGcm* other_ = nullptr;
-  GcmStart* gcm_start_ = nullptr;
-  KeysCard* keys_ = nullptr;
-  Tour* tour_ = nullptr;
+  GcmSwitcher* other_ = nullptr;
+  GcmLauncher* gcm_start_ = nullptr;
   QTimer second_;
   std::int64_t lost_since_ = 0;  // loss of the GCM, ns since 1970; 0 while it is reachable
 };

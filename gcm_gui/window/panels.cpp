@@ -23,21 +23,21 @@ constexpr QDockWidget::DockWidgetFeatures kFree =
 
 /// The sizes of the panels in a perspective, in the order of add(), 0 if hidden, and the fraction
 /// of the middle for the plots.
-struct Arrangement {
+struct PanelArrangement {
   const char* title;
   std::array<int, 3> sizes;
   double plots;
 };
-constexpr std::array<Arrangement, 4> kArrangements{
+constexpr std::array<PanelArrangement, 4> kArrangements{
     {{QT_TRANSLATE_NOOP("Words", "Layout for connecting"), {280, 336, 124}, 0.40},
      {QT_TRANSLATE_NOOP("Words", "Layout for plotting"), {280, 0, 0}, 0.72},
      {QT_TRANSLATE_NOOP("Words", "Layout for operating"), {240, 420, 124}, 0.50},
      {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 336, 260}, 0.30}}};
 
 /// Has the wanted size in the first layout.
-class Page final : public QWidget {
+class PanelPage final : public QWidget {
  public:
-  Page(QWidget* content, const QSize& wanted) : wanted_(wanted) {
+  PanelPage(QWidget* content, const QSize& wanted) : wanted_(wanted) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(content);
@@ -67,7 +67,7 @@ void Panels::add(QWidget* content, const QString& title, Qt::DockWidgetArea area
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(QStringLiteral("dock.") + title);
   const bool side = across(area) == Qt::Horizontal;
-  auto* page = new Page(content, side ? QSize(size, 200) : QSize(400, size));
+  auto* page = new PanelPage(content, side ? QSize(size, 200) : QSize(400, size));
   side ? page->setMinimumWidth(least) : page->setMinimumHeight(least);
   dock->setWidget(page);
   window_.addDockWidget(area, dock);
@@ -118,7 +118,7 @@ void Panels::giveRoom(const QWidget& content, int size) {
 }
 
 void Panels::show(Perspective perspective) {
-  const Arrangement& wanted = kArrangements[static_cast<std::size_t>(perspective)];
+  const PanelArrangement& wanted = kArrangements[static_cast<std::size_t>(perspective)];
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     panels_[i].dock->setVisible(wanted.sizes.at(i) > 0);
   }

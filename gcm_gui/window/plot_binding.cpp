@@ -1,4 +1,4 @@
-#include <gcm_gui/fence/fence.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
@@ -15,10 +15,10 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
     : QObject(parent), panel_(panel), model_(model) {
   connect(&panel, &PlotPanel::subscriptionWanted, &source, &SignalSource::subscribe);
   connect(&panel, &PlotPanel::subscriptionReleased, &source, &SignalSource::release);
-  connect(&source, &SignalSource::namesLearned, &panel, Fenced(&panel, &PlotPanel::setNames));
-  connect(&source, &SignalSource::samplesArrived, &panel, Fenced(&panel, &PlotPanel::append));
-  connect(&source, &SignalSource::epochBegan, &panel, Fenced(&panel, &PlotPanel::beginEpoch));
-  connect(&source, &SignalSource::wentStale, this, Fenced(this, &PlotBinding::showStale));
+  connect(&source, &SignalSource::namesLearned, &panel, Guarded(&panel, &PlotPanel::setNames));
+  connect(&source, &SignalSource::samplesArrived, &panel, Guarded(&panel, &PlotPanel::append));
+  connect(&source, &SignalSource::epochBegan, &panel, Guarded(&panel, &PlotPanel::beginEpoch));
+  connect(&source, &SignalSource::wentStale, this, Guarded(this, &PlotBinding::showStale));
   panel.setLosses([&source](const QString& path) { return source.losses(path); });
   panel.setStandstills([this](const QString& path, std::optional<std::int64_t> newest_ns) {
     return standstillOf(path, newest_ns);

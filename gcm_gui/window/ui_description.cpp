@@ -9,11 +9,11 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/window/bar/top_bar.h>
 #include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/top_bar.h>
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 

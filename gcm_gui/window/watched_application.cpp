@@ -7,7 +7,7 @@ namespace tendon::gui {
 
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (depth_ > 0 && event->type() == QEvent::Paint) return paint(receiver, event);
-  if (depth_ > 0) return FencedApplication::notify(receiver, event);
+  if (depth_ > 0) return GuardedApplication::notify(receiver, event);
   // Read them before: both objects may be gone afterwards.
   const char* receiver_class = receiver->metaObject()->className();
   const QObject* owner = receiver->parent();
@@ -22,7 +22,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   painting_waits_ = 0;
   const auto before = os::ThreadCpuTime();
   const std::int64_t waits_before = os::ThreadWaits();
-  const bool handled = FencedApplication::notify(receiver, event);
+  const bool handled = GuardedApplication::notify(receiver, event);
   const std::int64_t waits =
       type == QEvent::Paint ? 0 : os::ThreadWaits() - waits_before - painting_waits_;
   const auto used = os::ThreadCpuTime() - before;
@@ -43,7 +43,7 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
 bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   const std::int64_t before = os::ThreadWaits();
   const std::int64_t waits_so_far = painting_waits_;
-  const bool handled = FencedApplication::notify(receiver, event);
+  const bool handled = GuardedApplication::notify(receiver, event);
   // Includes the waits of nested paint events.
   painting_waits_ = waits_so_far + os::ThreadWaits() - before;
   return handled;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/fence/fenced_application.h>
+#include <gcm_gui/guard/guarded_application.h>
 
 #include <chrono>
 #include <cstdint>
@@ -11,11 +11,11 @@ namespace tendon::gui {
 /// Waiting for the processor does not count, so a busy machine is not reported as a slow handler.
 /// Nor does the event loop's own wait for events, nor Qt's wait while painting: it shares large
 /// areas with its own threads.
-class WatchedApplication : public FencedApplication {
+class WatchedApplication : public GuardedApplication {
   Q_OBJECT
 
  public:
-  using FencedApplication::FencedApplication;
+  using GuardedApplication::GuardedApplication;
 
   bool notify(QObject* receiver, QEvent* event) override;
 

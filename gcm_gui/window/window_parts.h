@@ -3,6 +3,7 @@
 #include <gcm_console/command_line/settings.h>
 
 #include <QString>
+#include <QStringList>
 
 namespace tendon::gui {
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 /// The messages between a GCM and its viewers. For messages to LCMs, see
-/// process/membership/membership_messages.h and process/life/life_messages.h. Each struct is the body of a
-/// frame.
+/// process/membership/membership_messages.h and process/life/life_messages.h. Each struct is the
+/// body of a frame.
 namespace tendon {
 
 /// The orders to a GCM for a process on its own host.

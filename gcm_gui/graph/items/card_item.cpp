@@ -1,6 +1,6 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kBend = 16;
 constexpr double kCorner = 16;
-constexpr double kInsetX = 12;
-constexpr double kInsetY = 8;
+constexpr double kCardInsetX = 12;
+constexpr double kCardInsetY = 8;
 constexpr double kLine = 18;
-constexpr double kBetween = 4;
-constexpr int kWrapped = static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap;
+constexpr double kTextGap = 4;
+constexpr int kWrappedText = static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap;
 
 }  // namespace
 
@@ -38,12 +38,12 @@ void CardItem::setTexts(const QString& title, const QStringList& lines, double w
   double height = kLine;
   heights_.clear();
   for (const QString& line : lines_) {
-    const QRectF needed = metrics.boundingRect(QRectF(0, 0, widest, 1000), kWrapped, line);
+    const QRectF needed = metrics.boundingRect(QRectF(0, 0, widest, 1000), kWrappedText, line);
     width = std::max(width, needed.width());
     heights_.push_back(needed.height());
-    height += kBetween + needed.height();
+    height += kTextGap + needed.height();
   }
-  size_ = QSizeF(std::ceil(width) + 2 * kInsetX + 2, std::ceil(height) + 2 * kInsetY);
+  size_ = QSizeF(std::ceil(width) + 2 * kCardInsetX + 2, std::ceil(height) + 2 * kCardInsetY);
 }
 
 void CardItem::place(const QPointF& corner, const QPointF& point) {
@@ -78,7 +78,7 @@ QRectF CardItem::boundingRect() const {
 }
 
 void CardItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
-  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+  ExceptionGuard::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
 }
 
 void CardItem::draw(QPainter* painter) {
@@ -91,16 +91,16 @@ void CardItem::draw(QPainter* painter) {
   painter->setPen(theme.color(Token::kLine));
   painter->setBrush(theme.color(Token::kRaised));
   painter->drawRoundedRect(QRectF({}, size_).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
-  QRectF row(kInsetX, kInsetY, size_.width() - 2 * kInsetX, kLine);
+  QRectF row(kCardInsetX, kCardInsetY, size_.width() - 2 * kCardInsetX, kLine);
   painter->setFont(theme.strong());
   painter->setPen(theme.color(Token::kText));
-  painter->drawText(row, kWrapped, title_);
+  painter->drawText(row, kWrappedText, title_);
   painter->setFont(theme.text());
   painter->setPen(theme.color(Token::kDim));
   for (qsizetype line = 0; line < lines_.size(); ++line) {
-    row.moveTop(row.bottom() + kBetween);
+    row.moveTop(row.bottom() + kTextGap);
     row.setHeight(heights_[static_cast<std::size_t>(line)]);
-    painter->drawText(row, kWrapped, lines_[line]);
+    painter->drawText(row, kWrappedText, lines_[line]);
   }
 }
 

@@ -1,8 +1,8 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -70,7 +70,7 @@ Token ComponentItem::token() const {
 QRectF ComponentItem::boundingRect() const { return QRectF({}, size_).adjusted(-1, -1, 1, 1); }
 
 void ComponentItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
-  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+  ExceptionGuard::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
 }
 
 void ComponentItem::draw(QPainter* painter) {

@@ -1,6 +1,6 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/edge_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
@@ -37,7 +37,7 @@ Token TokenOf(EdgeItem::Look look) {
   return Token::kAccent;
 }
 
-QPainterPath Curve(const QPointF& from, const QPointF& to) {
+QPainterPath EdgePath(const QPointF& from, const QPointF& to) {
   const double distance = std::abs(to.x() - from.x());
   // A backward edge bends more, so that its ends still follow the ports.
   const double wanted = to.x() > from.x() ? distance / 2 : distance / 3 + kLeastBend;
@@ -62,7 +62,7 @@ void EdgeItem::show(const QPointF& from, const QPointF& to, Look look, const QSt
   prepareGeometryChange();
   from_ = from;
   to_ = to;
-  path_ = Curve(from, to);
+  path_ = EdgePath(from, to);
   look_ = look;
   reason_ = reason;
   order();
@@ -119,7 +119,7 @@ QPainterPath EdgeItem::shape() const {
 }
 
 void EdgeItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
-  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+  ExceptionGuard::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
 }
 
 void EdgeItem::draw(QPainter* painter) {

@@ -1,6 +1,6 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -74,7 +74,7 @@ void PortItem::hoverLeaveEvent(QGraphicsSceneHoverEvent*) {
 }
 
 void PortItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
-  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+  ExceptionGuard::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
 }
 
 void PortItem::draw(QPainter* painter) {

@@ -1,8 +1,8 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -81,7 +81,7 @@ void ProcessItem::paintFarTitle(QPainter& painter, double scale) const {
 }
 
 void ProcessItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* viewport) {
-  Fence::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
+  ExceptionGuard::run(viewport, ViewWork::kDrawing, [&] { draw(painter); });
 }
 
 void ProcessItem::draw(QPainter* painter) {

@@ -1,11 +1,13 @@
-#include <gcm_gui/graph/layout/free_room.h>
 #include <gcm_gui/graph/layout/graph_layout.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 
+#include <QRectF>
+#include <QSizeF>
 #include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -48,6 +50,41 @@ class EdgeCollector {
  private:
   std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
+
+/// Keeps track of occupied space and finds free places beside it.
+class FreeSpace {
+ public:
+  /// Keeps a gap of `between` around each rectangle.
+  explicit FreeSpace(const QSizeF& between) : between_(between) {}
+
+  void Take(const QRectF& rect) { taken_.push_back(rect); }
+  /// Moves `wanted` right or down, one obstacle at a time, until it overlaps nothing. Each obstacle
+  /// costs a pass over all occupied rectangles.
+  [[nodiscard]] QRectF Beside(QRectF wanted) const;
+
+ private:
+  [[nodiscard]] const QRectF* InTheWayOf(const QRectF& rect) const;
+
+  QSizeF between_;
+  std::vector<QRectF> taken_;
+};
+
+const QRectF* FreeSpace::InTheWayOf(const QRectF& rect) const {
+  for (const QRectF& taken : taken_) {
+    if (taken.intersects(rect)) return &taken;
+  }
+  return nullptr;
+}
+
+QRectF FreeSpace::Beside(QRectF wanted) const {
+  // The loop ends, because each step moves right or down past one obstacle.
+  while (const QRectF* obstacle = InTheWayOf(wanted)) {
+    const double right = obstacle->right() + between_.width() - wanted.left();
+    const double down = obstacle->bottom() + between_.height() - wanted.top();
+    right < down ? wanted.translate(right, 0) : wanted.translate(0, down);
+  }
+  return wanted;
+}
 
 }  // namespace
 
@@ -130,7 +167,7 @@ void GraphLayout::placeNodes(const ProcessPicture& process, const QRectF& box) {
 
 QRectF GraphLayout::placeByHand(const ProcessPicture& process) {
   placeNodes(process, columnRect(process.name));
-  FreeRoom room({kNodeSpacing.columns, kNodeSpacing.rows});
+  FreeSpace room({kNodeSpacing.columns, kNodeSpacing.rows});
   QRectF all;
   const auto put = [&](const QString& path, const QRectF& rect) {
     arrangement_.nodes.insert(path, rect);
@@ -153,7 +190,7 @@ QRectF GraphLayout::placeByHand(const ProcessPicture& process) {
 void GraphLayout::placeAll(const GraphPicture& picture) {
   arrangement_.boxes.clear();
   arrangement_.nodes.clear();
-  FreeRoom room({kProcessSpacing.columns, kProcessSpacing.rows});
+  FreeSpace room({kProcessSpacing.columns, kProcessSpacing.rows});
   bool any_by_hand = false;
   std::vector<const ProcessPicture*> others;
   for (const auto& process : picture.processes) {

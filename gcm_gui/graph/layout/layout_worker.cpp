@@ -1,5 +1,5 @@
-#include <gcm_gui/fence/fence.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
+#include <gcm_gui/guard/exception_guard.h>
 
 #include <utility>
 
@@ -8,9 +8,9 @@ namespace tendon::gui {
 LayoutWorker::LayoutWorker(QObject* parent)
     : QObject(parent),
       layout_(std::make_shared<GraphLayout>()),
-      courier_(std::make_shared<Courier>(this)) {}
+      poster_(std::make_shared<GuiPoster>(this)) {}
 
-LayoutWorker::~LayoutWorker() { courier_->detach(); }
+LayoutWorker::~LayoutWorker() { poster_->detach(); }
 
 void LayoutWorker::arrange(const GraphPicture& picture, const Places& places) {
   if (is_at_work_) {
@@ -37,13 +37,13 @@ void LayoutWorker::doNow(const GraphPicture& picture, const Places& places) {
 
 void LayoutWorker::doInThread(Order order) {
   is_at_work_ = true;
-  thread_.start([this, layout = layout_, courier = courier_, order = std::move(order)] {
+  thread_.start([this, layout = layout_, poster = poster_, order = std::move(order)] {
     bool moved = false;
-    Fence::run(QT_TRANSLATE_NOOP("Words", "the layout of the graph"), [&] {
+    ExceptionGuard::run(QT_TRANSLATE_NOOP("Words", "the layout of the graph"), [&] {
       layout->setPlaces(order.places);
       moved = layout->update(order.picture);
     });
-    courier->post(
+    poster->post(
         [this, moved, arrangement = layout->arrangement()] { finish(moved, arrangement); });
   });
 }

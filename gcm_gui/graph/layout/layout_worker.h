@@ -1,8 +1,8 @@
 #pragma once
 
 #include <gcm_gui/files/background.h>
+#include <gcm_gui/files/gui_poster.h>
 #include <gcm_gui/graph/layout/graph_layout.h>
-#include <gcm_gui/session/courier.h>
 
 #include <QObject>
 #include <QPointF>
@@ -51,7 +51,7 @@ class LayoutWorker : public QObject {
   void finish(bool moved, const Arrangement& arrangement);
 
   std::shared_ptr<GraphLayout> layout_;  // used by the thread while it works
-  std::shared_ptr<Courier> courier_;
+  std::shared_ptr<GuiPoster> poster_;
   Arrangement arrangement_;
   bool is_at_work_ = false;
   std::optional<Order> next_;

@@ -2,7 +2,7 @@
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/connection_index.h>
-#include <gcm_gui/models/state_of.h>
+#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>
@@ -55,15 +55,16 @@ bool HaveSameEnds(const ConnectionDescription& a, const ConnectionDescription& b
 }  // namespace
 
 GraphPicture PictureOf(const Catalogue& catalogue) {
-  Touched all;
+  ChangedParts all;
   for (const auto& [name, entry] : catalogue.processes()) all.insert({name, {}});
   return PictureUpdater().update(catalogue, all);
 }
 
-const GraphPicture& PictureUpdater::update(const Catalogue& catalogue, const Touched& touched) {
+const GraphPicture& PictureUpdater::update(const Catalogue& catalogue,
+                                           const ChangedParts& touched) {
   const ConnectionIndex connections(catalogue);
   bool other_interfaces = false;
-  for (const TouchedPart& part : touched) {
+  for (const ChangedPart& part : touched) {
     updatePart(catalogue, connections, part);
     if (takeInterfaces(catalogue, part)) other_interfaces = true;
   }
@@ -76,7 +77,7 @@ const GraphPicture& PictureUpdater::update(const Catalogue& catalogue, const Tou
 }
 
 void PictureUpdater::updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
-                                const TouchedPart& part) {
+                                const ChangedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
   auto process = FindByName(picture_.processes, part.process);
   const bool known = IsAt(picture_.processes, process, part.process);
@@ -108,7 +109,7 @@ void PictureUpdater::updatePart(const Catalogue& catalogue, const ConnectionInde
   *node = NodeOf(connections, *entry, component->second);
 }
 
-bool PictureUpdater::takeInterfaces(const Catalogue& catalogue, const TouchedPart& part) {
+bool PictureUpdater::takeInterfaces(const Catalogue& catalogue, const ChangedPart& part) {
   const ProcessEntry* entry = catalogue.FindProcess(part.process);
   const auto description = [&](const std::string& name) -> const ComponentDescription* {
     return entry == nullptr ? nullptr : catalogue.FindComponent(part.process, name);

@@ -17,7 +17,7 @@ class PictureUpdater {
  public:
   /// Returns the same picture as PictureOf(). `touched` must name all parts that have changed since
   /// the last call.
-  const GraphPicture& update(const Catalogue& catalogue, const Touched& touched);
+  const GraphPicture& update(const Catalogue& catalogue, const ChangedParts& touched);
 
   [[nodiscard]] const GraphPicture& picture() const { return picture_; }
 
@@ -30,15 +30,15 @@ class PictureUpdater {
   };
 
   void updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
-                  const TouchedPart& part);
+                  const ChangedPart& part);
   /// Stores the interfaces of a part; returns true if they have changed.
-  bool takeInterfaces(const Catalogue& catalogue, const TouchedPart& part);
+  bool takeInterfaces(const Catalogue& catalogue, const ChangedPart& part);
   /// Returns true if the set of connections has changed; ignores their states.
   bool takeEdges(const Catalogue& catalogue);
 
   GraphPicture picture_;
   std::set<Affinity> fitting_;  // possible connections
-  std::map<TouchedPart, Interfaces> interfaces_;
+  std::map<ChangedPart, Interfaces> interfaces_;
 };
 
 [[nodiscard]] GraphPicture PictureOf(const Catalogue& catalogue);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/plot/axes/value_ticks.h>
+#include <gcm_gui/plot/canvas/value_ticks.h>
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 

@@ -17,9 +17,9 @@ constexpr double kCurveLayer = 20;  // above grid and gaps
 constexpr double kThickness = 2;    // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
-constexpr double kNearest = 3;  // pixels between samples; closer ones have no visible dots
-constexpr double kFar = 8;      // pixels between samples whose dots have full size
-constexpr double kBeyond = 64;  // pixels beyond the canvas at which lines are cut off
+constexpr double kNearest = 3;      // pixels between samples; closer ones have no visible dots
+constexpr double kDotDistance = 8;  // pixels between samples whose dots have full size
+constexpr double kBeyond = 64;      // pixels beyond the canvas at which lines are cut off
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
@@ -111,7 +111,7 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
 // Dots grow with the distance between samples, starting with the width of the line. So no dot
 // appears or disappears suddenly when one more sample is visible.
 double CurveLayer::DotRadius(double distance) {
-  const double part = (distance - kNearest) / (kFar - kNearest);
+  const double part = (distance - kNearest) / (kDotDistance - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);
 }
 
@@ -128,7 +128,7 @@ void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleM
     return rect.left() + static_cast<double>(samples.time(i) - from) / width_ns * rect.width();
   };
   const auto between = static_cast<double>(std::max<std::uint64_t>(end - first - 1, 1));
-  const double distance = end - first > 1 ? (x_of(end - 1) - x_of(first)) / between : kFar;
+  const double distance = end - first > 1 ? (x_of(end - 1) - x_of(first)) / between : kDotDistance;
   if (distance < kNearest) return;
   const UnitAxis& axis = curves_.axisOf(curve);
   const QwtScaleMap map = OnAxis(y_map, axis.range);

@@ -114,7 +114,7 @@ double Curve::rate() const {
 }
 
 const Envelope& Curve::envelope(const TimeSlices& slices, Pass pass) const {
-  Drawn& drawn = drawn_[static_cast<std::size_t>(pass)];
+  DrawnEnvelope& drawn = drawn_[static_cast<std::size_t>(pass)];
   if (slices != drawn.slices || samples_.endIndex() != drawn.end) {
     const double base = scaling().isNone() ? base_ : 0;
     drawn.envelope.build(samples_, slices, base);

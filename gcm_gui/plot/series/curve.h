@@ -1,10 +1,9 @@
 #pragma once
 
-#include <gcm_gui/plot/history/coarse_history.h>
-#include <gcm_gui/plot/row_losses.h>
-#include <gcm_gui/plot/scaling/scaling.h>
+#include <gcm_gui/plot/series/coarse_history.h>
 #include <gcm_gui/plot/series/envelope.h>
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/scaling.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/value_names.h>
 
@@ -107,7 +106,7 @@ class Curve {
                                          Pass pass = Pass::kPresent) const;
 
  private:
-  struct Drawn {
+  struct DrawnEnvelope {
     Envelope envelope;
     Envelope scaled;  // if the curve is scaled
     TimeSlices slices;
@@ -128,7 +127,7 @@ class Curve {
   RowLosses losses_before_;
   SampleRing samples_;
   CoarseHistory history_;
-  mutable std::array<Drawn, 2> drawn_;  // by pass
+  mutable std::array<DrawnEnvelope, 2> drawn_;  // by pass
 };
 
 /// "waiting for robot/arm/state"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <gcm_gui/plot/row_losses.h>
 #include <gcm_gui/plot/series/axis_frame.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/plot/series/curve.h>
+#include <gcm_gui/plot/series/sample_ring.h>
 
 #include <QString>
 #include <QStringList>

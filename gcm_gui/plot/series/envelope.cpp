@@ -154,22 +154,22 @@ void Envelope::drawUntil(const SampleRing& ring, std::int64_t time_ns) {
 void Envelope::draw(const SampleRing& ring, std::uint64_t from, std::uint64_t to) {
   Pen pen;
   while (from < to) {
-    const SampleRing::Stretch stretch = ring.stretch(from, to);
+    const SampleRing::Segment segment = ring.segment(from, to);
     if (ring.kind() != ExactNumber::Kind::kReal) {
-      draw(stretch, IntegerFromBase{DistanceFrom(ring.kind(), base_)}, pen);
+      draw(segment, IntegerFromBase{DistanceFrom(ring.kind(), base_)}, pen);
     } else if (base_ != 0) {
-      draw(stretch, RealFromBase{base_}, pen);
+      draw(segment, RealFromBase{base_}, pen);
     } else {
-      draw(stretch, Real{}, pen);
+      draw(segment, Real{}, pen);
     }
-    from += stretch.times.size();
+    from += segment.times.size();
   }
   if (pen.down) leave(pen);
 }
 
 template <typename Reader>
-void Envelope::draw(SampleRing::Stretch stretch, const Reader& read, Pen& pen) {
-  const auto [times, words] = stretch;
+void Envelope::draw(SampleRing::Segment segment, const Reader& read, Pen& pen) {
+  const auto [times, words] = segment;
   std::size_t i = 0;
   while (i < times.size()) {
     const double first = read(words[i]);

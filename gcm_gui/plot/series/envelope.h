@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/scaling.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +56,7 @@ class Envelope {
   void drawUntil(const SampleRing& ring, std::int64_t time_ns);
   void draw(const SampleRing& ring, std::uint64_t from, std::uint64_t to);
   template <typename Reader>
-  void draw(SampleRing::Stretch stretch, const Reader& read, Pen& pen);
+  void draw(SampleRing::Segment segment, const Reader& read, Pen& pen);
   void moveTo(Pen& pen, std::int64_t time_ns, double value);
   void lineTo(Pen& pen, std::int64_t time_ns, double value);
   void stepTo(Pen& pen, std::int64_t time_ns, double value);

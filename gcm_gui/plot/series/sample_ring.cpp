@@ -13,8 +13,6 @@ constexpr std::size_t kFirstCapacity = 1024;
 constexpr std::size_t kMostGaps = 16384;
 // The samples of a slow running source may be this far apart.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
-// A clock may be corrected by this much between two runs; then the ring waits for it.
-constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
 
@@ -166,7 +164,7 @@ std::uint64_t SampleRing::lowerBound(std::int64_t time_ns) const {
   return low;
 }
 
-SampleRing::Stretch SampleRing::stretch(std::uint64_t from, std::uint64_t to) const {
+SampleRing::Segment SampleRing::segment(std::uint64_t from, std::uint64_t to) const {
   const std::size_t offset = from & mask();
   const std::size_t count = std::min<std::size_t>(to - from, times_.size() - offset);
   return {.times = {times_.data() + offset, count}, .words = {words_.data() + offset, count}};

@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/series/exact_number.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -9,6 +10,10 @@
 #include <vector>
 
 namespace tendon::gui {
+
+/// A clock may be corrected by this much between two runs of a source; then the samples wait for
+/// it.
+inline constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 /// The value of one signal in one row of its state table.
 struct Sample {
@@ -34,6 +39,22 @@ struct Gap {
   std::int64_t to_ns = 0;
 };
 
+/// The losses of rows of one source since its subscription, by place.
+struct RowLosses {
+  std::uint64_t table = 0;    ///< in its process: overwritten before they could be read
+  std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
+  std::uint64_t viewer = 0;   ///< in this window
+
+  /// The losses after `before`.
+  [[nodiscard]] RowLosses since(const RowLosses& before) const {
+    const auto rest = [](std::uint64_t now, std::uint64_t then) {
+      return now - std::min(now, then);
+    };
+    return {rest(table, before.table), rest(network, before.network), rest(viewer, before.viewer)};
+  }
+  bool operator==(const RowLosses&) const = default;
+};
+
 /// The latest samples of one signal, oldest first, and the gaps between them.
 ///
 /// The index of a sample counts from the very first one and stays the same when older samples are
@@ -45,7 +66,7 @@ class SampleRing {
   static constexpr std::size_t kDefaultLimit = std::size_t{1} << 20;
 
   /// A contiguous part of the ring.
-  struct Stretch {
+  struct Segment {
     std::span<const std::int64_t> times;
     std::span<const std::uint64_t> words;  ///< of kind()
   };
@@ -85,7 +106,7 @@ class SampleRing {
   /// The index of the first sample at `time_ns` or later; endIndex() if there is none. O(log n).
   [[nodiscard]] std::uint64_t lowerBound(std::int64_t time_ns) const;
   /// The longest contiguous part of [from, to) that begins at `from`.
-  [[nodiscard]] Stretch stretch(std::uint64_t from, std::uint64_t to) const;
+  [[nodiscard]] Segment segment(std::uint64_t from, std::uint64_t to) const;
   /// By index; without gaps older than the oldest sample.
   [[nodiscard]] const std::deque<Gap>& gaps() const { return gaps_; }
 

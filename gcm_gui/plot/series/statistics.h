@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gcm_gui/plot/scaling/scaling.h>
 #include <gcm_gui/plot/series/exact_number.h>
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/scaling.h>
 
 #include <cstdint>
 #include <map>

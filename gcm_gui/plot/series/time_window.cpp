@@ -6,8 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kShortest = 1e-4;      // s; below it nanoseconds would be visible
-constexpr double kLongest = 48 * 3600;  // s
+constexpr double kShortest = 1e-4;  // s; below it nanoseconds would be visible
 constexpr double kNanoseconds = 1e9;
 
 }  // namespace

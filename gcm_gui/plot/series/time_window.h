@@ -17,6 +17,7 @@ namespace tendon::gui {
 class TimeWindow {
  public:
   enum class Motion { kScroll, kSweep };
+  static constexpr double kLongest = 48 * 3600;  ///< s
 
   [[nodiscard]] bool isLive() const { return live_; }
   [[nodiscard]] std::chrono::nanoseconds length() const { return length_; }

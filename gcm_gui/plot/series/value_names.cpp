@@ -7,7 +7,7 @@ namespace tendon::gui {
 std::optional<QString> ValueNames::nameOf(std::int64_t value) const {
   const auto found =
       std::lower_bound(all.begin(), all.end(), value,
-                       [](const One& one, std::int64_t wanted) { return one.value < wanted; });
+                       [](const Entry& one, std::int64_t wanted) { return one.value < wanted; });
   if (found == all.end() || found->value != value) return std::nullopt;
   return found->name;
 }

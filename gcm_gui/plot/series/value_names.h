@@ -12,15 +12,15 @@ namespace tendon::gui {
 
 /// The names of a signal's values: those of an enumeration, or "false" and "true".
 struct ValueNames {
-  struct One {
+  struct Entry {
     std::int64_t value = 0;
     QString name;
 
-    bool operator==(const One&) const = default;
+    bool operator==(const Entry&) const = default;
   };
 
-  QString type;          ///< "arm.Mode", "bool"
-  std::vector<One> all;  ///< by value
+  QString type;            ///< "arm.Mode", "bool"
+  std::vector<Entry> all;  ///< by value
 
   /// The name of a number; its digits if it has no name.
   [[nodiscard]] QString textOf(const ExactNumber& number) const;

@@ -3,7 +3,7 @@
 #include <gcm_gui/benchmarks/canvas_application.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/window/main_window.h>
 #include <support/fakes.h>

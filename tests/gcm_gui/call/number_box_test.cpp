@@ -1,4 +1,4 @@
-#include <gcm_gui/call/repeat/number_box.h>
+#include <gcm_gui/call/number_box.h>
 #include <gtest/gtest.h>
 
 #include <QLineEdit>

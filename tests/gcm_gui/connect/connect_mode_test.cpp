@@ -100,7 +100,7 @@ TEST_F(ConnectModeTest, WhatIsConnectedCanBeConnectedToAnother) {
   EXPECT_EQ(mode_.former(), (InterfaceName{"robot", "arm", "Drives"}));
   mode_.pickBest();
 
-  EXPECT_EQ(actions_.asked, QStringList{"replace robot/controller/Arm robot/spare/Drives"});
+  EXPECT_EQ(actions_.asked, QStringList{"connect robot/controller/Arm robot/spare/Drives"});
 }
 
 TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
@@ -126,7 +126,7 @@ TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
   EXPECT_EQ(mode_.candidates()[0].port.name, (InterfaceName{"robot", "second", "Arm"}));
   EXPECT_EQ(mode_.candidates()[1].former, (InterfaceName{"robot", "arm", "Drives"}));
   mode_.pickNumber(2);
-  EXPECT_EQ(actions_.asked, QStringList{"replace robot/controller/Arm robot/spare/Drives"});
+  EXPECT_EQ(actions_.asked, QStringList{"connect robot/controller/Arm robot/spare/Drives"});
 }
 
 TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {

@@ -44,8 +44,8 @@ TEST_F(MatchCardTest, WhatIsClearIsCheckedAndConnectedAtOneGo) {
   QTest::mouseClick(&Connect(), Qt::LeftButton);
 
   EXPECT_EQ(actions_.asked,
-            (QStringList{"connect desk/teleoperation/Robot robot/controller/Control",
-                         "connect desk/view/Host desk/host_monitor/state"}));
+            (QStringList{"connect if free desk/teleoperation/Robot robot/controller/Control",
+                         "connect if free desk/view/Host desk/host_monitor/state"}));
   EXPECT_FALSE(card_.isVisible());
 }
 

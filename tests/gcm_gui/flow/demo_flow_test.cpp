@@ -1,7 +1,7 @@
 #include <gcm_gui/graph/graph_view.h>
-#include <gcm_gui/system/restore.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/system/plan_controller.h>
+#include <gcm_gui/system/system_files.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 #include <tendon/gcm/lookup.h>
 

@@ -1,5 +1,5 @@
 #include <gcm_gui/plot/canvas/axis_labels.h>
-#include <gcm_gui/plot/legend/legend.h>
+#include <gcm_gui/plot/controls/legend.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <gcm_gui/tour/tour.h>
+#include <gcm_gui/help/tour.h>
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/trend.h>
+#include <gcm_gui/models/sparkline.h>
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
@@ -41,7 +41,7 @@ TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
   auto& values = Find<QTreeView>("inspector.values");
   EXPECT_TRUE(Eventually([&] {
     return values.model()->rowCount() > 0 &&
-           values.model()->index(0, 0).data(kTrendRole).value<Trend>().parts.size() > 20;
+           values.model()->index(0, 0).data(kSparklineRole).value<Sparkline>().parts.size() > 20;
   }));
   EXPECT_TRUE(Eventually(
       [&] { return values.model()->index(0, 0).data(kDetailRole).toString().endsWith("Hz"); }));

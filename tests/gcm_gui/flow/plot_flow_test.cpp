@@ -1,6 +1,6 @@
+#include <gcm_gui/plot/controls/rate_badge.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/plot/rate_badge.h>
 #include <gtest/gtest.h>
 
 #include <QFile>

@@ -2,7 +2,7 @@
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/selection.h>
 #include <gcm_gui/steer/steer_card.h>
-#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/notice_line.h>
 
 #include <QLabel>
 #include <algorithm>

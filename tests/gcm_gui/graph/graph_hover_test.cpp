@@ -1,5 +1,5 @@
-#include <gcm_gui/graph/emphasis/emphasis.h>
-#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/emphasis.h>
+#include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include <gcm_gui/graph/map/graph_map.h>
+#include <gcm_gui/graph/graph_map.h>
 #include <gtest/gtest.h>
 
 #include <QTest>

@@ -1,7 +1,7 @@
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
-#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/graph/layout/graph_places.h>
 #include <gtest/gtest.h>
 
 #include <QFile>

@@ -1,6 +1,6 @@
-#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/graph/graph_hover.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/search/graph_search.h>
 #include <gcm_gui/models/text.h>
 #include <gtest/gtest.h>
 #include <tendon/base/os/thread.h>

@@ -1,6 +1,6 @@
-#include <gcm_gui/graph/emphasis/emphasis.h>
+#include <gcm_gui/graph/emphasis.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/search/graph_search.h>
 #include <gtest/gtest.h>
 
 #include <QLineEdit>

@@ -1,9 +1,9 @@
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/graph/layout/graph_places.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
-#include <gcm_gui/graph/places/glide.h>
-#include <gcm_gui/graph/places/graph_places.h>
+#include <gcm_gui/graph/layout_animation.h>
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
@@ -96,13 +96,15 @@ TEST(GraphScene, WhatHasNoPlaceYetIsNotShown) {
 }
 
 /// Where the graph moves as it does for people.
-class GlideTest : public GraphFixture {
+class LayoutAnimationTest : public GraphFixture {
  protected:
-  GlideTest() : GraphFixture(LookSystem(0)) {
-    QCoreApplication::instance()->setProperty(Glide::kStill, false);
+  LayoutAnimationTest() : GraphFixture(LookSystem(0)) {
+    QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, false);
     Show();
   }
-  ~GlideTest() override { QCoreApplication::instance()->setProperty(Glide::kStill, true); }
+  ~LayoutAnimationTest() override {
+    QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, true);
+  }
 
   [[nodiscard]] QPointF place() const { return scene_.component("robot/arm")->pos(); }
   bool IsEventuallyAt(const QPointF& point) const {
@@ -110,7 +112,7 @@ class GlideTest : public GraphFixture {
   }
 };
 
-TEST_F(GlideTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
+TEST_F(LayoutAnimationTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
   const QPointF laid_out = place();
   const QPointF by_hand = laid_out + QPointF(600, 400);
   scene_.places().move({{"robot/arm", by_hand}});
@@ -124,8 +126,8 @@ TEST_F(GlideTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
   EXPECT_TRUE(IsEventuallyAt(by_hand));
 }
 
-TEST(Glide, ALargeSystemGoesInOneStep) {
-  QCoreApplication::instance()->setProperty(Glide::kStill, false);
+TEST(LayoutAnimation, ALargeSystemGoesInOneStep) {
+  QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, false);
   CatalogueStore store;
   store.replace(LargeSystem(4, 50).catalogue());
   Selection selection;
@@ -140,10 +142,10 @@ TEST(Glide, ALargeSystemGoesInOneStep) {
   scene.places().move({{path, there}});
 
   EXPECT_EQ(component->pos(), there);
-  QCoreApplication::instance()->setProperty(Glide::kStill, true);
+  QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, true);
 }
 
-TEST_F(GlideTest, WhatTheHandCarriesIsWhereTheHandIs) {
+TEST_F(LayoutAnimationTest, WhatTheHandCarriesIsWhereTheHandIs) {
   const QPointF there = place() + QPointF(100, 300);
 
   scene_.carry({{"robot/arm", there}});

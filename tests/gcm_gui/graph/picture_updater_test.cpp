@@ -22,7 +22,7 @@ class PictureUpdaterTest : public ::testing::Test {
  protected:
   PictureUpdaterTest() {
     QObject::connect(&store_, &CatalogueStore::changed, &store_,
-                     [this](const Catalogue& catalogue, const Touched& touched) {
+                     [this](const Catalogue& catalogue, const ChangedParts& touched) {
                        updater_.update(catalogue, touched);
                      });
     Follow();

@@ -1,9 +1,9 @@
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/process_item.h>
+#include <gcm_gui/views/catalogue_columns.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/views/columns/catalogue_columns.h>
 #include <gmock/gmock.h>
 
 #include <QAbstractButton>

@@ -1,4 +1,4 @@
-#include <gcm_gui/models/filter/catalogue_filter.h>
+#include <gcm_gui/models/catalogue_filter.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gtest/gtest.h>
 

@@ -284,7 +284,7 @@ TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
   Show(system);
 
   CatalogueModel fresh;
-  Touched all;
+  ChangedParts all;
   for (const auto& [name, entry] : system.catalogue().processes()) all.insert({name, {}});
   fresh.update(system.catalogue(), all);
   EXPECT_EQ(model_.itemCount(), fresh.itemCount());

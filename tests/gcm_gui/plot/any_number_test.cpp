@@ -1,12 +1,12 @@
 // Every part of a plot is given every number there is: ends, denormals, infinities, what differs in
 // its last digits, and whatever RapidCheck thinks of.
 
-#include <gcm_gui/plot/axes/value_ticks.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/span_raster.h>
-#include <gcm_gui/plot/csv/csv_table.h>
-#include <gcm_gui/plot/legend/legend_entries.h>
+#include <gcm_gui/plot/canvas/value_ticks.h>
+#include <gcm_gui/plot/controls/legend_entries.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/csv_table.h>
 #include <gcm_gui/plot/series/statistics.h>
 #include <gmock/gmock.h>
 #include <qwt_plot_canvas.h>

@@ -1,7 +1,7 @@
-#include <gcm_gui/plot/legend/legend.h>
+#include <gcm_gui/plot/controls/legend.h>
+#include <gcm_gui/plot/controls/rate_badge.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/plot/rate_badge.h>
 #include <gmock/gmock.h>
 
 #include <QInputDialog>

@@ -1,6 +1,6 @@
-#include <gcm_gui/plot/csv/csv_table.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/csv_table.h>
 #include <gcm_gui/theme/theme.h>
 #include <gmock/gmock.h>
 #include <qwt_interval.h>

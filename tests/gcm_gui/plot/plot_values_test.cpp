@@ -1,11 +1,11 @@
 // Curves are drawn where their values are, and as what they are: far from 0, and in steps.
 
-#include <gcm_gui/plot/axes/value_ticks.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
-#include <gcm_gui/plot/layout/plot_layout.h>
-#include <gcm_gui/plot/legend/legend.h>
-#include <gcm_gui/plot/plot_overlay.h>
+#include <gcm_gui/plot/canvas/value_ticks.h>
+#include <gcm_gui/plot/controls/legend.h>
+#include <gcm_gui/plot/controls/plot_overlay.h>
+#include <gcm_gui/plot/plot_layout.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/theme/theme.h>

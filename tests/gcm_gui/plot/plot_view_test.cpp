@@ -1,6 +1,6 @@
 #include <gcm_gui/plot/canvas/axis_labels.h>
-#include <gcm_gui/plot/legend/legend.h>
-#include <gcm_gui/plot/plot_overlay.h>
+#include <gcm_gui/plot/controls/legend.h>
+#include <gcm_gui/plot/controls/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/theme/theme.h>
 #include <gmock/gmock.h>

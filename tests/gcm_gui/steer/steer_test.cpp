@@ -1,12 +1,12 @@
 #include <gcm_gui/call/hold_button.h>
+#include <gcm_gui/commands/command_palette.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/steer/steer_card.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/commands/command_palette.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 
 #include <QAction>

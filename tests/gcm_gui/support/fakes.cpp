@@ -16,16 +16,16 @@ QString Name(const InterfaceName& name) { return QString::fromStdString(ToString
 
 void RecordingActions::connectInterfaces(const InterfaceName& required,
                                          const InterfaceName& provided) {
+  asked.append(QStringLiteral("connect if free %1 %2").arg(Name(required), Name(provided)));
+}
+
+void RecordingActions::connectOrReplace(const InterfaceName& required,
+                                        const InterfaceName& provided) {
   asked.append(QStringLiteral("connect %1 %2").arg(Name(required), Name(provided)));
 }
 
 void RecordingActions::disconnectInterface(const InterfaceName& required) {
   asked.append(QStringLiteral("disconnect ") + Name(required));
-}
-
-void RecordingActions::replaceConnection(const InterfaceName& required,
-                                         const InterfaceName& provided) {
-  asked.append(QStringLiteral("replace %1 %2").arg(Name(required), Name(provided)));
 }
 
 void RecordingActions::forget(const std::string& process) {
@@ -127,10 +127,10 @@ void ScriptedSignals::send(const QString& column, const Schema& schema,
   Q_EMIT valuesArrived(column, ColumnValues{shape, ExactValues(values), {}});
 }
 
-void ScriptedSignals::sendPicture(const QString& column, const RawPicture& picture) {
+void ScriptedSignals::sendPicture(const QString& column, const RawImage& picture) {
   ChannelList& shape = shapes_[column];
   if (shape == nullptr) shape = std::make_shared<const std::vector<NumericField>>();
-  Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawPicture>(picture)});
+  Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawImage>(picture)});
 }
 
 Schema CycleSchema() {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <gcm_gui/pictures/raw_picture.h>
-#include <gcm_gui/reports/system_reports.h>
-#include <gcm_gui/session/command_calls.h>
-#include <gcm_gui/session/connection_checks.h>
 #include <gcm_gui/session/signal_source.h>
-#include <gcm_gui/session/system_actions.h>
+#include <gcm_gui/session/system_reports.h>
+#include <gcm_gui/session/system_requests.h>
 #include <gcm_gui/system/plan_runner.h>
+#include <gcm_gui/views/raw_image.h>
 #include <tests/core/gcm/argument_samples.h>
 
 #include <QMap>
@@ -23,13 +21,13 @@ namespace tendon::gui {
 /// Values of a column of doubles.
 std::vector<std::optional<NumericValue>> ExactValues(const std::vector<double>& values);
 
-/// Remembers what it was asked to do: "connect a b", "replace a b", "disconnect a", "undo", "forget
-/// a", "stop robot/arm".
+/// Remembers what it was asked to do: "connect a b", "connect if free a b", "disconnect a", "undo",
+/// "forget a", "stop robot/arm".
 class RecordingActions final : public SystemActions {
  public:
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
+  void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) override;
   void disconnectInterface(const InterfaceName& required) override;
-  void replaceConnection(const InterfaceName& required, const InterfaceName& provided) override;
   void undo() override { asked.append(QStringLiteral("undo")); }
   void forget(const std::string& process) override;
   void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
@@ -104,7 +102,7 @@ class ScriptedSignals final : public SignalSource {
   /// A newest row of `column`, whose value has this schema.
   void send(const QString& column, const Schema& schema, const std::vector<double>& values);
   /// The same, of a column that holds a picture.
-  void sendPicture(const QString& column, const RawPicture& picture);
+  void sendPicture(const QString& column, const RawImage& picture);
 
   QMap<QString, int> subscribed;
   QStringList retried;

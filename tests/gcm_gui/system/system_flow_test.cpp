@@ -1,7 +1,7 @@
 #include <gcm_gui/session/session.h>
 #include <gcm_gui/system/diff_panel.h>
+#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/file/system_files.h>
 #include <gcm_gui/window/main_window.h>
 #include <gtest/gtest.h>
 #include <support/plant.h>

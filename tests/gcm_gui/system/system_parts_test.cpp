@@ -95,7 +95,7 @@ TEST(PlanModel, EachStepSaysHowItWent) {
   ScriptedReports reports;
   const SystemDocument document(store, reports);
   ScriptedPlans runner;
-  Restore restore(document, runner, reports);
+  PlanController restore(document, runner, reports);
   PlanModel model;
   const QAbstractItemModelTester tester(&model);
   SystemFile wanted = ArmSystem();

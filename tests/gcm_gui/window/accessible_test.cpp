@@ -1,12 +1,12 @@
+#include <gcm_gui/commands/graph_commands.h>
+#include <gcm_gui/graph/graph_map.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
-#include <gcm_gui/graph/map/graph_map.h>
-#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/help/tour.h>
 #include <gcm_gui/inspector/inspector.h>
-#include <gcm_gui/pictures/picture_view.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/tour/tour.h>
-#include <gcm_gui/window/graph/graph_commands.h>
+#include <gcm_gui/views/image_view.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
@@ -48,7 +48,7 @@ bool IsInside(const QWidget& widget) {
 /// It can be worked with, or says something that no text near it does.
 bool NeedsName(const QWidget& widget) {
   const bool is_reached = (widget.focusPolicy() & Qt::TabFocus) != 0;
-  const bool is_picture = qobject_cast<const PictureView*>(&widget) != nullptr ||
+  const bool is_picture = qobject_cast<const ImageView*>(&widget) != nullptr ||
                           qobject_cast<const GraphMap*>(&widget) != nullptr;
   return widget.isVisible() && !IsInside(widget) &&
          (is_reached || is_picture || qobject_cast<const QAbstractButton*>(&widget) != nullptr);
@@ -238,9 +238,9 @@ TEST_F(AccessibleTest, APictureAmongTheValues) {
   source_.sendPicture("robot/arm/state.Joints",
                       {.width = 8, .height = 8, .encoding = "mono8", .data = QByteArray(64, 'x')});
   const auto is_shown = [&] {
-    const auto views = window_.inspector().findChildren<PictureView*>();
+    const auto views = window_.inspector().findChildren<ImageView*>();
     return std::any_of(views.begin(), views.end(),
-                       [](const PictureView* view) { return view->isVisible(); });
+                       [](const ImageView* view) { return view->isVisible(); });
   };
   ASSERT_TRUE(QTest::qWaitFor(is_shown, kPatience));
 

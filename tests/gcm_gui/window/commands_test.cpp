@@ -1,11 +1,11 @@
+#include <gcm_gui/commands/command_palette.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_view.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/commands/command_palette.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>

@@ -2,7 +2,7 @@
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/row_view.h>
-#include <gcm_gui/window/bar/notice_line.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 
 #include <QTabBar>
@@ -54,7 +54,7 @@ TEST_F(ConnectingTest, WhatIsConnectedIsReplacedFromTheTableAsOneStep) {
   QTest::keyClick(window_.focusWidget(), Qt::Key_Return);
 
   EXPECT_EQ(actions_.asked,
-            QStringList{"replace desk/teleoperation/Robot robot/controller/Control"});
+            QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
 TEST_F(ConnectingTest, TheOtherEndCanBePickedInTheTable) {

@@ -1,8 +1,8 @@
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/system/restore.h>
+#include <gcm_gui/system/plan_controller.h>
+#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/views/tab_panel.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/file/system_files.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 
 #include <QPushButton>
@@ -67,7 +67,7 @@ TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
   store_.replace(running.catalogue());
   for (std::size_t step = 1; step <= all; ++step) plans_.progress(step, {});
   plans_.done({.done = all});
-  Restore& restore = window_.files().restore();
+  PlanController& restore = window_.files().restore();
 
   restore.undo();
 

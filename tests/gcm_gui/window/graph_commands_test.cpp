@@ -1,14 +1,14 @@
-#include <gcm_gui/graph/export/graph_export.h>
+#include <gcm_gui/commands/graph_commands.h>
+#include <gcm_gui/graph/graph_export.h>
+#include <gcm_gui/graph/graph_map.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/map/graph_map.h>
-#include <gcm_gui/graph/places/graph_places.h>
-#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/file/system_files.h>
-#include <gcm_gui/window/graph/graph_commands.h>
+#include <gcm_gui/window/notice_line.h>
 #include <gtest/gtest.h>
 
 #include <QAction>

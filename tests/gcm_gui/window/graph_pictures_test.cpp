@@ -1,11 +1,11 @@
-#include <gcm_gui/graph/emphasis/emphasis.h>
-#include <gcm_gui/graph/emphasis/graph_hover.h>
+#include <gcm_gui/commands/graph_commands.h>
+#include <gcm_gui/graph/emphasis.h>
+#include <gcm_gui/graph/graph_hover.h>
+#include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/places/graph_places.h>
-#include <gcm_gui/graph/search/graph_search.h>
+#include <gcm_gui/graph/layout/graph_places.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/graph/graph_commands.h>
 #include <gtest/gtest.h>
 
 #include <QLineEdit>

@@ -1,10 +1,10 @@
+#include <gcm_gui/commands/commands.h>
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/help/libraries.h>
+#include <gcm_gui/help/shortcuts_card.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
-#include <gcm_gui/window/commands/commands.h>
-#include <gcm_gui/window/help/keys_card.h>
-#include <gcm_gui/window/help/libraries.h>
 #include <gtest/gtest.h>
 
 #include <QAction>
@@ -30,7 +30,7 @@ class HelpTest : public WindowFixture {
  protected:
   ~HelpTest() override { Theme::instance().choose(Theme::Choice::kSystem); }
 
-  [[nodiscard]] KeysCard& keys() const { return *window_.findChild<KeysCard*>(); }
+  [[nodiscard]] ShortcutsCard& keys() const { return *window_.findChild<ShortcutsCard*>(); }
   [[nodiscard]] QStringList words() const {
     QStringList words;
     for (const auto* label : keys().findChildren<QLabel*>()) words.append(label->text());

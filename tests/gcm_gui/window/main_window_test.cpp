@@ -9,15 +9,15 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/tab_panel.h>
-#include <gcm_gui/window/bar/lost_banner.h>
-#include <gcm_gui/window/bar/notice_line.h>
-#include <gcm_gui/window/bar/top_bar.h>
+#include <gcm_gui/window/lost_banner.h>
 #include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/notice_line.h>
+#include <gcm_gui/window/top_bar.h>
 #include <gtest/gtest.h>
 
 #include <QClipboard>

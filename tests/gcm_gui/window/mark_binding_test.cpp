@@ -1,7 +1,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
-#include <gcm_gui/window/plots/audit_line.h>
-#include <gcm_gui/window/plots/mark_binding.h>
+#include <gcm_gui/window/audit_line.h>
+#include <gcm_gui/window/mark_binding.h>
 #include <gmock/gmock.h>
 
 #include <chrono>

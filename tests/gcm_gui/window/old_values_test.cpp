@@ -1,6 +1,6 @@
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/plot/legend/legend.h>
+#include <gcm_gui/plot/controls/legend.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gtest/gtest.h>

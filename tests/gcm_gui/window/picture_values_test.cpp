@@ -1,6 +1,6 @@
 #include <gcm_gui/inspector/inspector.h>
-#include <gcm_gui/pictures/picture_view.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/image_view.h>
 #include <gtest/gtest.h>
 
 #include <QTabBar>
@@ -21,11 +21,11 @@ class PictureValuesTest : public WindowFixture {
     QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(1).center());
   }
   /// From black to red downwards, to green sideways.
-  static RawPicture Colours(int width, int height) {
-    RawPicture picture{.width = static_cast<std::uint64_t>(width),
-                       .height = static_cast<std::uint64_t>(height),
-                       .encoding = "rgb8",
-                       .data = {}};
+  static RawImage Colours(int width, int height) {
+    RawImage picture{.width = static_cast<std::uint64_t>(width),
+                     .height = static_cast<std::uint64_t>(height),
+                     .encoding = "rgb8",
+                     .data = {}};
     for (int y = 0; y < height; ++y) {
       for (int x = 0; x < width; ++x) {
         picture.data.append(static_cast<char>(255 * y / height));
@@ -42,9 +42,9 @@ TEST_F(PictureValuesTest, AnImageIsShownBelowTheNumbersAndGoesWithItsComponent) 
   OpenValues();
   source_.sendPicture("robot/arm/state.Joints", Colours(640, 480));
 
-  const auto views = [this] { return window_.inspector().findChildren<PictureView*>("picture"); };
-  const auto shown = [&]() -> PictureView* {
-    for (PictureView* view : views()) {
+  const auto views = [this] { return window_.inspector().findChildren<ImageView*>("picture"); };
+  const auto shown = [&]() -> ImageView* {
+    for (ImageView* view : views()) {
       if (view->isVisible() && view->image().width() == 640) return view;
     }
     return nullptr;

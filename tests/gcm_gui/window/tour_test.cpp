@@ -1,8 +1,8 @@
 #include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/help/tour.h>
+#include <gcm_gui/help/tour_card.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/tour/card_beside.h>
-#include <gcm_gui/tour/tour.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/tab_panel.h>

@@ -3,7 +3,7 @@
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/session/catalogue_store.h>
-#include <gcm_gui/session/gcm_link.h>
+#include <gcm_gui/session/link_state.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/window_parts.h>
 #include <gtest/gtest.h>

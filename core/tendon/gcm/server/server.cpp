@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
-#include <tendon/base/text.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/sanitize.h>
 #include <tendon/gcm/server/server.h>

@@ -1,5 +1,5 @@
-#include <tendon/proxy/connection_messages.h>
 #include <tendon/process/connections/mirrored_commands.h>
+#include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
 

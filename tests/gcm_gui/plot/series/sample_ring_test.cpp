@@ -214,16 +214,16 @@ TEST(SampleRing, NumbersOfAnotherKindBeginANewRing) {
   EXPECT_EQ(ring.number(ring.firstIndex()), ExactNumber::Signed(1));
 }
 
-TEST(SampleRing, StretchesCoverTheWrap) {
+TEST(SampleRing, SegmentsCoverTheWrap) {
   SampleRing ring(1024);
   ring.append(Rows(0, 1500));
 
   double sum = 0;
   std::size_t parts = 0;
   for (auto i = ring.firstIndex(); i < ring.endIndex(); ++parts) {
-    const auto stretch = ring.stretch(i, ring.endIndex());
-    for (const std::uint64_t word : stretch.words) sum += std::bit_cast<double>(word);
-    i += stretch.words.size();
+    const auto segment = ring.segment(i, ring.endIndex());
+    for (const std::uint64_t word : segment.words) sum += std::bit_cast<double>(word);
+    i += segment.words.size();
   }
 
   const auto values = ValuesOf(ring);

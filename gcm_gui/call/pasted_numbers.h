@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace tendon::gui {
+
+/// The numbers in a text from the clipboard, for number fields.
+struct PastedNumbers {
+  bool is_list = false;  ///< more numbers than one field holds; otherwise `words` is the text
+  QStringList words;     ///< as written, valid or not
+  QString refusal;       ///< why a list cannot be split: a sentence for the user
+};
+
+/// Splits a list only if it can be split in only one way: at line ends, tabs, semicolons and
+/// blanks, at commas followed by a blank, and at the commas of a JSON list without blanks. Refuses
+/// a list with an empty element, because all later numbers would move to other fields.
+[[nodiscard]] PastedNumbers NumbersIn(const QString& text);
+
+}  // namespace tendon::gui

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gcm_gui/diagnosis/refused_connections.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <tendon/gcm/diagnosis.h>
+
+#include <QObject>
+#include <QString>
+#include <optional>
+
+namespace tendon::gui {
+
+class ConnectionChecks;
+class DiagnosisCard;
+class SystemActions;
+
+/// Supplies the Why? card with its contents. Asks again when one of the two processes changes while
+/// the card is open. Never waits.
+class DiagnosisBinding : public QObject {
+  Q_OBJECT
+
+ public:
+  DiagnosisBinding(DiagnosisCard& card, const CatalogueStore& store, ConnectionChecks& checks,
+                   SystemActions& actions, QObject* parent = nullptr);
+
+  [[nodiscard]] RefusedConnections& refusals() { return refusals_; }
+
+ public Q_SLOTS:
+  /// Opens the card for the required interface `path`, or for the interface of a member. Anything
+  /// else only gives a notice().
+  void open(const QString& path);
+  /// Opens the card only if the connection has a problem; returns true if so.
+  bool openProblem(const QString& path);
+
+ Q_SIGNALS:
+  void notice(const QString& text);
+
+ private:
+  void check();
+  void hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
+  void show(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
+  void retry();
+  void follow(const Catalogue& catalogue, const ChangedParts& touched);
+
+  DiagnosisCard& card_;
+  const CatalogueStore& store_;
+  ConnectionChecks& checks_;
+  SystemActions& actions_;
+  RefusedConnections refusals_;
+  std::optional<message::Wire> wire_;  // of the open card
+  bool is_asking_ = false;
+  bool ask_again_ = false;  // a process has changed during the check
+};
+
+}  // namespace tendon::gui

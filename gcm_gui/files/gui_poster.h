@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QMetaObject>
+#include <QObject>
+#include <mutex>
+#include <utility>
+
+namespace tendon::gui {
+
+/// Posts calls from any thread to the thread of its receiver, in order. Handlers in network threads
+/// share it, so a handler that outlives the receiver does nothing.
+class GuiPoster {
+ public:
+  explicit GuiPoster(QObject* receiver) : receiver_(receiver) {}
+  GuiPoster(const GuiPoster&) = delete;
+  GuiPoster& operator=(const GuiPoster&) = delete;
+
+  template <typename Call>
+  void post(Call&& call) {
+    const std::lock_guard lock(mutex_);
+    if (receiver_ != nullptr) {
+      QMetaObject::invokeMethod(receiver_, std::forward<Call>(call), Qt::QueuedConnection);
+    }
+  }
+
+  /// After the return, nothing is posted any more. The receiver must call it before it is
+  /// destroyed.
+  void detach() {
+    const std::lock_guard lock(mutex_);
+    receiver_ = nullptr;
+  }
+
+ private:
+  std::mutex mutex_;
+  QObject* receiver_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,93 @@
+#include <gcm_gui/files/file_writer.h>
+#include <gcm_gui/graph/layout/graph_places.h>
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::size_t kMostSteps = 50;
+constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
+constexpr double kFurthest = 1e6;           // a larger distance is a mistake in the file
+
+QByteArray MapText(const GraphPlaces::Map& places) {
+  QJsonObject all;
+  for (const auto& [path, place] : places) all.insert(path, QJsonArray{place.x(), place.y()});
+  return QJsonDocument(QJsonObject{{"schema", 1}, {"places", all}}).toJson();
+}
+
+GraphPlaces::Map PlacesIn(const QByteArray& text) {
+  GraphPlaces::Map places;
+  const QJsonObject all =
+      QJsonDocument::fromJson(text).object().value(QStringLiteral("places")).toObject();
+  for (auto it = all.begin(); it != all.end() && places.size() < kMostPlaces; ++it) {
+    const QJsonArray numbers = it->toArray();
+    const QPointF place(numbers.at(0).toDouble(kFurthest), numbers.at(1).toDouble(kFurthest));
+    if (IsPlace(place)) places.emplace(it.key(), place);
+  }
+  return places;
+}
+
+}  // namespace
+
+bool IsPlace(const QPointF& place) {
+  return std::abs(place.x()) < kFurthest && std::abs(place.y()) < kFurthest;
+}
+
+void GraphPlaces::keepIn(const QString& name) {
+  file_ = name;
+  QDir().mkpath(QFileInfo(name).path());
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) return;
+  all_ = PlacesIn(file.readAll());
+  Q_EMIT changed();
+}
+
+void GraphPlaces::move(const std::map<QString, QPointF>& moved, const QString& key) {
+  Map then = all_;
+  for (const auto& [path, place] : moved) then[path] = place;
+  if (then == all_) return;
+  begin(key);
+  all_ = std::move(then);
+  keep();
+}
+
+void GraphPlaces::reset() {
+  if (all_.empty()) return;
+  begin({});
+  all_.clear();
+  keep();
+}
+
+void GraphPlaces::undo() {
+  if (steps_.empty()) return;
+  all_ = std::move(steps_.back().before);
+  steps_.pop_back();
+  keep();
+}
+
+void GraphPlaces::begin(const QString& key) {
+  const bool goes_on = is_newest_ && !key.isEmpty() && !steps_.empty() && steps_.back().key == key;
+  is_newest_ = true;
+  if (goes_on) return;
+  if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
+  steps_.push_back({key, all_});
+}
+
+void GraphPlaces::keep() {
+  Q_EMIT changed();
+  if (file_.isEmpty()) return;
+  FileWriter::instance().write(file_, MapText(all_), this, [this](const QString& refusal) {
+    if (!refusal.isEmpty()) Q_EMIT notice(NotSaved(file_, refusal));
+  });
+}
+
+}  // namespace tendon::gui

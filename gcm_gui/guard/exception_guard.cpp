@@ -1,0 +1,226 @@
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/guard/view_cover.h>
+#include <gcm_gui/language/words.h>
+
+#include <QApplication>
+#include <QMainWindow>
+#include <QThread>
+#include <QWidget>
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace tendon::gui {
+namespace {
+
+constexpr auto kName = "tendonView";
+constexpr std::chrono::seconds kPause{1};
+constexpr std::chrono::minutes kKept{10};  // for a view without a cover
+constexpr qsizetype kMostFaults = 50;
+
+std::int64_t Now() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// The nearest named object or dialog, from `where` upwards; null if there is none.
+QObject* ViewAt(QObject* where) {
+  for (; where != nullptr; where = where->parent()) {
+    if (where->property(kName).isValid()) return where;
+    const auto* widget = qobject_cast<QWidget*>(where);
+    if (widget == nullptr || !widget->isWindow()) continue;
+    return qobject_cast<QMainWindow*>(where) == nullptr ? where : nullptr;
+  }
+  return nullptr;
+}
+
+/// The given name, else the accessible name, else the class.
+QString NameOf(const QObject& part) {
+  const QString given = part.property(kName).toString();
+  if (!given.isEmpty()) return given;
+  for (const QObject* each = &part; each != nullptr; each = each->parent()) {
+    const auto* widget = qobject_cast<const QWidget*>(each);
+    if (widget == nullptr) continue;
+    if (!widget->accessibleName().isEmpty()) return widget->accessibleName();
+    if (!widget->isWindow()) continue;
+    if (qobject_cast<const QMainWindow*>(widget) == nullptr && !widget->windowTitle().isEmpty()) {
+      return widget->windowTitle();
+    }
+    break;
+  }
+  return QString::fromLatin1(part.metaObject()->className()).section(QStringLiteral("::"), -1);
+}
+
+}  // namespace
+
+QString WordsOfException() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return Words::tr("there is not enough memory for it");
+  } catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+  } catch (...) {
+    return Words::tr("an exception without a message");
+  }
+}
+
+ExceptionGuard::ExceptionGuard(QObject* parent) : QObject(parent) {
+  pause_.setSingleShot(true);
+  connect(&pause_, &QTimer::timeout, this, &ExceptionGuard::announce);
+}
+
+ExceptionGuard& ExceptionGuard::instance() {
+  static QPointer<ExceptionGuard> guard;
+  if (guard == nullptr) guard = new ExceptionGuard(qApp);
+  return *guard;
+}
+
+void ExceptionGuard::setName(QObject& view, const QString& name) { view.setProperty(kName, name); }
+
+void ExceptionGuard::hear(QObject* where, ViewWork work) noexcept {
+  try {
+    const QString what = WordsOfException();
+    if (QThread::currentThread() != thread()) {
+      const QString name = where == nullptr ? Words::tr("Window") : NameOf(*where);
+      QMetaObject::invokeMethod(
+          this, [this, name, what] { note(name, nullptr, what); }, Qt::QueuedConnection);
+      return;
+    }
+    QObject* const view = ViewAt(where);
+    QObject* const part = view != nullptr ? view : where;
+    auto* widget = qobject_cast<QWidget*>(part);
+    if (qobject_cast<QMainWindow*>(part) != nullptr) widget = nullptr;
+    if (work == ViewWork::kDrawing && widget != nullptr) cover(*widget);
+    note(part == nullptr ? Words::tr("Window") : NameOf(*part), widget, what);
+  } catch (...) {
+    count();
+  }
+}
+
+void ExceptionGuard::hearThread(const char* thread_name) noexcept {
+  try {
+    const QString what = WordsOfException();
+    QMetaObject::invokeMethod(
+        this, [this, thread_name, what] { note(Words::tr(thread_name), nullptr, what); },
+        Qt::QueuedConnection);
+  } catch (...) {
+    count();
+  }
+}
+
+void ExceptionGuard::count() noexcept {
+  const std::lock_guard lock(mutex_);
+  ++unnoted_;
+}
+
+void ExceptionGuard::noteUnnoted() {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t unnoted = unnoted_;
+  lock.unlock();
+  if (unnoted == 0) return;
+  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory for it"), unnoted);
+  lock.lock();
+  unnoted_ -= unnoted;
+}
+
+void ExceptionGuard::note(const QString& name, QWidget* view, const QString& what,
+                          std::uint64_t times) {
+  const auto is_same = [&](const Entry& entry) {
+    return entry.fault.view == name && entry.fault.what == what;
+  };
+  auto entry = std::find_if(entries_.begin(), entries_.end(), is_same);
+  if (entry == entries_.end()) {
+    dropOld();
+    while (entries_.size() >= kMostFaults) entries_.removeFirst();
+    entries_.append({.fault = {.view = name, .what = what, .first = Now()}, .view = view});
+    entry = entries_.end() - 1;
+  }
+  ViewFault& fault = entry->fault;
+  fault.count += times;
+  fault.latest = Now();
+  fault.is_covered = view != nullptr && covers_.contains(view);
+  entry->view = view;
+  has_news_ = true;
+  // Not immediately, because a receiver may be the view that has just thrown.
+  if (!pause_.isActive()) pause_.start(0);
+}
+
+void ExceptionGuard::cover(QWidget& view) {
+  if (covers_.contains(&view)) return;
+  covers_.insert(&view, nullptr);
+  connect(&view, &QObject::destroyed, this, [this](const QObject* gone) { covers_.remove(gone); });
+  // Not immediately, because the view's painter is still active.
+  QMetaObject::invokeMethod(
+      &view,
+      [this, &view] {
+        if (!covers_.contains(&view) || covers_.value(&view) != nullptr) return;
+        ViewCover* built = nullptr;
+        try {
+          built = new ViewCover(view);
+        } catch (...) {
+          covers_.remove(&view);  // the view is drawn again later, perhaps with enough memory
+          count();
+          return;
+        }
+        covers_.insert(&view, built);
+        connect(built, &ViewCover::shownAgainRequested, this, [this, &view] { showAgain(view); });
+      },
+      Qt::QueuedConnection);
+}
+
+bool ExceptionGuard::isCovered(const QObject* widget) const {
+  if (covers_.isEmpty()) return false;
+  for (; widget != nullptr; widget = widget->parent()) {
+    if (qobject_cast<const ViewCover*>(widget) != nullptr) return false;
+    if (covers_.contains(widget)) return true;
+    if (widget->isWidgetType() && static_cast<const QWidget*>(widget)->isWindow()) return false;
+  }
+  return false;
+}
+
+void ExceptionGuard::showAgain(QWidget& view) {
+  const QPointer<ViewCover> cover = covers_.take(&view);
+  entries_.removeIf([&](const Entry& entry) { return entry.view == &view; });
+  if (cover != nullptr) cover->leave();
+  view.update();
+  for (QWidget* part : view.findChildren<QWidget*>()) part->update();
+  Q_EMIT changed();
+}
+
+QList<ViewFault> ExceptionGuard::faults() const {
+  QList<ViewFault> all;
+  const std::int64_t oldest = Now() - std::chrono::nanoseconds(kKept).count();
+  for (const Entry& entry : entries_) {
+    ViewFault fault = entry.fault;
+    if (entry.view == nullptr) fault.is_covered = false;  // the dialog was closed
+    if (fault.is_covered || fault.latest > oldest) all.append(fault);
+  }
+  return all;
+}
+
+void ExceptionGuard::dropOld() {
+  const std::int64_t oldest = Now() - std::chrono::nanoseconds(kKept).count();
+  entries_.removeIf([&](const Entry& entry) {
+    return (entry.view == nullptr || !entry.fault.is_covered) && entry.fault.latest <= oldest;
+  });
+}
+
+void ExceptionGuard::announce() {
+  noteUnnoted();
+  if (!has_news_) return;
+  has_news_ = false;
+  pause_.start(kPause);
+  constexpr std::uint64_t kTimesMore = 10;
+  QList<ViewFault> due;
+  for (Entry& entry : entries_) {
+    if (entry.fault.count < entry.tell_at) continue;
+    entry.tell_at = entry.fault.count * kTimesMore;
+    due.append(entry.fault);
+  }
+  for (const ViewFault& fault : due) Q_EMIT told(fault);
+  Q_EMIT changed();
+}
+
+}  // namespace tendon::gui

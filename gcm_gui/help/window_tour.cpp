@@ -1,0 +1,65 @@
+#include <gcm_gui/activity/activity_strip.h>
+#include <gcm_gui/help/window_tour.h>
+#include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/views/catalogue_panel.h>
+#include <gcm_gui/views/tab_panel.h>
+#include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/top_bar.h>
+
+namespace tendon::gui {
+namespace {
+
+TourStep Step(const QString& title, const QString& text, std::function<QWidget*()> target) {
+  return {title, text, std::move(target)};
+}
+
+/// Opens the panel of the widget, and returns the widget.
+QWidget* Revealed(MainWindow& window, QWidget& widget) {
+  window.panels().reveal(widget);
+  return &widget;
+}
+
+}  // namespace
+
+std::vector<TourStep> WindowTour(MainWindow& window) {
+  return {
+      Step(Words::tr("The running system"),
+           Words::tr(
+               "Every process, its components and their interfaces appear here by themselves; type "
+               "into the filter to find one."),
+           [&window] { return Revealed(window, window.catalogue()); }),
+      Step(Words::tr("Connect with two clicks"),
+           Words::tr("Click a hollow port, then one that lights up: they are connected, and Ctrl+Z "
+                     "takes it "
+                     "back."),
+           [&window]() -> QWidget* {
+             window.centre().setCurrent(0);
+             return &window.centre();
+           }),
+      Step(Words::tr("Look inside"),
+           Words::tr(
+               "The selected object shows its values, commands and events here, and a click on "
+               "a command "
+               "gives a form that calls it."),
+           [&window] { return Revealed(window, window.inspector()); }),
+      Step(Words::tr("Plot it live"),
+           Words::tr("Select a value and press P: every sample of it is drawn, and you can zoom "
+                     "and measure "
+                     "while more arrive."),
+           [&window]() -> QWidget* { return &window.plots(); }),
+      Step(Words::tr("Nothing is lost"),
+           Words::tr(
+               "Your actions are listed here, each with a way to undo it and the command line that "
+               "does the same; problems, the log and a console are beside it."),
+           [&window] { return Revealed(window, window.strip()); }),
+      Step(Words::tr("Everything by its name"),
+           Words::tr("Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu "
+                     "Help this tour."),
+           [&window] {
+             return window.topBar().findChild<QWidget*>(QStringLiteral("searchOrRun"));
+           })};
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,15 @@
+#include <gcm_gui/models/row_rate.h>
+
+namespace tendon::gui {
+
+void RowRate::hear(const ColumnValues& values) {
+  constexpr double kLeastTime = 1;  // s
+  const double passed = 1e-9 * static_cast<double>(values.time - time_);
+  const bool begins = time_ == 0 || values.rows < rows_ || passed < 0;
+  if (!begins && passed < kLeastTime) return;
+  hz_ = begins ? 0 : static_cast<double>(values.rows - rows_) / passed;
+  rows_ = values.rows;
+  time_ = values.time;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <tendon/payload/numeric_value.h>
+
+#include <QList>
+#include <QMetaType>
+#include <optional>
+
+namespace tendon::gui {
+
+/// The recent course of a number, as a small curve beside it.
+struct Sparkline {
+  QList<double> parts;      ///< oldest first, from 0 to 1; NaN if it cannot be drawn
+  bool is_stepped = false;  ///< each value holds until the next one
+};
+
+/// The trend of a channel's latest values; nullopt stands for a row without a value.
+[[nodiscard]] Sparkline SparklineOf(const Schema& channel,
+                                    const QList<std::optional<NumericValue>>& values);
+
+}  // namespace tendon::gui
+
+Q_DECLARE_METATYPE(tendon::gui::Sparkline)

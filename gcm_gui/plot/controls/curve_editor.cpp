@@ -1,0 +1,165 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/controls/curve_editor.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kWidth = 300;
+
+QString HintOn(const QString& number) {
+  return number.contains(',') ? Words::tr(": use a point as the decimal sign") : QString();
+}
+
+}  // namespace
+
+CurveEditor::CurveEditor(const QString& name, const QString& unit, const CurveLook& look,
+                         const QStringList& axes, QWidget* parent)
+    : QFrame(parent, Qt::Popup),
+      unit_(unit),
+      factor_(new QLineEdit),
+      offset_(new QLineEdit),
+      axis_(new QComboBox),
+      status_(new QLabel),
+      accept_(new QPushButton(Words::tr("Apply"))) {
+  setObjectName("curveEditor");
+  setAttribute(Qt::WA_DeleteOnClose);
+  SetRole(*this, "card");
+  setAccessibleName(Words::tr("Scale, offset and axis of ") + name);
+  build(name);
+  fill(look, axes);
+  connect(factor_, &QLineEdit::textChanged, this, &CurveEditor::check);
+  connect(offset_, &QLineEdit::textChanged, this, &CurveEditor::check);
+  connect(axis_, &QComboBox::editTextChanged, this, &CurveEditor::check);
+  connect(accept_, &QPushButton::clicked, this, &CurveEditor::accept);
+  check();
+  factor_->setFocus();
+  factor_->selectAll();
+}
+
+void CurveEditor::build(const QString& name) {
+  setFixedWidth(kWidth);
+  auto* title = new QLabel(name);
+  SetRole(*title, "strong");
+  title->setTextFormat(Qt::PlainText);
+  factor_->setObjectName("curveEditor.factor");
+  offset_->setObjectName("curveEditor.offset");
+  axis_->setObjectName("curveEditor.axis");
+  axis_->setEditable(true);
+  axis_->setInsertPolicy(QComboBox::NoInsert);
+  axis_->lineEdit()->installEventFilter(this);  // a combo box does not pass on Enter and Escape
+  axis_->setToolTip(Words::tr("Curves with the same axis share it; a name of your own makes one"));
+  status_->setObjectName("curveEditor.status");
+  status_->setWordWrap(true);
+  status_->setTextFormat(Qt::PlainText);
+  SetRole(*accept_, "primary");
+  accept_->setObjectName("curveEditor.accept");
+  auto* plain = new QPushButton(Words::tr("Unscaled"));
+  plain->setObjectName("curveEditor.plain");
+  plain->setToolTip(Words::tr("Without scale and offset, on the axis of its unit"));
+  connect(plain, &QPushButton::clicked, this, [this] {
+    factor_->setText("1");
+    offset_->setText("0");
+    axis_->setCurrentIndex(0);
+    accept();
+  });
+  auto* fields = new QFormLayout;
+  fields->setSpacing(2 * kGrid);
+  fields->addRow(Words::tr("Scale"), factor_);
+  fields->addRow(Words::tr("Offset"), offset_);
+  fields->addRow(Words::tr("Axis"), axis_);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(plain);
+  buttons->addStretch();
+  buttons->addWidget(accept_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(kInset, kInset, kInset, kInset);
+  column->setSpacing(2 * kGrid);
+  column->addWidget(title);
+  column->addLayout(fields);
+  column->addWidget(status_);
+  column->addLayout(buttons);
+  for (QLineEdit* field : {factor_, offset_}) field->setFont(Theme::instance().mono());
+  factor_->setAccessibleName(Words::tr("Scale"));
+  offset_->setAccessibleName(Words::tr("Offset"));
+  axis_->setAccessibleName(Words::tr("Axis"));
+}
+
+void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
+  factor_->setText(ExactText(look.scaling.factor));
+  offset_->setText(ExactText(look.scaling.offset));
+  axis_->addItem(Words::tr("Axis of its unit"));
+  axis_->addItems(axes);
+  if (look.axis.isEmpty()) {
+    axis_->setCurrentIndex(0);
+  } else {
+    axis_->setEditText(look.axis);
+  }
+}
+
+QString CurveEditor::read(CurveLook& look) const {
+  const auto factor = NumberIn(factor_->text());
+  if (!factor)
+    return Words::tr("The scale “%1” is not a number").arg(factor_->text()) +
+           HintOn(factor_->text());
+  const auto offset = NumberIn(offset_->text());
+  if (!offset)
+    return Words::tr("The offset “%1” is not a number").arg(offset_->text()) +
+           HintOn(offset_->text());
+  const QString axis = axis_->currentText().trimmed();
+  look = {.scaling = {.factor = *factor, .offset = *offset},
+          .axis = axis == axis_->itemText(0) ? QString() : axis};
+  return RefusalOf(look).value_or(QString());
+}
+
+void CurveEditor::check() {
+  CurveLook look;
+  const QString refusal = read(look);
+  accept_->setEnabled(refusal.isEmpty());
+  SetRole(*status_, refusal.isEmpty() ? "dim" : "bad");
+  const QString sum = Words::tr("Shown: value %1").arg(UnitOf({}, look.scaling));
+  status_->setText(!refusal.isEmpty()      ? refusal
+                   : look.scaling.isNone() ? Words::tr("Shown unscaled")
+                                           : sum + (unit_.isEmpty() ? "" : ", " + unit_));
+  adjustSize();
+}
+
+void CurveEditor::accept() {
+  CurveLook look;
+  if (!read(look).isEmpty()) return;
+  Q_EMIT accepted(look);
+  close();
+}
+
+bool CurveEditor::takesKey(int key) {
+  if (key == Qt::Key_Escape) {
+    close();
+    return true;
+  }
+  if (key != Qt::Key_Return && key != Qt::Key_Enter) return false;
+  auto* button = qobject_cast<QPushButton*>(focusWidget());
+  button != nullptr ? button->click() : accept();
+  return true;
+}
+
+void CurveEditor::keyPressEvent(QKeyEvent* event) {
+  if (!takesKey(event->key())) QFrame::keyPressEvent(event);
+}
+
+bool CurveEditor::eventFilter(QObject* watched, QEvent* event) {
+  const bool is_key = event->type() == QEvent::KeyPress;
+  if (is_key && takesKey(static_cast<QKeyEvent*>(event)->key())) return true;
+  return QFrame::eventFilter(watched, event);
+}
+
+}  // namespace tendon::gui

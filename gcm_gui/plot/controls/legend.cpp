@@ -1,0 +1,294 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/controls/legend.h>
+#include <gcm_gui/theme/icon.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QFontMetrics>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace tendon::gui {
+namespace {
+
+constexpr int kLegendRowHeight = 18;
+constexpr int kSwatchWidth = 12;
+constexpr int kSwatchHeight = 3;
+constexpr int kSpace = 8;
+constexpr int kBetween = 12;  // between two rows side by side
+constexpr int kWidestName = 220;
+constexpr double kHiddenOpacity = 0.45;
+
+// Lays a text out once, because the legend paints it in each frame of the plot.
+void SetText(QStaticText& text, const QString& content, const QFont& font) {
+  if (text.text() == content) return;
+  text.setTextFormat(Qt::PlainText);
+  text.setText(content);
+  text.prepare({}, font);
+}
+
+int WidthOf(const QStaticText& text) { return static_cast<int>(std::ceil(text.size().width())); }
+
+}  // namespace
+
+LegendRow::LegendRow(QWidget* parent) : QWidget(parent) {
+  setFixedHeight(kLegendRowHeight);
+  setFocusPolicy(Qt::TabFocus);
+  setCursor(Qt::PointingHandCursor);
+}
+
+void LegendRow::setEntry(const LegendEntry& entry) {
+  if (entry == entry_) return;
+  entry_ = entry;
+  setObjectName("legend:" + entry.path);
+  setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
+  setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
+  const QFontMetrics metrics(Theme::instance().small());
+  // "arm.position[0] · suspended · 5 s old": elide the middle, so that the ends, which differ, stay
+  // visible.
+  const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
+  QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
+  if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
+  SetText(name_, name, Theme::instance().small());
+  SetText(value_, entry.stale ? Words::tr("remap…") : entry.value, Theme::instance().smallMono());
+  SetText(unit_, entry.unit, Theme::instance().small());
+  SetText(figures_, entry.figures, Theme::instance().smallMono());
+  update();
+}
+
+int LegendRow::nameWidth() const { return WidthOf(name_); }
+
+int LegendRow::valueWidth() const { return WidthOf(value_); }
+
+int LegendRow::unitWidth() const { return WidthOf(unit_); }
+
+void LegendRow::setColumns(int name_width, int value_width, int unit_width) {
+  name_width_ = name_width;
+  value_width_ = value_width;
+  unit_width_ = unit_width;
+  setFixedWidth(kSwatchWidth + kSpace + name_width + kSpace + value_width +
+                (unit_width > 0 ? kSpace / 2 + unit_width : 0) +
+                (entry_.figures.isEmpty() ? 0 : 2 * kSpace + WidthOf(figures_)));
+}
+
+QRect LegendRow::valueRect() const {
+  return {kSwatchWidth + kSpace + name_width_ + kSpace, 0, value_width_, height()};
+}
+
+QRect LegendRow::markRect() const {
+  return {0, (height() - kSwatchWidth) / 2, kSwatchWidth, kSwatchWidth};
+}
+
+bool LegendRow::event(QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Enter:
+    case QEvent::Leave:
+    case QEvent::FocusIn:
+    case QEvent::FocusOut:
+      update();
+      break;
+    case QEvent::ShortcutOverride:
+      // The row's keys take precedence over the window's shortcuts.
+      if (isOwnKey(static_cast<QKeyEvent*>(event)->key())) event->accept();
+      break;
+    default:
+      break;
+  }
+  return QWidget::event(event);
+}
+
+void LegendRow::paintMark(QPainter& painter) const {
+  const Theme& theme = Theme::instance();
+  if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
+  // Old values keep the colour of their curve.
+  const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
+  painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
+}
+
+void LegendRow::paintEvent(QPaintEvent*) {
+  const Theme& theme = Theme::instance();
+  QPainter painter(this);
+  painter.setOpacity(entry_.shown ? 1.0 : kHiddenOpacity);
+  paintMark(painter);
+  const auto paint = [&](int x, const QStaticText& text, const QFont& font, Token token) {
+    painter.setFont(font);
+    painter.setPen(theme.color(token));
+    painter.drawStaticText(QPointF(x, (height() - text.size().height()) / 2), text);
+  };
+  const Token token = isGrey() ? Token::kDim : Token::kText;
+  const int name_left = kSwatchWidth + kSpace;
+  const int value_right = name_left + name_width_ + kSpace + value_width_;
+  paint(name_left, name_, theme.small(), token);
+  paint(value_right - WidthOf(value_), value_, theme.smallMono(),
+        entry_.stale ? Token::kAccent : token);
+  paint(value_right + kSpace / 2, unit_, theme.small(), Token::kDim);
+  paint(value_right + kSpace / 2 + unit_width_ + 2 * kSpace, figures_, theme.smallMono(),
+        Token::kDim);
+  if (!hasFocus()) return;
+  painter.setPen(theme.color(Token::kAccent));
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void LegendRow::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return event->ignore();
+  pressed_ = event->pos();
+}
+
+void LegendRow::mouseMoveEvent(QMouseEvent* event) {
+  if (!pressed_) return;
+  const QPoint moved = event->pos() - *pressed_;
+  if (moved.manhattanLength() < QApplication::startDragDistance()) return;
+  pressed_.reset();
+  Q_EMIT dragRequested(entry_.path);
+}
+
+void LegendRow::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || !pressed_) return event->ignore();
+  pressed_.reset();
+  if (markRect().contains(event->pos())) {
+    Q_EMIT removeRequested(entry_.path);
+  } else if (entry_.stale && valueRect().contains(event->pos())) {
+    Q_EMIT remapRequested(entry_.path);
+  } else {
+    Q_EMIT toggled(entry_.path);
+  }
+}
+
+bool LegendRow::isOwnKey(int key) {
+  return key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Space ||
+         key == Qt::Key_R || key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
+void LegendRow::keyPressEvent(QKeyEvent* event) {
+  if (!isOwnKey(event->key())) return QWidget::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_Space:
+      return Q_EMIT toggled(entry_.path);
+    case Qt::Key_R:
+      return Q_EMIT remapRequested(entry_.path);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return Q_EMIT lookRequested(entry_.path);
+    default:
+      return Q_EMIT removeRequested(entry_.path);
+  }
+}
+
+void LegendRow::contextMenuEvent(QContextMenuEvent* event) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName("legendMenu");
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& text, Qt::Key key, void (LegendRow::*wish)(const QString&)) {
+    menu->addAction(text, this, [this, wish] { (this->*wish)(entry_.path); })->setShortcut(key);
+  };
+  add(Words::tr("Scale, offset and axis…"), Qt::Key_Return, &LegendRow::lookRequested);
+  add(entry_.shown ? Words::tr("Hide") : Words::tr("Show"), Qt::Key_Space, &LegendRow::toggled);
+  add(Words::tr("Show another signal…"), Qt::Key_R, &LegendRow::remapRequested);
+  add(Words::tr("Remove"), Qt::Key_Delete, &LegendRow::removeRequested);
+  menu->popup(event->globalPos());
+}
+
+Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
+  setObjectName("legend");
+  setAccessibleName(Words::tr("Legend"));
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setVerticalSpacing(0);
+  grid_->setHorizontalSpacing(kBetween);
+  grid_->setSizeConstraint(QLayout::SetFixedSize);
+  hide();
+  // The fonts may have changed: the next entries rebuild the rows.
+  connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
+}
+
+void Legend::setEntries(const std::vector<LegendEntry>& entries) {
+  const auto same_path = [](const LegendRow* row, const LegendEntry& entry) {
+    return row->entry().path == entry.path;
+  };
+  if (!std::equal(rows_.begin(), rows_.end(), entries.begin(), entries.end(), same_path)) {
+    makeRows(entries.size());
+    value_width_ = 0;
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) rows_[i]->setEntry(entries[i]);
+  alignColumns();
+  setVisible(!rows_.empty());
+}
+
+void Legend::makeRows(std::size_t count) {
+  while (rows_.size() > count) {
+    rows_.back()->deleteLater();
+    rows_.back()->hide();
+    grid_->removeWidget(rows_.back());
+    rows_.pop_back();
+    arranged_ = 0;
+  }
+  while (rows_.size() < count) {
+    auto* row = new LegendRow(this);
+    connect(row, &LegendRow::toggled, this, &Legend::toggled);
+    connect(row, &LegendRow::removeRequested, this, &Legend::removeRequested);
+    connect(row, &LegendRow::dragRequested, this, &Legend::dragRequested);
+    connect(row, &LegendRow::remapRequested, this, &Legend::remapRequested);
+    connect(row, &LegendRow::lookRequested, this, &Legend::lookRequested);
+    rows_.push_back(row);
+  }
+}
+
+void Legend::alignColumns() {
+  const int name_width = widest(&LegendRow::nameWidth);
+  value_width_ = std::max(value_width_, widest(&LegendRow::valueWidth));
+  const int unit_width = widest(&LegendRow::unitWidth);
+  for (LegendRow* row : rows_) row->setColumns(name_width, value_width_, unit_width);
+  arrange();
+}
+
+void Legend::setRoom(int width) {
+  if (width == room_) return;
+  room_ = width;
+  arrange();
+}
+
+void Legend::arrange() {
+  if (rows_.empty()) return;
+  const int across = std::max(1, (room_ + kBetween) / (rows_.front()->width() + kBetween));
+  if (across != across_ || rows_.size() != arranged_) {
+    across_ = across;
+    arranged_ = rows_.size();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const int place = static_cast<int>(i);
+      grid_->addWidget(rows_[i], place / across, place % across);
+    }
+  }
+  adjustSize();
+}
+
+int Legend::widest(const std::function<int(const LegendRow&)>& width) const {
+  int result = 0;
+  for (const LegendRow* row : rows_) result = std::max(result, width(*row));
+  return result;
+}
+
+QString LegendValue(double value, const AxisRange& range) {
+  constexpr double kLargestFixed = 1e7;
+  constexpr int kFewDigits = 6;
+  constexpr int kMostDigits = 17;
+  constexpr int kTickSteps = 6;
+  const double size = std::abs(value);
+  const double span = range.span();
+  if (!std::isfinite(value) || !std::isfinite(span)) {
+    return QString::number(value, 'g', kFewDigits);
+  }
+  const double step = NiceStep(span, kTickSteps) / 100;
+  if (size < kLargestFixed && span >= 1e-9) return QString::number(value, 'f', DecimalsOf(step));
+  if (size == 0) return QStringLiteral("0");
+  const int digits = static_cast<int>(std::floor(std::log10(size) - std::log10(step))) + 2;
+  return QString::number(value, 'g', std::clamp(digits, kFewDigits, kMostDigits));
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/theme/header_row.h>
+
+#include <chrono>
+#include <vector>
+
+class QActionGroup;
+class QTabBar;
+class QToolButton;
+
+namespace tendon::gui {
+
+class MemoryMeter;
+class RateBadge;
+
+/// The head of the plots: a tab per page, [+], and for the current plot its rate, time span,
+/// motion, and history buttons.
+class PlotHeader : public HeaderRow {
+  Q_OBJECT
+
+ public:
+  explicit PlotHeader(QWidget* parent = nullptr);
+
+  [[nodiscard]] QTabBar& tabs() { return *tabs_; }
+  void setFigures(const std::vector<SourceFigures>& figures);
+  /// See MemoryMeter.
+  void setMemory(std::size_t used, std::size_t budget, bool is_thinned);
+  void setWindow(std::chrono::nanoseconds length);
+  void setPaused(bool paused);
+  void setCursors(bool shown);
+  void setSweeping(bool sweeping);
+  void setWay(bool has_former, bool has_later);
+
+ Q_SIGNALS:
+  void newPlotRequested();
+  void splitRequested();
+  void windowChosen(std::chrono::nanoseconds length);
+  void pauseToggled(bool paused);
+  void cursorsToggled(bool shown);
+  void sweepToggled(bool sweeping);
+  void backRequested();
+  void forwardRequested();
+  void csvRequested();
+
+ protected:
+  /// A narrow head hides those buttons whose functions are also on keys and in the menu.
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void buildWindowMenu();
+
+  QTabBar* tabs_;
+  QToolButton* plus_;
+  QToolButton* split_;
+  MemoryMeter* memory_;
+  RateBadge* badge_;
+  QToolButton* window_;
+  QActionGroup* lengths_ = nullptr;
+  QToolButton* back_;
+  QToolButton* forward_;
+  QToolButton* cursors_;
+  QToolButton* csv_;
+  QToolButton* sweep_;
+  QToolButton* pause_;
+};
+
+/// "30 s", "5 min", "1 h".
+[[nodiscard]] QString LengthText(std::chrono::nanoseconds length);
+
+}  // namespace tendon::gui

@@ -1,0 +1,66 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/controls/plot_menu.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_picture.h>
+#include <gcm_gui/plot/plot_view.h>
+
+#include <QActionGroup>
+#include <QMenu>
+#include <utility>
+
+namespace tendon::gui {
+
+void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
+  QMenu& fits = *menu.addMenu(Words::tr("Values"));
+  auto* group = new QActionGroup(&fits);
+  for (const auto& [fit, text] : {std::pair{Fit::kClose, Words::tr("Fit the visible part")},
+                                  std::pair{Fit::kGrow, Words::tr("Only grow")},
+                                  std::pair{Fit::kSymmetric, Words::tr("Symmetric around 0")}}) {
+    QAction* action =
+        group->addAction(fits.addAction(text, &view, [&view, fit = fit] { view.setFit(fit); }));
+    action->setCheckable(true);
+    action->setChecked(view.fit() == fit);
+    action->setEnabled(fit != Fit::kSymmetric || view.scale() == ValueScale::kLinear);
+  }
+  fits.addSeparator();
+  QAction* logarithmic = fits.addAction(Words::tr("Logarithmic"), &view, [&view](bool chosen) {
+    view.setScale(chosen ? ValueScale::kLogarithmic : ValueScale::kLinear);
+  });
+  logarithmic->setShortcut(Qt::Key_L);
+  logarithmic->setCheckable(true);
+  logarithmic->setChecked(view.scale() == ValueScale::kLogarithmic);
+  QAction* statistics = menu.addAction(Words::tr("Statistics"), &view,
+                                       [&view](bool shown) { view.setStatistics(shown); });
+  statistics->setCheckable(true);
+  statistics->setChecked(view.hasStatistics());
+  QAction* marks = menu.addAction(Words::tr("Marks"), &panel,
+                                  [&panel](bool shown) { panel.setMarksShown(shown); });
+  marks->setShortcut(Qt::Key_E);
+  marks->setCheckable(true);
+  marks->setChecked(panel.areMarksShown());
+  menu.addSeparator();
+  using Motion = TimeWindow::Motion;
+  QAction* sweep = menu.addAction(Words::tr("Sweep"), &view, [&view](bool chosen) {
+    view.setMotion(chosen ? Motion::kSweep : Motion::kScroll);
+  });
+  sweep->setShortcut(Qt::Key_S);
+  sweep->setCheckable(true);
+  sweep->setChecked(view.window().motion() == Motion::kSweep);
+  menu.addAction(Words::tr("Follow live data"), &view, &PlotView::goLive);
+  menu.addAction(Words::tr("Back to the previous view"), &view, &PlotView::goBack)
+      ->setEnabled(view.hasFormerView());
+  menu.addAction(Words::tr("Forward again"), &view, &PlotView::goForward)
+      ->setEnabled(view.hasLaterView());
+  menu.addSeparator();
+  menu.addAction(Words::tr("A plot below"), &panel, [&panel] { panel.splitPlot(); });
+  menu.addAction(Words::tr("Close this plot"), &panel, [&panel, &view] { panel.closePlot(view); });
+  menu.addSeparator();
+  menu.addAction(Words::tr("Copy picture"), &view, [&view] { CopyPicture(view); });
+  menu.addAction(Words::tr("Save picture…"), &panel, &PlotPanel::askForPicture);
+  menu.addAction(Words::tr("Save the visible samples as CSV…"), &panel, &PlotPanel::askForCsv);
+  menu.addSeparator();
+  menu.addAction(Words::tr("Open layout…"), &panel, &PlotPanel::askForLayout);
+  menu.addAction(Words::tr("Save layout of all plots…"), &panel, &PlotPanel::askToSaveLayout);
+}
+
+}  // namespace tendon::gui

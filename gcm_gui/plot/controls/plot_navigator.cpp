@@ -1,0 +1,211 @@
+#include <gcm_gui/plot/controls/plot_navigator.h>
+#include <gcm_gui/plot/controls/plot_overlay.h>
+#include <gcm_gui/plot/plot_view.h>
+
+#include <QContextMenuEvent>
+#include <QCursor>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QToolTip>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+constexpr double kNotch = 120;        // of a wheel, in eighths of a degree
+constexpr double kNotchFactor = 0.8;  // factor of the window per notch
+constexpr double kKeyPan = 0.1;       // fraction of the canvas per key press
+constexpr int kSmallestBand = 5;      // pixels; a smaller band is a click
+constexpr int kPanThreshold = 12;     // pixels up or down before values move, too
+
+}  // namespace
+
+PlotNavigator::PlotNavigator(PlotView& view) : QObject(&view), view_(view) {
+  view.canvas()->installEventFilter(this);
+  view.canvas()->setMouseTracking(true);
+  view.canvas()->setFocusPolicy(Qt::StrongFocus);
+}
+
+bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::MouseButtonPress:
+      return press(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseMove:
+      return move(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseButtonRelease:
+      return release(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseButtonDblClick:
+      endDrag();
+      view_.goLive();
+      return true;
+    case QEvent::Leave:
+      view_.setHover({});
+      view_.endRun();
+      return false;
+    case QEvent::Wheel:
+      return wheel(static_cast<const QWheelEvent&>(*event));
+    case QEvent::ContextMenu:
+      Q_EMIT view_.menuRequested(static_cast<const QContextMenuEvent&>(*event).pos());
+      return true;
+    case QEvent::ToolTip:
+      return help(static_cast<const QHelpEvent&>(*event));
+    case QEvent::KeyPress:
+      return key(static_cast<const QKeyEvent&>(*event));
+    default:
+      return QObject::eventFilter(watched, event);
+  }
+}
+
+bool PlotNavigator::press(const QMouseEvent& event) {
+  if (event.button() == Qt::BackButton || event.button() == Qt::ForwardButton) {
+    event.button() == Qt::BackButton ? view_.goBack() : view_.goForward();
+    return true;
+  }
+  if (event.button() != Qt::LeftButton || view_.curves().empty()) return false;
+  pressed_ = last_ = event.pos();
+  moves_values_ = false;
+  drag_ = event.modifiers().testFlag(Qt::ShiftModifier) ? Drag::kPan : Drag::kZoom;
+  if (const auto cursor = view_.cursorAt(event.pos().x())) {
+    drag_ = Drag::kCursor;
+    cursor_ = *cursor;
+  }
+  if (drag_ == Drag::kPan) {
+    view_.endRun();
+    view_.canvas()->setCursor(Qt::ClosedHandCursor);
+  }
+  return true;
+}
+
+bool PlotNavigator::move(const QMouseEvent& event) {
+  const QPoint position = event.pos();
+  view_.setHover(position.x());
+  if (drag_ == Drag::kZoom) {
+    const QRect band = QRect(pressed_, position).normalized() & view_.canvas()->rect();
+    view_.overlay().setRubberBand(band);
+  } else if (drag_ == Drag::kCursor) {
+    view_.placeCursor(cursor_, position.x());
+  } else if (drag_ == Drag::kNone) {
+    showGrip(position.x());
+  } else {
+    if (std::abs(position.y() - pressed_.y()) > kPanThreshold) moves_values_ = true;
+    view_.panTime(last_.x() - position.x());
+    if (moves_values_) view_.panValues(position.y() - last_.y());
+    last_ = position;
+  }
+  return drag_ != Drag::kNone;
+}
+
+bool PlotNavigator::release(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || drag_ == Drag::kNone) return false;
+  const QRect band = QRect(pressed_, event.pos()).normalized() & view_.canvas()->rect();
+  const bool zooms =
+      drag_ == Drag::kZoom && band.width() >= kSmallestBand && band.height() >= kSmallestBand;
+  endDrag();
+  if (zooms) view_.zoomTo(band);
+  return true;
+}
+
+void PlotNavigator::endDrag() {
+  drag_ = Drag::kNone;
+  view_.overlay().setRubberBand({});
+  view_.canvas()->unsetCursor();
+}
+
+bool PlotNavigator::wheel(const QWheelEvent& event) {
+  if (view_.curves().empty()) return false;
+  const QPoint turned = event.angleDelta();
+  const QPointF at = event.position();
+  const double factor = std::pow(kNotchFactor, turned.y() / kNotch);
+  if (std::abs(turned.x()) > std::abs(turned.y())) {
+    view_.panTime(-turned.x());
+  } else if (event.modifiers().testFlag(Qt::ControlModifier)) {
+    view_.zoomValues(factor, at.y());
+  } else {
+    view_.zoomTime(factor, at.x());
+  }
+  return true;
+}
+
+void PlotNavigator::showGrip(int x) {
+  if (view_.cursorAt(x)) {
+    view_.canvas()->setCursor(Qt::SplitHCursor);
+  } else {
+    view_.canvas()->setCursor(Qt::ArrowCursor);
+  }
+}
+
+bool PlotNavigator::help(const QHelpEvent& event) {
+  QToolTip::showText(event.globalPos(), view_.marksAt(event.pos().x()), view_.canvas());
+  return true;
+}
+
+bool PlotNavigator::plainKey(int key) {
+  const QPoint mouse = view_.canvas()->mapFromGlobal(QCursor::pos());
+  const bool over = view_.canvas()->rect().contains(mouse);
+  const int x = over ? mouse.x() : view_.canvas()->width() / 2;
+  switch (key) {
+    case Qt::Key_A:
+      view_.placeCursor(Cursor::kA, x);
+      return true;
+    case Qt::Key_B:
+      view_.placeCursor(Cursor::kB, x);
+      return true;
+    case Qt::Key_Delete:
+      view_.showCursors(false);
+      return true;
+    case Qt::Key_E:
+      Q_EMIT view_.marksToggled();
+      return true;
+    case Qt::Key_S:
+      view_.setMotion(view_.window().motion() == TimeWindow::Motion::kScroll
+                          ? TimeWindow::Motion::kSweep
+                          : TimeWindow::Motion::kScroll);
+      return true;
+    case Qt::Key_L:
+      view_.setScale(view_.scale() == ValueScale::kLinear ? ValueScale::kLogarithmic
+                                                          : ValueScale::kLinear);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool PlotNavigator::key(const QKeyEvent& event) {
+  if (event.modifiers() == Qt::NoModifier && plainKey(event.key())) return true;
+  const double width = view_.canvas()->width();
+  const QPoint centre = view_.canvas()->rect().center();
+  const bool values = event.modifiers().testFlag(Qt::ControlModifier);
+  const auto zoom = [&](double factor) {
+    values ? view_.zoomValues(factor, centre.y()) : view_.zoomTime(factor, centre.x());
+  };
+  switch (event.key()) {
+    case Qt::Key_Escape:
+      if (drag_ == Drag::kNone) return false;
+      endDrag();
+      return true;
+    case Qt::Key_Left:
+      event.modifiers().testFlag(Qt::AltModifier) ? view_.goBack()
+                                                  : view_.panTime(-kKeyPan * width);
+      return true;
+    case Qt::Key_Right:
+      event.modifiers().testFlag(Qt::AltModifier) ? view_.goForward()
+                                                  : view_.panTime(kKeyPan * width);
+      return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      zoom(kNotchFactor);
+      return true;
+    case Qt::Key_Minus:
+      zoom(1 / kNotchFactor);
+      return true;
+    case Qt::Key_End:
+      view_.goLive();
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,62 @@
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/series/scaling.h>
+
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace tendon::gui {
+namespace {
+
+// Beyond these limits sums of doubles consist of rounding errors.
+constexpr double kLeastFactor = 1e-12;
+constexpr double kMostFactor = 1e12;
+constexpr double kMostOffset = 1e15;
+
+}  // namespace
+
+QString ExactText(double value) {
+  const QString brief = QString::number(value, 'g', 15);
+  return brief.toDouble() == value ? brief
+                                   : QString::number(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString TextOf(const Scaling& scaling) {
+  QStringList parts;
+  if (scaling.factor != 1) parts << QStringLiteral("×") + ExactText(scaling.factor);
+  if (scaling.offset != 0) parts << (scaling.offset > 0 ? "+" : "") + ExactText(scaling.offset);
+  return parts.join(' ');
+}
+
+QString UnitOf(const QString& unit, const Scaling& scaling) {
+  return QStringList{unit, TextOf(scaling)}.join(' ').trimmed();
+}
+
+std::optional<QString> RefusalOf(const CurveLook& look) {
+  const auto& [factor, offset] = look.scaling;
+  if (factor == 0) return Words::tr("A scale of 0 would draw a flat line: choose another scale");
+  if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
+    return Words::tr("The scale must lie between %1 and %2, with either sign")
+        .arg(QString::number(kLeastFactor), QString::number(kMostFactor));
+  }
+  if (!(std::abs(offset) <= kMostOffset)) {
+    return Words::tr("The offset must lie between -%1 and %1").arg(QString::number(kMostOffset));
+  }
+  if (look.axis.size() > kLongestAxis) {
+    return Words::tr("The name of an axis has at most %1 letters").arg(kLongestAxis);
+  }
+  const bool is_printable = std::all_of(look.axis.begin(), look.axis.end(),
+                                        [](QChar letter) { return letter.isPrint(); });
+  if (!is_printable) return Words::tr("The name of an axis is one line of letters");
+  return std::nullopt;
+}
+
+std::optional<double> NumberIn(const QString& text) {
+  bool is_number = false;
+  const double value = text.trimmed().toDouble(&is_number);
+  if (!is_number || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <gcm_gui/plot/series/cursors.h>
+#include <gcm_gui/plot/series/curve_set.h>
+#include <gcm_gui/plot/series/live_clock.h>
+#include <gcm_gui/plot/series/time_window.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tendon::gui {
+
+/// The state that plots of one page share: the visible time, the sources' present time, the
+/// cursors, the column under the mouse, and the history of views.
+///
+/// A plot that changes something calls touch(); the others compare revision(). GUI thread.
+class SharedTimeAxis {
+ public:
+  /// The maximum number of steps in the history.
+  static constexpr std::size_t kMostSteps = 64;
+
+  enum class Gesture {
+    kOnce,      ///< a separate step
+    kZoomTime,  ///< successive ones form a single step, until another gesture or endRun()
+    kZoomValues,
+    kMove,
+  };
+
+  /// Includes the curves' axes in the history, until leave().
+  void join(CurveSet& curves);
+  void leave(CurveSet& curves);
+  /// Lets all axes follow the data.
+  void fitAll();
+
+  [[nodiscard]] TimeWindow& window() { return window_; }
+  [[nodiscard]] Cursors& cursors() { return cursors_; }
+  [[nodiscard]] LiveClock& clock() { return clock_; }
+  [[nodiscard]] std::optional<int> hover() const { return hover_; }
+  /// Sets the column under the mouse. Returns true if it has changed.
+  bool setHover(std::optional<int> column);
+
+  void touch() { ++revision_; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+  /// Call it before `gesture` changes the view.
+  void remember(Gesture gesture);
+  void endRun() { last_gesture_ = Gesture::kOnce; }
+  // Both do nothing at the end of the history.
+  void goBack() { go(former_, later_); }
+  void goForward() { go(later_, former_); }
+  [[nodiscard]] bool hasFormer() const { return !former_.empty(); }
+  [[nodiscard]] bool hasLater() const { return !later_.empty(); }
+
+ private:
+  struct Place {
+    TimeWindow window;
+    std::vector<std::pair<CurveSet*, std::vector<UnitAxis>>> axes;
+  };
+
+  [[nodiscard]] Place present() const;
+  void go(std::vector<Place>& from, std::vector<Place>& to);
+
+  TimeWindow window_;
+  Cursors cursors_;
+  LiveClock clock_;
+  std::optional<int> hover_;
+  std::vector<CurveSet*> sets_;
+  std::vector<Place> former_;
+  std::vector<Place> later_;
+  Gesture last_gesture_ = Gesture::kOnce;
+  std::uint64_t revision_ = 0;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <gcm_console/feeds/event_inbox.h>
+#include <gcm_gui/files/gui_poster.h>
+#include <gcm_gui/session/catalogue_store.h>
+#include <gcm_gui/session/system_reports.h>
+#include <gcm_gui/session/type_requests.h>
+
+#include <QSet>
+#include <QTimer>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace tendon::gui {
+
+/// The system's reports, received through the session's client. Delivers events 10 times a second,
+/// and at most as many as the window can show without delay.
+class NetworkReports final : public SystemReports {
+  Q_OBJECT
+
+ public:
+  /// The number of events delivered at once; further ones are counted as lost.
+  static constexpr std::size_t kMostAtOnce = 1000;
+
+  /// `client` and `store` must outlive it; `poster` delivers to the GUI thread.
+  NetworkReports(GcmClient& client, const CatalogueStore& store, std::shared_ptr<GuiPoster> poster,
+                 QObject* parent = nullptr);
+  ~NetworkReports() override;
+
+  void watchLog() override;
+  void listen(const QObject* owner, const QStringList& patterns) override;
+  void askHealth(Handler<message::SystemHealth> handler) override;
+  void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
+  void askFill(const std::string& process, const std::string& component,
+               Handler<MailboxFill> handler) override;
+  void askChildren(Handler<message::Children> handler) override;
+  void askClasses(const std::string& process, Handler<message::Classes> handler) override;
+
+  /// Updates the subscriptions to the requested events that exist; called by a timer.
+  void follow();
+  /// Delivers the events that have arrived; called by a timer.
+  void drain();
+
+ private:
+  struct Listener {
+    std::vector<std::string> events;
+    GcmClient::ListenerId id = 0;
+  };
+
+  void learn(const console::EventInbox::Content& content);
+  /// The event's value as text; empty while its type is being requested.
+  [[nodiscard]] std::optional<QString> valueOf(const console::ReceivedEvent& event) const;
+
+  GcmClient& client_;
+  const CatalogueStore& store_;
+  std::shared_ptr<GuiPoster> poster_;
+  std::shared_ptr<console::EventInbox> inbox_;
+  std::map<const QObject*, QStringList> wanted_;
+  QSet<const QObject*> known_owners_;
+  std::map<InterfaceName, Listener> listeners_;
+  TypeRequests types_;
+  std::deque<console::ReceivedEvent> waiting_;
+  QTimer drain_timer_;
+  QTimer follow_soon_;
+};
+
+}  // namespace tendon::gui

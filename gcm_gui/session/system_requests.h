@@ -1,0 +1,83 @@
+#pragma once
+
+#include <tendon/base/log.h>
+#include <tendon/base/name.h>
+#include <tendon/base/result.h>
+#include <tendon/gcm/diagnosis.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/schema.h>
+#include <tendon/process/life/life_messages.h>
+
+#include <functional>
+#include <string>
+
+namespace tendon::gui {
+
+/// The changes that a user can make to the system. Each function returns at once; the activity list
+/// shows the outcome, and the catalogue the new state.
+class SystemActions {
+ public:
+  SystemActions() = default;
+  SystemActions(const SystemActions&) = delete;
+  SystemActions& operator=(const SystemActions&) = delete;
+  virtual ~SystemActions() = default;
+
+  /// The GCM refuses it if `required` is connected already.
+  virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
+  /// The same, but replaces an existing connection of `required` in one step; restores it if the
+  /// new one is refused.
+  virtual void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) = 0;
+  virtual void disconnectInterface(const InterfaceName& required) = 0;
+  /// Undoes the newest step that is not undone, whoever made it. A step of another user, or on a
+  /// component's life cycle, is only undone at the second call.
+  virtual void undo() = 0;
+  /// Removes the remains of a lost process.
+  virtual void forget(const std::string& process) = 0;
+  /// Starts, suspends, stops or restarts a component.
+  virtual void steer(LifeVerb verb, const std::string& process, const std::string& component) = 0;
+  /// From now on the process drops records below `level`.
+  virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
+};
+
+/// Calls commands for the user. Each function returns at once; a handler is called in the GUI
+/// thread, at most once, and not after the end of the session.
+class CommandCalls {
+ public:
+  using SchemaHandler = std::function<void(const Result<Schema>&)>;
+  /// The answer as JSON, empty if the command has no result; and the duration in s.
+  using AnswerHandler = std::function<void(const Result<std::string>&, double)>;
+
+  CommandCalls() = default;
+  CommandCalls(const CommandCalls&) = delete;
+  CommandCalls& operator=(const CommandCalls&) = delete;
+  virtual ~CommandCalls() = default;
+
+  /// Requests the schema of a type from `process`.
+  virtual void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) = 0;
+  /// Calls "robot/arm/Control.MoveTo"; `argument` is JSON, or empty for none. The call appears in
+  /// the activity list.
+  virtual void callCommand(const std::string& path, const std::string& argument,
+                           AnswerHandler handler) = 0;
+  /// Reads a value as JSON by a read command. It is not in the activity list, because the user did
+  /// not request it.
+  using ValueHandler = std::function<void(const Result<std::string>&)>;
+  virtual void readValue(const std::string& path, ValueHandler handler) = 0;
+};
+
+/// Checks an existing or requested connection. Each function returns at once; a handler is called
+/// in the GUI thread, at most once, and not after the end of the session.
+class ConnectionChecks {
+ public:
+  using DiagnosisHandler = std::function<void(const Result<Diagnosis>&)>;
+
+  ConnectionChecks() = default;
+  ConnectionChecks(const ConnectionChecks&) = delete;
+  ConnectionChecks& operator=(const ConnectionChecks&) = delete;
+  virtual ~ConnectionChecks() = default;
+
+  /// Makes the seven checks of `gcm explain`, up to the first failure. Asks the provider's process,
+  /// which may take as long as any request. Errors of Diagnose().
+  virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,35 @@
+#include <gcm_gui/session/type_requests.h>
+
+#include <algorithm>
+
+namespace tendon::gui {
+
+void TypeRequests::want(Fingerprint type, const std::string& process) {
+  wanted_[type].process = process;
+}
+
+std::vector<std::pair<Fingerprint, std::string>> TypeRequests::takeDue(SteadyTime now) {
+  std::vector<std::pair<Fingerprint, std::string>> due;
+  for (auto& [type, one] : wanted_) {
+    const bool is_known = one.answer && one.answer->ok();
+    if (is_known || one.is_asking || now < one.due) continue;
+    one.is_asking = true;
+    due.emplace_back(type, one.process);
+  }
+  return due;
+}
+
+void TypeRequests::hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
+  Request& one = wanted_[type];
+  one.is_asking = false;
+  one.answer = answer;
+  one.due = now + one.pause;
+  one.pause = std::min<std::chrono::nanoseconds>(2 * one.pause, kLongestPause);
+}
+
+const Result<Schema>* TypeRequests::find(Fingerprint type) const {
+  const auto found = wanted_.find(type);
+  return found == wanted_.end() || !found->second.answer ? nullptr : &*found->second.answer;
+}
+
+}  // namespace tendon::gui

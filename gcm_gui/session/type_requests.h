@@ -1,0 +1,43 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/payload/fingerprint.h>
+
+#include <chrono>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon::gui {
+
+/// Schedules requests for types, by fingerprint. A failed request is repeated after a pause that
+/// doubles from kFirstPause to kLongestPause. Not thread-safe.
+class TypeRequests {
+ public:
+  static constexpr std::chrono::seconds kFirstPause{1};
+  static constexpr std::chrono::seconds kLongestPause{30};
+
+  /// Adds a type to request from `process`; a later call may name another process.
+  void want(Fingerprint type, const std::string& process);
+  /// The types to request now, each with its process. Call hear() for each of them.
+  [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);
+  /// Takes the result of a request.
+  void hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
+  /// The last answer; null if there is none.
+  [[nodiscard]] const Result<Schema>* find(Fingerprint type) const;
+
+ private:
+  struct Request {
+    std::string process;
+    std::optional<Result<Schema>> answer;
+    bool is_asking = false;
+    SteadyTime due{};
+    std::chrono::nanoseconds pause = kFirstPause;
+  };
+
+  std::map<Fingerprint, Request> wanted_;
+};
+
+}  // namespace tendon::gui

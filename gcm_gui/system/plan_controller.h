@@ -1,0 +1,91 @@
+#pragma once
+
+#include <gcm_gui/session/system_reports.h>
+#include <gcm_gui/system/plan_runner.h>
+#include <gcm_gui/system/system_document.h>
+#include <tendon/gcm/life/class_check.h>
+#include <tendon/gcm/system/plan.h>
+
+#include <QObject>
+#include <QString>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tendon::gui {
+
+/// Brings the running system to a target state: shows a plan, executes it step by step, and can
+/// undo it. Before it shows a plan, it requests the classes of the processes that must create
+/// components. GUI thread.
+class PlanController : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class Phase { kIdle, kAsking, kPreview, kRunning, kDone };
+
+  PlanController(const SystemDocument& document, PlanRunner& runner, SystemReports& reports,
+                 QObject* parent = nullptr);
+
+  [[nodiscard]] Phase phase() const { return phase_; }
+  /// The name of the target state: "demo.gcm.json", "the state at 12:04".
+  [[nodiscard]] const QString& goal() const { return goal_; }
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  /// Of the finished steps, in order.
+  [[nodiscard]] const std::vector<StepOutcome>& outcomes() const { return outcomes_; }
+  [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
+  [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
+
+  /// Makes a plan without executing it; ignored during an execution. An earlier plan for the same
+  /// goal stays visible until the new one is ready.
+  void preview(const SystemFile& wanted, const QString& goal);
+  void execute(AfterError after_error);
+  /// Stops after the present step.
+  void stop() { runner_.stop(); }
+  /// Previews the system as before execute(); the plan ends processes that were started.
+  void undo();
+  /// Returns from the preview of an undo to the executed plan, and ignores answers that are still
+  /// missing.
+  void leave();
+
+ Q_SIGNALS:
+  void changed();
+
+ private:
+  /// An executed plan with its outcome.
+  struct ExecutedPlan {
+    Plan plan;
+    QString goal;
+    std::vector<StepOutcome> outcomes;
+    PlanOutcome outcome;
+  };
+
+  /// The known classes for a plan, and the number of missing answers.
+  struct ClassQuery {
+    KnownClasses known;
+    std::size_t open = 0;
+  };
+  using Finish = std::function<Plan(Plan)>;
+
+  /// Makes the plan when all processes have answered; `finish` may still change it.
+  void plan(const SystemFile& wanted, const QString& goal, Finish finish);
+  void show(Plan plan, const QString& goal);
+  void noteBirth();
+
+  const SystemDocument& document_;
+  PlanRunner& runner_;
+  SystemReports& reports_;
+  Phase phase_ = Phase::kIdle;
+  QString goal_;
+  SystemFile wanted_;  // of the newest plan
+  Plan plan_;
+  std::shared_ptr<ClassQuery> question_;  // of the newest plan; null if no answer is missing
+  std::vector<StepOutcome> outcomes_;
+  PlanOutcome outcome_;
+  std::optional<SystemFile> before_;
+  std::optional<ExecutedPlan> to_undo_;  // the executed plan while its undo is previewed
+  std::vector<PlanStep> births_;         // processes started since then, with their instances
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+
+class QToolButton;
+
+namespace tendon::gui {
+
+/// A button that looks like a link; `name` is its object name.
+[[nodiscard]] QToolButton* MakeLinkButton(const QString& text, const QString& name);
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gcm_gui/session/link_state.h>
+
+#include <QFrame>
+
+class QLabel;
+
+namespace tendon::gui {
+
+class StateLabel;
+
+/// A line across the window while its GCM is unreachable: the age of the shown state, and the
+/// things that still work.
+class LostBanner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit LostBanner(const LinkState& link, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString text() const;
+
+ public Q_SLOTS:
+  /// The present time, ns since 1970.
+  void setNow(qint64 now);
+
+ private:
+  void refresh();
+
+  const LinkState& link_;
+  std::int64_t now_ = 0;
+  StateLabel* since_;
+  QLabel* meaning_;
+};
+
+}  // namespace tendon::gui

@@ -1,0 +1,122 @@
+#include <gcm_gui/guard/exception_guard.h>
+#include <gcm_gui/language/words.h>
+#include <gcm_gui/models/text.h>
+#include <gcm_gui/steer/steer_words.h>
+#include <gcm_gui/theme/metrics.h>
+#include <gcm_gui/theme/theme.h>
+#include <gcm_gui/window/notice_line.h>
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <chrono>
+
+namespace tendon::gui {
+namespace {
+
+constexpr std::chrono::seconds kShown{8};
+
+int WidthOf(const QString& text, const QFont& font) {
+  return QFontMetrics(font).horizontalAdvance(text);
+}
+
+}  // namespace
+
+NoticeLine::NoticeLine(const ConnectMode& mode, const ActivityModel& activity, QWidget* parent)
+    : QWidget(parent), mode_(mode) {
+  setObjectName(QStringLiteral("notice"));
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  fade_.setSingleShot(true);
+  fade_.setInterval(kShown);
+  connect(&fade_, &QTimer::timeout, this, [this] { tell({}); });
+  connect(&mode, &ConnectMode::changed, this, &NoticeLine::refresh);
+  connect(&mode, &ConnectMode::notice, this, &NoticeLine::tell);
+  connect(&activity, &ActivityModel::finished, this, Guarded(this, &NoticeLine::hear));
+  connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void NoticeLine::tell(const QString& text) {
+  notice_ = text;
+  if (!text.isEmpty()) fade_.start();
+  refresh();
+}
+
+void NoticeLine::hear(const Action& finished) {
+  if (finished.outcome == Action::Outcome::kRefused) return tell(finished.refusal);
+  const QString time = DurationText(finished.seconds);
+  switch (finished.verb) {
+    case Action::Verb::kConnect:
+      return tell(Words::tr("Connected in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kDisconnect:
+      return tell(Words::tr("Disconnected in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kReplace:
+      return tell(Words::tr("Replaced in %1 · Ctrl+Z undoes").arg(time));
+    case Action::Verb::kUndo:
+      return tell(Words::tr("Undone in %1").arg(time));
+    case Action::Verb::kForget:
+      return tell(Words::tr("Forgotten"));
+    case Action::Verb::kSteer:
+      return tell(
+          finished.life == LifeVerb::kRestart
+              ? Words::tr("%1 has been restarted in %2").arg(ToQString(finished.component), time)
+              : Words::tr("%1: %2 done in %3 · Ctrl+Z twice undoes")
+                    .arg(ToQString(finished.component), WordOf(finished.life), time));
+    case Action::Verb::kCall:
+      return tell(Words::tr("Called in %1").arg(time));
+    case Action::Verb::kLogLevel:
+      return tell(
+          Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
+    case Action::Verb::kApply:
+      return;  // shown on its own page
+  }
+}
+
+void NoticeLine::showMode() {
+  const PortName& port = mode_.chosen();
+  const QString side =
+      port.side == Side::kRequired ? QStringLiteral("provided") : QStringLiteral("required");
+  before_ = mode_.former() ? Words::tr("Replace ") : Words::tr("Connect ");
+  path_ = ToQString(ToString(mode_.former() ? *mode_.former() : port.name));
+  const QString other = mode_.former() ? Words::tr("other ") + side : side;
+  after_ = mode_.best() == nullptr ? Words::tr(" · no %1 interface fits").arg(other)
+           : mode_.former()        ? Words::tr(" · pick another %1 interface").arg(side)
+                                   : Words::tr(" · pick a %1 interface").arg(side);
+  after_ += mode_.former() ? Words::tr(" · D disconnects · Esc") : Words::tr(" · Esc");
+}
+
+void NoticeLine::refresh() {
+  before_ = notice_;
+  path_.clear();
+  after_.clear();
+  if (mode_.active()) showMode();
+  setToolTip(text());
+  setAccessibleName(text());
+  updateGeometry();
+  update();
+}
+
+QSize NoticeLine::sizeHint() const {
+  const Theme& theme = Theme::instance();
+  return {WidthOf(before_, theme.text()) + WidthOf(path_, theme.mono()) +
+              WidthOf(after_, theme.text()) + 2,
+          kRowHeight};
+}
+
+QSize NoticeLine::minimumSizeHint() const { return {0, kRowHeight}; }
+
+void NoticeLine::paintEvent(QPaintEvent*) {
+  const Theme& theme = Theme::instance();
+  QPainter painter(this);
+  QRect room = rect();
+  const auto put = [&](const QString& text, const QFont& font, Token token) {
+    painter.setFont(font);
+    painter.setPen(theme.color(token));
+    const QString shown = QFontMetrics(font).elidedText(text, Qt::ElideRight, room.width());
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, shown);
+    room.setLeft(room.left() + WidthOf(shown, font));
+  };
+  put(before_, theme.text(), Token::kDim);
+  put(path_, theme.mono(), Token::kAccent);
+  put(after_, theme.text(), Token::kDim);
+}
+
+}  // namespace tendon::gui

@@ -1,0 +1,108 @@
+#include <gcm_gui/plot/canvas/mark_flags.h>
+#include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/mark_track.h>
+#include <gcm_gui/theme/theme.h>
+#include <gmock/gmock.h>
+#include <qwt_scale_map.h>
+
+#include <QHelpEvent>
+#include <QTest>
+#include <QToolTip>
+
+#include "../samples.h"
+
+namespace tendon::gui {
+namespace {
+
+Mark MarkAt(std::int64_t time_ns, const QString& label) {
+  return {.time_ns = time_ns, .label = label, .text = "all of " + label};
+}
+
+TEST(MarkTrack, KeepsTheNewestInTheOrderOfTime) {
+  MarkTrack track;
+  track.add(MarkAt(5, "b"));
+  track.add(MarkAt(3, "a"));
+  for (std::size_t i = 1; i < MarkTrack::kMost; ++i) track.add(MarkAt(10, "c"));
+
+  ASSERT_EQ(track.all().size(), MarkTrack::kMost);
+  EXPECT_EQ(track.all().front().label, "b");
+}
+
+TEST(MarkTrack, FindsThoseOfAPartOfTimeWithItsEnds) {
+  MarkTrack track;
+  for (const std::int64_t time : {1, 2, 3, 4}) track.add(MarkAt(time, QString::number(time)));
+
+  const auto [first, end] = track.between(2, 3);
+
+  EXPECT_EQ(first->label, "2");
+  EXPECT_EQ(end - first, 2);
+}
+
+class MarkFlagsTest : public testing::Test {
+ protected:
+  MarkFlagsTest() { panel_.resize(900, 320); }
+
+  void Show() {
+    panel_.addSignal("p/a/state.x", "rad");
+    panel_.append("p/a/state.x", Rows(0, 30'000));
+    panel_.show();
+    (void)QTest::qWaitForWindowExposed(&panel_);
+    view().refresh();
+    // The window stands still from here on.
+    view().setPaused(true);
+  }
+  PlotView& view() { return panel_.currentPlot(); }
+  [[nodiscard]] double xOf(std::int64_t time_ns) {
+    return view().transform(QwtAxis::XBottom, view().window().secondsAt(time_ns));
+  }
+
+  PlotPanel panel_;
+};
+
+TEST_F(MarkFlagsTest, AMarkIsToldWhereTheMouseRestsOnItAndNowhereElse) {
+  Show();
+  panel_.addMark(MarkAt(10 * kSecond, "MoveTo"));
+  const int x = static_cast<int>(xOf(10 * kSecond));
+
+  EXPECT_EQ(view().marksAt(x + 2), "all of MoveTo");
+  EXPECT_EQ(view().marksAt(x - 40), "");
+
+  const QPoint place(x + 2, 20);
+  QHelpEvent rest(QEvent::ToolTip, place, view().canvas()->mapToGlobal(place));
+  QCoreApplication::sendEvent(view().canvas(), &rest);
+  EXPECT_EQ(QToolTip::text(), "all of MoveTo");
+}
+
+TEST_F(MarkFlagsTest, IsDrawnAtItsMoment) {
+  Show();
+  const QImage without = Painted(view());
+  panel_.addMark({.kind = Mark::Kind::kCommand, .time_ns = 12 * kSecond, .label = "MoveTo"});
+  const QImage with = Painted(view());
+
+  const QPoint foot =
+      view().canvas()->geometry().topLeft() +
+      QPoint(static_cast<int>(std::round(xOf(12 * kSecond))), view().canvas()->height() - 4);
+  EXPECT_EQ(with.pixelColor(foot), Theme::instance().color(Token::kAccent));
+  EXPECT_NE(without.pixelColor(foot), with.pixelColor(foot));
+}
+
+TEST_F(MarkFlagsTest, LabelsThatWouldOverlapBecomeOneThatCounts) {
+  MarkTrack track;
+  TimeWindow window;
+  QwtScaleMap map;
+  map.setScaleInterval(window.from(), window.to());
+  map.setPaintInterval(0, 900);
+  for (int i = 0; i < 3; ++i) track.add(MarkAt(-20 * kSecond + i * kMillisecond, "Limit"));
+  track.add({.time_ns = -20 * kSecond + 5 * kMillisecond, .label = "refused", .is_bad = true});
+  track.add(MarkAt(-5 * kSecond, "Limit"));
+
+  const auto flags = MarkFlags(track, window).flags(map, QRectF(0, 0, 900, 200));
+
+  ASSERT_EQ(flags.size(), 2U);
+  EXPECT_EQ(flags[0].label, "refused +3");
+  EXPECT_EQ(flags[1].label, "Limit");
+}
+
+}  // namespace
+}  // namespace tendon::gui
