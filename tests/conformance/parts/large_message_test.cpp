@@ -13,6 +13,7 @@
 
 #include "conformance/contract.h"
 #include "conformance/oracle.h"
+#include "support/machine/sanitized.h"
 
 namespace tendon::conformance {
 namespace {
@@ -138,8 +139,11 @@ TEST_P(LargeMessageContract, ArrivesWholeWhateverItsSize) {
                                kMaxPayload,
                                kMaxBodySize};
 
+  std::size_t sent = 0;
   std::vector<Taker::Notice> notices;
   for (const std::size_t size : sizes) {
+    if (size > 2 * kLarge && test::IsSanitized()) continue;  // for each byte is looked at
+    ++sent;
     ASSERT_EQ(Notify(*channel_, 1, size), Status::kQueued) << size;
     notices = takers.server->WaitForNotices(notices.size() + 1);
     ASSERT_FALSE(notices.empty());
@@ -147,7 +151,7 @@ TEST_P(LargeMessageContract, ArrivesWholeWhateverItsSize) {
     EXPECT_TRUE(notices.back().is_intact) << size;
   }
 
-  EXPECT_EQ(notices.size(), std::size(sizes));
+  EXPECT_EQ(notices.size(), sent);
 }
 
 TEST_P(LargeMessageContract, OverTheLimitIsRefusedWhereItWouldBeSentAndTheChannelLives) {

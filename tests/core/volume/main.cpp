@@ -5,16 +5,12 @@
 #include <iostream>
 #include <string_view>
 
+#include "support/machine/sanitized.h"
+
 namespace {
 
-/// Ten million, or what ThreadSanitizer checks in the same time.
-constexpr std::uint64_t DefaultItems() {
-#ifdef __SANITIZE_THREAD__
-  return 1'000'000;
-#else
-  return 10'000'000;
-#endif
-}
+/// Ten million, or as many as a sanitizer checks in the same time.
+std::uint64_t DefaultItems() { return tendon::test::IsSanitized() ? 1'000'000 : 10'000'000; }
 
 }  // namespace
 
