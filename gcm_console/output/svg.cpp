@@ -18,27 +18,27 @@ constexpr const char* kRaised = "#f8fafc";
 constexpr const char* kLine = "#c9d0da";
 constexpr const char* kText = "#1a2230";
 constexpr const char* kDim = "#566273";
-constexpr const char* kGood = "#127a4b";
-constexpr const char* kWarning = "#9a5b00";
-constexpr const char* kBad = "#bf3430";
+constexpr const char* kGoodColour = "#127a4b";
+constexpr const char* kWarningColour = "#9a5b00";
+constexpr const char* kBadColour = "#bf3430";
 
 const char* ColourOf(Condition condition) {
   switch (condition) {
     case Condition::kGood:
-      return kGood;
+      return kGoodColour;
     case Condition::kResting:
       return kDim;
     case Condition::kWarning:
-      return kWarning;
+      return kWarningColour;
     case Condition::kBad:
-      return kBad;
+      return kBadColour;
   }
   return kDim;
 }
 
 const char* ColourOf(ConnectionState state) {
-  if (state == ConnectionState::kActive) return kGood;
-  return state == ConnectionState::kPending ? kWarning : kBad;
+  if (state == ConnectionState::kActive) return kGoodColour;
+  return state == ConnectionState::kPending ? kWarningColour : kBadColour;
 }
 
 const char* DashesOf(ConnectionState state) {

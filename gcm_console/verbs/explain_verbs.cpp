@@ -185,7 +185,7 @@ Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
     AddRoundTrip(*diagnosis, RoundTrip(context, provided->process));
   }
   AddActivity(*diagnosis, catalogue);
-  if (!diagnosis->is_connected) AddRemainders(*diagnosis, catalogue, Served(context, *diagnosis));
+  if (!diagnosis->is_connected) AddRemnants(*diagnosis, catalogue, Served(context, *diagnosis));
   if (context.settings().json) {
     context.PrintJson(DiagnosisJson(*diagnosis));
   } else {

@@ -283,7 +283,7 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                                                       const Result<ConnectionCounts>& served) {
     poster->post([this, handler, complete, served]() mutable {
       AddActivity(complete, store_.catalogue());
-      if (complete.failure) AddRemainders(complete, store_.catalogue(), served);
+      if (complete.failure) AddRemnants(complete, store_.catalogue(), served);
       handler(complete);
     });
   };

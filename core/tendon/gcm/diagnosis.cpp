@@ -315,8 +315,8 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
   }
 }
 
-void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
-                   const Result<ConnectionCounts>& served) {
+void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
+                 const Result<ConnectionCounts>& served) {
   const message::Wire& wire = diagnosis.wire;
   if (diagnosis.is_connected) return;
   diagnosis.remnants = {LeftAtRequired(catalogue, wire)};

@@ -71,8 +71,8 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 /// Adds `remnants`: whether both processes have removed a refused or failed connection. The
 /// catalogue knows this for the required side, the answer of GcmClient::GetServed() for the
 /// provider. Does nothing for a requested connection, because its required side keeps trying.
-void AddRemainders(Diagnosis& diagnosis, const Catalogue& catalogue,
-                   const Result<ConnectionCounts>& served);
+void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
+                 const Result<ConnectionCounts>& served);
 
 /// The remedy if `host` could not reach process `name`: the process is silent or absent, or `host`
 /// has no route to it.

@@ -338,9 +338,9 @@ SteadyTime Component::next_expiry() const noexcept {
   return next;
 }
 
-void Component::OnPeerChange(RequiredInterface& interface) { (void)ReportPeers(interface); }
+void Component::DeliverPeerChange(RequiredInterface& interface) { (void)ReportPeers(interface); }
 
-void Component::OnDisconnectedClient(DisconnectedClient client) {
+void Component::DeliverDisconnectedClient(DisconnectedClient client) {
   if (!is_at_rest()) (void)ReportGoneClient(client);
 }
 

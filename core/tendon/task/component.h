@@ -172,8 +172,8 @@ class Component {
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
   /// Called in a manager's thread when the peer of `interface` has changed, or a client is gone.
-  virtual void OnPeerChange(RequiredInterface& interface);
-  virtual void OnDisconnectedClient(DisconnectedClient client);
+  virtual void DeliverPeerChange(RequiredInterface& interface);
+  virtual void DeliverDisconnectedClient(DisconnectedClient client);
   void QueueGoneClient(DisconnectedClient client);
 
   /// Runs one of the author's functions. An exception faults the component; then `where` names the
@@ -210,9 +210,9 @@ class Component {
   std::string name_;
   Host host_{Host::Listeners{
       .on_exception = [this](const std::string& reason) { FaultFromOutside(reason); },
-      .on_peer_changed = [this](RequiredInterface& interface) { OnPeerChange(interface); },
+      .on_peer_changed = [this](RequiredInterface& interface) { DeliverPeerChange(interface); },
       .on_client_gone =
-          [this](DisconnectedClient client) { OnDisconnectedClient(std::move(client)); }}};
+          [this](DisconnectedClient client) { DeliverDisconnectedClient(std::move(client)); }}};
   std::unique_ptr<Inbox> inbox_;
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;

@@ -225,14 +225,14 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
   return leader == nullptr ? Result<void>() : TaskLife::RemoveFollower(*leader, *this, deadline);
 }
 
-void Task::OnPeerChange(RequiredInterface& interface) {
+void Task::DeliverPeerChange(RequiredInterface& interface) {
   TaskLife::WakeThread(*this);
   // The order matters: a start before CallThread() is visible here, and a start after it calls
   // OnConnected().
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 
-void Task::OnDisconnectedClient(DisconnectedClient client) {
+void Task::DeliverDisconnectedClient(DisconnectedClient client) {
   QueueGoneClient(std::move(client));
   TaskLife::WakeThread(*this);
 }

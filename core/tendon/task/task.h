@@ -119,8 +119,8 @@ class Task : public Component {
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
 
   void FaultFromOutside(const std::string& reason) override;
-  void OnPeerChange(RequiredInterface& interface) override;
-  void OnDisconnectedClient(DisconnectedClient client) override;
+  void DeliverPeerChange(RequiredInterface& interface) override;
+  void DeliverDisconnectedClient(DisconnectedClient client) override;
 
  private:
   friend TaskLife;  // the rest of a task's work; see there

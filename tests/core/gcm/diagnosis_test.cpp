@@ -312,7 +312,7 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   using Left = ConnectionRemnant::Verdict;
   const Error none{ErrorCode::kNotFound, "serves nothing"};
 
-  AddRemainders(diagnosis, catalogue_, none);
+  AddRemnants(diagnosis, catalogue_, none);
 
   EXPECT_EQ(diagnosis.remnants,
             (std::vector<ConnectionRemnant>{{"desk", Left::kNothing, "nothing in desk"},
@@ -320,14 +320,14 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   EXPECT_EQ(LeftoverTexts(diagnosis), (std::vector<std::string>{"left over: nothing in desk",
                                                                 "left over: nothing in robot"}));
 
-  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
+  AddRemnants(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kSomething);
-  AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
+  AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kUnknown);
   EXPECT_EQ(diagnosis.remnants[1].text, "unknown for robot, which does not report it: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
-  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
+  AddRemnants(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remnants[0].text,
             "nothing in desk, where teleoperation/Robot is connected to "
             "robot/arm/Control");
@@ -338,7 +338,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
 
-  AddRemainders(diagnosis, catalogue_, ConnectionCounts{});
+  AddRemnants(diagnosis, catalogue_, ConnectionCounts{});
 
   EXPECT_TRUE(diagnosis.remnants.empty());
   EXPECT_EQ(LeftoverTexts(diagnosis),
@@ -349,7 +349,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
   robot_.state = ProcessState::kLost;
   Enter(robot_);
   Diagnosis lost = Examine();
-  AddRemainders(lost, catalogue_, Error{ErrorCode::kUnreachable, "lost"});
+  AddRemnants(lost, catalogue_, Error{ErrorCode::kUnreachable, "lost"});
   EXPECT_EQ(LeftoverTexts(lost), std::vector<std::string>{"kept: desk makes it as soon as it can"});
 }
 
@@ -360,7 +360,7 @@ TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
   Apply({.kind = Kind::kProcess, .process = "desk", .processes = {desk_}});
   Diagnosis diagnosis = Examine();
 
-  AddRemainders(diagnosis, catalogue_, Error{ErrorCode::kNotFound, "serves nothing"});
+  AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kNotFound, "serves nothing"});
 
   EXPECT_FALSE(IsKept(diagnosis));
   EXPECT_EQ(LeftoverTexts(diagnosis),

@@ -12,7 +12,7 @@ namespace {
 using tendon::RowDelivery;
 
 /// Of one column, a number of a byte, whose batches have rows of the ticks given.
-class RowPrinterTest : public testing::Test {
+class RowInboxTest : public testing::Test {
  protected:
   static RowInbox::Wanted Column() {
     return {
@@ -36,7 +36,7 @@ class RowPrinterTest : public testing::Test {
   }
 };
 
-TEST_F(RowPrinterTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
+TEST_F(RowInboxTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
   RowInbox printer({Column()});
   Begin(printer);
   Hear(printer, {1, 2}, 0, 3);
@@ -53,7 +53,7 @@ TEST_F(RowPrinterTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
   EXPECT_FALSE(printer.has_more());
 }
 
-TEST_F(RowPrinterTest, WhoWantsTheNewestAloneDoesNotMissTheOneThatWaits) {
+TEST_F(RowInboxTest, WhoWantsTheNewestAloneDoesNotMissTheOneThatWaits) {
   RowInbox printer({Column()}, RowDelivery::kNewest);
   Begin(printer);
   Hear(printer, {1, 2, 3}, 0, 0);

@@ -24,7 +24,7 @@ const InterfaceName kSlave{"desk", "teleoperation", "Robot"};
 const InterfaceName kArm{"robot", "arm", "Control"};
 const QString kSlavePath = QStringLiteral("desk/teleoperation/Robot");
 
-class WhyFlowTest : public RealSystem {
+class DiagnosisFlowTest : public RealSystem {
  protected:
   [[nodiscard]] DiagnosisCard& card() { return *window().findChild<DiagnosisCard*>(); }
   [[nodiscard]] QString Text(const char* label) {
@@ -47,7 +47,7 @@ class WhyFlowTest : public RealSystem {
   }
 };
 
-TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
+TEST_F(DiagnosisFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("desk").Signal(SIGSTOP);
@@ -80,7 +80,7 @@ TEST_F(WhyFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
   KeepPictures(window(), "why-connected");
 }
 
-TEST_F(WhyFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
+TEST_F(DiagnosisFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
   StartLcm("robot");
   StartLcm("desk");
 
@@ -100,7 +100,7 @@ TEST_F(WhyFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
   EXPECT_TRUE(Eventually([&] { return Look() == EdgeItem::Look::kActive; }));
 }
 
-TEST_F(WhyFlowTest, TheReportHasTheStepsOfTheConsole) {
+TEST_F(DiagnosisFlowTest, TheReportHasTheStepsOfTheConsole) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("robot").Signal(SIGSTOP);
@@ -126,7 +126,7 @@ TEST_F(WhyFlowTest, TheReportHasTheStepsOfTheConsole) {
       << Text("why.verdict").toStdString();
 }
 
-TEST_F(WhyFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
+TEST_F(DiagnosisFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
   StartLcm("desk");
   window().selection().select(kSlavePath);
   window().graph().setFocus();
@@ -163,7 +163,7 @@ TEST_F(WhyFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
   EXPECT_EQ(window().focusWidget(), &window().graph());
 }
 
-TEST_F(WhyFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
+TEST_F(DiagnosisFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("desk").Signal(SIGSTOP);
@@ -185,7 +185,7 @@ TEST_F(WhyFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
   lcm("desk").Signal(SIGCONT);
 }
 
-TEST_F(WhyFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
+TEST_F(DiagnosisFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
   StartLcm("robot");
   StartLcm("desk");
   window().selection().setPaths({kSlavePath, "desk/supervisor/Robot"});
