@@ -1,9 +1,9 @@
 #include <gcm_console/catalogue/find_term.h>
 #include <re2/re2.h>
 #include <tendon/base/path.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,13 +26,6 @@ std::string MistakeIn(const re2::RE2& expression) {
     if (!part.empty()) mistake += " at '" + part + "'";
   }
   return mistake + "; expected an expression such as Get|Set";
-}
-
-std::string Lower(std::string text) {
-  for (char& letter : text) {
-    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
-  return text;
 }
 
 /// "/.../".
@@ -119,16 +112,17 @@ bool FindTerm::Fits(const CatalogueItem& item) const { return Holds(item) != is_
 bool FindTerm::IsIn(const std::string& text) const {
   if (expression_) return expression_->IsIn(text);
   if (text_.find('*') != std::string::npos) return tendon::MatchesGlob(text_, text);
-  return Lower(text).find(Lower(text_)) != std::string::npos;
+  return tendon::InLowerCase(text).find(tendon::InLowerCase(text_)) != std::string::npos;
 }
 
 /// Accepts "command", "required interface", or the short form of `ls --type`: "req".
 bool FindTerm::IsKind(const CatalogueItem& item) const {
   if (expression_) return expression_->IsIn(item.kind);
   const auto is_code = [&](const ItemKind& kind) {
-    return kind.name == item.kind && kind.code == Lower(text_);
+    return kind.name == item.kind && kind.code == tendon::InLowerCase(text_);
   };
-  return item.kind.starts_with(Lower(text_)) || std::ranges::any_of(kItemKinds, is_code);
+  return item.kind.starts_with(tendon::InLowerCase(text_)) ||
+         std::ranges::any_of(kItemKinds, is_code);
 }
 
 /// Accepts the whole of "arm.LinkId -> geometry_msgs.Pose" or one of the two.

@@ -4,9 +4,9 @@
 #include <program/command_line.h>
 #include <program/network_options.h>
 #include <tendon/base/name.h>
+#include <tendon/base/text.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <sstream>
@@ -42,10 +42,7 @@ const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
 
 /// "-inf", "-Infinity", "-NaN".
 bool IsNegativeName(const std::string& word) {
-  std::string name = word;
-  std::ranges::transform(name, name.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
+  const std::string name = tendon::InLowerCase(word);
   return name == "-inf" || name == "-infinity" || name == "-nan";
 }
 

@@ -1,7 +1,5 @@
 #include <gcm_gui/session/type_requests.h>
 
-#include <algorithm>
-
 namespace tendon::gui {
 
 void TypeRequests::want(Fingerprint type, const std::string& process) {
@@ -23,8 +21,7 @@ void TypeRequests::hear(Fingerprint type, const Result<Schema>& answer, SteadyTi
   Request& one = wanted_[type];
   one.is_asking = false;
   one.answer = answer;
-  one.due = now + one.pause;
-  one.pause = std::min<std::chrono::nanoseconds>(2 * one.pause, kLongestPause);
+  one.due = now + one.backoff.Next();
 }
 
 const Result<Schema>* TypeRequests::find(Fingerprint type) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/backoff.h>
 #include <tendon/base/clock.h>
 #include <tendon/payload/fingerprint.h>
 
@@ -34,7 +35,7 @@ class TypeRequests {
     std::optional<Result<Schema>> answer;
     bool is_asking = false;
     SteadyTime due{};
-    std::chrono::nanoseconds pause = kFirstPause;
+    Backoff backoff{kFirstPause, kLongestPause};
   };
 
   std::map<Fingerprint, Request> wanted_;
