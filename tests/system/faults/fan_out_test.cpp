@@ -69,7 +69,7 @@ TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
     EXPECT_EQ(verdict.missing, verdict.counted);
     EXPECT_EQ(verdict.repeated, 0U);
     most_missing = std::max(most_missing, verdict.missing);
-    if (IsSanitized() || MachineStoodStill()) continue;
+    if (MayExpireLeases()) continue;
     EXPECT_LE(verdict.missing * 20, verdict.received) << ToString(verdict);
   }
   std::ostringstream told;
@@ -95,22 +95,22 @@ TEST_P(FanOutTest, TheMessagesThatKillProgramsOfIceDoNotKillTheBroker) {
   const auto later = std::make_shared<StreamChecker>();
   ASSERT_NO_FATAL_FAILURE(Watch(later));
   EXPECT_TRUE(AllGetMore({stream_, later}, 100));
-  EXPECT_EQ(stream_->verdict().stale, 0U) << "it came by the broker all the time";
-  const std::uint64_t stale = later->verdict().stale;
+  EXPECT_THAT(stream_->verdict().stale, testing::IsEmpty()) << "it came by the broker all the time";
+  const std::uint64_t stale = later->verdict().stale.size();
   broker_->Signal(SIGKILL);
-  EXPECT_TRUE(Eventually([&] { return later->verdict().stale > stale; })) << "it was of no use";
+  EXPECT_TRUE(Eventually([&] { return later->verdict().stale.size() > stale; })) << "it was of no use";
 }
 
 /// Without the broker, viewers are told that there are no rows, and get them directly.
 TEST_P(FanOutTest, WhereTheBrokerDiesRowsComeDirectly) {
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
-  const std::uint64_t stale = stream_->verdict().stale;
+  const std::uint64_t stale = stream_->verdict().stale.size();
 
   broker_->Signal(SIGKILL);
   broker_->Wait();
 
-  ASSERT_TRUE(Eventually([&] { return stream_->verdict().stale > stale; })) << "it was of no use";
+  ASSERT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; })) << "it was of no use";
   ASSERT_TRUE(AllGetMore({stream_}, 100));
   const StreamChecker::Verdict verdict = stream_->verdict();
   Tell(ToString(verdict));
@@ -125,18 +125,18 @@ TEST_P(FanOutTest, ABrokerThatReturnsIsUsedAgain) {
   const auto first = std::make_shared<StreamChecker>();
   ASSERT_NO_FATAL_FAILURE(Watch(first));
   ASSERT_TRUE(AllGetMore({first}, 100)) << robot_->err();
-  const std::uint64_t first_stale = first->verdict().stale;
+  const std::uint64_t first_stale = first->verdict().stale.size();
   broker_->Signal(SIGKILL);
   broker_->Wait();
-  ASSERT_TRUE(Eventually([&] { return first->verdict().stale > first_stale; }));
+  ASSERT_TRUE(Eventually([&] { return first->verdict().stale.size() > first_stale; }));
   ASSERT_NO_FATAL_FAILURE(StartBroker());
 
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({first, stream_}, 100));
-  const std::uint64_t stale = stream_->verdict().stale;
+  const std::uint64_t stale = stream_->verdict().stale.size();
   broker_->Signal(SIGKILL);
 
-  EXPECT_TRUE(Eventually([&] { return stream_->verdict().stale > stale; })) << "it was of no use";
+  EXPECT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; })) << "it was of no use";
   EXPECT_TRUE(AllGetMore({first, stream_}, 100));
 }
 

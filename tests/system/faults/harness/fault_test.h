@@ -68,8 +68,9 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// All the time, by one subscription of one ledger.
   void ExpectNoRowLost() const;
   void ExpectNeverLost(const std::string& process) const;
-  /// So long that leases may have run out, although nobody is to blame; it is told.
-  [[nodiscard]] bool MachineStoodStill() const;
+  /// True if a lease may have expired although nothing is wrong: the machine ran no thread for too
+  /// long, which is printed, or a sanitizer slows the programs.
+  [[nodiscard]] bool MayExpireLeases() const;
   /// The one line of a test: what was done, and what the checkers found.
   static void Tell(const std::string& line);
 

@@ -15,9 +15,9 @@ void StreamChecker::OnSubscribed(const std::vector<tendon::Schema>& /*columns*/)
   last_tick_.reset();
 }
 
-void StreamChecker::OnStale(const tendon::Error& /*reason*/) {
+void StreamChecker::OnStale(const tendon::Error& reason) {
   const std::scoped_lock lock(mutex_);
-  ++verdict_.stale;
+  verdict_.stale.push_back(reason.message);
 }
 
 std::size_t StreamChecker::OnRows(const tendon::RowBatch& batch) {

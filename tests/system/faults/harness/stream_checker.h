@@ -20,7 +20,7 @@ class StreamChecker final : public tendon::RowSink {
     std::uint64_t counted = 0;   ///< what the stream itself says was lost
     std::uint64_t repeated = 0;  ///< numbers or ticks that came twice or went back
     std::uint64_t damaged = 0;   ///< samples that are not what was sent
-    std::uint64_t stale = 0;     ///< how often it was told that there are no rows for now
+    std::vector<std::string> stale;  ///< why it was told, each time, that there are no rows for now
     std::uint64_t subscriptions = 0;
     std::uint64_t ledgers = 0;
   };
