@@ -1,10 +1,8 @@
-# Finds Qwt 6.3 for Qt 6 and makes the target Qwt::Qwt.
-#
-# Looked for in this order, the first one wins:
+# Finds Qwt 6.3 for Qt 6 and makes the target Qwt::Qwt. Uses the first one found, in this order:
 #   1. the system's package (pkg-config Qt6Qwt6),
 #   2. Qwt_ROOT, a variable of CMake or of the environment: a folder with include/ and lib/,
 #   3. the cache in which tools/setup builds it on systems that package Qwt for Qt 5 only.
-# The system's folders are never searched: what they hold may be a Qwt for Qt 5.
+# The system's folders are never searched, because they may contain a Qwt for Qt 5.
 
 find_package(Qt6 REQUIRED COMPONENTS Widgets)
 find_package(PkgConfig QUIET)

@@ -1,12 +1,12 @@
-# What `cmake --install` puts where, so that find_package(tendon COMPONENTS core network ice eigen) finds it. Each part
-# is an install component of its own: core, network, ice, eigen, programs, plugins, gui, python. The target `installed`
-# builds all of it, and no tests.
+# The files that `cmake --install` installs, such that find_package(tendon COMPONENTS core network ice eigen) finds
+# them. Each part is a separate install component: core, network, ice, eigen, programs, plugins, gui, python. The
+# target `installed` builds all of these parts and no tests.
 include(CMakePackageConfigHelpers)
 
 set(package lib/cmake/tendon)
 add_custom_target(installed)
 
-# tendon::NAME, its headers, and the file which describes it to find_package().
+# tendon::NAME, its headers, and the file that describes it to find_package().
 function(install_library name)
   install(TARGETS tendon_${name} EXPORT tendon_${name}
     LIBRARY DESTINATION lib COMPONENT ${name} NAMELINK_COMPONENT ${name}
@@ -62,7 +62,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tendon-config-version.cma
 install(FILES ${PROJECT_BINARY_DIR}/tendon-config.cmake ${PROJECT_BINARY_DIR}/tendon-config-version.cmake
   DESTINATION ${package} COMPONENT core)
 
-# The contract lies in the package as a link, which is followed.
+# The contract is a symbolic link in the package; the file that it points to is installed.
 if(TARGET tendon_ice)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/resources/python/tendon DESTINATION share/tendon/python COMPONENT python
     FILES_MATCHING PATTERN "*.py" PATTERN messages.txt PATTERN __pycache__ EXCLUDE)

@@ -1,4 +1,5 @@
-# Where tools/setup keeps what it builds for this user: TENDON_CACHE, the same as in tools/common.sh.
+# TENDON_CACHE: the folder in which tools/setup keeps the libraries that it builds for this user, as in
+# tools/common.sh.
 set(TENDON_CACHE "$ENV{XDG_CACHE_HOME}")
 if(NOT TENDON_CACHE)
   set(home "$ENV{HOME}")

@@ -36,7 +36,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   if (!is_written && is_interrupted) return program::kInterrupted;
   if (!is_written && *result != program::kInterrupted) {
     if (!is_left)
-      streams.err << "gcm: cannot write the output: the disk is full, or it is closed\n";
+      streams.err << "gcm: cannot write the output: the disk is full, or the output is closed\n";
     return program::kRefused;
   }
   return *result;

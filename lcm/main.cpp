@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& asked) {
     const int exit_code = app.exit(asked);
     if (std::cout.flush()) return exit_code;
-    std::cerr << "lcm: cannot write the output: the disk is full, or it is closed\n";
+    std::cerr << "lcm: cannot write the output: the disk is full, or the output is closed\n";
     return program::kRefused;
   } catch (const CLI::ParseError& mistake) {
     std::cerr << "lcm: " << program::SentenceOf(mistake, app, "lcm") << '\n';

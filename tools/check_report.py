@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check_report.py skipped|times FOLDER: what the logs of a preset's last check tell, as lines of text.
+"""check_report.py skipped|times FOLDER: prints facts from the logs of a preset's last check.
 
 skipped: each test that was skipped, with the reason that it gave. times: the slowest build steps and tests. FOLDER is
 build/PRESET; the logs are those of ninja (.ninja_log) and of tools/check (tests.xml, in JUnit's format).
@@ -15,7 +15,8 @@ OBJECT = re.compile(r"(?:.*/)?CMakeFiles/([^/]+)\.dir/(.+)")
 
 
 def reason(output):
-    """What a skipped test says: the text of GTEST_SKIP(), or the line that begins with "skipped"."""
+    """The reason of a skipped test: the text of GTEST_SKIP(), or the line that begins with
+    "skipped"."""
     if told := re.findall(r"^\S+:\d+: Skipped\n(.+(?:\n.+)*?)\n(?:\n|\[)", output, re.MULTILINE):
         return "; ".join(dict.fromkeys(" ".join(text.split()) for text in told))
     lines = [line.strip() for line in output.splitlines() if line.strip()]
@@ -30,7 +31,8 @@ def skipped(folder):
 
 
 def build_steps(folder):
-    """Seconds and name of each step, as it was last run; one that makes several files is there once."""
+    """Seconds and name of each build step in its last run; a step that makes several files appears
+    once."""
     steps = {}
     for line in (folder / ".ninja_log").read_text().splitlines():
         fields = line.split("\t")

@@ -10,7 +10,7 @@ QWT_CACHE=$TENDON_CACHE/qwt-6.3.0
 # say SENTENCE...: each on a line of its own.
 say() { printf '%s\n' "$@"; }
 
-# fail SENTENCE [DETAIL...]: one clear sentence, then what helps, each on a line of its own.
+# fail SENTENCE [DETAIL...]: prints the error in one sentence, then the details, each on a line of its own, and exits.
 fail() {
   printf '%s\n' "$@" >&2
   exit 1
@@ -23,14 +23,14 @@ help_if_asked() {
   exit 0
 }
 
-# without_sudo WORD...: a script that was called through sudo starts anew as whoever called it. Else the build and the
-# cache would be root's. The scripts ask for sudo by themselves where they need it.
+# without_sudo WORD...: if the script was called through sudo, starts it again as the user who called sudo. Otherwise
+# the build and the cache would belong to root. The scripts call sudo themselves when they need it.
 without_sudo() {
   ((EUID == 0)) && [[ ${SUDO_USER:-root} != root ]] || return 0
   exec sudo -H -u "$SUDO_USER" -- "$0" "$@"
 }
 
-# can_be_root: true for root, and where sudo can ask for a password or needs none.
+# can_be_root: true for root, or if sudo needs no password or can ask for it.
 can_be_root() {
   ((EUID == 0)) && return
   command -v sudo >/dev/null || return
@@ -41,7 +41,7 @@ as_root() {
   if ((EUID == 0)); then "$@"; else sudo "$@"; fi
 }
 
-# logged LOGFILE COMMAND...: runs it in silence; after a failure shows the end of its output.
+# logged LOGFILE COMMAND...: runs a command with its output in the log; after a failure prints the end of the log.
 logged() {
   local log=$1
   shift
@@ -50,8 +50,8 @@ logged() {
   return 1
 }
 
-# in_place PRESET COMMAND...: runs it as the programs of the preset need it. ThreadSanitizer of older compilers
-# cannot live with all the address randomisation of newer kernels.
+# in_place PRESET COMMAND...: runs a command in the environment that programs of the preset need. ThreadSanitizer of
+# older compilers does not work with the address randomisation of newer kernels.
 in_place() {
   local preset=$1
   shift
@@ -62,7 +62,7 @@ in_place() {
   fi
 }
 
-# How many compilers this machine can feed: one a processor, and 1.5 GB of free memory for each.
+# The number of compilers that can run at a time: one per processor, each with 1.5 GB of free memory.
 parallel_jobs() {
   local processors memory
   processors=$(nproc)
@@ -71,15 +71,15 @@ parallel_jobs() {
   say "$((memory > 1 ? memory : 1))"
 }
 
-# must_be_preset NAME: before a folder is made for it.
+# must_be_preset NAME: fails if there is no such preset. Call it before a folder is made for the preset.
 must_be_preset() {
   local names
   names=$(cmake -S "$TENDON_ROOT" --list-presets | sed -nE 's/^ +"([^"]+)".*/\1/p')
   grep -qxF -- "$1" <<<"$names" || fail "There is no preset '$1'; there are: ${names//$'\n'/, }."
 }
 
-# each_minute: of ninja's lines "[37/923] ...", one a minute; whatever else it says, as it is.
-# Behind a pipe, whose exit code is that of its first failure with pipefail, as all scripts here set it.
+# each_minute: passes one of ninja's lines "[37/923] ..." a minute, and all other lines unchanged. Use it behind a
+# pipe; all scripts here set pipefail, so a failure of ninja is not lost.
 each_minute() {
   local line next=$((SECONDS + 60))
   while IFS= read -r line; do
@@ -92,7 +92,8 @@ each_minute() {
   done
 }
 
-# locked PRESET COMMAND...: runs it while nobody else configures or builds the preset in this tree. Makes its folder.
+# locked PRESET COMMAND...: makes the folder of the preset and locks it while the command runs, so that nobody else
+# configures or builds the preset in this tree.
 locked() {
   mkdir -p "$TENDON_ROOT/build/$1"
   {
@@ -101,8 +102,8 @@ locked() {
   } 9<"$TENDON_ROOT/build/$1"
 }
 
-# build_preset PRESET [TARGET...]: configures and builds it. Says no more than how far it is, unless something is wrong
-# or a person watches. One at a time in one tree.
+# build_preset PRESET [TARGET...]: configures and builds a preset. Without a terminal, prints only the progress and
+# errors. One build of a preset at a time in one tree.
 build_preset() {
   must_be_preset "$1"
   cd "$TENDON_ROOT" || return
@@ -113,7 +114,7 @@ configure_and_build() {
   local preset=$1 targets=()
   shift
   (($# == 0)) || targets=(--target "$@")
-  # Presets, and clones in other places, share what the compiler makes of the same source.
+  # Presets, and clones in other folders, share the compiled objects of equal sources.
   export CCACHE_BASEDIR=$TENDON_ROOT CCACHE_NOHASHDIR=1
   export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(parallel_jobs)}
 
@@ -121,11 +122,11 @@ configure_and_build() {
   configure "$preset"
   local compile=(in_place "$preset" cmake --build --preset "$preset" "${targets[@]}")
   if [[ -t 1 ]]; then "${compile[@]}"; else "${compile[@]}" | each_minute; fi ||
-    fail "Preset $preset does not build; what is above says why."
+    fail "Preset $preset does not build; see the messages above."
 }
 
-# configure PRESET: in its folder, which exists. Says nothing, unless something is wrong. If the folder was made with
-# another compiler, CMake forgets all that the preset says, and goes on: then it starts afresh.
+# configure PRESET: configures a preset in its existing folder. Prints only errors. If the folder was made with
+# another compiler, CMake loses the settings of the preset and continues; then configures again from nothing.
 configure() {
   local log="$TENDON_ROOT/build/$1/configure.log"
   : >"$log"
@@ -136,18 +137,18 @@ configure() {
   fi
 }
 
-# changed_files PATTERN...: of the files that match, those that differ from where this branch left main, committed or
-# not, and those that git does not know yet. Paths from the root, each with a zero byte behind it.
+# changed_files PATTERN...: prints the matching files that were changed on this branch since it left main, committed
+# or not, and those that are not tracked yet. Paths are relative to the root; each ends with a zero byte.
 changed_files() {
-  # Git writes nothing, not even what it has found out about the files, for another git may run at the same time.
+  # Git must not write its index, because another git command may run at the same time.
   local git=(env GIT_OPTIONAL_LOCKS=0 git -C "$TENDON_ROOT") base
   base=$(branch_point) &&
     "${git[@]}" diff -z --name-only --relative --diff-filter=d "$base" -- "$@" &&
     "${git[@]}" ls-files -z --others --exclude-standard -- "$@"
 }
 
-# The commit at which this branch left main. On main, and where no main is known: the last commit that was pushed, or
-# the last one.
+# The commit at which this branch left main. On main, or if there is no main: the last commit that was pushed, or the
+# last commit.
 branch_point() {
   local git=(git -C "$TENDON_ROOT") bases=(main origin/main HEAD) base
   [[ $("${git[@]}" branch --show-current) != main ]] || bases=(origin/main HEAD)
@@ -157,5 +158,5 @@ branch_point() {
   return 1
 }
 
-# is_clone: true where git can say what has changed.
+# is_clone: true if git can list the changed files.
 is_clone() { git -C "$TENDON_ROOT" rev-parse --verify --quiet HEAD >/dev/null 2>&1; }

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""compile_commands.py ROOT BUILD FOLDER FILE...: the commands that compile these files, each alone.
+"""compile_commands.py ROOT BUILD FOLDER FILE...: finds the commands that compile these files, each
+by itself.
 
-FOLDER gets compile_commands.json, for clang-tidy; sources, which are to be read; and line_filter, which leaves out what
-is found in any other file. FILE is a path from ROOT. Exit code 3 where nothing in BUILD compiles one of them.
+Writes to FOLDER: compile_commands.json, for clang-tidy; sources, the list of files to check; and
+line_filter, which excludes findings in other files. FILE is relative to ROOT. Exit code 3 if BUILD
+has no command for one of them.
 """
 
 import json
@@ -16,7 +18,8 @@ JOINED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 
 
 def commands_of(build):
-    """The command of each source, by its path; those that CMake joins have the command of all that are with them."""
+    """The command of each source, by its path. Sources that CMake joins have the command of the
+    joined source."""
     commands = {}
     database = build / "compile_commands.json"
     for command in json.loads(database.read_text()) if database.exists() else []:
@@ -29,13 +32,14 @@ def commands_of(build):
 
 
 def alone(command, source):
-    """The command with this source in place of what it compiles."""
+    """The command with its source replaced by this one."""
     words = shlex.split(command["command"])
     return {"directory": command["directory"], "file": source, "arguments": words[: words.index("-c") + 1] + [source]}
 
 
 def source_of(path, commands):
-    """What is compiled to read a file: itself, the source beside a header, or CMake's check that it stands alone."""
+    """The source to compile for a file: the file itself, the source beside a header, or CMake's
+    check that the header compiles by itself."""
     beside = str(path.with_suffix(".cpp"))
     if path.suffix != ".h" or beside in commands:
         return beside

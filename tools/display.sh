@@ -1,13 +1,13 @@
-# Sourced by tools/demo and the test of the window: a virtual display with a window manager, real mouse clicks,
+# Sourced by tools/demo and the test of the window: a virtual display with a window manager, real mouse clicks and
 # screenshots. Needs processes.sh.
 # shellcheck shell=bash disable=SC2154
 
-# True where a window can be shown to somebody.
+# True if there is a display on which a window can be shown.
 has_display() {
   [[ -n ${WAYLAND_DISPLAY:-} ]] || { [[ -n ${DISPLAY:-} ]] && xdpyinfo >/dev/null 2>&1; }
 }
 
-# start_display WIDTH HEIGHT: the server takes the first free number and says which.
+# start_display WIDTH HEIGHT: starts a virtual display; the server takes the first free number and reports it.
 start_display() {
   local answer=$RUN_FOLDER/display
   # shellcheck disable=SC2016  # expanded by sh
@@ -22,16 +22,16 @@ start_display() {
 
 window_manager_is_up() { [[ $(xprop -root _NET_SUPPORTING_WM_CHECK) == *"window id"* ]]; }
 
-# window_of NAME: the identifier of the visible window of that process.
+# window_of NAME: prints the identifier of the visible window of that process.
 window_of() { xdotool search --onlyvisible --pid "${process_ids[$1]}" | tail -n 1; }
 has_window() { [[ -n $(window_of "$1") ]]; }
-# has_keyboard NAME: what is typed goes to a window of that process.
+# has_keyboard NAME: true if a window of that process has the keyboard focus.
 has_keyboard() { [[ $(xdotool getactivewindow getwindowpid) == "${process_ids[$1]}" ]]; }
 
 # ui VERB...: drives the window that describes itself in ui.json; see ui.py.
 ui() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/ui.json" "$@"; }
 
-# open_row PATH...: shows what is below rows of the catalogue, one after the other.
+# open_row PATH...: expands rows of the catalogue, one after the other.
 open_row() {
   local path
   for path in "$@"; do
@@ -40,7 +40,8 @@ open_row() {
   done
 }
 
-# screenshot WINDOW FILE: appears at once, whole, also where two runs write the same file.
+# screenshot WINDOW FILE: saves a picture. The file is replaced as a whole, even if two runs write it at the same
+# time.
 screenshot() {
   import -window "$1" "$RUN_FOLDER/screenshot.png"
   mv -f "$RUN_FOLDER/screenshot.png" "$2"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Prints a port on 127.0.0.1 that nobody uses. A program which imports it keeps the port to itself among the tests
-until it ends, as FreePort() of tests/support/program.h does."""
+"""Prints an unused port on 127.0.0.1. If a program imports this module, no other test gets the port
+before the program ends, as with FreePort() of tests/support/program.h."""
 import random
 import socket
 
-# Below those which the kernel gives to whoever connects: a client that tries again and again to reach a GCM which has
-# gone could be given the very port of that GCM.
+# Below the ports that the kernel assigns to connecting sockets. Otherwise a client that keeps trying to reach an
+# ended GCM could be assigned the port of that GCM.
 PORTS = range(20000, 32000)
 reserved = []  # names of sockets in no folder: nothing is left behind
 

@@ -1,12 +1,12 @@
-# Sourced by tools/demo and the test of the window: the processes of a run, started, waited for and stopped together.
+# Sourced by tools/demo and the test of the window: starts, waits for and stops the processes of a run.
 # Needs common.sh.
 # shellcheck shell=bash
 
 declare -A process_ids=()
 process_order=()
 
-# Before anything is started: makes RUN_FOLDER, for logs and for what the processes leave behind. However the script
-# ends, nothing is left of them or of it.
+# Call it before anything is started. Makes RUN_FOLDER for logs and files of the processes. When the script ends, for
+# whatever reason, the processes are stopped and the folder is removed.
 begin_run() {
   RUN_FOLDER=$(mktemp -d)
   trap stop_all EXIT
@@ -14,7 +14,7 @@ begin_run() {
   trap 'exit 143' TERM HUP
 }
 
-# Settings, state and run-time folders of its own: each run begins like the first one.
+# Uses separate folders for settings, state and runtime files, so that every run starts like the first one.
 use_own_folders() {
   mkdir -m 700 "$RUN_FOLDER"/{config,state,runtime}
   export XDG_CONFIG_HOME=$RUN_FOLDER/config XDG_STATE_HOME=$RUN_FOLDER/state XDG_RUNTIME_DIR=$RUN_FOLDER/runtime
@@ -22,7 +22,7 @@ use_own_folders() {
 
 free_port() { python3 "$TENDON_ROOT/tools/free_port.py"; }
 
-# start NAME COMMAND...: in the background, its output in a log of that name.
+# start NAME COMMAND...: starts a command in the background, with its output in NAME.log.
 start() {
   local name=$1
   shift
@@ -33,16 +33,17 @@ start() {
 
 is_running() { kill -0 "${process_ids[$1]}" 2>/dev/null; }
 
-# wait_until WHAT COMMAND...: until the command succeeds; gives up after a minute, or as soon as a process has ended.
+# wait_until WHAT COMMAND...: waits until the command succeeds. Fails after a minute, or as soon as a process has
+# ended.
 wait_until() {
   local what=$1 deadline=$((SECONDS + 60)) name
   shift
   until "$@" >/dev/null 2>&1; do
     for name in "${process_order[@]}"; do
-      is_running "$name" || fail_with_log "$name" "$name ended while waiting for $what; its last words:"
+      is_running "$name" || fail_with_log "$name" "$name ended while waiting for $what; the end of its log:"
     done
     name=${process_order[0]}
-    ((SECONDS < deadline)) || fail_with_log "$name" "Waited a minute in vain for $what; the last words of $name:"
+    ((SECONDS < deadline)) || fail_with_log "$name" "No sign of $what after a minute; the end of the log of $name:"
     sleep 0.1
   done
 }
@@ -55,7 +56,7 @@ fail_with_log() {
 
 passed() { say "  passed: $*"; }
 
-# kill_hard NAME: as if its machine had gone; no longer waited for.
+# kill_hard NAME: kills the process at once and forgets it.
 kill_hard() {
   local name kept=()
   kill -KILL "${process_ids[$1]}"
@@ -64,7 +65,7 @@ kill_hard() {
   process_order=("${kept[@]}")
 }
 
-# Asks all to end, the last one started first, and insists after 5 s each.
+# Asks all processes to end, the last one started first; kills each one that has not ended after 5 s.
 stop_all() {
   local name id
   for name in "${process_order[@]}"; do

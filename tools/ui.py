@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Drives the window gcm-gui as a person would: looks at what it describes of itself, moves the mouse, presses keys.
+"""Drives the window gcm-gui like a user: reads the description that the window writes, moves the
+mouse and presses keys.
 
     ui.py FILE wait EXPRESSION [SECONDS]   until the expression over the description holds
     ui.py FILE show EXPRESSION             prints its value
@@ -31,7 +32,7 @@ def description(file):
 
 
 def holds(file, expression):
-    """The expression's value, or False while a part of it is not there yet."""
+    """The value of the expression, or False while a part of it does not exist yet."""
     try:
         return eval(expression, {"__builtins__": {"abs": abs, "all": all, "len": len, "any": any, "set": set}},
                     description(file))
@@ -48,7 +49,7 @@ def wait(file, expression, seconds=PATIENCE):
 
 
 def middle(file, group, name):
-    """Where a thing is once it stands still."""
+    """The position of a thing after it has stopped moving."""
     wait(file, f"{name!r} in {group}")
     last = None
     while True:

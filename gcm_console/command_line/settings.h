@@ -24,7 +24,7 @@ struct Settings {
   bool titles = true;  ///< of tables on a terminal
   Verbosity verbosity = Verbosity::kNormal;
   ColorChoice color = ColorChoice::kAuto;
-  bool in_session = false;  ///< one of several lines: paths may begin with / or ..
+  bool in_session = false;  ///< a line of a session, whose paths may begin with / or ..
   std::string at = {};      ///< where relative paths begin; empty: at the top
   int scripts = 0;          ///< the nesting depth of scripts that run this line
 };

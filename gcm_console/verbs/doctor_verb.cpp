@@ -272,8 +272,8 @@ class Doctor {
     }
     return "";
   }
-  /// The plug-ins with the state of their files now; as in the catalogue if the process does not
-  /// tell.
+  /// The plug-ins with the present state of their files; from the catalogue if the process does not
+  /// answer.
   std::vector<tendon::PluginDescription> AskForPlugins(const tendon::ProcessDescription& process) {
     const auto known = AskClasses(context_, process.name);
     return known ? known->loaded : process.plugins;

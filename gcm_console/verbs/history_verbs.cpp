@@ -97,8 +97,8 @@ void Print(Context& context, const UndoResult& undone, bool is_dry) {
     return;
   }
   for (const auto& step : undone.passed_over) {
-    context.err() << (is_dry ? "gcm: would be passed over, and left as it is: "
-                             : "gcm: passed over, and left as it is: ")
+    context.err() << (is_dry ? "gcm: would be skipped, and left as it is: "
+                             : "gcm: skipped, and left as it is: ")
                   << Plain(tendon::WholeText(step)) << '\n';
   }
   for (const auto& step : undone.steps) {
@@ -193,7 +193,7 @@ Result<ExitCode> History(Context& context, std::size_t count) {
   Table table({"STEP", "WHEN", "WHO", "STATE", "WHAT"});
   for (const auto& step : newest) {
     const std::string state = step.undone        ? "undone"
-                              : step.passed_over ? "passed over"
+                              : step.passed_over ? "skipped"
                               : step.is_unknown  ? "unknown"
                                                  : "done";
     table.Add(

@@ -219,7 +219,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   return program::kOk;
 }
 
-/// The state that keys change; `is_typing`: the user types the filter.
+/// The state that key presses change. While `is_typing` is true, the user types the filter.
 struct TopKeys {
   bool is_typing = false;
   bool wants_end = false;
@@ -330,7 +330,7 @@ Verb::Run Prepare(CLI::App& app) {
                          ->capture_default_str();
   app.add_option("--filter", options->filter, "only rows whose path contains this");
   app.add_flag("--connections", options->shows_connections,
-               "show all connections; their rate counts what goes through a mailbox, not "
+               "show all connections; their rate counts calls and events in mailboxes, not "
                "reads");
   return [options, sort](Context& context) -> Result<ExitCode> {
     if (sort->count() == 0) return Top(context, *options);

@@ -36,7 +36,7 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] bool isPaused() const { return is_paused_; }
   void clear();
 
-  /// Events per second in the last two seconds before `now`, in ns since 1970.
+  /// Events per second in the two seconds before `now`, which is in ns since 1970.
   [[nodiscard]] double rate(std::int64_t now) const;
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
   /// The events since the pause began.

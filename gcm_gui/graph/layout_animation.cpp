@@ -14,7 +14,8 @@ QRectF Between(const QRectF& from, const QRectF& to, double part) {
           value(from.height(), to.height())};
 }
 
-/// The rectangles of `to`, but items that are also in `from` are at `part` of their way.
+/// The rectangles of `to`; items that are also in `from` have covered the fraction `part` of their
+/// path.
 QHash<QString, QRectF> AllBetween(const QHash<QString, QRectF>& from, QHash<QString, QRectF> to,
                                   double part) {
   for (auto it = to.begin(); it != to.end(); ++it) {

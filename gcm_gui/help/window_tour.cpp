@@ -55,8 +55,8 @@ std::vector<TourStep> WindowTour(MainWindow& window) {
                "does the same; problems, the log and a console are beside it."),
            [&window] { return Revealed(window, window.strip()); }),
       Step(Words::tr("Everything by its name"),
-           Words::tr("Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu "
-                     "Help this tour."),
+           Words::tr("Ctrl+K finds all commands and all objects. F1 shows the keys. The menu Help "
+                     "starts this tour again."),
            [&window] {
              return window.topBar().findChild<QWidget*>(QStringLiteral("searchOrRun"));
            })};

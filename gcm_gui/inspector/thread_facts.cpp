@@ -86,7 +86,7 @@ QList<Property> TimingFacts(double period, const CycleFigures& figures) {
        Words::tr("Since its start, because a cycle before took too long")},
       {Words::tr("Busy"),
        last ? QStringLiteral("%1 % · %2").arg(percent, DurationText(last->compute)) : kNone,
-       Words::tr("How much of its period it computes, mean of the last second")}};
+       Words::tr("The part of its period in which it computes, mean of the last second")}};
 }
 
 QList<Property> ThreadFacts(const ComponentDescription& component, const CycleFigures& figures) {

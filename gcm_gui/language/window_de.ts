@@ -622,7 +622,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Auslastung</translation>
     </message>
     <message>
-        <source>How much of its period it computes, mean of the last second</source>
+        <source>The part of its period in which it computes, mean of the last second</source>
         <translation>Welchen Teil ihrer Periode sie rechnet, Mittel der letzten Sekunde</translation>
     </message>
     <message>
@@ -2054,7 +2054,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Alles über seinen Namen</translation>
     </message>
     <message>
-        <source>Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu Help this tour.</source>
+        <source>Ctrl+K finds all commands and all objects. F1 shows the keys. The menu Help starts this tour again.</source>
         <translation>Strg+K findet alles, was man tun kann und was es gibt; F1 zeigt die Tasten und das Menü Hilfe diesen Rundgang.</translation>
     </message>
     <message>
@@ -2698,7 +2698,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Der Name einer Achse hat höchstens %1 Zeichen</translation>
     </message>
     <message>
-        <source>The name of an axis is one line of letters</source>
+        <source>The name of an axis must be one line without control characters</source>
         <translation>Der Name einer Achse ist eine Zeile aus Zeichen</translation>
     </message>
     <message>
@@ -2710,7 +2710,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Faktor, Versatz und Achse von </translation>
     </message>
     <message>
-        <source>Curves with the same axis share it; a name of your own makes one</source>
+        <source>Curves with the same name here share one axis; a new name makes a new axis</source>
         <translation>Kurven mit derselben Achse teilen sie; ein eigener Name macht eine neue</translation>
     </message>
     <message>

@@ -622,7 +622,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Occupation</translation>
     </message>
     <message>
-        <source>How much of its period it computes, mean of the last second</source>
+        <source>The part of its period in which it computes, mean of the last second</source>
         <translation>Part de sa période passée à calculer, moyenne de la dernière seconde</translation>
     </message>
     <message>
@@ -2054,7 +2054,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Tout par son nom</translation>
     </message>
     <message>
-        <source>Ctrl+K finds all commands and all objects; F1 shows the keys, and the menu Help this tour.</source>
+        <source>Ctrl+K finds all commands and all objects. F1 shows the keys. The menu Help starts this tour again.</source>
         <translation>Ctrl+K trouve tout ce qui peut se faire et tout ce qui existe&#xa0;; F1 montre les touches, et le menu Aide cette visite.</translation>
     </message>
     <message>
@@ -2698,7 +2698,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Le nom d&apos;un axe a au plus %1 lettres</translation>
     </message>
     <message>
-        <source>The name of an axis is one line of letters</source>
+        <source>The name of an axis must be one line without control characters</source>
         <translation>Le nom d&apos;un axe est une ligne de lettres</translation>
     </message>
     <message>
@@ -2710,7 +2710,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Échelle, décalage et axe de </translation>
     </message>
     <message>
-        <source>Curves with the same axis share it; a name of your own makes one</source>
+        <source>Curves with the same name here share one axis; a new name makes a new axis</source>
         <translation>Les courbes de même axe le partagent ; un nom à vous en crée un</translation>
     </message>
     <message>

@@ -25,12 +25,12 @@ class ConnectionIndex;
 [[nodiscard]] QString WordOf(StaleReason why);
 /// "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age);
-/// The missing connections of a component, by core's rules; `connections` must be of the same
-/// catalogue.
+/// The missing connections of a component, by the same rules as in core. `connections` must belong
+/// to the same catalogue as the component.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
                                                         const ProcessEntry& process,
                                                         const ComponentDescription& component);
-/// The mark of a component; a warning if it runs but waits.
+/// The mark of a component; a warning if it runs but waits for a connection.
 [[nodiscard]] StateMark MarkOf(ComponentState state,
                                const std::vector<UnsatisfiedInterface>& waits);
 /// "waiting for Robot", in the user's language; the state if it waits for nothing.

@@ -57,7 +57,7 @@ class SystemDocument : public QObject {
   /// Saves the running system. Keeps other content of the file and, in an imported file, the parts
   /// that do not run yet.
   void save(const QString& path);
-  /// Updates one item of the file to its running state; `what` is that of a SystemDifference.
+  /// Updates one item of the file to its running state; `what` names it as SystemDifference does.
   void update(const std::string& what);
 
  Q_SIGNALS:

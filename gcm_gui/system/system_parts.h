@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// Returns `base` with one item taken from `from`: added, changed, or removed if `from` does not
-/// have it. `what` is that of a SystemDifference: "component robot/arm".
+/// Returns `base` with one item replaced by that of `from`, or removed if `from` does not have it.
+/// `what` names the item as SystemDifference does: "component robot/arm".
 [[nodiscard]] SystemFile WithPartOf(SystemFile base, const SystemFile& from,
                                     const std::string& what);
 

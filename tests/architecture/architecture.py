@@ -23,7 +23,7 @@ ALL_OF_CORE = "core/tendon/tendon.h"
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
 CORE = {folder for row in CORE_ROWS for folder in row}
 
-# What each part of the tree may include of the others.
+# The other parts that each part of the tree may include.
 PARTS = {
     "core": {"core"},
     "components": {"core", "components"},

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import architecture
 
-# A word which must not stand in this file either.
+# A word that must not occur in this file either.
 LEFT_OVER = "TO" + "DO"
 
 
@@ -207,7 +207,7 @@ KEPT = {
          "core/tendon/gcm/c.cpp": in_namespace("namespace {\nclass A {\n};\n}  // namespace")},
     ],
     "helpers_hide_no_declared_functions": [
-        # In another target, in a namespace beside, in a class, and in a header that nothing here includes.
+        # In another target, in a separate namespace, in a class, and in a header that no source here includes.
         {"lcm/CMakeLists.txt": builds("a.cpp", "b.cpp") + "add_library(other c.cpp d.cpp)  # b.cpp\n",
          "lcm/a.cpp": include("lcm/a.h"), "lcm/c.cpp": include("lcm/words.h"), "lcm/d.cpp": "",
          "lcm/a.h": in_namespace("namespace os {\nvoid Quoted(int word);\n}  // namespace os",

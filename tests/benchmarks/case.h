@@ -9,7 +9,7 @@
 
 namespace tendon::benchmark {
 
-/// How much is measured: what a verdict needs, or so little that it only shows that a case runs.
+/// How much is measured: enough for a verdict, or only enough to show that a case runs.
 struct Effort {
   int repetitions = 31;
   bool is_tiny = false;
@@ -19,8 +19,8 @@ struct Effort {
   }
 };
 
-/// What one repetition found, ours and the floor measured one right after the other, some
-/// milliseconds each; smaller is better.
+/// The result of one repetition: our time and the floor's, measured directly after each other for
+/// some milliseconds each. Smaller is better.
 struct Pair {
   double ours = 0;
   std::optional<double> floor;  ///< nothing where the goal is a number of its own
@@ -44,8 +44,8 @@ struct Case {
   bool runs_once = false;
 };
 
-/// The medians of the repetitions; the ratio is that of the paired ratios, so that what changes
-/// slowly, such as how far the processors are from each other, cancels out.
+/// The medians of the repetitions. The ratio is the median of the ratios of pairs, so that slow
+/// changes, such as the distance between the processors, cancel out.
 struct Outcome {
   double ours = 0;
   std::optional<double> floor;
@@ -59,9 +59,9 @@ std::vector<Case> QueueCases(const Effort& effort);
 std::vector<Case> WaitingCases(const Effort& effort);
 std::vector<Case> TableCases(const Effort& effort);
 std::vector<Case> PeriodCases(const Effort& effort);
-/// Between two processes; none where Ice is not built in.
+/// The cases between two processes; none in a build without Ice.
 std::vector<Case> NetworkCases(const Effort& effort);
-/// Of the window; none where it is not built in.
+/// The cases of the window; none in a build without it.
 std::vector<Case> PlotCases(const Effort& effort);
 std::vector<Case> WindowCases(const Effort& effort);
 

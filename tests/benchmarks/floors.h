@@ -12,7 +12,7 @@
 #include <cstring>
 #include <thread>
 
-/// What ours is compared with: the plainest thing that does the job, without our guarantees.
+/// The simplest code that does the same job without our guarantees; our code is compared with it.
 namespace tendon::benchmark {
 
 using Message = std::array<double, 8>;  // 64 bytes
@@ -25,7 +25,8 @@ struct BoostRing {
   bool Pop(Message& message) { return ring.pop(message); }
 };
 
-/// One value behind a sequence number, copied as a whole: fast and, in the language, a race.
+/// One value behind a sequence number, copied as a whole. Fast, but a data race by the rules of
+/// C++.
 template <typename T>
 class Seqlock {
  public:

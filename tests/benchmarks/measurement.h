@@ -17,13 +17,14 @@ double NanosecondsEach(std::uint64_t times, Action action) {
   return took.count() / static_cast<double>(times);
 }
 
-/// The compiler must have `value` ready in memory, and believe that it is used.
+/// Makes the compiler store `value` in memory, and assume that it is used.
 template <typename T>
 void Use(T& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// Until `attempt` succeeds; gives way when whoever is to make that possible seems not to run.
+/// Repeats `attempt` until it succeeds; yields the processor if the thread that it depends on does
+/// not seem to run.
 template <typename Attempt>
 void Insist(Attempt attempt) {
   constexpr int kPatience = 20'000;
@@ -32,7 +33,8 @@ void Insist(Attempt attempt) {
   }
 }
 
-/// Of a subject that waits most of the time: what disturbs it cannot be told from what it does.
+/// For a subject that waits most of the time, so that disturbances cannot be distinguished from its
+/// own waits.
 inline constexpr double kSleeps = 0;
 
 /// A function that runs one short repetition and returns what an operation took, in nanoseconds.
@@ -40,18 +42,20 @@ struct Subject {
   std::function<double()> run;
   /// Processors it keeps busy when nothing disturbs it.
   double processors = 1;
-  /// The seconds of processor time used for it, ever, outside this program; or nothing.
+  /// The total processor time in seconds that was used for it outside this program; empty if there
+  /// is none.
   std::function<double()> elsewhere = nullptr;
 };
 
-/// Runs one after the other, each first in turns, in a Seat on the first processor.
+/// Runs both, one after the other, and alternates which one is first; in a Seat on the first
+/// processor.
 std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor);
 
-/// Repeats the case until there are enough undisturbed pairs, which alone count then, or until ten
-/// seconds have passed: then all of them count. Nothing where this machine cannot tell.
+/// Repeats the case until there are enough undisturbed pairs, and counts only these. After ten
+/// seconds it stops and counts all pairs. Empty if this machine cannot measure it.
 std::optional<Outcome> Measure(const Case& one, const Effort& effort);
 
-/// The value that a share of them, 0.5 for half, does not exceed.
+/// The quantile: the value that this share of the values (0.5 for half) does not exceed.
 double Quantile(std::vector<double> values, double share);
 
 }  // namespace tendon::benchmark

@@ -4,9 +4,9 @@
 
 namespace tendon::benchmark {
 
-/// What this program frees it keeps for itself. Else the allocator gives the top of a heap back to
-/// the kernel, which clears it anew page by page, or not, as what was measured before has left it:
-/// a large answer takes half as long or twice as long for that alone, ours and the floor's.
+/// Keeps freed memory in this program. Otherwise the allocator may return the top of a heap to the
+/// kernel, which clears it again page by page; whether it does depends on the earlier measurements.
+/// That alone would halve or double the time of a large answer, for our code and for the floor.
 inline void KeepMemory() {
   constexpr int kForLargeAnswers = 64 << 20;
   constexpr int kMost = 512 << 20;

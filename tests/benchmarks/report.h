@@ -9,7 +9,7 @@
 namespace tendon::benchmark {
 
 void PrintHeading(std::ostream& out);
-/// A line of the table. Without an outcome: this machine cannot tell.
+/// A line of the table. Without an outcome if this machine cannot measure it.
 void PrintLine(std::ostream& out, const Case& one, const std::optional<Outcome>& outcome);
 
 /// id, what, unit, ours, floor, ratio, gate, stretch, holds, reaches_stretch, pairs, disturbed;

@@ -25,7 +25,7 @@ def entries(*arguments):
         path = pathlib.Path(folder) / "report.json"
         finished = run("--json", str(path), *arguments)
         assert finished.returncode == 0, finished.stderr
-        # The table is all there is to read, but for what went wrong; Ice is here as in the programs.
+        # The output is only the table, apart from errors. Ice is linked as in the programs.
         assert " joined the GCM " not in finished.stderr, finished.stderr
         assert "impossible sizes" not in finished.stderr, finished.stderr
         return finished.stdout, json.loads(path.read_text())

@@ -7,9 +7,9 @@ namespace tendon::benchmark {
 /// The processors of a measurement: the thread that measures has the first.
 enum class Processor { kFirst, kSecond };
 
-/// While it lives, the calling thread stays on a processor, and is not interrupted there by other
-/// programs where the kernel lets it be a real-time thread. Threads that it starts meanwhile
-/// inherit both.
+/// While this object exists, the calling thread stays on one processor. If the kernel allows it to
+/// be a real-time thread, other programs do not interrupt it there. Threads that it starts
+/// meanwhile inherit both.
 class Seat {
  public:
   explicit Seat(Processor processor);

@@ -9,8 +9,8 @@
 
 namespace tendon_test {
 
-/// A task whose cycles the test makes, one after the other in its own thread: starting it begins
-/// no thread, and time is what it is told.
+/// A task whose cycles are made by the test in its own thread. Starting it starts no thread, and
+/// the test sets the time.
 template <std::derived_from<tendon::Task> T>
 class Stepped final : public T {
  public:

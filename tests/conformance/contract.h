@@ -34,10 +34,10 @@ class Contract : public testing::TestWithParam<Kind> {
   std::unique_ptr<Listener> listener_;
 };
 
-/// One link that stands, with a recorder at each end.
+/// One open link, with a recorder at each end.
 class LinkContract : public Contract {
  protected:
-  /// `server` and `client` are what the ends do with a frame.
+  /// `server` and `client` are called with each frame that arrives at their end.
   void Connect(Recorder::Action server = nullptr, Recorder::Action client = nullptr) {
     host_ = std::make_unique<Host>([server](const std::shared_ptr<Link>& /*link*/) {
       return std::make_shared<Recorder>(server);
@@ -69,10 +69,10 @@ class AddressContract : public Contract {};
 class LifetimeContract : public Contract {};
 /// For kinds that are not always encrypted.
 class ExposureContract : public Contract {};
-/// For kinds whose ports strangers reach, and whose programs can be killed.
+/// For kinds whose ports unauthenticated programs can reach, and whose programs can be killed.
 class PortContract : public Contract {
  protected:
-  /// `link_` is open, and `guest_` at its other end has heard from it.
+  /// `link_` is open, and `guest_` at its other end has received a frame from it.
   void Meet(Host& host, std::shared_ptr<Recorder> opener = std::make_shared<Recorder>()) {
     Start(host.accept());
     auto link = Open(std::move(opener));
@@ -88,7 +88,7 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
-/// An end that asks, and one that defers its answers; for kinds that have a shorter way for them.
+/// A client, and a server that defers its answers; for kinds with a shorter path for answers.
 class LaterAnswerContract : public Contract {
  protected:
   void SetUp() override {
@@ -119,10 +119,11 @@ class LaterAnswerContract : public Contract {
   std::shared_ptr<Link> asker_;
 };
 
-/// For kinds whose messages are frames and nothing else; tests/core/ice has it of messages of Ice.
+/// For kinds whose messages are exactly frames; tests/core/ice has the same tests for messages of
+/// Ice.
 class UnfinishedContract : public PortContract {};
 
-/// Two channels that shook hands, unless a test does so itself.
+/// Two channels after the handshake, unless the test does the handshake itself.
 class ChannelContract : public Contract {
  protected:
   static constexpr std::uint64_t kCookie = 4711;
@@ -153,7 +154,7 @@ class ChannelContract : public Contract {
 };
 
 class LargeMessageContract : public ChannelContract {};
-/// For kinds whose ends know each other by the cookie.
+/// For kinds whose ends authenticate by the cookie.
 class CookieContract : public ChannelContract {};
 
 inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) { return info.param.name; }

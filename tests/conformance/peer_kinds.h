@@ -7,7 +7,7 @@
 
 namespace tendon::conformance {
 
-/// The middleware called `kind`, or null where it was not built.
+/// The middleware with the name `kind`, or null if it was not built.
 std::shared_ptr<Middleware> MiddlewareOf(const std::string& kind);
 
 }  // namespace tendon::conformance

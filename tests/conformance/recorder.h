@@ -12,7 +12,7 @@
 
 namespace tendon::conformance {
 
-/// Longer than anything here takes on a machine that stalls.
+/// Longer than any action in these tests takes, even on a machine that stalls.
 inline constexpr std::chrono::seconds kPatience{60};
 
 /// A frame whose handle says which it is.
@@ -62,7 +62,7 @@ class Recorder final : public LinkHandler {
   std::size_t bytes() const { return Get(bytes_); }
   int closed() const { return Get(closed_); }
   Error reason() const { return Get(reason_); }
-  /// Every frame was one, and none came after the end.
+  /// True if every frame was valid and none came after the end.
   bool intact() const { return Get(intact_); }
 
  private:
@@ -87,8 +87,8 @@ class Recorder final : public LinkHandler {
   bool intact_ = true;
 };
 
-/// Accepts links and keeps them, with a recorder each. What it gives away as accept() may outlive
-/// it.
+/// Accepts links and keeps them, with a recorder each. The function that accept() returns may
+/// outlive it.
 class Host {
  public:
   /// What its guests are.
@@ -113,7 +113,7 @@ class Host {
     };
   }
 
-  /// The guest of that number, which may still be on its way.
+  /// The accepted link with that number; waits until it arrives.
   Guest guest(std::size_t index = 0) {
     std::unique_lock lock(guests_->mutex);
     const bool came =

@@ -20,8 +20,8 @@ inline std::size_t EntriesIn(const std::filesystem::path& folder) {
 inline std::size_t OpenDescriptors() { return EntriesIn("/proc/self/fd"); }
 inline std::size_t Threads() { return EntriesIn("/proc/self/task"); }
 
-/// Bytes that are allocated and not freed. What is resident depends on how the threads came to run,
-/// too.
+/// Bytes that are allocated and not freed. Resident memory is not used, because it also depends on
+/// the order in which threads run.
 inline std::size_t MemoryInUse() {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   return __sanitizer_get_current_allocated_bytes();

@@ -4,19 +4,19 @@
 #include <span>
 #include <string_view>
 
-/// What reads bytes from outside, fed with bytes of any kind.
+/// Feeds arbitrary bytes to the decoders of untrusted bytes.
 namespace fuzz {
 
 using Bytes = std::span<const std::byte>;
 
-/// Feeds the bytes to one decoder; ends the process with a sentence where it breaks a promise, as
-/// a sanitizer would.
+/// Feeds the bytes to one decoder. If the decoder breaks a guarantee, ends the process with a
+/// message, as a sanitizer would.
 struct Target {
   std::string_view name;
   void (*run)(Bytes bytes);
 };
 
-/// All of them; the folder of that name in corpus/ has where to begin.
+/// All targets. The folder with the target's name in corpus/ has the first inputs.
 [[nodiscard]] std::span<const Target> Targets();
 
 }  // namespace fuzz

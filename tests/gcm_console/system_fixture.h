@@ -14,8 +14,8 @@
 /// A GCM and, on demand, LCMs of the demo system, as real processes that know only each other.
 class SystemFixture : public testing::Test {
  protected:
-  /// What the GCM, and what it has started, have logged explains a failure that does not come
-  /// again.
+  /// Prints the logs of the GCM and of the processes that it has started, to explain a failure that
+  /// does not occur again.
   void TearDown() override {
     if (!HasFailure()) return;
     if (gcm) std::cerr << "The GCM has logged:\n" << gcm->err();
@@ -28,7 +28,8 @@ class SystemFixture : public testing::Test {
 
   static std::string Binary(const std::string& name) { return Built("bin/" + name); }
 
-  /// Runs `gcm WORDS...` against the fixture's GCM, as patient as a loaded machine needs.
+  /// Runs `gcm WORDS...` with the fixture's GCM, with a timeout that is long enough for a busy
+  /// machine.
   Outcome Gcm(Program::Words words) const {
     words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
     return RunProgram(words);

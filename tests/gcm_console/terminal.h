@@ -14,7 +14,7 @@
 #include "support/program.h"
 #include "support/wait.h"
 
-/// A program with a terminal of its own, at which the test sits: types, and sees what is printed.
+/// A program with its own terminal, in which the test types keys and reads the output.
 class Terminal {
  public:
   /// `command` is for a shell, which becomes it.
@@ -53,7 +53,7 @@ class Terminal {
     const auto written = write(master_, keys.data(), keys.size());
     static_cast<void>(written);
   }
-  /// Whether `text` appears, of what was printed since the last keys.
+  /// Waits until `text` appears in the output since the last keys; returns false if it does not.
   bool Shows(const std::string& text) {
     return EventuallyTrue([&] {
       Read();

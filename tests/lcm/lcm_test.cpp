@@ -74,7 +74,7 @@ TEST_F(LcmTest, SaysWhichItIsAndFailsWhereThatCannotBeWritten) {
 
   const Outcome full = RunProgram({"/bin/sh", "-c", Binary("lcm") + " --help >/dev/full"});
   EXPECT_EQ(full.exit_code, program::kRefused);
-  EXPECT_EQ(full.err, "lcm: cannot write the output: the disk is full, or it is closed\n");
+  EXPECT_EQ(full.err, "lcm: cannot write the output: the disk is full, or the output is closed\n");
 }
 
 TEST_F(LcmTest, ASecondProcessOfOneNameIsToldWhoHasIt) {

@@ -26,7 +26,7 @@ COOKIE = 0x1f
 IDENTITY = Ice.Identity("tendon", "")
 ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE, GATHER = range(0x1000, 0x1008)
 
-# Parameters of `frame` that claim more than is there; some kill the code that Ice generates.
+# Parameters of `frame` that claim more bytes than they have; some crash the code that Ice generates.
 NO_ICE = [b"", b"\x06\0\0\0\x01\x01", b"\x07\0\0\0\x01\x01\x05",
           b"\x0b\0\0\0\x01\x01\xff\xff\xff\xff\x7f", b"\x0b\0\0\0\x01\x01\xff\0\0\0\x80",
           b"\xff\xff\xff\x7f\x01\x01\x01\x05", b"\x01\0\0\0\x01\x01\x01\x05"]

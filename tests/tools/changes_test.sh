@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# changes_test.sh: tools/format and tools/tidy look at what has changed, in a small repository of their own. Exit code
-# 77, which skips the test, where a program that they need is missing.
+# changes_test.sh: tests in a small repository that tools/format and tools/tidy check the changed files. Exit code 77,
+# which skips the test, if a program that they need is missing.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
@@ -73,7 +73,7 @@ other_files_are_refused_at_once() {
     fail "tools/tidy says:" "$(<"$folder/said")"
 }
 
-# In place of cmake there is a script that makes the commands, and looks whether another build would have to wait.
+# A script replaces cmake: it writes the compile commands, and checks whether another build would have to wait.
 dev_is_configured_where_it_does_not_know_a_file() {
   printf 'int* added = nullptr;\n' >"$folder/core/added.cpp"
   mkdir "$folder/programs"
@@ -95,7 +95,7 @@ END
   rm -r "$folder/programs"
 }
 
-# Two sources are compiled together, by the command of a third one that includes them.
+# Two sources are compiled together, with the command of a third source that includes them.
 joined_sources_are_read_alone() {
   local build=$folder/build/dev
   mkdir -p "$build/Unity"

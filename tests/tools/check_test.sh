@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check_test.sh: tools/check prints what fails and why tests were skipped, and no more, and heeds a changed preset, in a
-# small project of its own.
+# check_test.sh: tests tools/check in a small project of its own: it prints only failures and the reasons of skipped
+# tests, and notices a changed preset.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
@@ -18,7 +18,7 @@ make_preset() {
 END
 }
 
-# A copy of the tools, which has nothing to install.
+# A copy of the tools, in which there is nothing to install.
 make_project() {
   cp -r "$root/tools" "$folder"
   printf '#!/bin/sh\n' >"$folder/tools/setup"
@@ -61,7 +61,7 @@ failures_are_told_whole() {
   says "100% tests passed, 0"
   says "the reason"
   grep -q "broken (Failed)" "$folder/said" || fail "the summary does not name what failed:" "$(<"$folder/said")"
-  says "Preset dev failed; what is above says why. Again: tools/check --preset dev"
+  says "Preset dev failed; see the messages above. To repeat: tools/check --preset dev"
 }
 
 times_are_those_of_the_last_run() {

@@ -6,7 +6,7 @@ if ! command -v systemd-analyze >/dev/null; then
   echo "skipped: systemd-analyze is not installed, so the units were not verified"
   exit 77
 fi
-# What systemd remarks of any unit on this machine says nothing of ours.
+# Remarks of systemd that concern any unit on this machine are ignored.
 trivial=$(mktemp -d)
 trap 'rm -rf "$trivial"' EXIT
 printf '[Service]\nType=oneshot\nExecStart=/usr/bin/env true\n' >"$trivial/trivial.service"

@@ -18,7 +18,7 @@ constexpr double kFinest = 0x1p-55;  // step size relative to the axis: 1/8 of a
 constexpr std::size_t kShort = 9;    // letters; a label of at most this length has no exponent
 constexpr std::array<std::int64_t, 3> kFactors{1, 2, 5};
 
-/// factor * 10^exponent. Doubles hold hardly any of these numbers exactly, but labels must.
+/// factor * 10^exponent. Doubles can hold few of these numbers exactly, but labels must be exact.
 struct Decimal {
   std::int64_t factor = 0;
   int exponent = 0;

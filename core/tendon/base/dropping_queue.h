@@ -34,7 +34,8 @@ class DroppingQueue {
     bytes_ += bytes;
   }
 
-  /// Removes and returns the oldest elements: at least one if any, else at most `most_bytes`.
+  /// Removes and returns the oldest elements, at most `most_bytes`, but at least one if there is
+  /// any.
   [[nodiscard]] std::deque<T> Take(std::size_t most_bytes) {
     std::deque<T> taken;
     std::size_t size = 0;

@@ -32,7 +32,7 @@ struct Error {
 /// "failed", "not found", ...
 [[nodiscard]] std::string_view ToString(ErrorCode code) noexcept;
 
-/// The message of an exception, then those of the exceptions that caused it
+/// The message of an exception, then the messages of the exceptions that caused it
 /// (std::nested_exception): "no arm: no port".
 [[nodiscard]] std::string ReasonOf(std::exception_ptr thrown);
 

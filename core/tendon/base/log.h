@@ -40,7 +40,7 @@ class LogDeferral {
   ~LogDeferral() = default;
 };
 
-/// While it lives, the log records of its thread go to a deferral. May be nested.
+/// While this object exists, the log records of its thread go to a deferral. May be nested.
 class LogDeferralScope {
  public:
   explicit LogDeferralScope(LogDeferral& deferral) noexcept;

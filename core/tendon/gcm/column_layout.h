@@ -56,7 +56,7 @@ class ColumnLayout {
   explicit ColumnLayout(Spacing spacing) : spacing_(spacing) {}
 
   /// Edges are indices of blocks, from provider to client. Returns false and does nothing if blocks
-  /// and edges are those of the last call.
+  /// and edges are the same as in the last call.
   bool Arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges);
 
   /// The place of a block of the last Arrange(), as wide as its column.

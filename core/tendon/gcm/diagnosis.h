@@ -58,10 +58,10 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 /// True if the required side still tries to reach the provider, so that its reason is current.
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
-/// Adds the time that the provider's process took to answer this host, or the reason why it did
-/// not: to the last step if the connection was made, otherwise to the step "the processes reach
-/// each other". kTimeout means that the process was reached, but did not answer. Does nothing if a
-/// step is bad, except while IsTrying().
+/// Adds the round-trip time from this host to the provider's process, or the reason why there was
+/// no answer. Adds it to the last step if the connection was made, otherwise to the step "the
+/// processes reach each other". kTimeout means that the process was reached, but did not answer.
+/// Does nothing if a step is bad, unless IsTrying() is true.
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
 /// Adds a note to step 2 of an active connection if a component at one end does not run, which may

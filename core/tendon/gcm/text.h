@@ -45,8 +45,8 @@ inline constexpr std::chrono::seconds kFreshHealth(3);
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
 /// What is left of an inactive connection, one line for each process that was asked: "left over:
-/// nothing in robot", "kept: desk makes it as soon as it can". Also true if nobody has tried to
-/// make the connection.
+/// nothing in robot", "kept: desk makes it as soon as it can". The text is also correct if nobody
+/// has tried to make the connection.
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// Describes the loaded version of a plug-in: "/opt/robot/arm.so of 2025-11-21 15:40:03".

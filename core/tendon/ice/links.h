@@ -64,8 +64,8 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   // Outcomes of a message. `size` is the room that it occupies in the window; it becomes 0.
 
-  /// The message was sent, and so were the first `returned_before` bytes of replies returned as
-  /// responses.
+  /// The message was sent. So were the first `returned_before` bytes of all replies that were the
+  /// responses of calls.
   void OnSent(std::size_t& size, std::uint64_t returned_before);
   /// The message has failed, or its answer is missing. If the peer has thrown an exception, refuses
   /// `request`.

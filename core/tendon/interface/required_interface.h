@@ -158,8 +158,8 @@ class RequiredInterface {
   /// meanwhile.
   void AdmitPeer() noexcept;
 
-  /// For managers, while the component does not run; OnConnected() follows at its start. Admits
-  /// calls now, unless many threads may call.
+  /// For managers. Call it while the component does not run; OnConnected() is called when it
+  /// starts. Admits calls at once, unless many threads may call.
   void AdmitPeerAtRest() noexcept;
 
  private:

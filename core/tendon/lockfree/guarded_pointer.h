@@ -29,7 +29,7 @@ class GuardedPointer {
   GuardedPointer(const GuardedPointer&) = delete;
   GuardedPointer& operator=(const GuardedPointer&) = delete;
 
-  /// While it lives, the object of get() is not freed.
+  /// While this object exists, the object of get() is not freed.
   class [[nodiscard]] Call {
    public:
     explicit Call(GuardedPointer& guarded) noexcept

@@ -25,7 +25,7 @@ class SharedGuardedPointer {
   SharedGuardedPointer(const SharedGuardedPointer&) = delete;
   SharedGuardedPointer& operator=(const SharedGuardedPointer&) = delete;
 
-  /// While it lives, the object of get() is not freed.
+  /// While this object exists, the object of get() is not freed.
   class [[nodiscard]] Call {
    public:
     explicit Call(SharedGuardedPointer& guarded) noexcept

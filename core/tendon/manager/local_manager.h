@@ -156,8 +156,8 @@ class LocalManager {
   /// may call the public functions.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
   /// `observer` is called after every change of components, states or connections, in the thread
-  /// that made the change, which may be that of a component that faults. It must be quick and must
-  /// not call this object. After the return, the former observer is not called any more.
+  /// that made the change, which may be the thread of a faulting component. It must be quick and
+  /// must not call this object. After the return, the former observer is not called any more.
   void SetObserver(std::function<void()> observer);
   /// Calls the observer.
   void NotifyChanged() const;

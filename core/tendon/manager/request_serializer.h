@@ -19,8 +19,8 @@ class RequestSerializer {
   /// The right to make one request for a component.
   class Turn {
    public:
-    /// Releases the lock and waits until no other request for the component is in progress, for
-    /// kShortest or longer. If `deadline` passes first, is_ours() is false.
+    /// Releases the lock and waits until no other request for the component is in progress. Gives
+    /// up at `deadline`, but not before kShortest has passed; then is_ours() is false.
     Turn(RequestSerializer& serializer, const Component& component,
          std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
     Turn(const Turn&) = delete;

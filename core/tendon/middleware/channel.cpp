@@ -31,8 +31,8 @@ class CurrentRequest;
 
 thread_local const CurrentRequest* current_request = nullptr;
 
-/// While it lives, this thread handles `request` of `channel`, whose reply may be written to `slot`
-/// (LinkHandler::OnDirectFrame()). One object at a time in a thread.
+/// While this object exists, this thread handles `request` of `channel`, whose reply may be written
+/// to `slot` (LinkHandler::OnDirectFrame()). One object at a time in a thread.
 class CurrentRequest {
  public:
   CurrentRequest(const Channel& channel, std::uint64_t request, ReplySlot& slot)

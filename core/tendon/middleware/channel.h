@@ -102,8 +102,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
 
   /// Idempotent; may be called from a handler. The handler's OnClosed() is called later.
   void Close();
-  /// Close() for a peer that misbehaves or does not answer. `what` says what it did, and becomes
-  /// part of the reason.
+  /// Close() for a peer that misbehaves or does not answer. `what` describes the misbehaviour, and
+  /// becomes part of the reason.
   void CutOff(const std::string& what);
 
   /// Wait-free.

@@ -8,9 +8,9 @@
 
 namespace tendon {
 
-/// While it lives, no thread of this program opens links: attempts in progress end at once, and new
-/// ones are refused. For a program that ends while threads may be connecting to a process that
-/// hangs. Thread-safe.
+/// While this object exists, no thread of this program opens links: attempts in progress end at
+/// once, and new ones are refused. For a program that ends while threads may be connecting to a
+/// process that hangs. Thread-safe.
 class ConnectCancellation {
  public:
   ConnectCancellation() : ConnectCancellation(std::thread::id()) {}
@@ -24,7 +24,7 @@ class ConnectCancellation {
   const std::thread::id thread_;  // default-constructed: all threads
 };
 
-/// While it lives, this thread counts as waiting for a link.
+/// While this object exists, this thread counts as waiting for a link.
 class CancellableConnect {
  public:
   /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. It is

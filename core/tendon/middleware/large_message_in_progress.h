@@ -20,7 +20,7 @@ class LargeMessageInProgress {
 
   /// Smaller messages are always handled quickly.
   static constexpr std::size_t kLeast = std::size_t{4} << 20U;
-  /// Work shorter than this delays nobody, so it excuses no silence.
+  /// Shorter work delays nobody, so silence during it still counts as a failure.
   static constexpr std::chrono::milliseconds kShort{250};
   /// The longest silence that it excuses. A thread that takes longer counts as hanging.
   static constexpr std::chrono::seconds kAtMost{30};

@@ -150,7 +150,7 @@ class Listener {
   Listener& operator=(const Listener&) = delete;
   virtual ~Listener() = default;
 
-  /// The address for others, with the port filled in: "127.0.0.1:10705".
+  /// The address at which others can open links, with the real port: "127.0.0.1:10705".
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

@@ -66,7 +66,7 @@ class PendingRequests {
   /// ended.
   bool Finish(std::uint64_t request, Result<Answer> outcome);
 
-  /// Finish() for an answer of the peer; counts late ones.
+  /// Finish() for an answer of the peer. Counts an answer whose request has already ended as late.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
   /// Returns true if the request still waits for its answer; otherwise counts a late answer.

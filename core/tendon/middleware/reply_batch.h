@@ -51,11 +51,11 @@ std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
 class Channel;
 
-/// While it lives, collects the replies that this thread gives in kOwnLane, and sends them in
-/// order, many in one message: when it is destroyed, when a message is full, or before a reply to
-/// another peer. A single reply is sent without a batch. For loops that find several ended calls;
-/// it must not outlive the loop, because no timer sends the replies. One object at a time in a
-/// thread.
+/// While this object exists, collects the replies that this thread gives in kOwnLane, and sends
+/// them in order, many in one message: when it is destroyed, when a message is full, or before a
+/// reply to another peer. A single reply is sent without a batch. For loops that find several ended
+/// calls; it must not outlive the loop, because no timer sends the replies. One object at a time in
+/// a thread.
 class ReplyBatcher {
  public:
   ReplyBatcher();

@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// Channel::Request() with a timeout that works as long as `timer` lives, which calls Expire().
+/// Channel::Request() with a timeout. `timer` calls Expire(), so the timeout ends with `timer`.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,

@@ -22,8 +22,8 @@ inline constexpr auto kCommands = static_cast<MessageType>(0x102);
 // request to a function's handle: the argument -> the result, followed by one byte of Status::Code
 inline constexpr auto kRead = static_cast<MessageType>(0x103);
 inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> Pong
-// request to a function's handle: the argument, followed by u64, how many ns the caller waits -> as
-// kRead, after the call was executed or refused
+// request to a function's handle: the argument, followed by u64, the caller's timeout in ns -> the
+// same reply as to kRead, sent after the call was executed or refused
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
 // From the peer.
 // notice: calls of event handlers, as a CallBatch

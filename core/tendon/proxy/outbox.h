@@ -90,16 +90,16 @@ class Outbox {
     std::uint64_t number = 0;  ///< in `callers`
   };
 
-  /// Returns a turn that is not held if other calls are taken already, the credit is used up, or
-  /// another thread is sending.
+  /// Returns a turn without the right to send if other calls are already taken, the credit is used
+  /// up, or another thread is sending.
   [[nodiscard]] Turn TakeTurn();
   /// Sends a call without the mailbox, which must be empty. If the link is full, leaves the call to
   /// the network thread. Returns the total number of sent calls, including this one, or 0 if it was
   /// not sent yet.
   std::uint64_t SendNow(const Turn& turn, BlockingCall call);
-  /// Called in a caller's thread after the last of `calls` sent calls was executed: the earlier
-  /// ones were executed too, because one mailbox keeps their order. Notifies the network thread if
-  /// calls wait in the mailbox `callers`.
+  /// Called in a caller's thread: the first `calls` sent calls were executed. It is enough to know
+  /// that the last of them was, because one mailbox keeps their order. Notifies the network thread
+  /// if calls wait in the mailbox `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
   // Network thread, called by Send(): takes the next call.

@@ -56,7 +56,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
 
   /// `handler` is the index of the event handler in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
-  /// Adds the events that the other end has lost to the counts here.
+  /// Adds the events that were lost at the other end to this end's counts of lost events.
   void OnEventsLost(const message::EventsLost& events);
   /// Returns true if the remote component has become faulted, or is not faulted any more.
   bool OnCredit(const message::Credit& credit);

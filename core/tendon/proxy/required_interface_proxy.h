@@ -47,8 +47,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// The lane on which events are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
-  /// Any thread: number of events that have not reached the remote handlers, whichever end lost
-  /// them; as far as the other end has reported its losses.
+  /// Any thread: number of events that have not reached the remote handlers. Counts the losses of
+  /// both ends, as far as the other end has reported its own.
   [[nodiscard]] std::uint64_t lost_events() const;
   /// Any thread: number of commands that have arrived, executed or not. Does not count reads.
   [[nodiscard]] std::uint64_t received() const;
@@ -90,7 +90,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// replies have probably reported everything; or often.
   enum class CreditReporting { kIdle, kRelaxed, kPrompt };
 
-  /// While it lives, a command counts as waiting in the line.
+  /// While this object exists, a command counts as waiting in the line.
   class QueuedCommandCount;
 
   /// Logs a refused call: the peer has exceeded its credit, or there is no memory.

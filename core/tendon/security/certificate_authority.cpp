@@ -23,7 +23,7 @@ sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// While it lives, other programs cannot change the CA.
+/// While this object exists, other programs cannot change the CA.
 class Lock {
  public:
   explicit Lock(const AuthorityFolder& folder) : file_(folder.lock()) {

@@ -25,7 +25,7 @@ class TrustedAuthority {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
-  /// The store for `text`; null if the last store is for another text.
+  /// The last store if it was made from `text`, otherwise null.
   Store Find(const std::string& text);
 
   const std::filesystem::path folder_;

@@ -140,7 +140,8 @@ void TaskLife::EndWithLeader(Task& task) {
   if (IsRunning(task.state())) {
     Finish(task);
   } else if (task.is_starting()) {
-    task.EnterFault("Startup", "'" + task.leader()->name() + "', after which it runs, has ended");
+    task.EnterFault("Startup",
+                    "'" + task.leader()->name() + "' has ended, and this task runs after it");
   }
 }
 

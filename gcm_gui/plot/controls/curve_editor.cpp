@@ -58,7 +58,8 @@ void CurveEditor::build(const QString& name) {
   axis_->setEditable(true);
   axis_->setInsertPolicy(QComboBox::NoInsert);
   axis_->lineEdit()->installEventFilter(this);  // a combo box does not pass on Enter and Escape
-  axis_->setToolTip(Words::tr("Curves with the same axis share it; a name of your own makes one"));
+  axis_->setToolTip(
+      Words::tr("Curves with the same name here share one axis; a new name makes a new axis"));
   status_->setObjectName("curveEditor.status");
   status_->setWordWrap(true);
   status_->setTextFormat(Qt::PlainText);

@@ -48,7 +48,8 @@ std::optional<QString> RefusalOf(const CurveLook& look) {
   }
   const bool is_printable = std::all_of(look.axis.begin(), look.axis.end(),
                                         [](QChar letter) { return letter.isPrint(); });
-  if (!is_printable) return Words::tr("The name of an axis is one line of letters");
+  if (!is_printable)
+    return Words::tr("The name of an axis must be one line without control characters");
   return std::nullopt;
 }
 

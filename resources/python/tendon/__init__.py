@@ -5,8 +5,8 @@
     with tendon.connect("127.0.0.1:10705") as system:
         print(system.read("robot/arm/state.Joints.position[0]"))
 
-What this package sends and hears stays on this machine, and programs of other users are refused,
-unless a certificate is shown: then all of it is under TLS.
+Without a certificate, this package talks only to programs of the same user on this machine. With a
+certificate, all links use TLS.
 """
 
 from .errors import (Denied, Error, Exists, Failed, Incompatible, Invalid, NotFound, TimedOut,

@@ -1,4 +1,4 @@
-"""All that is known of a system, and names that people type looked up in it."""
+"""All that is known of a system, and the lookup of names that people type."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .paths import Path
 MOST_LISTED = 8
 
 Description = dict[str, Any]
-"""One of the descriptions of tendon/process/process_description.h, its fields by name."""
+"""A description as in tendon/process/process_description.h: its fields by name."""
 
 
 class Process:
@@ -30,7 +30,7 @@ class Catalogue:
         self.processes: dict[str, Process] = {}
 
     def copy(self) -> Catalogue:
-        """Another one, to which changes can be applied; descriptions are never changed."""
+        """A copy, to which changes can be applied; the descriptions are shared and never changed."""
         other = Catalogue(self.revision)
         for name, process in self.processes.items():
             entry = other.processes[name] = Process(process.description)
@@ -39,8 +39,8 @@ class Catalogue:
         return other
 
     def apply(self, change: dict[str, Any]) -> bool:
-        """Applies the next change; False, and nothing happens, when its revision does not follow or
-        it makes no sense: the catalogue must then be asked for anew."""
+        """Applies the next change. Returns False, without an effect, if its revision is not the
+        next one or it is invalid; then the whole catalogue must be requested again."""
         if change["revision"] != self.revision + 1:
             return False
         name = change["process"]
@@ -81,7 +81,7 @@ class Catalogue:
         return components[path.component]
 
     def command(self, path: Path) -> Description:
-        """The tendon.MemberDescription of a command, or of a column as the read command it is."""
+        """The tendon.MemberDescription of a command, or of a column, which is a read command."""
         if not path.member:
             raise Invalid(f"'{'/'.join(filter(None, path))}' does not name a command: "
                           "expected process/component/interface.member")
@@ -147,7 +147,8 @@ def _named(elements: Iterable[Description]) -> dict[str, Description]:
 
 
 def _not_found(what: str, full: str, name: str, candidates: Iterable[str]) -> NotFound:
-    """With a similar name, else what there is, if it is not too much to read."""
+    """Suggests a similar name; if there is none, lists the existing names unless there are too
+    many."""
     names = list(candidates)
     hint = did_you_mean(name, names)
     if not names:

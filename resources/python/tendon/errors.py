@@ -1,4 +1,5 @@
-"""What goes wrong, as exceptions. Each carries one sentence: what, where, and what to do next."""
+"""The exceptions of this package. The text of each is one sentence: what failed, where, and what to
+do next."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from typing import Iterable
 
 
 class Error(Exception):
-    """Why a request was refused; what is caught is mostly one of the classes below."""
+    """The reason why a request was refused. Most errors are of one of the classes below."""
 
     code = "FAILED"
 
@@ -27,7 +28,7 @@ class Invalid(Error):
 
 
 class Unreachable(Error):
-    """Nobody answers at an address, or not any more."""
+    """No program answers at an address, or it does not answer any more."""
 
     code = "UNREACHABLE"
 
@@ -67,11 +68,11 @@ _BY_CODE = {one.code: one for one in _CLASSES}
 
 
 def error_of(code: str, message: str) -> Error:
-    """The exception for a code of tendon.ErrorCode; Failed for one that is not known here."""
+    """The exception for a code of tendon.ErrorCode; Failed for an unknown code."""
     return _BY_CODE.get(code, Failed)(message)
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
-    """"; did you mean 'arm'?" or, when nothing is near, the empty string."""
+    """"; did you mean 'arm'?", or an empty string if no name is similar."""
     near = difflib.get_close_matches(name, list(candidates), n=1)
     return f"; did you mean '{near[0]}'?" if near else ""

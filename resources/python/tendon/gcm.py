@@ -1,4 +1,4 @@
-"""The link to a GCM and the catalogue that it tells."""
+"""The link to a GCM, and the catalogue that it sends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ GCM_NAME = "gcm"
 
 
 class GcmLink:
-    """Watches one GCM; when that has gone, the next question looks for it anew. Thread-safe."""
+    """Watches one GCM. If the link is lost, the next request connects again. Thread-safe."""
 
     def __init__(self, network: Network, address: str, name: str, timeout: float) -> None:
         self._network = network
@@ -33,12 +33,12 @@ class GcmLink:
         self._changes = 0
 
     def request(self, message_type: MessageType, name: str, value: Any, answer: str) -> Any:
-        """Asks the GCM, which may ask a process in turn."""
+        """Sends a request to the GCM, which may have to ask a process."""
         return self._open().request(message_type, messages.encode(name, value), self._timeout,
                                     reading(answer))
 
     def fresh(self) -> Catalogue:
-        """The catalogue with all that the GCM has told until now; a question to it makes sure."""
+        """The catalogue with all changes until now; a request to the GCM ensures that."""
         try:
             self._ask_for_life()
         except Unreachable:
@@ -46,7 +46,7 @@ class GcmLink:
         return self._catalog
 
     def known(self) -> Catalogue:
-        """The catalogue as it was heard last: processes can be talked to without a GCM."""
+        """The last known catalogue: processes can be used without a GCM."""
         link = self._link
         if link is None or not link.is_open:
             try:
@@ -62,7 +62,7 @@ class GcmLink:
             return self._changes
 
     def wait_for_change(self, since: int, deadline: float) -> bool:
-        """Until `changes` is another number; False when it is not by the deadline."""
+        """Waits until `changes` has another value; returns False if it has not by the deadline."""
         with self._changed:
             return self._changed.wait_for(lambda: self._changes != since,
                                           max(0.0, deadline - time.monotonic()))
@@ -89,7 +89,7 @@ class GcmLink:
                                   "start one with: gcm serve") from None
 
     def _on_snapshot(self, body: bytes) -> None:
-        """In the thread of Ice, as what follows."""
+        """Called in the thread of Ice, like the following functions."""
         snapshot = messages.decode("Snapshot", body)
         catalog = Catalogue(snapshot["base"])
         if not all(map(catalog.apply, snapshot["changes"])):
@@ -120,6 +120,7 @@ class GcmLink:
 
 
 def _briefly(reason: str) -> str:
-    """"nobody answers at 127.0.0.1:10705 (Connection refused)" without what is said anyway."""
+    """"nobody answers at 127.0.0.1:10705 (Connection refused)", without the words that the error
+    has anyway."""
     _, found, inner = reason.partition(" (")
     return inner.removesuffix(")") if found and reason.startswith("nobody ") else reason

@@ -1,5 +1,5 @@
-"""What travels: the numbers of the messages and the schemas of their bodies, which messages.txt
-holds as the C++ prints them (a test compares the two)."""
+"""The numbers of the messages, and the schemas of their bodies. messages.txt contains the schemas
+as the C++ code prints them; a test compares the two."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .payload.schema_text import parse_all
 
 
 class MessageType(enum.IntEnum):
-    """Those of the protocol that a viewer sends or hears."""
+    """The messages of the protocol that a viewer sends or receives."""
 
     HELLO = 1
     WELCOME = 2
@@ -54,12 +54,12 @@ def encode(name: str, value: Any = None) -> bytes:
 
 
 def decode(name: str, body: bytes) -> Any:
-    """A message from its body, which may come from anybody."""
+    """Decodes a message from its body, which is untrusted."""
     return SCHEMAS[f"tendon.{name}"].decode(body)
 
 
 def read_refusal(body: bytes, peer: str) -> Error:
-    """The body of a refusal as the exception to be raised."""
+    """Converts the body of a refusal to the exception to raise."""
     try:
         refused = decode("Error", body)
     except Invalid:

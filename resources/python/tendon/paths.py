@@ -1,4 +1,5 @@
-"""`process/component/interface.member(.field or [i])*`: how every tool of Tendon names a thing."""
+"""`process/component/interface.member(.field or [i])*`: the form in which all tools of Tendon name
+the parts of a system."""
 
 from __future__ import annotations
 
@@ -74,7 +75,7 @@ def steps_of(field: str) -> list[str | int]:
 
 
 def select(value: Any, field: str) -> Any:
-    """What of a value is at ".position[0]"; all of it where that is empty."""
+    """The part of a value at ".position[0]"; the whole value if the field is empty."""
     for step in steps_of(field):
         if isinstance(step, int):
             if not isinstance(value, (list, bytes)) or step >= len(value):

@@ -19,7 +19,7 @@ from .rows import Column, Feed, Feeds, Watch
 _TAKE_ARGUMENTS = ("write", "qualified_read", "write_return")  # kinds of commands
 _ANSWER_NOTHING = ("void", "write")
 
-# What follows the name of a command that was not executed, by Status::Code.
+# The text after the name of a command that was not executed, by Status::Code.
 _DONE = 2  # below this, it was
 _REFUSALS: list[tuple[type[Error], str]] = [
     (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
@@ -40,7 +40,8 @@ class _Peer(NamedTuple):
 
 
 class Wanted(NamedTuple):
-    """Rows of a state table: of the columns `names` come, of which `columns` are shown."""
+    """A request for rows of a state table: subscribes to the columns `names`, and returns `columns`
+    of them."""
 
     component: str
     table: str
@@ -50,7 +51,7 @@ class Wanted(NamedTuple):
 
 
 class Processes:
-    """Links that are opened when they are needed and kept while they last. Thread-safe."""
+    """Links that are opened when they are needed, and kept while they are open. Thread-safe."""
 
     def __init__(self, network: Network, name: str, timeout: float) -> None:
         self._network = network
@@ -60,7 +61,7 @@ class Processes:
         self._peers: dict[str, _Peer] = {}
 
     def call(self, process: Description, path: Path, command: Description, argument: Any) -> Any:
-        """Executes a command; what it answers, or None. `command` is a MemberDescription."""
+        """Executes a command and returns its result, or None. `command` is a MemberDescription."""
         signature = command["signature"]
         takes = signature["kind"] in _TAKE_ARGUMENTS
         if argument is not None and not takes:

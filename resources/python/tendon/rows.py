@@ -1,4 +1,4 @@
-"""Rows of a state table, as they come."""
+"""The rows of a state table, as they arrive."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ _REFERENCE = struct.Struct("<II")  # offset, size
 
 @dataclass(frozen=True)
 class Row:
-    """One row: `row["Joints"]` is a value of it."""
+    """One row; `row["Joints"]` is the value of one column."""
 
     tick: int
-    """Grows by one from row to row, without loss."""
+    """The number of the row. A gap between two rows means lost rows."""
     time: int
-    """In ns on the clock of the process that wrote it."""
+    """When the row was written, in ns on the clock of its process."""
     values: dict[str, Any]
-    """By the columns as they were asked for; None where there is none."""
+    """The values by column, as named in the request; None if the row has no value."""
 
     def __getitem__(self, column: str) -> Any:
         return self.values[column]
 
 
 class Column(NamedTuple):
-    """What is wanted of a table: "Joints.position[0]" is a `field` of a column."""
+    """A requested part of a table: a column, or a `field` of it as in "Joints.position[0]"."""
 
     asked: str
     index: int
@@ -48,7 +48,7 @@ class Column(NamedTuple):
 
 
 class Batch(NamedTuple):
-    """A body of ROWS, laid out as core/tendon/process/viewer_messages.h says."""
+    """A body of ROWS in the layout of core/tendon/process/viewer_messages.h."""
 
     body: bytes
     rows_before: int
@@ -58,7 +58,7 @@ class Batch(NamedTuple):
 
     @classmethod
     def open(cls, body: bytes) -> Batch:
-        """Raises Invalid where it is not laid out so."""
+        """Raises Invalid if the layout is wrong."""
         header = messages.decode("RowsHeader", body[:_HEADER_SIZE])
         columns = header["columns"]
         if columns > (len(body) - _HEADER_SIZE) // 4:
@@ -99,7 +99,7 @@ class Batch(NamedTuple):
 
 
 class Feed:
-    """Batches on their way from the thread of Ice to whoever takes the rows."""
+    """A queue of batches from the thread of Ice to the thread that reads the rows."""
 
     def __init__(self) -> None:
         self.lost_table = 0  # rows
@@ -136,7 +136,7 @@ class Feed:
         self._put(None)
 
     def take(self, timeout: float | None) -> Batch | Error | None:
-        """The next; None when there is none within so many seconds, or after wake()."""
+        """The next batch; None if there is none within `timeout` seconds, or after wake()."""
         with self._change:
             if not self._change.wait_for(lambda: self._queue, timeout):
                 return None
@@ -151,7 +151,7 @@ class Feed:
             self._change.notify()
 
     def _drop_oldest(self) -> bool:
-        """Under the lock. False where no rows wait."""
+        """Called with the lock held. Returns False if no rows wait."""
         if not self._queue or not isinstance(self._queue[0], Batch):
             return False
         oldest = self._queue.popleft()
@@ -161,17 +161,17 @@ class Feed:
 
 
 class Feeds:
-    """Those of one link, by the numbers that the peer gave them."""
+    """The subscriptions of one link, by the numbers that the peer gave them."""
 
     def __init__(self) -> None:
         self._feeds: dict[int, Feed] = {}
 
     def add(self, handle: int, feed: Feed) -> None:
-        """In a thread of Ice, before the first row comes."""
+        """Called in a thread of Ice, before the first row arrives."""
         self._feeds[handle] = feed
 
     def remove(self, handle: int) -> None:
-        """Its rows are not wanted any more, also by whoever waits for one."""
+        """Ends the subscription; a thread that waits for a row gets none."""
         feed = self._feeds.pop(handle, None)
         if feed is not None:
             feed.wake()
@@ -193,8 +193,8 @@ class Feeds:
 
 
 class Watch:
-    """The rows of a state table from now on, one after the other; raises the reason when no more
-    come. Ends when it is closed, is left as a `with` block, or is not used any more."""
+    """The rows of a state table from now on, one after the other. Raises the reason if no more rows
+    come. Ends when it is closed, at the end of a `with` block, or when it is not used any more."""
 
     def __init__(self, link: Link, feeds: Feeds, handle: int, feed: Feed,
                  schemas: list[Schema], columns: list[Column], timeout: float | None) -> None:
@@ -212,12 +212,12 @@ class Watch:
 
     @property
     def lost_network(self) -> int:
-        """Rows that were sent and did not arrive."""
+        """Rows that were lost on the network."""
         return self._feed.lost_network
 
     @property
     def lost_viewer(self) -> int:
-        """Rows that waited to be taken, and had to make room for newer ones."""
+        """Rows that this program did not read in time, and that newer rows replaced."""
         return self._feed.lost_viewer
 
     def close(self) -> None:

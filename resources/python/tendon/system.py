@@ -24,11 +24,11 @@ DEFAULT_TIMEOUT = 2.0  # s; longer than the GCM waits for a process
 
 
 class System:
-    """What connect() returns: lists, reads, calls, watches and connects what is there.
+    """The result of connect(): lists, reads, calls, watches and connects the parts of a system.
 
     Each function waits for an answer, at most `timeout` seconds, and raises an Error that says what
-    went wrong. They may be called in any thread. A path is `process/component/interface.member`, as
-    for the console `gcm`; descriptions are dicts with the fields that the C++ gives them.
+    went wrong. Any thread may call them. A path is `process/component/interface.member`, as for the
+    console `gcm`. Descriptions are dicts with the same fields as in C++.
     """
 
     def __init__(self, address: str | None, name: str, timeout: float,
@@ -44,7 +44,7 @@ class System:
             raise
 
     def close(self) -> None:
-        """Ends all links; done at the end of a `with` block, too."""
+        """Closes all links; the end of a `with` block does so as well."""
         self._ending()
 
     def __enter__(self) -> System:
@@ -54,22 +54,24 @@ class System:
         self.close()
 
     def processes(self) -> list[Description]:
-        """Each with name, state ("alive", "suspect", "lost", "left", "starting"), host, pid, address ..."""
+        """All processes: name, state ("alive", "suspect", "lost", "left", "starting"), host, pid,
+        address ..."""
         return [one.description for one in self._gcm.fresh().processes.values()]
 
     def components(self, process: str) -> list[Description]:
-        """Of one process: name, state, class_name, fault, provided and required interfaces with
-        their members, tables with their columns ..."""
+        """The components of one process: name, state, class_name, fault, provided and required
+        interfaces with their members, tables with their columns ..."""
         return list(self._gcm.fresh().process(process).components.values())
 
     def connections(self) -> list[Description]:
-        """Of all processes: required, provided, state ("pending", "active", "failed") ..."""
+        """The connections of all processes: required, provided, state ("pending", "active",
+        "failed") ..."""
         return [connection for process in self._gcm.fresh().processes.values()
                 for connection in process.connections.values()]
 
     def wait_until(self, condition: Callable[[System], Any], timeout: float = 10.0) -> Any:
-        """Waits until `condition(self)` is true, and returns what it is; it is asked again whenever
-        the catalogue has changed. Raises TimedOut when it does not come true within `timeout`."""
+        """Waits until `condition(self)` is true, and returns its value. Calls it again whenever the
+        catalogue has changed. Raises TimedOut if it is not true within `timeout` seconds."""
         deadline = time.monotonic() + timeout
         while True:
             changes = self._gcm.changes
@@ -81,20 +83,21 @@ class System:
     def read(self, path: str, argument: Any = None) -> Any:
         """The value of a column of a state table ("robot/arm/state.Joints"), of a field in it
         ("robot/arm/state.Joints.position[0]"), or of a read command, which may take an argument.
-        Nothing is changed by it: other commands are refused."""
+        Other commands are refused, so a read changes nothing."""
         return self._execute(path, argument, only_reads=True)
 
     def call(self, path: str, argument: Any = None) -> Any:
-        """Executes a command with its argument and returns what it answers, None where it answers
-        nothing. A void or write command is queued to its component then."""
+        """Executes a command with its argument and returns its result, or None if it has none. For
+        a void or write command, returns as soon as the call is queued at its component."""
         return self._execute(path, argument, only_reads=False)
 
     def watch(self, path: str, columns: Sequence[str] | None = None, period: float = 0.0,
               timeout: float | None = None) -> Watch:
-        """Every row of a state table from now on: "robot/arm" has the table `state`, others are
-        "robot/arm/state-NAME". Columns may name a field, "Joints.position[0]"; all where none are
-        named. With a period in seconds, the first row of each such stretch of the process' clock.
-        Raises TimedOut when no row comes within `timeout` seconds."""
+        """Returns every row of a state table from now on. "robot/arm" means the table `state`;
+        other tables are "robot/arm/state-NAME". A column may name a field, "Joints.position[0]";
+        without `columns`, all columns are returned. With a period in seconds, returns only the
+        first row of each period of the process's clock. Raises TimedOut if no row arrives within
+        `timeout` seconds."""
         wanted = parse_path(path)
         if wanted.member:
             raise Invalid(f"'{path}' names a column: expected process/component, "
@@ -108,7 +111,7 @@ class System:
 
     def connect(self, required: str, provided: str) -> Description:
         """Connects a required interface to a provided one, both `process/component/interface`. The
-        connection it returns is pending where the provider's process is not there yet."""
+        returned connection is pending if the provider's process is not available yet."""
         wire = {"required": parse_interface(required), "provided": parse_interface(provided)}
         return self._gcm.request(MessageType.CONNECT, "Wire", wire, "ConnectionDescription")
 
@@ -130,7 +133,7 @@ class System:
 
 
 def _own_name() -> str:
-    """As gcm calls itself: the program, and whose it is."""
+    """The name of this program and its user, in the same form as for gcm."""
     try:
         user = pwd.getpwuid(os.geteuid()).pw_name
     except KeyError:  # in a container
@@ -142,19 +145,19 @@ def connect(address: str | None = None, name: str | None = None,
             timeout: float = DEFAULT_TIMEOUT,
             certificate: str | os.PathLike[str] | None = None,
             authority: str | os.PathLike[str] | None = None) -> System:
-    """Joins the system of the GCM at `address`: $TENDON_GCM or 127.0.0.1:10705 where none is given.
-    `name` is for histories and audit logs: "python of USER@HOST" where none is given. Raises
-    Unreachable when nobody answers.
+    """Joins the system of the GCM at `address`; the default is $TENDON_GCM, or 127.0.0.1:10705.
+    `name` appears in histories and audit logs; the default is "python of USER@HOST". Raises
+    Unreachable if no GCM answers.
 
-    With a `certificate`, the file that the programs take as --certificate, all is under TLS and the
-    GCM may be on another machine; `authority` is the folder of --ca. Where they are not given,
-    $TENDON_CERTIFICATE and $TENDON_CA are taken."""
+    With a `certificate`, the same file as for the option --certificate of the programs, all links
+    use TLS, and the GCM may be on another machine. `authority` is the folder of --ca. The defaults
+    are $TENDON_CERTIFICATE and $TENDON_CA."""
     return System(address, name or _own_name(), timeout, chosen_credentials(certificate, authority))
 
 
 def _columns_of(asked: Sequence[str], known: list[str],
                 path: str) -> tuple[list[Column], list[str]]:
-    """What is wanted, and the columns to subscribe to for that, each once."""
+    """The requested columns, and the table columns to subscribe to for them, without duplicates."""
     columns: list[Column] = []
     names: list[str] = []
     if isinstance(asked, str) or not asked:

@@ -12,11 +12,11 @@ namespace tendon::benchmark {
 /// Begins something that ends later, in any thread: by `done(ok)`.
 using BeginCall = std::function<void(std::function<void(bool ok)> done)>;
 
-/// Makes `calls` calls, `window` of them at a time: where one ends, the next begins. Returns when
+/// Makes `calls` calls, `window` of them at a time: when one ends, the next begins. Returns when
 /// all have ended.
 void RunPipeline(std::uint64_t calls, std::uint64_t window, const BeginCall& begin);
 
-/// The robot's command Move, called and waited for as a connection does, but many at a time.
+/// Calls the robot's command Move and waits for it, as a connection does, but many calls at a time.
 class WaitingCalls {
  public:
   WaitingCalls(RemoteSystem& system, std::uint64_t window);

@@ -11,9 +11,9 @@
 
 namespace tendon::benchmark {
 
-/// What we are compared with between processes: ZeroC Ice by itself, with the settings of our own
-/// communicators and sockets, but for its threads, and used as its generated code uses it. Knows
-/// nothing of frames, handles or credits.
+/// The comparison for calls between processes: ZeroC Ice by itself, used as its generated code uses
+/// it. It has the settings of our own communicators and sockets, except for its threads, and no
+/// frames, handles or credits.
 class RawIceServer {
  public:
   RawIceServer();
@@ -21,10 +21,10 @@ class RawIceServer {
   RawIceServer& operator=(const RawIceServer&) = delete;
   ~RawIceServer();
 
-  /// For RawIce: where a pool of threads dispatches that may grow, which is how raw Ice serves
+  /// For RawIce: calls are dispatched by a pool of threads that may grow, as raw Ice needs to serve
   /// others while a call is slow.
   [[nodiscard]] std::string address() const;
-  /// Where one thread does, which a slow call holds up for all.
+  /// Calls are dispatched by one thread, so a slow call delays all others.
   [[nodiscard]] std::string address_of_one_thread() const;
 
  private:
@@ -32,8 +32,8 @@ class RawIceServer {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Calls a RawIceServer, over a connection that is there already. One thread at a time. Throws what
-/// Ice throws.
+/// Calls a RawIceServer over an existing connection. One thread at a time. Throws the exceptions of
+/// Ice.
 class RawIce {
  public:
   explicit RawIce(const std::string& address);
@@ -43,14 +43,15 @@ class RawIce {
 
   /// A two-way call without a parameter, answered with 64 bytes.
   void Read(Message& answer);
-  /// Oneways, each a message of its own, until all have been dispatched over there.
+  /// Sends oneway calls, each in a separate message, and waits until the server has dispatched all
+  /// of them.
   void Write(std::span<const std::byte> parameter, std::uint64_t times);
   /// The same, `size` of them in a message.
   void WriteBatches(std::span<const std::byte> parameter, std::uint64_t times, std::uint64_t size);
   /// Two-way, without waiting: `done` is called in a thread of Ice.
   void BeginRead(std::function<void(bool ok)> done);
-  /// Where the bytes of a large answer are when it is asked for: where they stay, or where the
-  /// servant has to copy them first into memory that it keeps.
+  /// Where the bytes of a large answer are when it is requested: they stay in place, or the servant
+  /// must first copy them into memory that it keeps.
   enum class Image { kThere, kCopiedFirst };
   /// A two-way call that is answered with 1 MiB; returns how many bytes came.
   std::size_t ReadImage(Image image);

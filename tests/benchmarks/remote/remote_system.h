@@ -22,8 +22,8 @@ namespace tendon::benchmark {
 inline constexpr std::chrono::seconds kPatience(30);
 
 /// A robot in a process of its own, and a desk here that is connected to it; and raw Ice between
-/// the same two processes. All threads sit where the thread sat that made it: on one processor,
-/// else nothing is seen but what it takes to wake another one.
+/// the same two processes. All threads run on the processor of the thread that created it. On
+/// several processors, the time to wake another processor would hide everything else.
 class RemoteSystem {
  public:
   RemoteSystem();
@@ -38,10 +38,10 @@ class RemoteSystem {
 
   [[nodiscard]] Desk& desk() { return *desk_; }
   [[nodiscard]] RawIce& raw() { return *raw_; }
-  /// Where one thread dispatches over there, not one of a pool.
+  /// For a server in which one thread dispatches instead of a pool.
   [[nodiscard]] RawIce& raw_of_one_thread() { return *raw_of_one_thread_; }
 
-  /// Another middleware, which is begun at both ends when it is first asked for.
+  /// Another middleware, which is started at both ends when it is first used.
   [[nodiscard]] RivalClient& rival(const std::string& id);
 
   /// How the next process here takes part.
@@ -71,10 +71,10 @@ class RemoteSystem {
   int names_ = 0;
 };
 
-/// What a program of this name says to the other process.
+/// The identity with which a program of this name connects to the other process.
 Hello NewHello(const std::string& name);
 
-/// Makes the one of all cases when it is first asked.
+/// The system that all cases share; created by the first call.
 using TheSystem = std::function<RemoteSystem&()>;
 
 /// What keeps both processes busy.
@@ -83,7 +83,7 @@ Subject Between(const TheSystem& system, std::function<double(RemoteSystem&)> ru
 /// What one read of the robot takes.
 double ReadJoints(RemoteSystem& system, std::uint64_t reads);
 
-/// Throws where `done` is false: there is nothing to measure then.
+/// Throws if `done` is false, because then there is nothing to measure.
 void Require(bool done, const char* what);
 
 // The cases, by what they are about.

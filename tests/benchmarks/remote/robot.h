@@ -13,7 +13,7 @@ namespace tendon::benchmark {
 
 using Image = std::vector<double>;  // of kImageBytes
 
-/// What is called from another process. Sleeps until it is asked.
+/// The component that is called from another process. Sleeps until a call arrives.
 class Robot final : public SignalTask {
  public:
   /// Rows that are kept of "state-History".

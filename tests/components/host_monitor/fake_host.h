@@ -9,7 +9,7 @@
 
 namespace tendon_test {
 
-/// A folder that looks like the root of a machine, of whose files a test says what is in them.
+/// A folder that looks like the root of a machine; a test writes the contents of its files.
 class FakeHost {
  public:
   [[nodiscard]] const std::filesystem::path& root() const { return folder_.path(); }

@@ -9,7 +9,8 @@
 
 namespace tendon::conformance {
 
-/// A middleware over whose links so many parts of large messages go, and then no more.
+/// A middleware whose links pass on a given number of parts of large messages, and no further
+/// parts.
 class HaltingMiddleware final : public test::WrappedMiddleware {
  public:
   HaltingMiddleware(std::shared_ptr<Middleware> below, int parts)

@@ -37,7 +37,8 @@ class Keeper final : public LinkHandler {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, kPatience, [this] { return is_closed_; });
   }
-  /// Of the next question; null where it came by no shorter way.
+  /// The slot for the answer to the next request; null if the request did not come on a shorter
+  /// path.
   std::unique_ptr<ReplySlot> Take() {
     std::unique_lock lock(mutex_);
     EXPECT_TRUE(changed_.wait_for(lock, kPatience, [this] { return !answers_.empty(); }));

@@ -19,7 +19,7 @@ inline Schema Numbers(std::uint32_t length) {
   return Schema::Array(Schema(Schema::Kind::kFloat64), length);
 }
 
-/// What the arm of the demo is told, of fewer joints.
+/// The arguments of the demo arm's commands, with fewer joints.
 inline Schema JointGoalSchema(std::uint32_t joints) {
   return Schema::Structure("arm.JointGoal", {{"position", "rad", Numbers(joints)},
                                              {"duration", "s", Schema(Schema::Kind::kFloat64)}});

@@ -68,7 +68,7 @@ class Recorder : public GcmListener {
   int holes_ = 0;
 };
 
-/// A GCM, processes and clients, each with a middleware of its own, over the one of the parameter.
+/// A GCM, processes and clients, each with its own middleware, of the kind given by the parameter.
 class Bench : public testing::TestWithParam<std::string> {
  protected:
   static constexpr std::chrono::milliseconds kLong{20'000};
@@ -137,7 +137,7 @@ class Bench : public testing::TestWithParam<std::string> {
     return entry == nullptr ? ProcessState::kLeft : entry->process.state;
   }
 
-  /// Turns the hands as far in steps that a GCM ticks by.
+  /// Advances the clock by that time, in steps as long as the ticks of a GCM.
   void Pass(std::chrono::milliseconds time) {
     constexpr std::chrono::milliseconds kStep(50);
     for (auto passed = std::chrono::milliseconds(0); passed < time; passed += kStep) {
@@ -154,7 +154,7 @@ class Bench : public testing::TestWithParam<std::string> {
   std::string address_;
 };
 
-/// A robot with an arm, and a desk that wants one.
+/// A process robot with an arm, and a process desk that needs one.
 class DeskAndRobot : public Bench {
  protected:
   void SetUp() override {

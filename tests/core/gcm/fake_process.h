@@ -17,8 +17,8 @@
 
 namespace tendon::test {
 
-/// A process as a GCM and its viewers see one, made of nothing but channels: does what it is told,
-/// or what the test says instead.
+/// A process as a GCM and its viewers see it, made only of channels. It executes its orders, or
+/// does what the test sets instead.
 class FakeProcess {
  public:
   /// What it does with orders to connect and disconnect.
@@ -44,9 +44,10 @@ class FakeProcess {
   /// Before Join(): what it has. Afterwards it reports.
   void Add(const ComponentDescription& component);
   void Remove(const std::string& component);
-  /// Where viewers and other processes are to look for it, instead of where it listens.
+  /// The address that it announces to viewers and other processes, instead of the one at which it
+  /// listens.
   void Advertise(const std::string& address);
-  /// A type of its own, which it tells to who asks.
+  /// A type that only this process knows, and that it describes on request.
   void Know(const Schema& schema);
 
   Result<message::JoinReply> Join(const std::string& gcm);
@@ -58,9 +59,9 @@ class FakeProcess {
   void Report(const std::vector<CatalogueChange>& changes);
   Status SendLog(const message::LogRecords& records);
 
-  /// What it says of its steady clock, to who listens to its events.
+  /// The time of its steady clock that it reports to listeners to its events.
   void SetClockAhead(std::chrono::nanoseconds ahead);
-  /// The first event of the last who has listened, with that time.
+  /// Sends the first event to the last listener, with that time.
   void Raise(double value, SteadyTime when);
 
   void set_manners(Manners manners);

@@ -14,7 +14,7 @@ using Joints = std::array<double, 7>;
 const InterfaceName kRobot("desk", "teleoperation", "Robot");
 const InterfaceName kControl("robot", "arm", "Control");
 
-/// Something that offers joints to be read and moved: fits Robot() below.
+/// An interface that offers joints to read and to move; it fits Robot() below.
 inline ProvidedDescription Control() {
   return {.name = "Control",
           .commands = {{.name = "GetJoints",

@@ -82,7 +82,7 @@ TEST_P(UndoOrders, WhatCanBeUndoneIsNotPassedOver) {
   const auto passed = PassOver();
 
   ASSERT_FALSE(passed);
-  EXPECT_THAT(passed.error().message, HasSubstr(" can be undone, so it is not passed over"));
+  EXPECT_THAT(passed.error().message, HasSubstr(" can be undone, so it is not skipped"));
   EXPECT_TRUE(Undo(*client_));
 }
 
@@ -105,7 +105,7 @@ TEST_P(UndoOrders, NothingIsUndoneInAProcessThatWasStartedAgain) {
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' is lost"));
   EXPECT_THAT(
       PassOver().error().message,
-      HasSubstr("is not passed over, because process 'desk' is lost and may come back with it"));
+      HasSubstr("is not skipped, because process 'desk' is lost and may come back with it"));
 
   desk_ = Join("desk", {test::Teleoperation()});
 

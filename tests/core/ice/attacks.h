@@ -24,13 +24,14 @@ inline RawMessage WithEncapsulation(std::int64_t size) {
   return Request().Int(size).Byte(1).Byte(1).Byte(0);
 }
 
-/// A proxy for a parameter: those of another host, for whoever would call back.
+/// A proxy as a parameter, which points to another host; a program that called back would connect
+/// there.
 inline RawMessage WithProxy(std::int64_t endpoints) {
   RawMessage request = Request().Int(32).Byte(1).Byte(1).String("tendon").String("").Byte(0);
   return request.Int(0).Int(0x00010001).Size(endpoints).Text("evil");
 }
 
-/// 64 MiB of zeros, as bzip2 packs them: nothing is wrong with it but its size.
+/// 64 MiB of zeros, compressed with bzip2: valid, but too large.
 inline constexpr std::string_view kBomb(
     "\x42\x5a\x68\x39\x31\x41\x59\x26\x53\x59\x0e\x09\xe2\xdf\x01\x5f\x8e\x40\x00\xc0"
     "\x00\x00\x08\x20\x00\x30\x80\x4d\x46\x42\xa0\x25\xa9\x0a\x80\x97\x31\x41\x59\x26"
@@ -38,12 +39,12 @@ inline constexpr std::string_view kBomb(
     "\x36\x32\x8a\x88\x4d\x2a\x2a\x21\x38\xbb\x92\x29\xc2\x84\x85\x00\xbb\x83\xe8",
     79);
 
-/// A request that claims to unpack to so many bytes.
+/// A compressed request that claims this uncompressed size.
 inline RawMessage Bomb(std::int64_t size) {
   return RawMessage(RawMessage::kRequest, 2).Int(size).Text(kBomb);
 }
 
-/// Requests that are wrong in every way known to hurt programs of Ice, by name.
+/// Malformed requests of every kind that is known to harm programs with Ice, by name.
 inline std::map<std::string, Bytes> Attacks() {
   const auto message = [](RawMessage::Type type) { return RawMessage(type); };
   const auto request = [&] { return message(RawMessage::kRequest).Int(1); };

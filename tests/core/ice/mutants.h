@@ -15,17 +15,18 @@
 
 namespace tendon::ice {
 
-/// How many mutants a program must bear. A sanitizer slows each down some ten times, and looks at
-/// fewer.
+/// The number of mutants that are sent to a program; fewer with a sanitizer, which makes each about
+/// ten times slower.
 inline const int kMutants = test::IsSanitized() ? 2'000 : 20'000;
 
-/// How many inside TLS, where most of them cost a handshake: 20,000 if TENDON_FULL_FAULTS is set.
+/// The number of mutants inside TLS, where most need a handshake: 20,000 if TENDON_FULL_FAULTS is
+/// set.
 inline int MutantsInTls() {
   if (std::getenv("TENDON_FULL_FAULTS") != nullptr) return 20'000;
   return test::IsSanitized() ? 200 : 4'000;
 }
 
-/// Messages that were right until one to four of their bytes were changed: always the same ones.
+/// Valid messages of which one to four bytes were changed; the same ones in every run.
 class Mutants {
  public:
   Bytes Next() {
@@ -56,7 +57,7 @@ class Mutants {
       RawMessage(RawMessage::kBatch).Int(1).String("tendon").Finished()};
 };
 
-/// What a message of Ice says of itself, which begins so.
+/// The header of a message of Ice, read from its first bytes.
 struct IceHeader {
   static constexpr std::size_t kSize = 14;
 
@@ -78,16 +79,16 @@ struct IceHeader {
   bool is_end = false;        // of the connection; who says so waits for the other to hang up
 };
 
-/// What is said over one connection until it ends. A connection has Send(), which says whether it
-/// could, and Receive(), which waits for some bytes and returns none at the end.
+/// Sends messages over one connection until it ends. A connection has Send(), which returns false
+/// on a failure, and Receive(), which waits for some bytes and returns none at the end.
 template <typename Connection>
 class Conversation {
  public:
   explicit Conversation(Connection connection) : connection_(std::move(connection)) {}
 
-  /// Sees that the message was read: what is asked afterwards is answered, or the connection ends,
-  /// which is told by false. One that claims to go on would take the question for its rest: it is
-  /// not asked, and is the last.
+  /// Checks that the message was read: a ping sent after it is answered, or the connection ends and
+  /// the result is false. After a message that claims to continue, no ping is sent, because it
+  /// would count as the rest of the message; that message is the last one.
   bool Bears(const Bytes& message) {
     const Bytes ping = Request("ice_ping", kPing).Int(6).Byte(1).Byte(1).Finished();
     const bool claims_more = IceHeader(message).size > message.size();
@@ -115,8 +116,8 @@ class Conversation {
   Bytes heard_;
 };
 
-/// Says so many over connections that `connect()` makes, as many on each as it bears. Returns how
-/// many connections it took.
+/// Sends so many messages over connections made by `connect()`, on each as many as it accepts.
+/// Returns the number of connections used.
 template <typename Connect>
 int SayMutants(Mutants& mutants, int count, Connect connect) {
   int connections = 0;

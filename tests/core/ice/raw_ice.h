@@ -61,7 +61,8 @@ class RawMessage {
   Bytes bytes_;
 };
 
-/// Sends all, and receives until there are `wanted` bytes or the other end hangs up.
+/// Sends everything, and receives until there are `wanted` bytes or the other end closes the
+/// connection.
 inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) {
   EventuallyTrue([&] {
     const auto sent = os::SendSome(socket, bytes);
@@ -70,7 +71,7 @@ inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) 
   });
 }
 
-/// What came: fewer bytes than wanted where the other end hung up.
+/// The received bytes; fewer than wanted if the other end closed the connection.
 inline Bytes ReceiveAll(const os::Socket& socket, std::size_t wanted) {
   Bytes all;
   Bytes buffer(4096);

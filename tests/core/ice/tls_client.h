@@ -21,10 +21,10 @@
 
 namespace tendon::ice {
 
-/// Somebody who speaks TLS by himself, and inside it whatever he likes.
+/// A TLS client that can send arbitrary bytes inside TLS.
 class TlsClient {
  public:
-  /// One end of a connection. Waits where there is nothing to hear, but not for ever.
+  /// One end of a connection. Waits for data, but not forever.
   class Connection {
    public:
     Connection(SSL_CTX& context, const HostPort& place) : link_(SSL_new(&context)) {
@@ -38,7 +38,8 @@ class TlsClient {
       is_up_ = SSL_connect(link_.get()) == 1;
     }
 
-    /// After the handshake, of which TLS 1.3 tells the client only later that it was refused.
+    /// True if the handshake has succeeded. With TLS 1.3 the client learns only later that it was
+    /// refused.
     [[nodiscard]] bool is_up() const { return is_up_; }
 
     bool Send(const Bytes& bytes) {

@@ -61,7 +61,7 @@ class TlsTest : public AuthorityTest {
     EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message);
     return made.ok() ? *std::move(made) : nullptr;
   }
-  /// The file of a certificate of the process `old`, made long ago.
+  /// The file of a certificate of the process `old`, which expires at this time from now.
   [[nodiscard]] fs::path Expiring(std::chrono::seconds from_now) const {
     const Request request{.name = "old", .role = Role::kOperator, .holder = kProcess};
     const auto issued = Issue(request);
@@ -72,7 +72,7 @@ class TlsTest : public AuthorityTest {
                                   request, **key, Now() + from_now, {**ca, **ca_key})));
     return issued.certificate_file;
   }
-  /// Does not know of what is revoked from now on.
+  /// A copy of the public files, which does not get later lists of revoked certificates.
   [[nodiscard]] fs::path CopyOfPublicFiles() const {
     const fs::path copy = home.path() / "copy";
     fs::create_directory(copy);
@@ -103,7 +103,7 @@ class TlsTest : public AuthorityTest {
     EXPECT_FALSE(channel.ok());
     return channel.ok() ? Error() : channel.error();
   }
-  /// As whom a program that calls itself `name` is known where it comes to.
+  /// The identity under which a peer knows a program that calls itself `name`.
   Hello Guest(const Shared& middleware, const std::string& name) {
     const std::size_t before = guestbook_->guests().size();
     const auto channel = Open(middleware, Listen(robot_, "robot"), name);

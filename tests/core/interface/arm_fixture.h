@@ -16,8 +16,8 @@ struct JointGoal {
   bool operator==(const JointGoal&) const = default;
 };
 
-/// The same fields as JointGoal under the same name, but another layout in memory: what another
-/// plug-in's idea of the type looks like.
+/// The same fields as JointGoal under the same name, but with another layout in memory, as another
+/// plug-in may have it.
 struct PaddedJointGoal {
   double padding = 0.0;
   std::array<double, 7> position{};

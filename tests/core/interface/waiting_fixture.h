@@ -17,7 +17,7 @@ namespace tendon_test {
 
 using namespace std::chrono_literals;
 
-/// A server whose commands are waited for. The test executes its inbox, or a thread does.
+/// A server with commands whose callers wait. The test or a thread executes its inbox.
 struct Planner {
   tendon::Inbox inbox;
   tendon::ProvidedInterface plans{"Plans", &inbox};
@@ -48,7 +48,7 @@ struct Planner {
   void Break() { throw std::runtime_error("broken"); }
 };
 
-/// A client with one function for each; its inbox makes it a lone caller.
+/// A client with one function for each command. It has an inbox, so only one thread may call.
 struct Operator {
   tendon::Inbox inbox;
   tendon::RequiredInterface planner{"Planner", &inbox};
@@ -72,7 +72,7 @@ inline auto Connect(Operator& client, Planner& server) {
                                   "planner/Plans");
 }
 
-/// Executes an inbox in a thread of its own, as a task does; an exception is survived.
+/// Executes an inbox in its own thread, as a task does, and continues after an exception.
 class Executor {
  public:
   explicit Executor(tendon::Inbox& inbox)

@@ -7,7 +7,7 @@
 
 namespace tendon::simulation {
 
-/// For simulations: a sleeper that wants so many posts, whoever makes them.
+/// For simulations: a sleeper that waits for this number of posts by any threads.
 template <typename Atomics>
 struct Posting {
   Wakeup<Atomics> wakeup;

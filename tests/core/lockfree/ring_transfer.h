@@ -8,7 +8,7 @@
 
 namespace tendon::simulation {
 
-/// For simulations: three messages through a ring of two slots; what a slot holds is ordinary
+/// For simulations: passes three messages through a ring of two slots, whose content is plain
 /// memory.
 template <typename Atomics>
 struct RingTransfer {

@@ -31,8 +31,8 @@ enum class Kind {
 /// Without kThreadless.
 [[nodiscard]] std::vector<Kind> TaskKinds();
 
-/// What is the same in a server and a client of any kind: a job of the test, which its interface
-/// `Desk` executes in the component's thread.
+/// The common part of servers and clients of any kind: their interface `Desk` executes jobs of the
+/// test in the component's thread.
 class Part {
  public:
   Part() = default;
@@ -41,7 +41,7 @@ class Part {
   virtual ~Part() = default;
 
   [[nodiscard]] virtual tendon::Component& component() = 0;
-  /// Makes a cycle, where the thread that calls is lent for that.
+  /// Makes a cycle, for kinds that run in the calling thread.
   virtual void Drive() {}
 
   std::function<void()> job;  // set before the command Step
@@ -72,14 +72,16 @@ class ServerPart : public Part {
   /// In which the ports' columns are.
   tendon::StateTable* table = nullptr;
 
-  /// Makes what was written so far a row, where no cycle does; in the server's thread.
+  /// Makes a row of the values written so far, for kinds without cycles. Called in the server's
+  /// thread.
   virtual void Publish() {}
 
  protected:
   void FillHistory(tendon::StateTable& history_table);
 };
 
-/// Needs an interface for each payload, and the messages; and may have one that nobody fills.
+/// Requires an interface for each payload, and the messages; may also require one that stays
+/// unconnected.
 class ClientPart : public Part {
  public:
   ClientPorts ports;

@@ -22,14 +22,15 @@ namespace tendon_test {
 /// How long a call of a test may wait: it bounds a test that fails.
 inline constexpr std::chrono::seconds kLong(60);
 
-/// The managers of a server and of a client; those of two processes, where the server's has a name.
+/// The managers of a server and of a client; they belong to two processes if the server's process
+/// has a name.
 class Ground {
  public:
   virtual ~Ground() = default;
   [[nodiscard]] virtual tendon::LocalManager& server() = 0;
   [[nodiscard]] virtual tendon::LocalManager& client() = 0;
   [[nodiscard]] virtual std::string server_process() const { return {}; }
-  /// Once a pair has ended: of what is used again, nothing of it is left.
+  /// Called after a pair has ended: removes everything of it from the objects that are used again.
   virtual void Clear() {}
 };
 
@@ -41,8 +42,8 @@ struct Place {
 inline void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 [[nodiscard]] Place OneProcess();
 
-/// A server and a client, connected and running. What a test does or looks at in a component's
-/// thread is a job, which that thread executes as a command.
+/// A server and a client, connected and running. A test accesses a component only by jobs, which
+/// the component's thread executes as commands.
 class Pair {
  public:
   Pair(Kind client_kind, Kind server_kind, const Place& place = OneProcess());
@@ -79,7 +80,8 @@ class Pair {
 
   /// Whether there is a network between the two.
   [[nodiscard]] bool is_remote() const { return !ground_->server_process().empty(); }
-  /// What a queued call answers: a server without a thread executes it at once, in its process.
+  /// The status of a queued call: a server without a thread in the same process executes it at
+  /// once.
   [[nodiscard]] tendon::Status queued() const {
     return has_thread_ || is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
@@ -87,16 +89,16 @@ class Pair {
   [[nodiscard]] tendon::Status direct() const {
     return is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
-  /// Where there is a network: what was called or raised before has been executed, or waits in its
+  /// With a network, waits until all earlier calls and events were executed, or wait in their
   /// mailbox at the other end. Executes `take`, and raises `settled`.
   void Deliver();
-  /// Of what runs in the thread that calls or raises it: in that very thread, or, from another
-  /// process, in a thread of neither component.
+  /// Checks where direct code runs: in the thread that calls or raises it or, from another process,
+  /// in a thread that belongs to neither component.
   void ExpectInThreadOf(std::thread::id caller, std::thread::id thread) const;
 
   /// The ports' connections, made by name.
   void Connect();
-  /// Ends them; false when it took so long that calls which were accepted may have been dropped.
+  /// Ends both. Returns false if that took so long that accepted calls may have been dropped.
   bool Disconnect();
   /// Takes a component out of the manager, after the thread that was lent to it.
   void Remove(Part& part);
@@ -141,7 +143,8 @@ inline std::string NameOfPlacedPair(const testing::TestParamInfo<PlacedKinds>& i
          std::string(NameOf(std::get<1>(info.param))) + std::get<2>(info.param).name;
 }
 
-/// Every kind of server with a client that has no thread: its calls come from the test's.
+/// Every kind of server with a client that has no thread, so that the test's thread makes its
+/// calls.
 struct AnyServer : testing::TestWithParam<Kind> {
   Pair pair{Kind::kThreadless, GetParam()};
 };
@@ -149,7 +152,7 @@ inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) {
   return std::string(NameOf(info.param));
 }
 
-/// The payload of a port, in whose place `decltype(port)` may stand.
+/// The payload of a port, or of `decltype(port)`.
 template <typename Port>
 using PayloadIn = typename std::remove_reference_t<Port>::Value;
 

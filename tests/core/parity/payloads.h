@@ -28,7 +28,7 @@ struct Scan {
   std::vector<Pose> poses;
 };
 
-/// What a filter makes of a payload: how large it was, and in which thread.
+/// The result of a filter: the size of the payload, and the thread in which the filter ran.
 struct Filtered {
   std::uint64_t bytes = 0;
   std::uint64_t thread = 0;
@@ -82,7 +82,7 @@ inline void Fill(Scan& scan, int seed) {
   for (Pose& pose : scan.poses) Fill(pose, seed);
 }
 
-/// A value that differs from that of every other seed.
+/// A value that is different for each seed.
 template <typename P>
 P Sample(int seed) {
   P value;

@@ -16,8 +16,8 @@
 
 namespace tendon_test {
 
-/// Offers everything there is of one payload: every kind of command, the events, a column. What is
-/// not atomic belongs to the server's thread.
+/// Offers everything for one payload: every kind of command, the events, a column. Members that are
+/// not atomic belong to the server's thread.
 template <tendon::Payload P>
 class ServerPort {
  public:

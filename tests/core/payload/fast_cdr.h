@@ -8,7 +8,7 @@
 
 namespace tendon::test {
 
-/// What Fast CDR makes of `write(Cdr&)`: the bytes that DDS and ROS 2 would send.
+/// The bytes that Fast CDR writes in `write(Cdr&)`, as DDS and ROS 2 would send them.
 template <typename Writer>
 std::vector<std::byte> WrittenByFastCdr(Writer write) {
   std::vector<char> memory(65536);  // zero, since Fast CDR leaves padding as it finds it

@@ -30,7 +30,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// Nothing here is where its size alone would put it.
+/// Every field here has an offset that differs from the sum of the sizes before it.
 struct Ragged {
   bool first = false;
   double wide = 0;

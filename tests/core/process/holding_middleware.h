@@ -14,13 +14,13 @@
 
 #include "support/wait.h"
 
-/// A middleware to some of whose places no link comes about, as where a process hangs, but for as
+/// A middleware that delays opening links to some addresses, as if a process hung there, for as
 /// long as the test wants.
 class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;
 
-  /// Whoever opens a link to there waits from now on.
+  /// From now on, opening a link to that address waits.
   void Hold(const std::string& address) {
     const std::scoped_lock lock(mutex_);
     held_[address] = 0;
@@ -31,14 +31,14 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
     held_.erase(address);
     changed_.notify_all();
   }
-  /// Who waits for a link to there has waited for too long; the next waits again.
+  /// The present attempts to open a link to that address time out; further attempts wait again.
   void TimeOut(const std::string& address) {
     const std::scoped_lock lock(mutex_);
     ++held_[address];
     changed_.notify_all();
   }
 
-  /// Where somebody waits for a link to, one for each who waits.
+  /// The addresses of the waiting attempts, one entry for each attempt.
   [[nodiscard]] std::vector<std::string> waiting() const {
     const std::scoped_lock lock(mutex_);
     return waiting_;

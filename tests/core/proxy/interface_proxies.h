@@ -90,7 +90,7 @@ struct ServerEnd final : ChannelHandler {
   std::shared_ptr<RequiredInterfaceProxy> proxy;
 };
 
-/// A read that asks for room, and fails before it has written anything there.
+/// A read that requests room for its answer, and fails before it has written the answer.
 class TornRead final : public Offer {
  public:
   using Offer::Offer;

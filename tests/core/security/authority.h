@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// A CA in a folder of its own, and where what it issues is kept.
+/// A CA in its own folder, and the folder of the certificates that it issues.
 class AuthorityTest : public testing::Test {
  protected:
   using Request = CertificateAuthority::Request;

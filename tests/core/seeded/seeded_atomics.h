@@ -12,13 +12,13 @@
 #include <string>
 #include <type_traits>
 
-/// Lock-free classes with one fault in them: compiled from their own source under a policy that
-/// does one step other than it is written.
+/// Lock-free classes with one fault: compiled from their own source with a policy that changes one
+/// step.
 namespace tendon::seeded {
 
 enum class Step { kLoad, kStore, kAdd, kSubtract, kExchange, kFence, kProcessBarrier };
 
-/// A step that a class takes, as a fault sees it.
+/// One step of a class, as a fault sees it.
 struct Access {
   Step step = Step::kLoad;
   std::size_t thread = 0;              ///< of the scenario, from 1 on
@@ -32,7 +32,7 @@ struct Access {
 struct Fault {
   std::string name;
   std::function<void(Access&)> weaken;  ///< changes the order, or leaves the step out
-  /// Changes what a load gives, so that the check made of it always passes.
+  /// Changes the result of a load, so that the check of this result always passes.
   std::function<void(const Access&, std::uint64_t& value)> forge;
 
   friend std::ostream& operator<<(std::ostream& out, const Fault& fault) {

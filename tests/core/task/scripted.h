@@ -17,7 +17,8 @@
 
 namespace tendon_test {
 
-/// What the author's functions of a component do: they count, and throw or block when told.
+/// The author's functions of a component: they count their calls, and throw or block if the test
+/// says so.
 class Script {
  public:
   enum Function { kNone, kConfigure, kStartup, kRun, kHandler, kCleanup };
@@ -26,7 +27,7 @@ class Script {
   std::atomic<Function> throws = kNone;
   std::atomic<bool> throws_a_number = false;  // not a std::exception
   std::atomic<bool> throws_nested = false;    // one that has led to another
-  /// The function that does not return as long as this stands.
+  /// The function that does not return while it is named here.
   std::atomic<Function> blocks = kNone;
   std::atomic<bool> is_blocked = false;  // it has been reached
 
@@ -131,7 +132,7 @@ using Callback = Scripted<tendon::CallbackTask>;
 using Main = Scripted<tendon::MainTask>;
 using Threadless = Scripted<tendon::Component>;
 
-/// A client without a thread: its calls come from the test's.
+/// A client without a thread: the test's thread makes its calls.
 class Client final : public tendon::Component {
  public:
   explicit Client(std::string name) : Component(std::move(name)) {

@@ -9,12 +9,12 @@ namespace tendon::volume {
 /// How many items each test passes on; `--items=N` of the program changes it.
 inline std::uint64_t items = 0;
 
-/// How many may wait: enough that two threads which share a processor with others seldom wait for
-/// each other.
+/// The queue length: large enough that two threads seldom wait for each other, even if they share a
+/// processor with others.
 inline constexpr std::size_t kCapacity = 8192;
 
-/// A cache line whose words all follow from its number, each in another way: a mixture of two items
-/// is none.
+/// A cache line whose words are all computed from its number, each by another rule, so that a
+/// mixture of two items is detected.
 using Item = std::array<std::uint64_t, 7>;
 
 constexpr Item ItemOf(std::uint64_t number) {
@@ -24,7 +24,7 @@ constexpr Item ItemOf(std::uint64_t number) {
   return item;
 }
 
-/// Takes items as they arrive and knows what was to come.
+/// Takes items as they arrive, and checks them against the expected ones.
 class Checker {
  public:
   void Take(const Item& item) {

@@ -443,9 +443,9 @@ TEST_F(SavedSystemTest, StepsOfAnEarlierRunAreSaidAndPassedOver) {
                                "it: gcm undo --skip\n"));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
-  EXPECT_THAT(skipped.err, HasSubstr("gcm: passed over, and left as it is: step 1 (disconnect"));
+  EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped, and left as it is: step 1 (disconnect"));
   EXPECT_THAT(skipped.err, HasSubstr("gcm: there is nothing to undo\n"));
-  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tpassed over\t"));
+  EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tskipped\t"));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace tendon::benchmark {
 
-/// What windows need before they can be drawn, without a screen; the first one made sets it up. The
-/// main thread's.
+/// The QApplication that windows need, without a screen; the first object sets it up. Main thread
+/// only.
 class CanvasApplication {
  public:
   CanvasApplication();

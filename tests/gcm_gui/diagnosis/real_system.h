@@ -16,7 +16,7 @@
 
 namespace tendon::gui {
 
-/// The real window over a real GCM and real `lcm` processes of the demo system, which the test
+/// The real window with a real GCM and real `lcm` processes of the demo system, which the test
 /// starts, stops and kills.
 class RealSystem : public ::testing::Test {
  protected:
@@ -34,7 +34,7 @@ class RealSystem : public ::testing::Test {
   [[nodiscard]] bool IsConnected(const InterfaceName& required);
   [[nodiscard]] ProcessState StateOf(const std::string& process);
 
-  /// Until it holds, as long as a loaded machine may need.
+  /// Waits until the condition holds, as long as a busy machine may need.
   [[nodiscard]] static bool Eventually(const std::function<bool()>& holds);
   void ClickPort(const PortName& port);
   void ClickEdge(const QString& required);

@@ -39,11 +39,11 @@ class FlowFixture : public ::testing::Test {
   }
   /// With the mouse.
   void ClickTab(const char* bar, const char* title);
-  /// Always to the same place: once it is there, each move ends soon, and an event says so.
+  /// Always moves to the same place, so that each move ends soon, with an event.
   void MoveArm();
   void Click(QWidget& widget);
 
-  /// Who talks to each other shares the secret of one user: ours.
+  /// All programs of the test share the cookie of one user, ours.
   [[nodiscard]] std::map<std::string, std::string> FlowEnvironment() const;
   std::unique_ptr<Program> StartLcm(const std::string& name,
                                     const std::string& system = TENDON_DEMO_SYSTEM) const;

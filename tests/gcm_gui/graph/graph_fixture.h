@@ -13,7 +13,7 @@ namespace tendon::gui {
 
 inline constexpr int kGraphPatience = 20'000;  // ms; bounds a test that fails
 
-/// The graph over a system that only exists on paper; it is empty until Show().
+/// The graph of a system that exists only as a catalogue; it is empty until Show().
 class GraphFixture : public ::testing::Test {
  protected:
   explicit GraphFixture(SystemBuilder system) : system_(std::move(system)) {}

@@ -36,7 +36,8 @@ class RecordingActions final : public SystemActions {
   QStringList asked;
 };
 
-/// Knows one type, and remembers the calls: "robot/arm/Control.MoveTo {...}". The test answers.
+/// Knows one type, and records the calls: "robot/arm/Control.MoveTo {...}". The test gives the
+/// answers.
 class ScriptedCalls final : public CommandCalls {
  public:
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
@@ -62,7 +63,7 @@ class ScriptedChecks final : public ConnectionChecks {
   DiagnosisHandler diagnosis;  ///< of the newest question
 };
 
-/// Remembers the plan; the test says how its steps went.
+/// Records the plan; the test sets the outcomes of its steps.
 class ScriptedPlans final : public PlanRunner {
  public:
   void carryOut(Plan wanted, AfterError after, Progress on_step, Done on_end) override {
@@ -82,7 +83,7 @@ class ScriptedPlans final : public PlanRunner {
   int stopped = 0;
 };
 
-/// Remembers what is wanted of it; the test sends rows and values by its signals.
+/// Records the requested signals and columns; the test sends rows and values by its Qt signals.
 class ScriptedSignals final : public SignalSource {
   Q_OBJECT
 
@@ -113,7 +114,7 @@ class ScriptedSignals final : public SignalSource {
   QMap<QString, ChannelList> shapes_;
 };
 
-/// Remembers what it was asked; the test sends log and events by its signals, and answers.
+/// Records its requests; the test gives the answers, and sends log and events by its Qt signals.
 class ScriptedReports final : public SystemReports {
   Q_OBJECT
 

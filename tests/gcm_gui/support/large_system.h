@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// Components of which nearly all drive the one before: `process_100/component_100`, … Each has so
-/// many commands besides, ten in an interface.
+/// Components of which nearly all are connected to the one before: `process_100/component_100`, …
+/// Each also has this number of commands, ten in an interface.
 SystemBuilder LargeSystem(int processes, int of_each, int commands = 0);
 
 std::string LargeProcess(int i);

@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Where a test leaves the picture `name` for people, in the build this program lies in; the folder
-/// is made.
+/// The file in which a test saves the picture `name` for people, in this program's build folder.
+/// Creates the folder.
 inline QString PictureFile(const QString& name) {
   const QDir folder(QCoreApplication::applicationDirPath() + "/../pictures");
   folder.mkpath(".");

@@ -11,7 +11,7 @@ namespace tendon::gui {
 /// Builds a catalogue step by step, as the changes of a GCM would.
 class SystemBuilder {
  public:
-  /// `reason` why it is lost, or of one that is alive who does not reach it.
+  /// `reason` says why it is lost or, for a living process, which hosts cannot reach it.
   SystemBuilder& Process(const std::string& name, ProcessState state = ProcessState::kAlive,
                          std::int64_t since = 0, std::uint64_t instance = 1,
                          const std::string& reason = {});
@@ -36,7 +36,7 @@ class SystemBuilder {
   std::uint64_t last_connection_ = 0;
 };
 
-// Descriptions in a few words. A type's name stands for its fingerprint.
+// Short forms for descriptions. The fingerprint of a type is computed from its name.
 MemberDescription Write(const std::string& name, const std::string& type);
 MemberDescription Read(const std::string& name, const std::string& type);
 MemberDescription Void(const std::string& name);

@@ -15,13 +15,13 @@ namespace tendon::gui {
 
 inline constexpr int kPatience = 20000;  // ms; bounds a test that fails
 
-/// A whole window over a system that only exists on paper.
+/// A whole window with a system that exists only as a catalogue.
 class WindowFixture : public ::testing::Test {
  protected:
   explicit WindowFixture(std::int64_t lost_since = 0);
 
   [[nodiscard]] WindowParts Parts();
-  /// Until all of it has its place in the graph.
+  /// Waits until every item has its place in the graph.
   void Show();
 
   SystemBuilder system_;

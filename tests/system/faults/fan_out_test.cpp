@@ -98,7 +98,8 @@ TEST_P(FanOutTest, TheMessagesThatKillProgramsOfIceDoNotKillTheBroker) {
   EXPECT_THAT(stream_->verdict().stale, testing::IsEmpty()) << "it came by the broker all the time";
   const std::uint64_t stale = later->verdict().stale.size();
   broker_->Signal(SIGKILL);
-  EXPECT_TRUE(Eventually([&] { return later->verdict().stale.size() > stale; })) << "it was of no use";
+  EXPECT_TRUE(Eventually([&] { return later->verdict().stale.size() > stale; }))
+      << "it was of no use";
 }
 
 /// Without the broker, viewers are told that there are no rows, and get them directly.
@@ -110,7 +111,8 @@ TEST_P(FanOutTest, WhereTheBrokerDiesRowsComeDirectly) {
   broker_->Signal(SIGKILL);
   broker_->Wait();
 
-  ASSERT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; })) << "it was of no use";
+  ASSERT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; }))
+      << "it was of no use";
   ASSERT_TRUE(AllGetMore({stream_}, 100));
   const StreamChecker::Verdict verdict = stream_->verdict();
   Tell(ToString(verdict));
@@ -136,7 +138,8 @@ TEST_P(FanOutTest, ABrokerThatReturnsIsUsedAgain) {
   const std::uint64_t stale = stream_->verdict().stale.size();
   broker_->Signal(SIGKILL);
 
-  EXPECT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; })) << "it was of no use";
+  EXPECT_TRUE(Eventually([&] { return stream_->verdict().stale.size() > stale; }))
+      << "it was of no use";
   EXPECT_TRUE(AllGetMore({first, stream_}, 100));
 }
 

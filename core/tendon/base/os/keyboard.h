@@ -6,9 +6,9 @@
 
 namespace tendon::os {
 
-/// While it lives, reads the keys of the terminal at the standard input, each at once and without
-/// an echo. Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). Used by one
-/// thread; only one object may exist at a time.
+/// Reads single keys of the terminal at the standard input, without echo, while this object exists.
+/// Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). Used by one thread; only
+/// one object may exist at a time.
 class Keyboard {
  public:
   Keyboard();

@@ -10,7 +10,7 @@ namespace tendon::os {
 /// Writes a stream to a descriptor whose reader may be slow, stopped or gone. If a write has to
 /// wait and the process is, or was, asked to end (WasTerminationRequested()), it stops waiting: the
 /// rest is not written, and the stream fails until the program goes on (HoldTerminationSignals()
-/// and clear() of the stream). After any other failure the stream fails for good.
+/// and clear() of the stream). After any other failure the stream fails permanently.
 ///
 /// Writes to a terminal at once; elsewhere when the stream is flushed or has 64 KiB. Thread safety:
 /// one thread at a time.

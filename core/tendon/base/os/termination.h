@@ -26,8 +26,8 @@ bool TerminationRequested(std::chrono::milliseconds patience) noexcept;
 /// Discards a pending SIGINT that no function above has reported yet.
 void ForgetInterrupt() noexcept;
 
-/// While it lives, SIGINT and SIGTERM end the process at once, even if they are held. Use it around
-/// waits that cannot be interrupted, on the stack of main()'s thread.
+/// While this object exists, SIGINT and SIGTERM end the process at once, even if they are held. Use
+/// it around waits that cannot be interrupted, on the stack of main()'s thread.
 class TerminationUnblockScope {
  public:
   TerminationUnblockScope() noexcept;
@@ -40,7 +40,7 @@ class TerminationUnblockScope {
 };
 
 /// Replaces the termination signals in one thread of a program with a window, where the user stops
-/// the work of that thread, not the program. While it lives, WaitForTermination() and
+/// the work of that thread, not the program. While this object exists, WaitForTermination() and
 /// TerminationRequested() in its thread check this object, and signals stay held.
 class Interruption {
  public:

@@ -52,8 +52,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason);
-  /// Finds the subscription by its number or by that of one of its events; returns it with its
-  /// attempt.
+  /// Finds the subscription by its number or by the number of one of its events; returns it with
+  /// its attempt.
   std::pair<SharedListener, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
   SharedListener Take(const Key& key);
 

@@ -28,7 +28,7 @@ class EventListener {
   /// Begins an attempt. Returns false if another one is in progress or active, or the subscription
   /// has ended.
   bool Try(std::uint32_t attempt);
-  /// The active attempt; `handle` identifies it at the other end.
+  /// The accepted attempt: its channel, its number at the other end, and the clock of that end.
   struct Place {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;

@@ -15,7 +15,7 @@ namespace tendon {
 [[nodiscard]] std::string FollowersText(const Catalogue& catalogue, const std::string& process,
                                         const std::string& component);
 
-/// The components that stopped together with the component of the step.
+/// The components that the step `stop` stopped in addition to its own component.
 [[nodiscard]] std::vector<std::string> FollowersOf(const message::LifeStep& stop);
 
 /// Checks that these components are still as the stop left them.

@@ -32,7 +32,7 @@ bool IsOutcomeUnknown(const Error& error) {
 Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"}; }
 
 Error MayComeBack(const message::HistoryEntry& step) {
-  return {ErrorCode::kFailed, WholeText(step) + " is not passed over, because process '" +
+  return {ErrorCode::kFailed, WholeText(step) + " is not skipped, because process '" +
                                   ProcessOf(step) +
                                   "' is lost and may come back with it; if it is gone for good: "
                                   "gcm forget " +
@@ -171,11 +171,10 @@ void Orders::PassOver(const message::StepSelection& which, const std::string& wh
   auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
   if (which.id == 0 && CheckUndo(*step)) {
-    const Error error{ErrorCode::kFailed,
-                      WholeText(*step) +
-                          " can be undone, so it is not passed over; to pass over it "
-                          "anyway: gcm undo --skip --step " +
-                          std::to_string(step->id)};
+    const Error error{ErrorCode::kFailed, WholeText(*step) +
+                                              " can be undone, so it is not skipped; to skip it "
+                                              "anyway: gcm undo --skip --step " +
+                                              std::to_string(step->id)};
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
   const auto* owner = parts_.registry.catalogue().FindProcess(ProcessOf(*step));

@@ -61,7 +61,7 @@ class Orders : private OrderSender {
   template <typename T>
   void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer, Done<T> done);
 
-  // Changes of one interface, one at a time, not recorded in the history.
+  // These change one interface. One change of an interface runs at a time, and none is recorded.
 
   class ConnectOrder;
   class ReplaceOrder;
@@ -76,7 +76,7 @@ class Orders : private OrderSender {
   void MakePending(const message::Wire& wire, const ConnectDone& done);
   void Break(const InterfaceName& required, ConnectDone done);
   void Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done);
-  /// A step of an order as the handler of an answer: takes the owner's lock.
+  /// Returns a handler that takes the owner's lock and then calls the function `step` of `order`.
   template <typename Order, typename Reply>
   Done<Reply> Step(std::shared_ptr<Order> order,
                    void (Order::*step)(Orders&, const Result<Reply>&));

@@ -77,8 +77,8 @@ Result<void> ClientExecutor::KeepLock() {
   if (!has_turn_) return {};
   const auto kept = AskForTurn();
   if (kept || kept.error().code != ErrorCode::kFailed) return kept;
-  return Error{kept.error().code,
-               "the plan lost its turn with the connection to the GCM; " + kept.error().message};
+  return Error{kept.error().code, "the plan lost its lock when the connection to the GCM broke; " +
+                                      kept.error().message};
 }
 
 Result<void> ClientExecutor::Execute(const PlanStep& step) {

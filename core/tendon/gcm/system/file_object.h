@@ -89,7 +89,7 @@ class UniqueNames {
 /// A member with the class name of a component.
 [[nodiscard]] std::string ReadClassName(const FileObject& object, const std::string& key);
 
-/// A configuration as a component keeps it, on one line of ASCII. Refuses a value that is not an
+/// The text of a component's configuration: one line of ASCII. Refuses a value that is not an
 /// object or is too long.
 [[nodiscard]] std::string ConfigurationText(const Json& configuration, const std::string& place);
 

@@ -6,9 +6,9 @@
 
 namespace tendon {
 
-/// While it lives, calls and events of its thread wait for room in a full mailbox instead of being
-/// refused, at most kPatience in total. Used during Cleanup(), which is not part of a cycle, and
-/// whose last command, such as a stop, must not be refused.
+/// While this object exists, calls and events of its thread wait for room in a full mailbox instead
+/// of being refused, at most kPatience in total. Used during Cleanup(), which is not part of a
+/// cycle, and whose last command, such as a stop, must not be refused.
 class BlockWhenFull {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};

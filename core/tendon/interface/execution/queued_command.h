@@ -52,8 +52,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     return claimed;
   }
 
-  /// Decodes the argument where it waits, without a copy. So a malformed argument uses a slot until
-  /// the server passes it by, and gets the status of the mailbox if that refuses the call.
+  /// Decodes the argument directly into its slot, without a copy. So a malformed argument occupies
+  /// a slot until the server skips it. If the mailbox refuses the call, the caller gets the status
+  /// of the mailbox, not kInvalid.
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
     std::byte* argument = nullptr;

@@ -122,8 +122,8 @@ void PeerSession::Listen(Body body, Responder responder) {
       });
 }
 
-/// Serves on the worker what may wait for the manager's lock. Reserves room in the quota before
-/// it decodes, because decoding takes more memory.
+/// Serves requests that may wait for the manager's lock on the worker. Reserves room in the quota
+/// before it decodes, because decoding takes more memory.
 template <typename Wanted>
 void PeerSession::Post(
     Body body, Responder responder,
@@ -134,8 +134,8 @@ void PeerSession::Post(
         {ErrorCode::kFailed, "process '" + services_.context.name + "' keeps at most " +
                                  std::to_string(RequestQuota::kMostTasks) + " requests, of " +
                                  std::to_string(RequestQuota::kMostBytes) +
-                                 " bytes together, of one peer until it comes to them: ask for "
-                                 "less at once, or wait for answers"});
+                                 " bytes together, of one peer that wait to be handled: send "
+                                 "fewer at once, or wait for answers"});
   }
   auto wanted = DecodeBody<Wanted>(body);
   if (!wanted) return responder.Refuse(wanted.error());
@@ -147,7 +147,7 @@ void PeerSession::Post(
 /// A notice cannot be refused, so the channel is closed if the quota is used up.
 void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
   const auto place = quota_->Enter(0);
-  if (!place) return channel->CutOff("sends more than this process comes to");
+  if (!place) return channel->CutOff("sends more than this process can handle");
   services_.context.worker->Post([place, serve = std::move(serve)] { serve(); });
 }
 

@@ -49,7 +49,8 @@ class RemoteConnections final : private PeerListener {
   /// True if servers may still execute accepted calls of the component.
   [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
 
-  /// Ends all connections, once the worker has stopped; sends accepted calls until `deadline`.
+  /// Call it after the worker has stopped. Ends all connections; until `deadline`, sends the
+  /// accepted calls first.
   void Close(SteadyTime deadline);
 
  private:

@@ -72,13 +72,13 @@ struct LifeOrder {
   std::uint64_t instance = 0;  ///< instance of the target process; 0: any
   std::string component;       ///< all but load
   std::string class_name;      ///< create
-  /// For load, and for create, where empty means the only loaded library with this class.
+  /// For load and create. For create, empty means the only loaded library that has this class.
   std::string library;
   std::string configuration;  ///< create, configure: JSON; empty for the defaults
   /// For configure: BaseOf() of the configuration that this one is based on. The order is refused
-  /// if the component has another one by now. Zeros: replaces any configuration.
+  /// if the component's configuration has changed since. All zeros: replaces any configuration.
   Fingerprint based_on;
-  std::string thread;  ///< create: ThreadOptions as JSON; empty for those of the class
+  std::string thread;  ///< create: ThreadOptions as JSON; empty: as the class chooses
   std::string leader;  ///< create: the component after which it runs, or empty
   /// Start: refuses if a required interface that the component needs is not connected.
   bool is_strict = false;

@@ -33,7 +33,7 @@ class TopicState {
   /// From now on, the subscription gets no batches.
   void End() { Begin(0); }
 
-  /// While it lives, a message is being handled.
+  /// While this object exists, a message is being handled.
   class MessageScope {
    public:
     explicit MessageScope(TopicState& line) : line_(line) { line_.SetBusy(true); }

@@ -27,10 +27,10 @@ class RowSubscription {
   /// The subscription is active. Returns an error if the answer is invalid; otherwise the number of
   /// this activation, which its batches carry. Rows written while it was inactive count as lost.
   Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed);
-  /// The same for rows through a topic: it starts with the first batch that arrives.
+  /// Begin() for rows through a topic: rows are counted from the first batch that arrives.
   Result<std::uint64_t> BeginTopic(const message::SubscribeReply& subscribed);
-  /// Delivers a batch of activation `beginning`. Ignores batches that are malformed, out of order
-  /// or of an earlier activation.
+  /// Delivers a batch that carries the number `beginning`, returned by Begin(). Ignores batches
+  /// that are malformed, out of order or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
   /// Called when there are no rows for now. Notifies the sink once for each reason.
   void Interrupt(const Error& reason);

@@ -62,7 +62,7 @@ class TableFeed {
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // rows between the writer and the row of the last skip
+  std::uint64_t head_start_ = 0;  // how far behind the writer the last skip ended, in rows
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

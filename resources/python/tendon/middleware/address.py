@@ -26,7 +26,7 @@ class Address(NamedTuple):
 
 
 def parse_address(text: str, is_encrypted: bool = False) -> Address:
-    """Reads host:port, which is on this machine unless what is sent there is encrypted."""
+    """Reads host:port. The host must be this machine, unless the link is encrypted."""
     host, colon, port = text.rpartition(":")
     if not colon:
         raise Invalid(f"address '{text}': expected host:port, such as 127.0.0.1:10705")
@@ -47,7 +47,8 @@ def parse_address(text: str, is_encrypted: bool = False) -> Address:
 
 
 def gcm_address(chosen: str | None) -> str:
-    """`chosen`, else $TENDON_GCM, else this machine; a host alone means the usual port."""
+    """`chosen`, otherwise $TENDON_GCM, otherwise this machine. A host without a port gets the
+    default port."""
     address = chosen or os.environ.get("TENDON_GCM") or "127.0.0.1"
     is_host = ":" not in address or address.endswith("]")
     return f"{address}:{DEFAULT_GCM_PORT}" if is_host else address

@@ -1,4 +1,5 @@
-"""Certificates: what this program shows under TLS, and whose it is that a peer shows."""
+"""Certificates: the one that this program shows under TLS, and the owner of the one that a peer
+shows."""
 
 from __future__ import annotations
 
@@ -30,7 +31,7 @@ class Credentials(NamedTuple):
 
 
 class Shown(NamedTuple):
-    """Whose a certificate is, and which role that has."""
+    """The owner of a certificate, and the owner's role."""
 
     name: str
     role: str
@@ -38,8 +39,8 @@ class Shown(NamedTuple):
 
 def chosen_credentials(certificate: str | os.PathLike[str] | None,
                        authority: str | os.PathLike[str] | None) -> Credentials | None:
-    """Those files, else $TENDON_CERTIFICATE and $TENDON_CA, and the user's own CA; None where no
-    certificate is wanted. Raises NotFound or Denied where they cannot be used."""
+    """These files; the defaults are $TENDON_CERTIFICATE, $TENDON_CA and the user's own CA. None if
+    no certificate is chosen. Raises NotFound or Denied if the files cannot be used."""
     file = certificate or os.environ.get("TENDON_CERTIFICATE")
     if not file:
         return None
@@ -55,8 +56,8 @@ def chosen_credentials(certificate: str | os.PathLike[str] | None,
 
 
 def holder_of(text: str) -> Shown:
-    """Whose a certificate (PEM) is: its subject has one CN and one OU. Whether it can be believed
-    is not looked at. Raises Invalid."""
+    """The owner of a certificate (PEM), whose subject has one CN and one OU. Does not check whether
+    the certificate is valid. Raises Invalid."""
     if len(text) > MAX_CERTIFICATE:
         raise Invalid("its certificate cannot be read")
     try:
@@ -79,7 +80,7 @@ def holder_of(text: str) -> Shown:
 
 
 def _values(data: bytes) -> Iterator[tuple[int, bytes]]:
-    """Tag and content of each value of DER, one after the other."""
+    """Yields the tag and the content of each DER value in turn."""
     while data:
         if len(data) < 2:
             raise ValueError

@@ -11,13 +11,13 @@ MAGIC = 0x4E444E54  # "TNDN"
 PROTOCOL_VERSION = 10
 HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10
-"""A frame may have at most this many bytes, header included; what is larger travels in parts."""
+"""The largest frame in bytes, header included. Larger frames are sent in parts."""
 MAX_UNAUTHENTICATED_FRAME_SIZE = 64 << 10
-"""The same of a peer that has not proved who it is."""
+"""The same limit for a peer that is not authenticated."""
 MAX_BODY_SIZE = (64 << 20) + (64 << 10)
-"""Of a frame that comes in parts: the largest payload, and what its message puts around it."""
+"""For a frame that comes in parts: the largest payload plus the other fields of its message."""
 MAX_REPLIES = 256
-"""Answers that come in one message, at most."""
+"""The largest number of answers in one message."""
 MAX_REPLIES_SIZE = (16 << 10) - HEADER_SIZE
 """Bytes of its body, at most."""
 
@@ -42,8 +42,8 @@ def write_frame(header: Header, body: bytes) -> bytes:
 
 
 def claimed_size(begun: bytes, limit: int = MAX_PIECE_SIZE) -> int | None:
-    """How many bytes the frame has that begins so; None where these begin none, or one of over
-    `limit` bytes."""
+    """The size of the frame that begins with these bytes. None if they are not the beginning of a
+    frame, or if it would have more than `limit` bytes."""
     if len(begun) < HEADER_SIZE:
         return None
     magic, _, _, _, size, _ = _HEADER.unpack_from(begun)
@@ -52,7 +52,7 @@ def claimed_size(begun: bytes, limit: int = MAX_PIECE_SIZE) -> int | None:
 
 
 def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes] | None:
-    """Header and body of exactly one frame; None where it has another size than it claims."""
+    """Header and body of exactly one frame; None if its size differs from the size that it claims."""
     if claimed_size(frame, limit) != len(frame):
         return None
     _, version, type_number, request, _, handle = _HEADER.unpack_from(frame)
@@ -60,8 +60,8 @@ def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes
 
 
 def read_replies(body: bytes) -> list[tuple[int, bytes]]:
-    """Several answers that came together: to which request each is, and its body. Raises Invalid
-    where the bytes are no such batch."""
+    """Several answers that came in one message: for each, the number of its request and its body.
+    Raises Invalid if the bytes are not such a batch."""
     replies = []
     rest = memoryview(body)
     while rest and len(replies) < MAX_REPLIES:

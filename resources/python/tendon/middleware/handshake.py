@@ -1,5 +1,5 @@
-"""How the opener of a link proves that it knows this user's cookie, without saying it; under TLS
-certificates prove who is there, and the proofs are zeroes:
+"""The opener of a link proves that it knows this user's cookie, without sending it. Under TLS
+certificates prove the identities, and the proofs are zeroes:
 
     opener     HELLO      Greeting
     acceptor   CHALLENGE  Challenge: its greeting and its proof
@@ -42,7 +42,7 @@ def runtime_folder() -> Path:
 
 def loopback_cookie() -> int:
     """The secret of this user on this machine: a file of mode 0600, made by the first program of
-    Tendon. Raises Denied where there is none yet, or others may read it."""
+    Tendon. Raises Denied if it does not exist yet, or if others may read it."""
     file = runtime_folder() / "cookie"
     try:
         descriptor = os.open(file, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW)
@@ -75,9 +75,9 @@ class Answer(NamedTuple):
 
 
 class Opener:
-    """The opener's half. `address` is where it finds the acceptor; `peer` is the acceptor's
-    greeting once that has proved itself. Under TLS, with whatever certificate the acceptor has
-    `shown`, the cookie is 0, and only the process `wanted` will do."""
+    """The opener's side. `address` is the address of the acceptor; `peer` is the acceptor's
+    greeting, after the acceptor was authenticated. Under TLS, `shown` is the acceptor's
+    certificate, the cookie is 0, and only the process `wanted` is accepted."""
 
     def __init__(self, name: str, address: str, cookie: int, shown: Shown | None = None,
                  wanted: str = "") -> None:
@@ -95,8 +95,8 @@ class Opener:
         return Answer(MessageType.HELLO, messages.encode("Greeting", self._mine))
 
     def take(self, header: Header, body: bytes) -> Answer | None:
-        """What the peer's next frame is answered with; nothing once `is_welcome`. Raises the
-        reason when we are not."""
+        """Returns the answer to the peer's next frame; nothing once `is_welcome` is true. If the
+        peer refuses this program, raises the reason."""
         if header.type == MessageType.REFUSAL:
             raise messages.read_refusal(body, self._address)
         if header.version != PROTOCOL_VERSION:  # its body is unknown here
@@ -123,8 +123,8 @@ class Opener:
         return Answer(MessageType.PROOF, messages.encode("Proof", proof))
 
     def _check_shown(self, shown: Shown, name: str) -> None:
-        """Before anything is said that is not for everybody. That it is the certificate of a
-        process TLS itself sees."""
+        """Checks the name in the peer's certificate before anything confidential is sent. TLS
+        itself checks that it is the certificate of a process."""
         if shown.name != name:
             raise Denied(f"{self._address} calls itself '{name}', but shows the certificate of "
                          f"'{shown.name}': do not trust it")
@@ -147,7 +147,7 @@ class Opener:
                             f"{PROTOCOL_VERSION}: update {behind}")
 
 
-# What a proof covers: each part is preceded by its size, so that none runs into the next.
+# The content of a proof. Each part is preceded by its size, so that no bytes can move from one part to the next.
 _GREETING = messages.SCHEMAS["tendon.Greeting"]
 _COVERED = Structure("tendon.Covered", (
     Field("role", Number("uint8")), Field("opener", _GREETING), Field("acceptor", _GREETING),

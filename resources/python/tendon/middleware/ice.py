@@ -29,8 +29,8 @@ _NO_ANSWER_YET = _ENCAPSULATION.pack(_ENCAPSULATION.size + 1, 1, 1) + b"\0"
 
 ENVELOPE = 16 << 10  # what Ice puts around a frame
 
-# All that a communicator is started with, as core/tendon/ice/settings.cpp: nothing comes from the
-# environment. Times in ms, those of ACM in s: clients show that they live.
+# All settings of a communicator, as in core/tendon/ice/settings.cpp; the environment has no influence. Times are in
+# ms, those of ACM in s; clients send heartbeats.
 _SETTINGS = {
     "Ice.Admin.Enabled": "0",
     "Ice.MessageSizeMax": str((MAX_PIECE_SIZE + ENVELOPE) >> 10),
@@ -52,7 +52,7 @@ OnClosed = Callable[[Error], None]
 
 
 class Network:
-    """One communicator; all of its links are under TLS where it has credentials. Thread-safe."""
+    """One communicator. With credentials, all of its links use TLS. Thread-safe."""
 
     def __init__(self, credentials: Credentials | None = None) -> None:
         self._credentials = credentials
@@ -74,17 +74,17 @@ class Network:
 
     @property
     def is_encrypted(self) -> bool:
-        """Whether all of its links are under TLS."""
+        """True if all of its links use TLS."""
         return self._credentials is not None
 
     def address(self, text: str) -> Address:
-        """Reads host:port, of where this network may go."""
+        """Reads host:port; refuses an address that this network may not use."""
         return parse_address(text, is_encrypted=self.is_encrypted)
 
     def open(self, address: Address, on_frame: OnFrame, on_closed: OnClosed,
              timeout: float) -> IceLink:
-        """A new connection to whoever listens at an address, within `timeout` seconds. What it
-        hears is told in one thread of Ice, which must not be held up."""
+        """Opens a connection to the program at an address, within `timeout` seconds. Received
+        frames are passed on in one thread of Ice, which must not be blocked."""
         deadline = time.monotonic() + timeout
         with self._lock:
             if self._is_closed:
@@ -142,22 +142,22 @@ class IceLink:
             connection.createProxy(_IDENTITY).ice_oneway())
 
     def send(self, frame: bytes) -> None:
-        """Hands a frame over, of at most MAX_PIECE_SIZE, in order. May wait for a peer that does
-        not read, for 3 s. Not in a thread of Ice."""
+        """Sends a frame of at most MAX_PIECE_SIZE, in order. If the peer does not read, waits for
+        up to 3 s. Must not be called in a thread of Ice."""
         try:
             self._peer.frame(frame)
         except Ice.Exception:
             raise Unreachable(f"{self.peer_address} is not connected") from None
 
     def post(self, frame: bytes) -> None:
-        """The same in a thread of Ice: waits for nothing, and says nothing of a link that ends."""
+        """The same for a thread of Ice: never waits, and does not report a link that has ended."""
         try:
             self._peer.frameAsync(frame)
         except Ice.Exception:
             pass
 
     def admit(self) -> None:
-        """The peer has proved who it is, and may send large frames."""
+        """Called when the peer is authenticated; from then on it may send large frames."""
         self._limit = MAX_PIECE_SIZE
 
     def close(self) -> None:
@@ -165,7 +165,7 @@ class IceLink:
         self._connection.close(Ice.ConnectionClose.Forcefully)
 
     def deliver(self, data: bytes | None) -> None:
-        """One message of Ice; cuts a peer off that sends something else than frames."""
+        """Handles one message of Ice; disconnects a peer that sends anything but frames."""
         frame = None if data is None else read_frame(data, self._limit)
         if frame is None:
             self.close()
@@ -174,8 +174,9 @@ class IceLink:
 
 
 class _Endpoint(Ice.Blobject):  # type: ignore[misc]
-    """The opener's end of the contract, for all connections. Dispatched by hand: the code that Ice
-    makes of the contract dies of a malformed message, in Python as in C++."""
+    """The opener's end of the contract, for all connections. Dispatched by our own code, because
+    the code that Ice generates from the contract crashes on a malformed message, in Python as in
+    C++."""
 
     def __init__(self, links: dict[Any, IceLink]) -> None:
         self._links = links
@@ -192,8 +193,8 @@ class _Endpoint(Ice.Blobject):  # type: ignore[misc]
 
 
 def only_parameter(encapsulation: bytes) -> bytes | None:
-    """The one sequence of bytes that is the parameter of an operation, or None where the
-    encapsulation is malformed or holds anything else."""
+    """The only parameter of an operation, a sequence of bytes. None if the encapsulation is
+    malformed or contains anything else."""
     if len(encapsulation) < _ENCAPSULATION.size + 1:
         return None
     claimed, major, minor = _ENCAPSULATION.unpack_from(encapsulation)
@@ -217,7 +218,8 @@ def _left(deadline: float) -> float:
 
 
 def _tls_settings(credentials: Credentials | None) -> dict[str, str]:
-    """As core/tendon/ice/tls.cpp; the list of the revoked is read once."""
+    """The settings for TLS, as in core/tendon/ice/tls.cpp; the list of revoked certificates is read
+    once."""
     if credentials is None:
         return {}
     return {
@@ -249,7 +251,7 @@ def _shown_by(connection: Any) -> Shown | None:
 
 
 def _peer_of(connection: Any) -> str:
-    """As the peer calls itself in the handshake."""
+    """The address in the same form as the peer uses it in the handshake."""
     info = connection.getInfo()
     while info.underlying is not None:
         info = info.underlying

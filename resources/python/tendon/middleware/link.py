@@ -37,8 +37,8 @@ class Asked(NamedTuple):
 
 
 class Link:
-    """One end, open from the start; raises the reason where it does not come about, also where
-    under TLS another process than the one that is wanted is there. Thread-safe.
+    """One end of a link. The constructor opens it, and raises the reason if that fails; under TLS,
+    it also fails if the process at the address is not the `wanted` one. Thread-safe.
 
     `on_notice` and `on_closed` are called in a thread of Ice and must not wait for anything.
     """
@@ -73,11 +73,11 @@ class Link:
 
     @property
     def is_open(self) -> bool:
-        """Whether it still stands, as far as is known."""
+        """True if the link is still open, as far as is known."""
         return self._reason is None
 
     def close(self) -> None:
-        """Ends it; requests that wait are told so."""
+        """Closes the link; waiting requests fail."""
         self._end(Unreachable("the connection was closed by this program"))
 
     def notify(self, message_type: MessageType, handle: int) -> None:
@@ -85,8 +85,8 @@ class Link:
         self._send(Header(message_type, 0, handle), b"")
 
     def start(self, message_type: MessageType, body: bytes, on_reply: OnReply | None) -> Asked:
-        """Sends a request; its answer comes as what `on_reply` makes of it, in a thread of Ice and
-        before anything that was sent after it is told."""
+        """Sends a request. `on_reply` converts its answer, in a thread of Ice, before any later
+        message of the peer is handled."""
         with self._lock:
             if self._reason is not None:
                 raise self._reason
@@ -102,7 +102,7 @@ class Link:
 
     def request(self, message_type: MessageType, body: bytes, timeout: float,
                 on_reply: OnReply | None = None) -> Any:
-        """Sends a request and waits for its answer; raises the peer's reason where it refuses."""
+        """Sends a request and waits for its answer; raises the peer's reason if it refuses."""
         asked = self.start(message_type, body, on_reply)
         try:
             return asked.answer.result(timeout)

@@ -1,6 +1,6 @@
-"""Frames that are too large for one piece travel in parts, which are frames of type PART, beside
-others; each end tells the other how many bytes of parts it has taken, so that no more than a
-little is on its way."""
+"""Frames that are too large for one piece are sent in parts: frames of type PART, between which
+other frames may pass. Each end reports to the other how many bytes of parts it has received, so
+that only a limited number of bytes is on the way."""
 
 from __future__ import annotations
 
@@ -16,18 +16,19 @@ from .frame import (HEADER_SIZE, MAX_BODY_SIZE, MAX_PIECE_SIZE, Header, claimed_
 
 MAX_PART_SIZE = MAX_PIECE_SIZE - HEADER_SIZE
 LEAST_PART_SIZE = (16 << 10) - HEADER_SIZE
-"""Of every part of a frame but the last."""
+"""The smallest size of a part, except for the last part of a frame."""
 PART_SIZE = 2 * LEAST_PART_SIZE
-"""Of those that are sent: on a slow line, too, one does not take long, and each is a sign of life."""
+"""The size of the parts that are sent. It is small, because each part is a sign of life and must
+not take long on a slow line."""
 PARTS_AHEAD = 1 << 20
-"""So many bytes may be on their way that the peer has not taken."""
+"""The maximum number of sent bytes that the peer has not acknowledged."""
 MAX_CLAIMED = HEADER_SIZE + MAX_BODY_SIZE + (8 << 20)
-"""What a peer may have on its way: one huge frame, and a window of others."""
+"""The limit of unfinished frames of a peer: one huge frame, and a window of others."""
 
 
 class PartAssembly:
-    """Puts together what a peer sends in parts. No more is kept than frames claim. Not
-    thread-safe."""
+    """Assembles the frames that a peer sends in parts. Keeps no more bytes than the frames claim.
+    Not thread-safe."""
 
     def __init__(self) -> None:
         self.taken = 0
@@ -35,8 +36,8 @@ class PartAssembly:
         self._begun: dict[int, tuple[int, bytearray]] = {}
 
     def add(self, number: int, part: bytes) -> tuple[Header, bytes] | None:
-        """The frame that this part makes whole, or None; `number` tells frames apart that come at
-        one time. Raises Invalid where it is part of none."""
+        """The frame that this part completes, or None. `number` distinguishes frames that arrive at
+        the same time. Raises Invalid if the part belongs to no frame."""
         if number not in self._begun:
             size = claimed_size(part, HEADER_SIZE + MAX_BODY_SIZE)
             claimed = sum(one for one, _ in self._begun.values())
@@ -68,8 +69,8 @@ class PartSender:
         self._reason: Error | None = None  # why the link is closed
 
     def send(self, frame: bytes, timeout: float) -> None:
-        """Waits for a peer that takes no more, at most `timeout` seconds in all. Where that did not
-        suffice the link must be closed: the peer has a part of the frame."""
+        """If the peer does not read, waits for at most `timeout` seconds in total. If that is not
+        enough, the link must be closed, because the peer has only a part of the frame."""
         deadline = time.monotonic() + timeout
         with self._turn:
             self._last_number += 1
@@ -82,7 +83,8 @@ class PartSender:
                 self._send(write_frame(header, part))
 
     def on_taken(self, body: bytes) -> None:
-        """In a thread of Ice: the body of PARTS_TAKEN. Raises Invalid where it cannot be."""
+        """Called in a thread of Ice with the body of PARTS_TAKEN. Raises Invalid if the number is
+        impossible."""
         taken = messages.decode("PartsTaken", body)
         with self._changed:
             if not self._taken <= taken <= self._sent:

@@ -19,7 +19,7 @@ class Writer:
 
     def numbers(self, letter: str, *values: Any) -> None:
         """Writes numbers of one kind in a row; `letter` is that of module struct. Raises
-        struct.error or OverflowError where one does not fit."""
+        struct.error or OverflowError if one does not fit."""
         if not values:
             return
         packed = struct.pack(f"<{len(values)}{letter}", *values)
@@ -38,15 +38,15 @@ class Writer:
 
 
 class Reader:
-    """Reads from bytes of any origin; raises Invalid where they do not suffice."""
+    """Reads from untrusted bytes; raises Invalid if there are too few."""
 
     def __init__(self, body: bytes) -> None:
         self._body = memoryview(body)
         self._position = 0
 
     def numbers(self, letter: str, count: int) -> tuple[Any, ...]:
-        """Reads `count` numbers of one kind in a row. Nothing is made before the bytes are seen to
-        be there."""
+        """Reads `count` numbers of one kind in a row. Allocates nothing before it has checked that
+        there are enough bytes."""
         if count == 0:
             return ()
         size = struct.calcsize(letter)
@@ -63,7 +63,7 @@ class Reader:
         return bytes(self._body[start:start + size])
 
     def string(self) -> str:
-        """Reads a string; what is no UTF-8 in it is kept by surrogates."""
+        """Reads a string; bytes that are not UTF-8 become surrogates."""
         size = self.number("I")
         data = self.raw(size)
         if not data or data[-1] != 0:
@@ -71,8 +71,8 @@ class Reader:
         return data[:-1].decode("utf-8", "surrogateescape")
 
     def length(self, minimum_size: int) -> int:
-        """Reads the length of a sequence, and refuses one whose elements, of at least
-        `minimum_size` bytes each, cannot be there."""
+        """Reads the length of a sequence. Refuses it if the remaining bytes cannot hold so many
+        elements of at least `minimum_size` bytes each."""
         length = self.number("I")
         if length > self.remaining // minimum_size:
             raise Invalid(f"a sequence of {length}, for which too few bytes follow")
@@ -85,7 +85,7 @@ class Reader:
 
     @property
     def at_end(self) -> bool:
-        """Whether all was read, but for the padding up to the next multiple of eight."""
+        """True if everything was read, apart from padding up to the next multiple of eight."""
         return len(self._body) <= self._position + -self._position % MAX_ALIGNMENT
 
     def _take(self, size: int, alignment: int) -> int:

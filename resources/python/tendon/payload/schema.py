@@ -1,9 +1,9 @@
-"""The type of a payload at run time, and values of it as bytes and back.
+"""The type of a payload at run time; converts values to bytes and back.
 
-A structure is a dict with a key for each field, an enum the name of its value, a list is a list
-(bytes where it holds uint8), a duration a number of seconds, and None what carries nothing.
-`Schema.encode()` and `Schema.decode()` trust nothing: each says what is wrong by raising Invalid,
-and none makes more than the bytes that are there can fill.
+A structure is a dict with a key for each field, an enum is the name of its value, a list is a list
+(or bytes for uint8), a duration is a number of seconds, and None means no content.
+`Schema.encode()` and `Schema.decode()` check everything: they raise Invalid with the mistake, and
+allocate no more than the received bytes can fill.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Schema:
         raise NotImplementedError
 
     def text(self, indent: str = "") -> str:
-        """The canonical text: all that two ends must agree on."""
+        """The canonical text: exactly the properties that must be equal at both ends."""
         return self.type_name
 
     def encode(self, value: Any) -> bytes:
@@ -58,7 +58,7 @@ class Schema:
         return bytes(writer.body)
 
     def decode(self, body: bytes) -> Any:
-        """The value in a body of any origin, of which nothing is left but padding."""
+        """The value in an untrusted body, after which there may only be padding."""
         reader = Reader(body)
         try:
             value = self.read(reader)
@@ -75,7 +75,7 @@ class Schema:
         raise NotImplementedError
 
     def read(self, reader: Reader) -> Any:
-        """Takes a value off the front, or raises Invalid."""
+        """Removes a value from the front and returns it, or raises Invalid."""
         raise NotImplementedError
 
 
@@ -188,7 +188,7 @@ class Duration(Schema):
 
 @dataclass(frozen=True)
 class Enum(Schema):
-    """One of some names, each with an int32."""
+    """An enum: some names, each with an int32."""
 
     name: str
     values: dict[str, int]
@@ -212,7 +212,7 @@ class Enum(Schema):
         writer.numbers("i", self.values[value])
 
     def read(self, reader: Reader) -> str | int:
-        """A value without a name is shown as a number, so that one sees what is there."""
+        """A value without a name is returned as a number, so that people can see it."""
         number = reader.number("i")
         return self._names.get(number, number)
 
@@ -223,7 +223,7 @@ class Enum(Schema):
 
 @dataclass(frozen=True)
 class List(Schema):
-    """Many of one type: an array of `length`, or a sequence, where that is None."""
+    """Several values of one type: an array of `length`, or a sequence if that is None."""
 
     element: Schema
     length: int | None = None
@@ -267,7 +267,7 @@ class List(Schema):
 
 @dataclass(frozen=True)
 class Field:
-    """One of a structure; `unit` is empty where it has none."""
+    """A field of a structure; `unit` is empty if it has none."""
 
     name: str
     schema: Schema
@@ -276,7 +276,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Structure(Schema):
-    """Named fields in order; without fields it has nothing to say: None."""
+    """Named fields in order. Without fields, its only value is None."""
 
     name: str
     fields: tuple[Field, ...]
@@ -320,13 +320,13 @@ class Structure(Schema):
         return {field.name: field.schema.read(reader) for field in self.fields}
 
 
-# Of module struct, by their names in a schema's text.
+# The format characters of the module struct, by the names of the types in a schema's text.
 NUMBERS = {"bool": "B", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", "int32": "i",
            "uint32": "I", "int64": "q", "uint64": "Q", "float32": "f", "float64": "d"}
 
 
 def inside(step: str, write: Callable[[], None]) -> None:
-    """A mistake that is made meanwhile is one step further in."""
+    """Adds this step to the place of a mistake that is raised inside."""
     try:
         write()
     except Mistake as mistake:
@@ -335,7 +335,7 @@ def inside(step: str, write: Callable[[], None]) -> None:
 
 
 def expected(what: str, unit: str, value: Any) -> Mistake:
-    """What was expected, and what is there, short."""
+    """A short text: what was expected, and what was found."""
     if isinstance(value, str):
         found = f"string {value[:40]!r}"
     elif isinstance(value, dict):

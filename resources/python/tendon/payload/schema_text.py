@@ -1,4 +1,4 @@
-"""Reads the canonical text of schemas, of any origin.
+"""Reads the canonical text of schemas, which is untrusted.
 
     struct arm.JointState {
       position: float64[7] in rad
@@ -36,7 +36,7 @@ def parse(text: str) -> Schema:
 
 
 def parse_all(text: str) -> dict[str, Structure]:
-    """The structures of a text that has one after the other, by their names."""
+    """The structures in a text of several ones, by their names."""
     parser = _Parser(text)
     found: dict[str, Structure] = {}
     while not parser.is_at_end():
@@ -48,7 +48,7 @@ def parse_all(text: str) -> dict[str, Structure]:
 
 
 class _Parser:
-    """Recursive descent; what reads a type returns how many levels it is high, too."""
+    """A recursive-descent parser. The functions that read a type also return its depth."""
 
     def __init__(self, text: str) -> None:
         if len(text) > MAX_TEXT:
@@ -94,13 +94,13 @@ class _Parser:
             raise self.mistake("expected the end")
 
     def mistake(self, what: str) -> Invalid:
-        """Where we are, and what is wrong there."""
+        """An error with the current position and the mistake there."""
         before = self._text[:self._position]
         column = len(before) - (before.rfind("\n") + 1) + 1
         return Invalid(f"schema line {before.count(chr(10)) + 1} column {column}: {what}")
 
     def _list(self, element: Schema) -> List:
-        """What follows '[': a length for an array, nothing for a sequence."""
+        """The text after '[': a length for an array, nothing for a sequence."""
         if self._accept("]"):
             return List(element)
         length = self._number(0, (1 << 32) - 1)
@@ -182,7 +182,7 @@ class _Parser:
             raise self.mistake(f"expected '{wanted}'")
 
     def _accept(self, wanted: str) -> bool:
-        """A letter after any space, or nothing happens."""
+        """Takes this letter, after any spaces, if it comes next."""
         before = self._position
         self._match(_SPACE)
         if self._text.startswith(wanted, self._position):

@@ -9,7 +9,8 @@
 
 namespace tendon::benchmark {
 
-/// A middleware of others that answers each request with 64 bytes, until it is destroyed.
+/// A server of another project's middleware: answers each request with 64 bytes until it is
+/// destroyed.
 class RivalServer {
  public:
   RivalServer() = default;
@@ -21,7 +22,7 @@ class RivalServer {
   [[nodiscard]] virtual std::string address() const = 0;
 };
 
-/// The other end, which is connected already. One thread at a time.
+/// The client, which is already connected. One thread at a time.
 class RivalClient {
  public:
   RivalClient() = default;
@@ -29,12 +30,12 @@ class RivalClient {
   RivalClient& operator=(const RivalClient&) = delete;
   virtual ~RivalClient() = default;
 
-  /// Asks, and waits for the answer; throws where there is none in time.
+  /// Sends a request and waits for the answer; throws if there is none in time.
   virtual void Read(Message& answer) = 0;
 };
 
-/// One of those that we are compared with beside raw Ice: used where its package was found when
-/// this was built.
+/// A middleware that we are compared with in addition to raw Ice; available if its package was
+/// found when this was built.
 struct Rival {
   std::string id;      ///< of its case
   std::string name;    ///< for people

@@ -54,11 +54,9 @@ TEST_P(PlanLock, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
   const auto refused = executor.Execute(connect);
 
   ASSERT_FALSE(refused);
-  EXPECT_THAT(
-      refused.error().message,
-      HasSubstr(
-          "the plan lost its turn with the connection to the GCM; nothing was done, because a "
-          "plan of anna@desk"));
+  EXPECT_THAT(refused.error().message, HasSubstr("the plan lost its lock when the connection to "
+                                                 "the GCM broke; nothing was done, because a "
+                                                 "plan of anna@desk"));
   EXPECT_EQ(Connection(), std::nullopt);
 
   other_->ReleasePlanLock();

@@ -21,7 +21,7 @@ namespace tendon::server {
 using namespace std::
     chrono_literals;  // NOLINT(google-build-using-namespace,google-global-names-in-headers)
 
-/// Ends when the test says so. Under the lock of the launcher's user.
+/// A process that ends when the test says so. Called under the lock of the launcher's owner.
 class FakeProcessOfGcm final : public StartedProcess {
  public:
   explicit FakeProcessOfGcm(std::int64_t pid) : pid_(pid) {}
@@ -83,7 +83,7 @@ class FakeLauncher final : public Launcher {
   std::vector<std::shared_ptr<FakeProcessOfGcm>> processes_;
 };
 
-/// A GCM's part that starts processes which the test plays.
+/// The part of a GCM that starts processes; the test plays these processes.
 class SupervisorTest : public testing::Test {
  protected:
   /// What came of an order.
@@ -162,7 +162,7 @@ class SupervisorTest : public testing::Test {
       registry_.End(session_, state, "its connection broke");
     });
   }
-  /// It fails, is started again after the pause, and joins again.
+  /// Lets the process fail, be restarted after the pause, and join again.
   void FailOnce(std::chrono::milliseconds pause, std::vector<ComponentDescription> components) {
     const std::size_t before = launcher_->starts();
     End(kKilled);

@@ -26,7 +26,7 @@ class CatalogBuilder {
     return *this;
   }
 
-  /// A second one of a required interface takes the place of the first.
+  /// A second connection of a required interface replaces the first.
   CatalogBuilder& Connection(const InterfaceName& required, const InterfaceName& provided,
                              ConnectionState state = ConnectionState::kActive,
                              const std::string& reason = "") {

@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// What is wrong with `json` as a T, or "accepted".
+/// The error of reading `json` as a T, or "accepted".
 template <typename T>
 std::string ErrorOf(std::string_view json) {
   const auto value = FromJson<T>(json);

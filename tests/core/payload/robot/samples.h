@@ -6,7 +6,7 @@
 #include <tendon/payload/robot/joystick.h>
 #include <tendon/payload/robot/transforms.h>
 
-/// One value of each standard payload, none of whose parts is what it would be by default.
+/// One value of each standard payload, in which no part has its default value.
 namespace tendon::robot {
 
 inline Header SampleHeader() {

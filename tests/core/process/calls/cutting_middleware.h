@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// A middleware of which the links that it has opened can be cut, as if somebody had pulled the
-/// cable: what was sent before may arrive, nothing passes afterwards, and the ends hear of it.
+/// A middleware whose opened links can be cut, as if somebody had pulled the cable. Frames sent
+/// before may arrive, nothing passes afterwards, and both ends are notified.
 class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
   /// Links to `spared` are never cut.

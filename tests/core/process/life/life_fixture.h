@@ -17,7 +17,8 @@ inline std::shared_ptr<tendon::ComponentLoader> LoaderOfLamps() {
   return std::make_shared<tendon::ComponentLoader>(folders);
 }
 
-/// A process that makes components of the plug-in `lamps`, its GCM, and somebody who orders them.
+/// A process that creates components of the plug-in `lamps`, its GCM, and a client that gives the
+/// orders.
 class LifeFixture : public NetworkTest {
  protected:
   static constexpr std::chrono::milliseconds kLong{20'000};
@@ -81,7 +82,7 @@ class LifeFixture : public NetworkTest {
   Pending OrderLater(tendon::LifeVerb verb, const std::string& component) {
     return OrderLater({.verb = verb, .process = "robot", .component = component});
   }
-  /// The newest steps of the history, each as "start lamp", with what is known of it.
+  /// The newest steps of the history, each as "start lamp" with its state.
   [[nodiscard]] std::vector<std::string> Steps() {
     const auto history = tendon::Wait<tendon::message::History>(
         kLong, [&](auto handler) { client_->GetHistory(handler); });
@@ -102,7 +103,8 @@ class LifeFixture : public NetworkTest {
     return result ? std::string() : result.error().message;
   }
 
-  /// As the GCM knows it, when an answer is here; of no name where there is none.
+  /// The component as the GCM knows it at the time of the answer; its name is empty if there is
+  /// none.
   [[nodiscard]] tendon::ComponentDescription Known(const std::string& component) {
     const tendon::Catalogue catalogue = gcm().catalogue();
     const auto* found = catalogue.FindComponent("robot", component);

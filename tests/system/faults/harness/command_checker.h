@@ -7,9 +7,9 @@
 
 namespace faults {
 
-/// What the journals of clients and ledgers say of all commands: one whose client was told that it
-/// is done was executed exactly once; one that was refused not at all; one of unknown end at most
-/// once; and nothing else was executed.
+/// Compares the journals of clients and ledgers: a command that was reported as done was executed
+/// exactly once, a refused one never, one with an unknown outcome at most once, and no other
+/// command was executed.
 struct CommandVerdict {
   std::size_t given = 0;
   std::size_t done = 0;

@@ -31,8 +31,8 @@ class GatedReader final : public tendon::RowSink {
   const std::shared_ptr<StreamChecker> checker_ = std::make_shared<StreamChecker>();
 };
 
-/// A GCM that knows a broker, a process with a stream of large rows, and viewers that are programs
-/// of their own but for the process they are in.
+/// A GCM that knows a broker, a process with a stream of large rows, and viewers, which behave like
+/// separate programs although they are in this process.
 class FanOutTest : public FaultTest {
  protected:
   void SetUp() override {

@@ -20,9 +20,9 @@
 
 namespace faults {
 
-/// A GCM and LCMs as real processes, over the middleware of the parameter, and a viewer in this
-/// one. `robot` has a ledger; `desk` a client that gives commands to it, on a connection of its
-/// own.
+/// A GCM and LCMs as real processes, with the middleware of the parameter, and a viewer in this
+/// process. `robot` has a ledger; `desk` has a client that sends commands to it, on a connection of
+/// its own.
 class FaultTest : public testing::TestWithParam<std::string> {
  protected:
   FaultTest();
@@ -31,34 +31,35 @@ class FaultTest : public testing::TestWithParam<std::string> {
   using Words = Program::Words;
   using Environment = std::map<std::string, std::string>;
 
-  /// At its address, where it was before; returns when it serves.
+  /// Starts the GCM at its former address; returns when it serves.
   void StartGcm();
   /// A GCM that need not come to serve.
   [[nodiscard]] std::unique_ptr<Program> MakeGcm() const;
   /// Begins to run; `more` are further options.
   [[nodiscard]] std::unique_ptr<Program> MakeLcm(const std::string& name,
                                                  const Words& more = {}) const;
-  /// GCM, robot, desk, and a viewer that reads the ledger's stream; returns when all of it works.
+  /// Starts the GCM, robot, desk, and a viewer that reads the ledger's stream; returns when all of
+  /// them work.
   void StartSystem();
   void StartViewer();
   /// Runs `gcm WORDS...` to its end.
   [[nodiscard]] Outcome Gcm(Words words) const;
-  /// Ours, for a peer that is no program of Tendon.
+  /// Our cookie, for a peer that is not a program of Tendon.
   [[nodiscard]] virtual std::shared_ptr<tendon::Middleware> NewMiddleware() const;
   /// A command line that begins one of our programs.
   [[nodiscard]] Words Command(const std::string& program, const Words& words) const;
   [[nodiscard]] Environment environment() const;
 
   [[nodiscard]] bool EventuallyIs(const std::string& process, tendon::ProcessState state) const;
-  /// A process joins before its components start: what is alive may still refuse commands.
+  /// A process joins before its components start, so a living process may still refuse commands.
   [[nodiscard]] bool EventuallyActive(const std::string& process,
                                       const std::string& component) const;
   [[nodiscard]] std::string AddressOf(const std::string& process) const;
   /// Of the desk's client to the robot's ledger.
   [[nodiscard]] bool EventuallyConnected() const;
-  /// So many more rows have come, and some more commands were executed, since now.
+  /// Waits until this number of further rows have arrived and some further commands were executed.
   [[nodiscard]] bool Flows(std::uint64_t rows = 100) const;
-  /// So many clients have got some more commands executed, since now.
+  /// Waits until some further commands of this number of clients were executed.
   [[nodiscard]] bool EventuallyExecutesMore(std::size_t clients = 1) const;
   /// Lines of all journals of one kind, with these words in them.
   [[nodiscard]] std::size_t Lines(const std::string& kind, const std::string& words = {}) const;
@@ -71,7 +72,7 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// True if a lease may have expired although nothing is wrong: the machine ran no thread for too
   /// long, which is printed, or a sanitizer slows the programs.
   [[nodiscard]] bool MayExpireLeases() const;
-  /// The one line of a test: what was done, and what the checkers found.
+  /// Prints the one line of a test: the injected fault, and the findings of the checkers.
   static void Tell(const std::string& line);
 
   const tendon::test::StallMeter stalls_;

@@ -33,7 +33,7 @@ inline Footprint FootprintOf(int pid) {
   return footprint;
 }
 
-/// Bytes, whether they are used or not: what RLIMIT_AS bounds.
+/// Bytes of address space, used or not; RLIMIT_AS limits them.
 inline std::size_t AddressSpaceOf(int pid) {
   constexpr std::size_t kPage = 4096;
   std::size_t pages = 0;
@@ -44,7 +44,8 @@ inline std::size_t AddressSpaceOf(int pid) {
 /// A sanitizer keeps what was freed.
 inline const std::size_t kMemory = std::size_t{tendon::test::IsSanitized() ? 256U : 16U} << 20U;
 
-/// No descriptor more, no thread but those that a pool keeps for a while, no memory to speak of.
+/// True if there are no further descriptors, no further threads except those that a pool keeps for
+/// a while, and hardly more memory.
 inline bool IsFlat(const Footprint& before, const Footprint& now) {
   constexpr std::size_t kPool = 4;
   return now.descriptors <= before.descriptors && now.threads <= before.threads + kPool &&

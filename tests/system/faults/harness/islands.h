@@ -7,24 +7,25 @@
 
 namespace faults {
 
-/// Two network namespaces with a cable between them, in a user namespace, so that it takes no root.
+/// Two network namespaces with a cable between them, in a user namespace, so that root is not
+/// needed.
 class Islands {
  public:
   enum class Cut { kBothWays, kFromHere, kFromThere };
 
   Islands();
 
-  /// Whether this machine lets us; else why not, and nothing else may be called.
+  /// Fails with the reason if this machine does not allow it; then nothing else may be called.
   [[nodiscard]] bool ok() const { return reason_.empty(); }
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
-  /// What begins a command line that runs on one of them.
+  /// The first words of a command line that runs in one of them.
   [[nodiscard]] Program::Words Here() const;
   [[nodiscard]] Program::Words There() const;
   static constexpr const char* kHere = "10.77.0.1";
   static constexpr const char* kThere = "10.77.0.2";
 
-  /// What is sent that way arrives no more, and nobody is told.
+  /// Data sent in that direction does not arrive any more, and no end is notified.
   void Make(Cut cut) const;
   void Heal() const;
 

@@ -21,7 +21,7 @@ struct Peak {
 /// For people.
 std::string ToString(const Peak& peak);
 
-/// Reads every row of an arm's joints and knows, by its numbers, how it has moved.
+/// Reads every row of an arm's joints, and computes how the arm has moved.
 class MotionChecker final : public tendon::RowSink {
  public:
   /// Since the last time it was asked, and forgets.

@@ -10,15 +10,15 @@
 
 namespace faults {
 
-/// Writes down who was seen under each name, in the order of the catalogue's changes.
+/// Records which processes were seen under each name, in the order of the catalogue's changes.
 class ProcessWatch final : public tendon::GcmListener {
  public:
-  /// How often the process was newly seen in this state.
+  /// How often the process entered this state.
   [[nodiscard]] std::size_t Count(const std::string& process, tendon::ProcessState state) const;
-  /// Every name that went from one instance to another which the first had not lost or left.
+  /// Every name that changed to another instance although the first one was neither lost nor left.
   [[nodiscard]] std::vector<std::string> double_holders() const;
   [[nodiscard]] std::size_t snapshots() const;
-  /// How often something about a connection was told to have changed.
+  /// The number of reported changes of a connection.
   [[nodiscard]] std::size_t connection_changes() const;
 
  private:

@@ -5,17 +5,17 @@
 
 namespace faults {
 
-/// How often a fault is injected: `small`, or `full` where TENDON_FULL_FAULTS is set.
+/// How often a fault is injected: `small`, or `full` if TENDON_FULL_FAULTS is set.
 int Size(int small, int full);
 
-/// How much slower this machine starts one of our programs than a calm one does, at least 1.
+/// How many times slower this machine starts one of our programs than an idle one; at least 1.
 /// Measured once, at the start.
 double Slowness();
 
-/// What bounds a test that fails; says nothing about speed.
+/// The time limit of a failing test; it is not a requirement on speed.
 std::chrono::milliseconds Patience();
 
-/// Waits until `predicate()` holds, looking rarely enough to disturb nobody.
+/// Waits until `predicate()` holds; checks it rarely, so that the check does not disturb the test.
 template <typename Predicate>
 bool Eventually(Predicate predicate) {
   const auto deadline = std::chrono::steady_clock::now() + Patience();

@@ -11,15 +11,16 @@
 
 namespace faults {
 
-/// Reads the stream of a ledger's samples and knows, by the numbers in the data, what the truth is.
+/// Reads the stream of a ledger's samples, and finds lost, repeated and wrong ones by the numbers
+/// in the data.
 class StreamChecker final : public tendon::RowSink {
  public:
   struct Verdict {
     std::uint64_t received = 0;
-    std::uint64_t missing = 0;   ///< numbers that were never seen, while the same ledger lived
-    std::uint64_t counted = 0;   ///< what the stream itself says was lost
-    std::uint64_t repeated = 0;  ///< numbers or ticks that came twice or went back
-    std::uint64_t damaged = 0;   ///< samples that are not what was sent
+    std::uint64_t missing = 0;       ///< numbers that were never seen, while the same ledger lived
+    std::uint64_t counted = 0;       ///< what the stream itself says was lost
+    std::uint64_t repeated = 0;      ///< numbers or ticks that came twice or went back
+    std::uint64_t damaged = 0;       ///< samples that are not what was sent
     std::vector<std::string> stale;  ///< why it was told, each time, that there are no rows for now
     std::uint64_t subscriptions = 0;
     std::uint64_t ledgers = 0;

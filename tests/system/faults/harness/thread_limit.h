@@ -10,8 +10,8 @@
 
 namespace faults {
 
-/// As long as it lives, a process makes no more threads: by the limit of its user, or, where that
-/// is root, who has none, by a control group.
+/// While this object exists, a process cannot create threads: by the limit of its user or, for
+/// root, who has no limit, by a control group.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int pid) : pid_(pid) {

@@ -17,8 +17,8 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Gives numbered commands to a ledger, one after another, and writes down before each that it is
-/// given, and afterwards what it was told of its end.
+/// Sends numbered commands to a ledger, one after another. Writes to the journal before each
+/// command, and again with its reported outcome.
 class Client final : public tendon::ContinuousTask {
  public:
   using Configuration = JournalPlace;

@@ -33,7 +33,7 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Moves as it was told last, and writes down when it sets out, and each stop that it executes.
+/// Moves as the last command says, and writes each start and each executed stop to the journal.
 class Drive final : public tendon::PeriodicTask {
  public:
   using Configuration = DriveSettings;
@@ -70,7 +70,8 @@ class Drive final : public tendon::PeriodicTask {
   double velocity_ = 0.0;
 };
 
-/// Moves a drive, ever faster, and stops it at its own end; writes down what came of that.
+/// Moves a drive faster and faster, and stops it when it ends itself; writes the outcome to the
+/// journal.
 class Driver final : public tendon::PeriodicTask {
  public:
   using Configuration = DriveSettings;

@@ -17,8 +17,8 @@ namespace faults {
 enum class Frame : std::uint8_t { kBase, kTool };
 enum class FrameWithOneMore : std::uint8_t { kBase, kTool, kCamera };
 
-/// The type as the sensor has it, and as others have it who have edited their copy of its file.
-/// Each says by what it differs.
+/// The type of the sensor, and the types of programs that have edited their copy of its file. The
+/// name of each says how it differs.
 template <typename Number, typename Torque, typename FrameType, int kEdit>
 struct ForceOf {
   Number fx{};
@@ -86,7 +86,7 @@ inline constexpr auto kTorque = tendon::Field{"torque", &T::torque, "Nm"};
 template <typename T>
 inline constexpr auto kFrame = tendon::Field{"frame", &T::frame};
 
-/// The usual description, where the first field is called and measured so.
+/// The usual description, with this name and unit of the first field.
 template <typename T>
 consteval auto DescribeForce(const char* fx = "fx", const char* unit = "N") {
   return tendon::Describe("faults.Force", tendon::Field{fx, &T::fx, unit}, kFy<T>, kTorque<T>,

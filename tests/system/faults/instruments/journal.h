@@ -10,8 +10,8 @@
 
 namespace faults {
 
-/// The truth: a file of lines, each of which is there as soon as Add() has returned, however its
-/// writer dies afterwards.
+/// A file of lines that checkers trust: each line is in the file when Add() returns, even if the
+/// writer is killed directly afterwards.
 class Journal {
  public:
   /// `folder`/`kind`-`source`, one file for each life of a component.

@@ -52,8 +52,8 @@ class Ledger final : public tendon::PeriodicTask {
     held = milliseconds;
   }
 
-  /// As a component does that knows nothing of the sockets of its process: starts a program that
-  /// outlives it, and tells its pid.
+  /// Starts a program that outlives this process, like a component that does not know the sockets
+  /// of its process, and returns its pid.
   void Spawn(std::int64_t& child) {
     child = fork();
     if (child != 0) return;

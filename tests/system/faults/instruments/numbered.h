@@ -6,8 +6,8 @@
 
 namespace faults {
 
-/// A command or a sample that says which it is: whoever gets it can tell what is missing, what came
-/// twice and what was damaged, and needs to ask nobody.
+/// A command or a sample with a number, from which its receiver can detect missing, repeated and
+/// damaged ones without other information.
 struct Numbered {
   std::uint64_t source = 0;  ///< random; one life of one component
   std::uint64_t number = 0;  ///< grows by one

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using Parcel = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t kFilling = 7;
 
-/// Sends parcels of the size that it is told, and says what it was told of each.
+/// Sends parcels of the requested size, and reports the outcome of each.
 class Sender final : public tendon::PeriodicTask {
  public:
   explicit Sender(std::string name) : PeriodicTask(std::move(name), 5ms) {
@@ -38,7 +38,7 @@ class Sender final : public tendon::PeriodicTask {
   tendon::WriteFunction<Parcel> take_;
 };
 
-/// Writes down the size of each parcel that arrives whole.
+/// Writes the size of each complete parcel to the journal.
 class Receiver final : public tendon::PeriodicTask {
  public:
   using Configuration = JournalPlace;
