@@ -58,6 +58,15 @@ FUNCTION_NAME = re.compile(r"(?:^|[\s&*>])(?!operator$)(\w*[a-z]\w*)$")
 LISTS_SOURCES = re.compile(r"^\s*(?:add_library|add_executable|target_sources|tendon_test|tendon_component)"
                            r"\(\s*([\w-]+)([^()]*)\)", re.M)
 INSTALLED = re.compile(r"FILE_SET HEADERS BASE_DIRS \S+\s+FILES\s+([\w/.\s]+)")
+# The page with a table of all folders, below headings that name what the folders are in: ### The window: `gcm_gui`.
+FOLDER_PAGE = "docs/architecture.md"
+DESCRIBED = ("core/tendon", "gcm_gui", "gcm_console")
+NAMES_PARENT = re.compile(r"### .*`([\w/]+)`$")
+NAMES_FOLDER = re.compile(r"\| `([\w/]+)` \|")
+# The page with the folders that have no counterpart between tests/ and the code.
+TEST_PAGE = "tests/README.md"
+MIRRORED = (*DESCRIBED, "lcm", "program")
+
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
 CODE = {".h", ".cpp"}
@@ -325,6 +334,52 @@ def folders_are_built(files):
             yield f"{folder}/CMakeLists.txt:1: nobody builds it; add it to {above}/CMakeLists.txt"
 
 
+def folders_are_described(files):
+    """Each folder of the code has a line in the page, and each line has a folder."""
+    page = next((file for file in files if file.path == FOLDER_PAGE), None)
+    if page is None:
+        return
+    folders = {os.path.dirname(file.path) for file in files if file.is_code}
+    parent, seen = None, set()
+    for number, line in enumerate(page.lines, 1):
+        if line.startswith("#"):
+            match = NAMES_PARENT.match(line)
+            parent = match and match[1]
+        elif parent and (match := NAMES_FOLDER.match(line)):
+            folder = f"{parent}/{match[1]}"
+            if folder not in folders:
+                yield f"{page.path}:{number}: there is no folder {folder} with code"
+            if folder in seen:
+                yield f"{page.path}:{number}: {folder} has a line already"
+            seen.add(folder)
+    for folder in sorted(folders - seen):
+        if any(folder.startswith(above + "/") for above in DESCRIBED):
+            yield f"{page.path}:1: {folder} has no line; say what belongs there"
+
+
+def tests_mirror_the_code(files):
+    """The tests of core/tendon/state are in tests/core/state. The page names the folders without a counterpart."""
+    page = next((file for file in files if file.path == TEST_PAGE), None)
+    if page is None:
+        return
+    known = {str(above) for file in files for above in PurePosixPath(file.path).parents}
+    named = {folder: number for number, line in enumerate(page.lines, 1)
+             if line.startswith("| `") for folder in re.findall(r"`([\w/]+)`", line.split(" | ")[0])}
+    for folder, number in named.items():
+        if folder not in known:
+            yield f"{page.path}:{number}: there is no folder {folder}"
+    for folder in sorted({os.path.dirname(file.path) for file in files if file.is_code}):
+        if folder.startswith("tests/"):
+            twin = re.sub(r"^core\b", "core/tendon", folder.removeprefix("tests/"))
+        elif any(f"{folder}/".startswith(f"{part}/") for part in MIRRORED):
+            twin = "tests/" + folder.replace("core/tendon", "core", 1)
+        else:
+            continue
+        above = {folder, *map(str, PurePosixPath(folder).parents)}
+        if twin not in known and not above & named.keys():
+            yield f"{page.path}:1: {folder} has no counterpart, {twin}; move it, or say here why"
+
+
 def sources_of_targets(files):
     """The .cpp files that the CMakeLists.txt name, by the target."""
     known = {file.path for file in files if file.suffix == ".cpp"}
@@ -418,7 +473,8 @@ FILE_RULES = (
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
     scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
-              installed_headers_include_no_internal_ones, folders_are_built)
+              installed_headers_include_no_internal_ones, folders_are_built, folders_are_described,
+              tests_mirror_the_code)
 
 
 def folders_of(root):

@@ -33,6 +33,15 @@ def function(lines, indent=""):
     return "".join(f"{indent}{line}\n" for line in text)
 
 
+PAGE = architecture.FOLDER_PAGE
+TEST_PAGE = architecture.TEST_PAGE
+
+
+def describes(*folders):
+    rows = "".join(f"| `{folder}` | a subject |\n" for folder in folders)
+    return f"### The window: `gcm_gui`\n| folder | it holds |\n|---|---|\n{rows}"
+
+
 # For each rule: trees that break it, each with the place and a part of the sentence, and trees that keep it.
 BROKEN = {
     "ice_stays_in_its_folder": [
@@ -147,6 +156,20 @@ BROKEN = {
         ({"CMakeLists.txt": "add_subdirectory(lcm)\n", "lcm/CMakeLists.txt": "", "lcms/CMakeLists.txt": ""},
          "lcms/CMakeLists.txt:1", "nobody builds it; add it to ./CMakeLists.txt"),
     ],
+    "folders_are_described": [
+        ({PAGE: describes("plot"), "gcm_gui/plot/a.h": include(), "gcm_gui/plot/canvas/a.h": include()},
+         PAGE + ":1", "gcm_gui/plot/canvas has no line"),
+        ({PAGE: describes("plot", "graph"), "gcm_gui/plot/a.h": include()},
+         PAGE + ":5", "there is no folder gcm_gui/graph with code"),
+        ({PAGE: describes("plot", "plot"), "gcm_gui/plot/a.h": include()}, PAGE + ":5", "has a line already"),
+    ],
+    "tests_mirror_the_code": [
+        ({TEST_PAGE: "", "tests/core/odd/a_test.cpp": ""}, TEST_PAGE + ":1", "tests/core/odd has no counterpart"),
+        ({TEST_PAGE: "", "core/tendon/state/a.h": include(), "tests/core/a_test.cpp": ""},
+         TEST_PAGE + ":1", "core/tendon/state has no counterpart, tests/core/state"),
+        ({TEST_PAGE: "\n| `lcm`, `tests/core/odd` | it |\n", "lcm/main.cpp": ""},
+         TEST_PAGE + ":2", "there is no folder tests/core/odd"),
+    ],
 }
 KEPT = {
     "ice_stays_in_its_folder": [
@@ -225,6 +248,16 @@ KEPT = {
         {"CMakeLists.txt": "foreach(folder lcm core)\n", "lcm/CMakeLists.txt": "",
          "core/CMakeLists.txt": "foreach(folder base)\n", "core/tendon/base/CMakeLists.txt": ""},
         {"CMakeLists.txt": "", "example/CMakeLists.txt": "project(example)\n"},
+    ],
+    "folders_are_described": [
+        {PAGE: describes("plot", "plot/canvas") + "## Threads\n| `network` | sends |\n",
+         "gcm_gui/main.cpp": "", "gcm_gui/plot/a.h": include(), "gcm_gui/plot/canvas/a.h": include(),
+         "lcm/main.cpp": "", "tests/gcm_gui/help/a_test.cpp": ""},
+    ],
+    "tests_mirror_the_code": [
+        {TEST_PAGE: "| `tests/system`, `lcm` | both |\n| `core/tendon/state/a.h` | `tests/odd` |\n",
+         "core/tendon/state/a.h": include(), "tests/core/state/a_test.cpp": "", "components/arm/a.h": include(),
+         "tests/components/arm/a_test.cpp": "", "tests/system/faults/a_test.cpp": "", "lcm/main.cpp": ""},
     ],
 }
 

@@ -9,14 +9,14 @@
 
 namespace tendon_test {
 
-/// A task whose cycles are made by the test in its own thread. Starting it starts no thread, and
-/// the test sets the time.
+/// A task without a thread: the test makes its cycles, in the thread of the test, and sets the
+/// time.
 template <std::derived_from<tendon::Task> T>
 class Stepped final : public T {
  public:
   using T::T;
 
-  /// So many cycles; false once it is faulted.
+  /// Makes `count` cycles. Returns false if the task is faulted.
   bool Cycle(int count = 1) {
     bool is_good = true;
     for (int i = 0; i < count; ++i) {

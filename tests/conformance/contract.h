@@ -88,7 +88,7 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
-/// A client, and a server that defers its answers; for kinds with a shorter path for answers.
+/// A client, and a server that defers its answers; for middlewares with a shorter path for answers.
 class LaterAnswerContract : public Contract {
  protected:
   void SetUp() override {

@@ -34,7 +34,8 @@ inline constexpr auto tendon::kPayload<tendon::conformance::Question> =
 
 namespace tendon::conformance {
 
-/// Answers a Question with its text twice and the handle in the number; keeps some requests.
+/// Answers a Question: doubles its text and sets its number to the handle of the request. The type
+/// of a request can demand another behaviour: keep it, drop it, or throw. Records all notices.
 class Oracle final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer) override {

@@ -15,7 +15,7 @@ namespace tendon::conformance {
 /// Longer than any action in these tests takes, even on a machine that stalls.
 inline constexpr std::chrono::seconds kPatience{60};
 
-/// A frame whose handle says which it is.
+/// A frame with `number` as its handle, so that a test can identify it.
 inline Bytes FrameOf(std::uint32_t number, std::size_t body_size = 8) {
   FrameHeader header;
   header.type = static_cast<MessageType>(0x100);
@@ -26,7 +26,7 @@ inline Bytes FrameOf(std::uint32_t number, std::size_t body_size = 8) {
   return frame;
 }
 
-/// A link's handler that keeps what it hears.
+/// A link's handler that records all frames and the end of the link.
 class Recorder final : public LinkHandler {
  public:
   using Action = std::function<void(std::span<const std::byte>)>;
@@ -91,7 +91,7 @@ class Recorder final : public LinkHandler {
 /// outlive it.
 class Host {
  public:
-  /// What its guests are.
+  /// The host admits each guest, or leaves it unauthenticated.
   enum class Guests { kAdmitted, kStrangers };
   struct Guest {
     std::shared_ptr<Link> link;

@@ -34,12 +34,12 @@ class SystemFixture : public testing::Test {
     words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
     return RunProgram(words);
   }
-  /// `gcm WORDS...` as a newcomer types it.
+  /// Runs `gcm WORDS...` without any option, as a new user types it.
   Outcome Typed(Program::Words words) const {
     words.insert(words.begin(), Binary("gcm"));
     return RunProgram(words, {{"TENDON_GCM", address}});
   }
-  /// Gcm() in a shell: `gcm ... WORDS`, where words may redirect.
+  /// Runs Gcm() in a shell, so that WORDS may redirect.
   Outcome Shell(const std::string& words) const {
     return RunProgram(
         {"/bin/sh", "-c",
@@ -55,7 +55,7 @@ class SystemFixture : public testing::Test {
     return std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", name, "--gcm", address,
                                                     "--timeout", kPatience, "--system", system});
   }
-  /// A process with nothing in it but this component.
+  /// Starts a process with only this component.
   std::unique_ptr<Program> StartOne(const std::string& process, const std::string& component,
                                     const std::string& class_name,
                                     const std::string& library) const {
@@ -66,7 +66,7 @@ class SystemFixture : public testing::Test {
                          R"("}]}]})");
     return StartLcm(process, (home.path() / file).string());
   }
-  /// Waits until `gcm WORDS...` says `text`.
+  /// Waits until `gcm WORDS...` prints `text`.
   testing::AssertionResult EventuallySays(const Program::Words& words,
                                           const std::string& text) const {
     Outcome last;
@@ -84,6 +84,6 @@ class SystemFixture : public testing::Test {
   const std::string port = std::to_string(FreePort());
   const std::string address = "127.0.0.1:" + port;
   const std::string demo = TENDON_DEMO_SYSTEM;
-  const tendon::test::Folder home;  ///< of what the GCM remembers, and of files of the test
+  const tendon::test::Folder home;  ///< for the state of the GCM and files of the test
   std::unique_ptr<Program> gcm;
 };

@@ -17,7 +17,7 @@
 /// A program with its own terminal, in which the test types keys and reads the output.
 class Terminal {
  public:
-  /// `command` is for a shell, which becomes it.
+  /// Runs `command` in a shell, which replaces itself with it.
   explicit Terminal(const std::string& command, std::map<std::string, std::string> environment = {},
                     unsigned short columns = 80)
       : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
@@ -68,7 +68,7 @@ class Terminal {
       return std::regex_search(seen_, expression);
     });
   }
-  /// Since the last keys.
+  /// The output since the last keys.
   const std::string& seen() {
     Read();
     return seen_;
@@ -85,7 +85,7 @@ class Terminal {
   }
 
   int master_ = -1;
-  int keeper_ = -1;  // so that what was printed stays readable after the program
+  int keeper_ = -1;  // keeps the output readable after the program has ended
   std::string seen_;
   std::unique_ptr<Program> program_;
 };

@@ -57,7 +57,7 @@ class Leading final : public Base {
     }
   }
   void Cleanup() override {
-    // The next one may be stopped before this one knows that it was told.
+    // Reserves the place first: the next component may stop, and report it, before stop_() returns.
     const std::size_t place = story_.Add("");
     const tendon::Status sent = stop_();
     const std::string outcome = sent ? "" : ", " + std::string(ToString(sent));

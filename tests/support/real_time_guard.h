@@ -4,9 +4,9 @@
 
 namespace tendon_test {
 
-/// Counts the forbidden actions of a thread between wake-up and sleep: allocating, freeing,
-/// locking, and system calls. It is disarmed while the thread sleeps in clock_nanosleep or waits on
-/// a futex by syscall(), and armed again when the thread wakes up.
+/// Counts the actions that a real-time thread must not do between wake-up and sleep: allocating,
+/// freeing, locking, and system calls. It does not count while the thread sleeps in clock_nanosleep
+/// or waits on a futex by syscall().
 ///
 /// For programs linked with real_time_guard.cpp, which interposes some functions of the C library.
 /// If the kernel can trap a thread's system calls (Linux 5.11, x86-64), all of them are counted;

@@ -14,7 +14,7 @@
 
 namespace tendon::conformance {
 
-/// Defers the answer to what it is asked.
+/// Defers the answer to each request: keeps its slot until the test takes it.
 class Keeper final : public LinkHandler {
  public:
   explicit Keeper(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }

@@ -9,7 +9,7 @@
 
 #include "conformance/resources.h"
 #include "core/bad_peers/recording_middleware.h"
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 #include "support/machine/sanitized.h"
 
 namespace tendon {

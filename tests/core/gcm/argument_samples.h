@@ -25,7 +25,7 @@ inline Schema JointGoalSchema(std::uint32_t joints) {
                                              {"duration", "s", Schema(Schema::Kind::kFloat64)}});
 }
 
-/// What it answers.
+/// The result of reading the demo arm's joints.
 inline Schema JointStateSchema(std::uint32_t joints) {
   return Schema::Structure("arm.JointState", {{"position", "rad", Numbers(joints)},
                                               {"velocity", "rad/s", Numbers(joints)}});

@@ -18,7 +18,7 @@
 
 namespace tendon::test {
 
-/// Keeps what a client is told.
+/// Records all reports to a client.
 class Recorder : public GcmListener {
  public:
   void OnSnapshot(const Catalogue& catalogue) override {
@@ -163,7 +163,7 @@ class DeskAndRobot : public Bench {
     client_ = Watch(nullptr, "gcm connect");
   }
 
-  /// All but the GCM have run on.
+  /// Restarts only the GCM; the processes run on and join it again.
   void RestartGcm() {
     client_.reset();
     gcm_.reset();
@@ -173,7 +173,7 @@ class DeskAndRobot : public Bench {
     client_ = Watch();
   }
 
-  /// Of the desk's only required interface.
+  /// The connection of the desk's only required interface.
   [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
     const Catalogue catalogue = gcm_->catalogue();
     const auto* connection = catalogue.FindConnection(kRobot);

@@ -17,31 +17,32 @@
 
 namespace tendon::test {
 
-/// A process as a GCM and its viewers see it, made only of channels. It executes its orders, or
-/// does what the test sets instead.
+/// A process as a GCM and its viewers see it, made only of channels. It executes its orders, unless
+/// the test sets another behaviour.
 class FakeProcess {
  public:
-  /// What it does with orders to connect and disconnect.
+  /// Its behaviour when it receives an order to connect or disconnect.
   enum class Manners {
     kObey,
     kRefuse,
     kRefuseConnects,
     kRefuseTheNextConnect,
-    kMissTheNextProvider,  ///< it is not reached: the connection is pending
+    kMissTheNextProvider,  ///< reports that it could not reach the provider: the connection is
+                           ///< pending
     kSayNothing,
-    kObeyAndDie,        ///< its link breaks instead of its answer
-    kDelay,             ///< until it obeys again
-    kDelayFromConnect,  ///< the same, beginning with the next one
+    kObeyAndDie,        ///< executes the order, and breaks its link instead of answering
+    kDelay,             ///< keeps orders until it obeys again
+    kDelayFromConnect,  ///< keeps orders from the next order to connect on
   };
 
   /// A new instance of the process `name`. It listens for viewers.
   FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name);
   FakeProcess(const FakeProcess&) = delete;
   FakeProcess& operator=(const FakeProcess&) = delete;
-  /// Like a kill: its link breaks.
+  /// Breaks the link, as if the process were killed.
   ~FakeProcess();
 
-  /// Before Join(): what it has. Afterwards it reports.
+  /// Adds a component. After Join(), the process reports it.
   void Add(const ComponentDescription& component);
   void Remove(const std::string& component);
   /// The address that it announces to viewers and other processes, instead of the one at which it
@@ -54,14 +55,14 @@ class FakeProcess {
   Result<None> Renew();
   Result<message::GcmClock> ReportHealth(const message::Health& health);
   Result<None> Leave();
-  /// Breaks the link, but knows its session.
+  /// Breaks the link, but keeps the session for a new one.
   void BreakLink();
   void Report(const std::vector<CatalogueChange>& changes);
   Status SendLog(const message::LogRecords& records);
 
   /// The time of its steady clock that it reports to listeners to its events.
   void SetClockAhead(std::chrono::nanoseconds ahead);
-  /// Sends the first event to the last listener, with that time.
+  /// Sends its first event to the newest listener, with the time `when`.
   void Raise(double value, SteadyTime when);
 
   void set_manners(Manners manners);

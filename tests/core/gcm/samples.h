@@ -60,7 +60,7 @@ inline ComponentDescription Teleoperation(const std::string& name = "teleoperati
           .required = {Robot()}};
 }
 
-/// Offers something else under a name that sounds right.
+/// A component with a suitable name, but another interface.
 inline ComponentDescription FakeArm() {
   ComponentDescription fake = Arm("fake");
   fake.class_name = "FakeArm";
@@ -79,7 +79,7 @@ inline MemberDescription MoveToGoal(const Schema& goal) {
           .in_type = goal.name()};
 }
 
-/// Offers a move to such a goal, or needs one.
+/// A component with a command that takes such a goal; and one that needs this command.
 inline ComponentDescription Mover(const Schema& goal) {
   return {.name = "mover", .provided = {{.name = "Control", .commands = {MoveToGoal(goal)}}}};
 }

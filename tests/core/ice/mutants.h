@@ -75,8 +75,8 @@ struct IceHeader {
   }
 
   std::uint32_t size = 0;
-  std::uint32_t request = 0;  // that it answers, or 0
-  bool is_end = false;        // of the connection; who says so waits for the other to hang up
+  std::uint32_t request = 0;  // the request that this message answers, or 0
+  bool is_end = false;        // closes the connection; the other end must hang up
 };
 
 /// Sends messages over one connection until it ends. A connection has Send(), which returns false
@@ -116,7 +116,7 @@ class Conversation {
   Bytes heard_;
 };
 
-/// Sends so many messages over connections made by `connect()`, on each as many as it accepts.
+/// Sends `count` messages over connections made by `connect()`, on each as many as it accepts.
 /// Returns the number of connections used.
 template <typename Connect>
 int SayMutants(Mutants& mutants, int count, Connect connect) {

@@ -37,7 +37,7 @@ class RawMessage {
   RawMessage& String(std::string_view text) {
     return Byte(static_cast<unsigned>(text.size())).Text(text);
   }
-  /// A size in its long form, whatever it is.
+  /// A size in its long form, also if it is small enough for the short form.
   RawMessage& Size(std::int64_t size) { return Byte(255).Int(size); }
   /// Identity "tendon", no facet, `operation`, mode normal, no context.
   RawMessage& Target(std::string_view operation, int request = 1) {

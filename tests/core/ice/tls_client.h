@@ -46,7 +46,7 @@ class TlsClient {
       ERR_clear_error();
       return is_up_ && SSL_write(link_.get(), bytes.data(), static_cast<int>(bytes.size())) > 0;
     }
-    /// Nothing where it has ended.
+    /// Returns nothing if the connection has ended.
     Bytes Receive() {
       ERR_clear_error();
       errno = 0;
@@ -64,7 +64,7 @@ class TlsClient {
     bool is_up_ = false;
   };
 
-  /// Without a file, one who has no certificate.
+  /// Without a file, the client has no certificate.
   explicit TlsClient(const std::optional<std::filesystem::path>& certificate) {
     std::signal(SIGPIPE, SIG_IGN);
     if (!certificate) return;

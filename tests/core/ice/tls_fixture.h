@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 inline constexpr auto kProcess = Holder::kProcess;
 
-/// Remembers who came.
+/// Records the Hello of each peer.
 class Guestbook final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& /*channel*/, const Hello& peer) override {
@@ -49,7 +49,7 @@ class TlsTest : public AuthorityTest {
  protected:
   using Shared = std::shared_ptr<Middleware>;
 
-  /// Of whoever has such a certificate.
+  /// A middleware with such a certificate.
   [[nodiscard]] Shared As(const Request& request) const {
     return Showing(Issue(request).certificate_file);
   }
@@ -80,7 +80,7 @@ class TlsTest : public AuthorityTest {
     return copy;
   }
 
-  /// Calls itself `name`, until the test ends.
+  /// Listens under the name `name` until the test ends.
   std::string Listen(const Shared& middleware, const std::string& name) {
     auto listener = middleware->Listen(
         "127.0.0.1:0", Channel::Acceptor(HelloOf(name), [this] { return guestbook_; }));
@@ -96,7 +96,7 @@ class TlsTest : public AuthorityTest {
     return Channel::Open(*middleware, address, hello, std::make_shared<ChannelHandler>(),
                          conformance::kPatience);
   }
-  /// Opens, which must fail.
+  /// Opens a channel, which must fail, and returns the error.
   static Error Refusal(const Shared& middleware, const std::string& address,
                        const std::string& wanted = "") {
     const auto channel = Open(middleware, address, "desk", wanted);
@@ -112,7 +112,7 @@ class TlsTest : public AuthorityTest {
     listeners_.clear();
     return guestbook_->guests().back();
   }
-  /// What whoever decides writes down.
+  /// Waits until the audit log contains `text`.
   bool EventuallyAudited(const std::string& text) const {
     return EventuallyTrue([&] {
       const auto texts = audit_.texts();

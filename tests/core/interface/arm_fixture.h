@@ -117,7 +117,7 @@ struct Teleoperation {
   void OnStopped() { ++stops_seen; }
 };
 
-/// Where nothing keeps the two from fitting.
+/// Connects two interfaces that fit.
 inline std::unique_ptr<tendon::Connection> ConnectionOf(tendon::RequiredInterface& required,
                                                         tendon::ProvidedInterface& provided) {
   return std::move(*tendon::Connection::Make(required, provided, "client/" + required.name(),

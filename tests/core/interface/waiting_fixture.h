@@ -22,7 +22,7 @@ struct Planner {
   tendon::Inbox inbox;
   tendon::ProvidedInterface plans{"Plans", &inbox};
 
-  std::atomic<bool> gate_is_open = true;  ///< Slow() does not end before
+  std::atomic<bool> gate_is_open = true;  ///< Slow() waits until it is open
   std::atomic<int> slow_begun = 0;
   std::vector<std::int32_t> moves;
 

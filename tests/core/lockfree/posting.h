@@ -17,7 +17,7 @@ struct Posting {
     posted.fetch_add(1, std::memory_order_release);
     wakeup.Notify();
   }
-  /// For what has time until then.
+  /// Posts without urgency: the sleeper need not wake up before `when`.
   void PostBy(SteadyTime when) {
     posted.fetch_add(1, std::memory_order_release);
     wakeup.NotifyBy(when);

@@ -6,7 +6,7 @@
 
 namespace tendon::test {
 
-/// What Pop() returns where nothing waits.
+/// The result of Pop() if the ring is empty.
 inline constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 
 /// Puts a number into a ring of slots; false when it is full.

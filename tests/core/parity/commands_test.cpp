@@ -1,4 +1,4 @@
-#include "core/parity/places/two_processes.h"
+#include "core/parity/two_processes.h"
 
 namespace tendon_test {
 namespace {

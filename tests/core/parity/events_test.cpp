@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <future>
 
-#include "core/parity/places/two_processes.h"
+#include "core/parity/two_processes.h"
 #include "support/log/log_record.h"
 
 namespace tendon_test {

@@ -16,7 +16,7 @@
 
 namespace tendon_test {
 
-/// Every kind of component, by what makes its cycles.
+/// Every kind of component: its cycles differ in the thread that makes them.
 enum class Kind {
   kPeriodic,
   kContinuous,
@@ -28,7 +28,7 @@ enum class Kind {
 };
 [[nodiscard]] std::string_view NameOf(Kind kind);
 [[nodiscard]] std::vector<Kind> AllKinds();
-/// Without kThreadless.
+/// All kinds but kThreadless.
 [[nodiscard]] std::vector<Kind> TaskKinds();
 
 /// The common part of servers and clients of any kind: their interface `Desk` executes jobs of the
@@ -60,16 +60,16 @@ class Part {
   }
 };
 
-/// Offers an interface for each payload, and messages.
+/// The server's part: provides an interface for each payload, and messages.
 class ServerPart : public Part {
  public:
   ServerPorts ports;
   std::unique_ptr<tendon::StatusMessages> messages;
-  /// Written by hand: the history of the ports' goals, and of a number and its double.
+  /// The history of the ports' goals, and of a number and its double. The test makes its rows.
   tendon::StateTable* history = nullptr;
   int number = 0;
   int doubled = 0;
-  /// In which the ports' columns are.
+  /// The table with the ports' columns.
   tendon::StateTable* table = nullptr;
 
   /// Makes a row of the values written so far, for kinds without cycles. Called in the server's

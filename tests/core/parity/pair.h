@@ -19,7 +19,7 @@
 
 namespace tendon_test {
 
-/// How long a call of a test may wait: it bounds a test that fails.
+/// The longest time that a call of a test waits; it only limits a failing test.
 inline constexpr std::chrono::seconds kLong(60);
 
 /// The managers of a server and of a client; they belong to two processes if the server's process
@@ -34,7 +34,7 @@ class Ground {
   virtual void Clear() {}
 };
 
-/// Where a pair lives.
+/// One process, or two processes on a kind of network.
 struct Place {
   std::string name;
   std::function<std::unique_ptr<Ground>()> make;
@@ -55,12 +55,12 @@ class Pair {
   const std::unique_ptr<Ground> ground_;
 
  public:
-  tendon::LocalManager& manager;  ///< of the server, and of the client where there is but one
+  tendon::LocalManager& manager;  ///< of the server; in one process, also of the client
   ServerPart& server;
   ClientPart& client;
 
-  /// `body(port)` for the port of each payload, in the server's thread, after all that was queued
-  /// there before; returns when it is done.
+  /// Calls `body(port)` for the port of each payload, in the server's thread, after all calls that
+  /// wait there already. Returns when this is done.
   template <typename Body>
   void InServer(Body body) {
     OnceInServer([&] { ForEachPort(server.ports, body); });
@@ -69,7 +69,7 @@ class Pair {
   void InClient(Body body) {
     OnceInClient([&] { ForEachPort(client.ports, body); });
   }
-  /// The same, but once and without a port.
+  /// Calls `job` once, in the same way.
   void OnceInServer(const std::function<void()>& job) { Execute(step_server_, server, job); }
   void OnceInClient(const std::function<void()>& job) { Execute(step_client_, client, job); }
 
@@ -78,14 +78,14 @@ class Pair {
   void HoldClient() { Hold(step_client_, client); }
   void Release();
 
-  /// Whether there is a network between the two.
+  /// True if there is a network between the two.
   [[nodiscard]] bool is_remote() const { return !ground_->server_process().empty(); }
   /// The status of a queued call: a server without a thread in the same process executes it at
   /// once.
   [[nodiscard]] tendon::Status queued() const {
     return has_thread_ || is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
-  /// And what a direct one answers.
+  /// The status of a direct call.
   [[nodiscard]] tendon::Status direct() const {
     return is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
@@ -96,11 +96,12 @@ class Pair {
   /// in a thread that belongs to neither component.
   void ExpectInThreadOf(std::thread::id caller, std::thread::id thread) const;
 
-  /// The ports' connections, made by name.
+  /// Connects all ports, by their names.
   void Connect();
-  /// Ends both. Returns false if that took so long that accepted calls may have been dropped.
+  /// Disconnects all ports. Returns false if this took so long that accepted calls may have been
+  /// dropped.
   bool Disconnect();
-  /// Takes a component out of the manager, after the thread that was lent to it.
+  /// Ends the thread of the test that makes the component's cycles, and removes the component.
   void Remove(Part& part);
 
  private:
@@ -129,7 +130,7 @@ inline std::string NameOfPair(const testing::TestParamInfo<Kinds>& info) {
          std::string(NameOf(std::get<1>(info.param)));
 }
 
-/// The same, in some place.
+/// The same, with the place of the pair.
 using PlacedKinds = std::tuple<Kind, Kind, Place>;
 struct AnyPlacedPair : testing::TestWithParam<PlacedKinds> {
   Pair pair{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};

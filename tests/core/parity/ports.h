@@ -16,21 +16,21 @@
 
 namespace tendon_test {
 
-/// Offers everything for one payload: every kind of command, the events, a column. Members that are
-/// not atomic belong to the server's thread.
+/// The server's members for one payload: every kind of command, the events, a column. Fields that
+/// are not atomic are used only in the server's thread.
 template <tendon::Payload P>
 class ServerPort {
  public:
   using Value = P;
 
-  /// In the server's constructor; `name` is the column's.
+  /// Called in the server's constructor; `name` is the name of the column.
   void AddTo(tendon::ProvidedInterface& interface, tendon::StateTable& table,
              const std::string& name);
   void AddGoalTo(tendon::StateTable& table, const std::string& name) const;
 
   P goal{};                 // a column
-  std::vector<P> received;  // by the write command, one after the other
-  std::vector<P> kept;      // by that which keeps the latest only
+  std::vector<P> received;  // arguments of the write command, in order
+  std::vector<P> kept;      // arguments of the write command that keeps only the latest call
   std::vector<Filtered> filtered;
   int resets = 0;
   std::thread::id thread;                // of the last queued command
@@ -60,7 +60,7 @@ class ServerPort {
   void Note();
 };
 
-/// Needs all of it.
+/// The client's members: one function or handler for each member of a ServerPort.
 template <tendon::Payload P>
 class ClientPort {
  public:
@@ -110,7 +110,7 @@ using ClientPorts = ForPayloads<ClientPortsOf>;
 inline constexpr std::array kPortNames = {"Joints",  "Vector3", "Pose", "Text",
                                           "Numbers", "VectorX", "Scan"};
 
-/// `body(port)` for each.
+/// Calls `body(port)` for each port.
 template <typename Ports, typename Body>
 void ForEachPort(Ports& ports, Body body) {
   std::apply([&body](auto&... port) { (body(port), ...); }, ports);

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <iterator>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 // What the reference system gets wrong between processes, as far as no other test shows that it is
 // right here; see the README of this folder.

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Payloads which together have every kind, and alignments that go wrong easily.
+/// Payloads that together have every kind of field, and alignments that are easy to get wrong.
 namespace sample {
 
 enum class Mode : std::int8_t { kOff = 0, kTracking = 5, kFault = -1 };

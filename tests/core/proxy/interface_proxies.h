@@ -42,8 +42,8 @@ struct ClientEnd final : ChannelHandler {
     const std::scoped_lock lock(mutex_);
     return why_closed_;
   }
-  std::atomic<bool> is_deaf{false};        // to credit
-  std::atomic<std::uint64_t> executed{0};  // as was told last
+  std::atomic<bool> is_deaf{false};        // ignores credit
+  std::atomic<std::uint64_t> executed{0};  // in the newest credit
   std::shared_ptr<ProvidedInterfaceProxy> proxy;
 
  private:
@@ -51,7 +51,7 @@ struct ClientEnd final : ChannelHandler {
   std::string why_closed_;
 };
 
-/// The server's.
+/// The server's end of the channel.
 struct ServerEnd final : ChannelHandler {
   void OnOpen(const std::shared_ptr<Channel>& opened, const Hello& /*peer*/) override {
     channel.set_value(opened);

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-/// Kinds of faults, each seeded into one step.
+/// The kinds of faults. Each changes one step of a class.
 namespace tendon::seeded {
 
 constexpr std::size_t kAnyThread = 0;
@@ -14,7 +14,7 @@ inline bool IsBy(const Access& access, std::size_t thread) {
   return thread == kAnyThread || access.thread == thread;
 }
 
-/// A load, store or change of one atomic orders nothing.
+/// Makes a load, store or change of one atomic relaxed.
 inline Fault Relaxed(std::string name, Step step, MemoryModel::Location location,
                      std::size_t thread = kAnyThread) {
   return {std::move(name),
@@ -37,7 +37,7 @@ inline Fault WithoutFence(std::string name, std::memory_order order,
           {}};
 }
 
-/// The same for one fence alone: the `number`th of the thread, from 0 on.
+/// Leaves out one fence: the `number`th of the thread, from 0 on.
 inline Fault WithoutOneFence(std::string name, std::size_t thread, std::size_t number) {
   return {std::move(name),
           [=](Access& access) {
@@ -56,7 +56,8 @@ inline Fault WithoutBarrier(std::string name) {
           {}};
 }
 
-/// `forge(value)` gives a value with which the check of what `thread` loads always passes.
+/// Disables the check of a value that `thread` loads from `location`: replaces it by
+/// `forge(value)`, with which the check always passes.
 template <typename Change>
 Fault WithoutCheck(std::string name, MemoryModel::Location location, std::size_t thread,
                    Change forge) {
@@ -65,7 +66,7 @@ Fault WithoutCheck(std::string name, MemoryModel::Location location, std::size_t
           }};
 }
 
-/// The same for the first load after a fence, whatever it loads.
+/// Disables the check of the first load after a fence, from any location.
 inline Fault WithoutCheckAfterFence(std::string name, std::size_t thread, std::uint64_t forged) {
   return {std::move(name), {}, [=](const Access& access, std::uint64_t& value) {
             if (access.loads_since_fence == 0 && access.thread == thread) value = forged;

@@ -12,8 +12,8 @@
 #include <string>
 #include <type_traits>
 
-/// Lock-free classes with one fault: compiled from their own source with a policy that changes one
-/// step.
+/// Lock-free classes with one fault. They are compiled from their own source, with a policy that
+/// changes one step.
 namespace tendon::seeded {
 
 enum class Step { kLoad, kStore, kAdd, kSubtract, kExchange, kFence, kProcessBarrier };
@@ -21,12 +21,12 @@ enum class Step { kLoad, kStore, kAdd, kSubtract, kExchange, kFence, kProcessBar
 /// One step of a class, as a fault sees it.
 struct Access {
   Step step = Step::kLoad;
-  std::size_t thread = 0;              ///< of the scenario, from 1 on
-  MemoryModel::Location location = 0;  ///< atomics count from 0, as they are made
-  std::size_t loads_since_fence = 0;   ///< of this thread
-  std::size_t fences = 0;              ///< of this thread, before this step
+  std::size_t thread = 0;              ///< its number in the scenario, from 1 on
+  MemoryModel::Location location = 0;  ///< atomics are numbered from 0, in the order of creation
+  std::size_t loads_since_fence = 0;   ///< in this thread
+  std::size_t fences = 0;              ///< in this thread, before this step
   std::memory_order order = std::memory_order_seq_cst;
-  bool is_left_out = false;  ///< of a fence or a barrier
+  bool is_left_out = false;  ///< skips a fence or a barrier
 };
 
 struct Fault {
@@ -44,7 +44,7 @@ struct Fault {
 simulation::Report Explore(const Fault& fault,
                            const std::function<void(simulation::Scenario&)>& build);
 
-/// What the policy is made of.
+/// The parts of the policy: begin a step, with the fault applied; change the result of a load.
 Access Begin(Step step, std::memory_order order, MemoryModel::Location location = 0);
 void Forge(const Access& access, std::uint64_t& value);
 

@@ -23,13 +23,13 @@ class Script {
  public:
   enum Function { kNone, kConfigure, kStartup, kRun, kHandler, kCleanup };
 
-  /// The function that throws, until it is told otherwise.
+  /// The function that throws, until the test changes it.
   std::atomic<Function> throws = kNone;
   std::atomic<bool> throws_a_number = false;  // not a std::exception
-  std::atomic<bool> throws_nested = false;    // one that has led to another
-  /// The function that does not return while it is named here.
+  std::atomic<bool> throws_nested = false;    // an exception caused by another one
+  /// The function that blocks, as long as it is named here.
   std::atomic<Function> blocks = kNone;
-  std::atomic<bool> is_blocked = false;  // it has been reached
+  std::atomic<bool> is_blocked = false;  // the function blocks now
 
   std::atomic<int> configures = 0;
   std::atomic<int> startups = 0;
@@ -57,7 +57,7 @@ class Script {
   }
 };
 
-/// A component that is no task, with the cycle that it never makes.
+/// A component that is no task. Its Run() is never called.
 class WithoutCycles : public tendon::Component {
  public:
   using Component::Component;

@@ -23,10 +23,10 @@ class RealSystem : public ::testing::Test {
   RealSystem();
   ~RealSystem() override;
 
-  /// Starts it, and waits until the catalogue has all of it.
+  /// Starts an LCM, and waits until the catalogue has all of its components.
   void StartLcm(const std::string& process);
   [[nodiscard]] Program& lcm(const std::string& process) { return *lcms_.at(process); }
-  /// `gcm WORDS...`, as a newcomer types it.
+  /// Runs `gcm WORDS...` without any option, as a new user types it.
   [[nodiscard]] Outcome Gcm(Program::Words words) const;
 
   [[nodiscard]] MainWindow& window() { return *window_; }

@@ -24,7 +24,7 @@ class FlowFixture : public ::testing::Test {
   void SetUp() override;
   void TearDown() override;
 
-  /// In place of the one before.
+  /// Replaces the former GCM.
   void StartGcm();
   void OpenWindow();
   [[nodiscard]] bool IsDemoRunning() const;
@@ -37,7 +37,7 @@ class FlowFixture : public ::testing::Test {
     if (found == nullptr) throw std::runtime_error(std::string("there is no ") + name);
     return *found;
   }
-  /// With the mouse.
+  /// Clicks a tab with the mouse.
   void ClickTab(const char* bar, const char* title);
   /// Always moves to the same place, so that each move ends soon, with an event.
   void MoveArm();
@@ -47,7 +47,7 @@ class FlowFixture : public ::testing::Test {
   [[nodiscard]] std::map<std::string, std::string> FlowEnvironment() const;
   std::unique_ptr<Program> StartLcm(const std::string& name,
                                     const std::string& system = TENDON_DEMO_SYSTEM) const;
-  /// `gcm` with these words, as another program on this machine.
+  /// Starts `gcm WORDS...` as another program on this machine.
   std::unique_ptr<Program> StartGcmVerb(const Program::Words& words) const;
 
   const std::string address_ = "127.0.0.1:" + std::to_string(FreePort());

@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// Throws in a widget when an event of this type comes for it, as often as one comes.
+/// Throws at every event of one type that a widget receives.
 class Bomb : public QObject {
  public:
   Bomb(QWidget& target, QEvent::Type type, std::function<void()> explode)
@@ -16,7 +16,7 @@ class Bomb : public QObject {
   }
 
   [[nodiscard]] int explosions() const { return explosions_; }
-  /// From now on it only counts.
+  /// From now on, only counts the events.
   void defuse() { is_live_ = false; }
   [[nodiscard]] int events() const { return events_; }
 

@@ -21,10 +21,10 @@ std::vector<Sample> Rows(
 /// A view of 640 x 320 pixels that is shown and laid out, and lies above all others.
 void ShowView(PlotView& view);
 
-/// Refreshes and paints it as the timer would.
+/// Refreshes and paints the view as its timer would.
 QImage Painted(PlotView& view);
 
-/// For people, see PictureFile().
+/// Saves a picture for people, see PictureFile().
 void KeepPicture(const QImage& image, const QString& name);
 
 }  // namespace tendon::gui

@@ -21,7 +21,7 @@ namespace tendon::gui {
 /// Values of a column of doubles.
 std::vector<std::optional<NumericValue>> ExactValues(const std::vector<double>& values);
 
-/// Remembers what it was asked to do: "connect a b", "connect if free a b", "disconnect a", "undo",
+/// Records the requested actions: "connect a b", "connect if free a b", "disconnect a", "undo",
 /// "forget a", "stop robot/arm".
 class RecordingActions final : public SystemActions {
  public:
@@ -46,7 +46,7 @@ class ScriptedCalls final : public CommandCalls {
   void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
-  std::map<Fingerprint, Schema> schemas;  ///< of types that have another one
+  std::map<Fingerprint, Schema> schemas;  ///< of types that have another schema than `schema`
   int asked_for_schema = 0;
   QStringList calls;
   AnswerHandler answer;  ///< of the newest call
@@ -54,7 +54,7 @@ class ScriptedCalls final : public CommandCalls {
   ValueHandler value;    ///< of the newest of them
 };
 
-/// Remembers what it was asked. The test answers.
+/// Records the questions; the test answers them.
 class ScriptedChecks final : public ConnectionChecks {
  public:
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
@@ -98,11 +98,11 @@ class ScriptedSignals final : public SignalSource {
   void retry(const QString& column) override { retried.append(column); }
   [[nodiscard]] RowLosses losses(const QString& /*signal*/) const override { return lost; }
 
-  /// All that is watched by anyone.
+  /// All signals that are watched.
   [[nodiscard]] QSet<QString> watched() const;
-  /// A newest row of `column`, whose value has this schema.
+  /// Sends a newest row of `column`, whose value has this schema.
   void send(const QString& column, const Schema& schema, const std::vector<double>& values);
-  /// The same, of a column that holds a picture.
+  /// Sends a newest row of a column that holds a picture.
   void sendPicture(const QString& column, const RawImage& picture);
 
   QMap<QString, int> subscribed;
@@ -131,20 +131,20 @@ class ScriptedReports final : public SystemReports {
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
   [[nodiscard]] QStringList listened() const;
-  /// One record of robot/arm's log, now.
+  /// Sends a record of robot/arm's log, with the present time.
   void sendLog(LogLevel level, const std::string& source, const std::string& text);
 
   bool watches_log = false;
   Result<message::SystemHealth> health = message::SystemHealth();
   Result<ConnectionCounts> counts = Error{ErrorCode::kNotFound, "nothing is known"};
-  QStringList counted;         ///< of which connections the counts were asked
-  bool answers_counts = true;  ///< at once; else the test does
-  std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that wait for the test
+  QStringList counted;         ///< the connections whose counts were requested
+  bool answers_counts = true;  ///< at once; otherwise the test answers
+  std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that the test must call
   Result<MailboxFill> fill = MailboxFill();
-  /// Where there is none, nobody answers.
+  /// The answer; if there is none, the request is never answered.
   std::optional<Result<message::Children>> children = message::Children();
-  QStringList asked_for_classes;                          ///< which processes
-  std::vector<Handler<message::Classes>> class_handlers;  ///< of them, for the test to answer
+  QStringList asked_for_classes;                          ///< the processes
+  std::vector<Handler<message::Classes>> class_handlers;  ///< that the test must call
 
  private:
   QMap<const QObject*, QStringList> wanted_;

@@ -6,7 +6,7 @@
 
 namespace tendon::gui {
 
-/// Components of which nearly all are connected to the one before: `process_100/component_100`, …
+/// Components that are nearly all connected to the component before: `process_100/component_100`, …
 /// Each also has this number of commands, ten in an interface.
 SystemBuilder LargeSystem(int processes, int of_each, int commands = 0);
 

@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// Runs all tests of the program under an application of this kind, without a screen. Neither the
-/// desktop's look nor its user's folders decide what a test sees.
+/// Runs all tests of the program with an application of this class, without a screen. The results
+/// do not depend on the look of the desktop or on the user's folders.
 template <typename Application>
 int RunTests(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -15,7 +15,7 @@ int RunTests(int argc, char** argv) {
   const QTemporaryDir runtime;
   qputenv("XDG_RUNTIME_DIR", runtime.path().toLocal8Bit());
   Application application(argc, argv);
-  application.setProperty("tendonStill", true);  // what moves is where it is to be at once
+  application.setProperty("tendonStill", true);  // animations end at once
   ::testing::InitGoogleMock(&argc, argv);
   return RUN_ALL_TESTS();
 }

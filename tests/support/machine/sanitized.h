@@ -1,8 +1,8 @@
 #pragma once
 
-// Weak: where no sanitizer is linked, their address is null. That is asked of the program and not
-// of the compiler, for a test may be compiled without the sanitizer that it is linked with.
-// NOLINTBEGIN(bugprone-reserved-identifier)
+// Weak symbols: their address is null if the program is linked without this sanitizer. Macros of
+// the compiler do not tell, because a test may be compiled without the sanitizer that it is linked
+// with. NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 [[gnu::weak]] void __asan_init();
 [[gnu::weak]] void __tsan_init();

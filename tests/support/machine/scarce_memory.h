@@ -4,8 +4,8 @@
 
 namespace tendon {
 
-/// While this object lives, `operator new` throws in the whole process for requests of this size or
-/// more. One at a time.
+/// While this object exists, `operator new` throws std::bad_alloc for requests of this size or
+/// more, in all threads. Only one object at a time.
 class ScarceMemory {
  public:
   explicit ScarceMemory(std::size_t too_much) noexcept;

@@ -8,14 +8,14 @@
 
 namespace tendon::test {
 
-/// Measures how long this machine ran no thread. Components then miss their deadlines, which a test
-/// must not count as failures.
+/// Measures the longest time in which this machine ran no thread of the test. Components miss their
+/// deadlines in such a time, and a test must not count that as a failure.
 class StallMeter {
  public:
   using Time = std::chrono::milliseconds;
 
   [[nodiscard]] Time longest() const { return longest_; }
-  /// True if leases may have expired only for this reason.
+  /// True if the machine stood still for so long that leases may have expired.
   [[nodiscard]] bool has_stood_still() const { return longest() >= kMuch; }
 
  private:

@@ -15,12 +15,12 @@
 
 namespace tendon::test {
 
-/// Notes where in memory the frames of each type lie that are sent on its links.
+/// A middleware that records the address in memory of each frame that is sent on its links.
 class TracedMiddleware final : public WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;
 
-  /// Of the frames of this type, in the order in which they were sent.
+  /// The addresses of the frames of this type, in the order in which they were sent.
   [[nodiscard]] std::vector<const std::byte*> PlacesOf(MessageType type) const {
     std::vector<const std::byte*> places;
     const std::scoped_lock lock(traces_->mutex);
@@ -64,8 +64,8 @@ class TracedMiddleware final : public WrappedMiddleware {
   const std::shared_ptr<Traces> traces_ = std::make_shared<Traces>();
 };
 
-/// A channel over loopback that notes where the frames lie that it sends, and a peer that keeps the
-/// notices that arrive.
+/// A channel over loopback that records the addresses of the frames that it sends, and a peer that
+/// records the notices that arrive.
 class TracedChannel {
  public:
   struct Notice {

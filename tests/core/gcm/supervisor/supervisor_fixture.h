@@ -58,7 +58,7 @@ class FakeLauncher final : public Launcher {
     const std::scoped_lock lock(mutex_);
     return orders_.size();
   }
-  /// Of the last one.
+  /// The order for the process that was started last.
   [[nodiscard]] Order order() const {
     const std::scoped_lock lock(mutex_);
     return orders_.back();
@@ -86,10 +86,10 @@ class FakeLauncher final : public Launcher {
 /// The part of a GCM that starts processes; the test plays these processes.
 class SupervisorTest : public testing::Test {
  protected:
-  /// What came of an order.
+  /// The outcome of an order.
   struct Answer {
     std::atomic<bool> is_here = false;
-    std::string text;  ///< "" where it was done
+    std::string text;  ///< "" if the order succeeded
   };
   using SharedAnswer = std::shared_ptr<Answer>;
 
@@ -129,12 +129,12 @@ class SupervisorTest : public testing::Test {
   testing::AssertionResult IsAnswered(const SharedAnswer& answer) {
     return Comes([&] { return answer->is_here.load(); });
   }
-  /// Of one that is answered without a process.
+  /// The answer to an order that needs no process.
   static std::string TextOf(const SharedAnswer& answer) {
     EXPECT_TRUE(EventuallyTrue([&] { return answer->is_here.load(); }));
     return answer->text;
   }
-  /// As the process does once it runs.
+  /// Joins as the started process.
   void Join(std::vector<ComponentDescription> components = {}) {
     Locked([&] {
       const auto admission = registry_.Join({{.name = "robot",
@@ -148,7 +148,7 @@ class SupervisorTest : public testing::Test {
       session_ = admission->session;
     });
   }
-  /// Starts it, and lets it join.
+  /// Starts the process, and joins as it.
   void Run(RestartPolicy restart, std::vector<ComponentDescription> components = {}) {
     const auto answer = Order(ProcessVerb::kStart, restart);
     ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));

@@ -49,7 +49,7 @@ class LifeFixture : public NetworkTest {
                                     const tendon::message::LifeOrder& order) {
     return tendon::Wait<void>(2 * kLong, [&](auto handler) { client.Steer(order, handler); });
   }
-  /// Of the process robot.
+  /// Sends an order for a component of the process robot, and waits for the answer.
   tendon::Result<void> Order(tendon::LifeVerb verb, const std::string& component) {
     return Steer(*client_, {.verb = verb, .process = "robot", .component = component});
   }
@@ -73,7 +73,7 @@ class LifeFixture : public NetworkTest {
                             .configuration = configuration});
   }
   using Pending = std::future<tendon::Result<void>>;
-  /// An order that is not waited for.
+  /// Sends an order and does not wait for the answer.
   Pending OrderLater(const tendon::message::LifeOrder& order) {
     auto promise = std::make_shared<std::promise<tendon::Result<void>>>();
     client_->Steer(order, [promise](const auto& result) { promise->set_value(result); });
@@ -92,13 +92,13 @@ class LifeFixture : public NetworkTest {
     }
     return all;
   }
-  /// Which step was taken back, or why none.
+  /// Undoes the newest step. Returns its text, or the reason why none was undone.
   std::string Undone() {
     const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
         3 * kLong, [&](auto handler) { client_->Undo(handler); });
     return undone ? undone->verb + " " + undone->life.component : undone.error().message;
   }
-  /// What was refused, and why; empty where nothing was.
+  /// The reason of a refusal; empty if nothing was refused.
   static std::string Reason(const tendon::Result<void>& result) {
     return result ? std::string() : result.error().message;
   }

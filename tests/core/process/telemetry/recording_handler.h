@@ -58,7 +58,7 @@ class RecordingHandler : public tendon::ChannelHandler {
     return is_closed_;
   }
 
-  std::mutex gate;  ///< whoever brings notices waits while it is locked
+  std::mutex gate;  ///< a thread that delivers a notice waits while it is locked
   std::atomic<bool> is_at_gate{false};
 
  private:

@@ -7,21 +7,21 @@
 
 namespace faults {
 
-/// Compares the journals of clients and ledgers: a command that was reported as done was executed
-/// exactly once, a refused one never, one with an unknown outcome at most once, and no other
-/// command was executed.
+/// The result of comparing the journals of clients with those of ledgers. A command must be
+/// executed exactly once if the client reports it as done, never if it was refused, and at most
+/// once if its outcome is unknown. A ledger must execute no command that no client has sent.
 struct CommandVerdict {
   std::size_t given = 0;
   std::size_t done = 0;
   std::size_t refused = 0;
   std::size_t unknown = 0;
   std::size_t unknown_and_executed = 0;
-  std::vector<std::string> mistakes;  ///< what contradicts that
+  std::vector<std::string> mistakes;  ///< violations of these rules
 };
 
 CommandVerdict CheckCommands(const std::filesystem::path& folder);
 
-/// For people: "1234 commands: 1200 done, ..."
+/// A line for the output of a test: "1234 commands: 1200 done, ..."
 std::string ToString(const CommandVerdict& verdict);
 
 }  // namespace faults

@@ -10,7 +10,7 @@
 
 namespace faults {
 
-/// Takes no batch while its gate is held.
+/// A reader of a stream that accepts no rows while a test holds its gate.
 class GatedReader final : public tendon::RowSink {
  public:
   [[nodiscard]] std::unique_lock<std::mutex> HoldGate() { return std::unique_lock(gate_); }
@@ -49,7 +49,7 @@ class FanOutTest : public FaultTest {
     })) << robot_->err();
   }
 
-  /// The words of a program that is known as `name`.
+  /// The command line `words`, with options that give the program the identity `name`.
   [[nodiscard]] virtual Words As(const std::string& /*name*/, Words words = {}) const {
     return words;
   }

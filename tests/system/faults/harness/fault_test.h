@@ -33,9 +33,9 @@ class FaultTest : public testing::TestWithParam<std::string> {
 
   /// Starts the GCM at its former address; returns when it serves.
   void StartGcm();
-  /// A GCM that need not come to serve.
+  /// Starts a GCM and does not wait; it may fail to start.
   [[nodiscard]] std::unique_ptr<Program> MakeGcm() const;
-  /// Begins to run; `more` are further options.
+  /// Starts an LCM and does not wait; `more` are further options.
   [[nodiscard]] std::unique_ptr<Program> MakeLcm(const std::string& name,
                                                  const Words& more = {}) const;
   /// Starts the GCM, robot, desk, and a viewer that reads the ledger's stream; returns when all of
@@ -44,29 +44,32 @@ class FaultTest : public testing::TestWithParam<std::string> {
   void StartViewer();
   /// Runs `gcm WORDS...` to its end.
   [[nodiscard]] Outcome Gcm(Words words) const;
-  /// Our cookie, for a peer that is not a program of Tendon.
+  /// A middleware with the user's cookie, for peers in this process.
   [[nodiscard]] virtual std::shared_ptr<tendon::Middleware> NewMiddleware() const;
-  /// A command line that begins one of our programs.
+  /// The command line that starts one of our programs.
   [[nodiscard]] Words Command(const std::string& program, const Words& words) const;
   [[nodiscard]] Environment environment() const;
 
   [[nodiscard]] bool EventuallyIs(const std::string& process, tendon::ProcessState state) const;
-  /// A process joins before its components start, so a living process may still refuse commands.
+  /// Waits until the component is active. To wait for its process is not enough: a process joins
+  /// before its components start, and refuses commands until then.
   [[nodiscard]] bool EventuallyActive(const std::string& process,
                                       const std::string& component) const;
   [[nodiscard]] std::string AddressOf(const std::string& process) const;
-  /// Of the desk's client to the robot's ledger.
+  /// Waits until the connection from the desk's client to the robot's ledger is active.
   [[nodiscard]] bool EventuallyConnected() const;
-  /// Waits until this number of further rows have arrived and some further commands were executed.
+  /// Waits until `rows` more rows have arrived and some more commands were executed.
   [[nodiscard]] bool Flows(std::uint64_t rows = 100) const;
-  /// Waits until some further commands of this number of clients were executed.
+  /// Waits until some more commands of at least `clients` clients were executed.
   [[nodiscard]] bool EventuallyExecutesMore(std::size_t clients = 1) const;
-  /// Lines of all journals of one kind, with these words in them.
+  /// The number of lines that contain `words`, in all journals of one kind.
   [[nodiscard]] std::size_t Lines(const std::string& kind, const std::string& words = {}) const;
 
-  /// Kills all LCMs, so that the journals are complete, and lets the checkers decide.
+  /// Kills all LCMs, so that the journals are complete, and expects that the checker of commands
+  /// finds no mistake.
   void ExpectHonestCommands();
-  /// All the time, by one subscription of one ledger.
+  /// Expects that one subscription has received every row of one ledger. Rows may be lost only if
+  /// MayExpireLeases(), and then each loss must be counted.
   void ExpectNoRowLost() const;
   void ExpectNeverLost(const std::string& process) const;
   /// True if a lease may have expired although nothing is wrong: the machine ran no thread for too
@@ -77,7 +80,7 @@ class FaultTest : public testing::TestWithParam<std::string> {
 
   const tendon::test::StallMeter stalls_;
   const tendon::test::Folder home_;
-  Environment more_environment_;  ///< of the programs that are begun from now on
+  Environment more_environment_;  ///< for all programs that start from now on
   std::string gcm_address_;
   std::unique_ptr<Program> gcm_;
   std::unique_ptr<Program> robot_;
@@ -89,14 +92,15 @@ class FaultTest : public testing::TestWithParam<std::string> {
  private:
   template <typename Read>
   void ForEachJournal(const std::string& kind, Read read) const;
-  /// How many commands, by client.
+  /// The number of executed commands of each client.
   [[nodiscard]] std::map<std::string, std::size_t> Executed() const;
 };
 
-/// How the types of the process `hand` were edited: each is the name of a component there.
+/// The edits of types in the process `hand`. Each edit is the name of the component there that has
+/// the edited type.
 const std::vector<std::string>& Edits();
 
-/// One of all the middlewares, the default first.
+/// The names of all middlewares in this build, the default first.
 std::vector<std::string> Middlewares();
 inline std::string NameOfMiddleware(const testing::TestParamInfo<std::string>& info) {
   return info.param;

@@ -11,7 +11,7 @@
 
 namespace faults {
 
-/// What a process takes of the machine.
+/// The resources that a process uses.
 struct Footprint {
   std::size_t descriptors = 0;
   std::size_t threads = 0;
@@ -41,11 +41,11 @@ inline std::size_t AddressSpaceOf(int pid) {
   return pages * kPage;
 }
 
-/// A sanitizer keeps what was freed.
+/// The growth of memory that IsFlat() allows. A sanitizer keeps freed memory, so it needs more.
 inline const std::size_t kMemory = std::size_t{tendon::test::IsSanitized() ? 256U : 16U} << 20U;
 
-/// True if there are no further descriptors, no further threads except those that a pool keeps for
-/// a while, and hardly more memory.
+/// True if a process has no more descriptors than before, no more threads except those that a pool
+/// keeps for a while, and hardly more memory.
 inline bool IsFlat(const Footprint& before, const Footprint& now) {
   constexpr std::size_t kPool = 4;
   return now.descriptors <= before.descriptors && now.threads <= before.threads + kPool &&

@@ -19,19 +19,19 @@ class Islands {
   [[nodiscard]] bool ok() const { return reason_.empty(); }
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
-  /// The first words of a command line that runs in one of them.
+  /// The first words of a command line that runs in one of the two namespaces.
   [[nodiscard]] Program::Words Here() const;
   [[nodiscard]] Program::Words There() const;
   static constexpr const char* kHere = "10.77.0.1";
   static constexpr const char* kThere = "10.77.0.2";
 
-  /// Data sent in that direction does not arrive any more, and no end is notified.
+  /// Drops all data that is sent in this direction from now on. Neither end is notified.
   void Make(Cut cut) const;
   void Heal() const;
 
  private:
   void Begin();
-  /// In a shell on an island.
+  /// Runs a script in a shell on an island.
   static Outcome Do(Program::Words island, const std::string& script);
   void Aim(const Program::Words& island, const std::string& peer, const std::string& device,
            const std::string& address) const;

@@ -11,27 +11,27 @@
 
 namespace faults {
 
-/// The greatest that any joint has reached.
+/// The greatest values that any joint has reached.
 struct Peak {
   double speed = 0.0;         // rad/s
   double acceleration = 0.0;  // rad/s^2
-  double stall = 0.0;         // s: the longest between two cycles, which the arm sees as no time
+  double stall = 0.0;         // s: the longest pause between two cycles; the arm does not notice it
 };
 
-/// For people.
+/// A line for the output of a test.
 std::string ToString(const Peak& peak);
 
 /// Reads every row of an arm's joints, and computes how the arm has moved.
 class MotionChecker final : public tendon::RowSink {
  public:
-  /// Since the last time it was asked, and forgets.
+  /// Returns the peak since the last call, and starts anew.
   Peak TakePeak();
   [[nodiscard]] arm::JointState joints() const;
-  /// Of the newest row; 0 where there is none.
+  /// The speed in the newest row; 0 if there is none.
   [[nodiscard]] double speed() const;
-  /// When the arm was last in motion, by the clock of this host.
+  /// The time of the last row in which the arm moved, by the clock of this host.
   [[nodiscard]] tendon::SteadyTime last_motion() const;
-  /// Rows that have come.
+  /// The number of rows that have arrived.
   [[nodiscard]] std::size_t rows() const;
 
  private:

@@ -15,7 +15,7 @@ class ProcessWatch final : public tendon::GcmListener {
  public:
   /// How often the process entered this state.
   [[nodiscard]] std::size_t Count(const std::string& process, tendon::ProcessState state) const;
-  /// Every name that changed to another instance although the first one was neither lost nor left.
+  /// The names that a second instance took while the first one was still alive in the catalogue.
   [[nodiscard]] std::vector<std::string> double_holders() const;
   [[nodiscard]] std::size_t snapshots() const;
   /// The number of reported changes of a connection.

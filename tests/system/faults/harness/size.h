@@ -8,8 +8,8 @@ namespace faults {
 /// How often a fault is injected: `small`, or `full` if TENDON_FULL_FAULTS is set.
 int Size(int small, int full);
 
-/// How many times slower this machine starts one of our programs than an idle one; at least 1.
-/// Measured once, at the start.
+/// The time that this machine needs to start one of our programs, divided by that of an idle
+/// machine; at least 1. Measured once, at the start.
 double Slowness();
 
 /// The time limit of a failing test; it is not a requirement on speed.
@@ -26,7 +26,7 @@ bool Eventually(Predicate predicate) {
   return true;
 }
 
-/// Milliseconds since it was made.
+/// Measures the milliseconds since its construction.
 class Stopwatch {
  public:
   [[nodiscard]] long milliseconds() const {

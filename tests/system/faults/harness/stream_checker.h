@@ -17,11 +17,11 @@ class StreamChecker final : public tendon::RowSink {
  public:
   struct Verdict {
     std::uint64_t received = 0;
-    std::uint64_t missing = 0;       ///< numbers that were never seen, while the same ledger lived
-    std::uint64_t counted = 0;       ///< what the stream itself says was lost
-    std::uint64_t repeated = 0;      ///< numbers or ticks that came twice or went back
-    std::uint64_t damaged = 0;       ///< samples that are not what was sent
-    std::vector<std::string> stale;  ///< why it was told, each time, that there are no rows for now
+    std::uint64_t missing = 0;       ///< numbers that never arrived although the ledger did not restart
+    std::uint64_t counted = 0;       ///< losses that the stream itself reported
+    std::uint64_t repeated = 0;      ///< numbers or ticks that arrived twice or went back
+    std::uint64_t damaged = 0;       ///< samples with a wrong check sum
+    std::vector<std::string> stale;  ///< the reason of each report that rows have stopped
     std::uint64_t subscriptions = 0;
     std::uint64_t ledgers = 0;
   };
@@ -41,7 +41,7 @@ class StreamChecker final : public tendon::RowSink {
   std::optional<Numbered> last_;
 };
 
-/// For people: "12345 rows, 0 missing, ..."
+/// A line for the output of a test: "12345 rows, 0 missing, ..."
 std::string ToString(const StreamChecker::Verdict& verdict);
 
 }  // namespace faults

@@ -45,12 +45,12 @@ class ThreadLimit {
   [[nodiscard]] bool Move(const std::filesystem::path& group) const {
     return Write(group / "cgroup.procs", std::to_string(pid_));
   }
-  /// That of all groups, in either version of them.
+  /// The folder of all control groups, in version 1 or 2 of the kernel's interface.
   static std::filesystem::path Root() {
     const std::filesystem::path root("/sys/fs/cgroup");
     return std::filesystem::exists(root / "pids") ? root / "pids" : root;
   }
-  /// The one that a process is in.
+  /// The control group of a process.
   static std::filesystem::path GroupOf(int pid) {
     const std::string name = Root().filename() == "pids" ? ":pids:" : "0::";
     std::ifstream lines("/proc/" + std::to_string(pid) + "/cgroup");

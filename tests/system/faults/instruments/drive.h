@@ -18,7 +18,7 @@ namespace faults {
 struct DriveSettings {
   std::string folder;
   double cycle = 0.0;   // s of work in each
-  bool floods = false;  // whether it sends until it is refused
+  bool floods = false;  // sends commands until one is refused
 };
 
 }  // namespace faults
@@ -33,7 +33,8 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Moves as the last command says, and writes each start and each executed stop to the journal.
+/// Moves at the speed of the last command, and writes each start and each executed stop to the
+/// journal.
 class Drive final : public tendon::PeriodicTask {
  public:
   using Configuration = DriveSettings;
@@ -70,8 +71,8 @@ class Drive final : public tendon::PeriodicTask {
   double velocity_ = 0.0;
 };
 
-/// Moves a drive faster and faster, and stops it when it ends itself; writes the outcome to the
-/// journal.
+/// Moves a drive faster and faster, and stops the drive in its own Cleanup(). Writes the outcome of
+/// the stop to the journal.
 class Driver final : public tendon::PeriodicTask {
  public:
   using Configuration = DriveSettings;

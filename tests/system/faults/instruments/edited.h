@@ -39,7 +39,7 @@ using ForceInOtherOrder = ForceOf<double, Torque3, Frame, 5>;
 using ForceOfOtherShape = ForceOf<double, Torque2, Frame, 0>;
 using ForceInOtherFrames = ForceOf<double, Torque3, FrameWithOneMore, 0>;
 
-/// Takes forces of its own type.
+/// Receives forces of the original type.
 class Sensor final : public tendon::PeriodicTask {
  public:
   explicit Sensor(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(5)) {
@@ -51,7 +51,7 @@ class Sensor final : public tendon::PeriodicTask {
   void Push(const Force& /*force*/) {}
 };
 
-/// Has forces of type T.
+/// A client whose function sends forces of type T.
 template <typename T>
 class Pusher final : public tendon::PeriodicTask {
  public:

@@ -19,7 +19,7 @@ class Journal {
       : file_(open((folder + "/" + kind + "-" + std::to_string(source)).c_str(),
                    O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) {}
 
-  /// Whether it was written.
+  /// Returns false if the line could not be written.
   bool Add(const std::string& words) {
     const std::string line = words + "\n";
     return write(file_.get(), line.data(), line.size()) == static_cast<ssize_t>(line.size());
@@ -29,7 +29,7 @@ class Journal {
   tendon::os::Descriptor file_;
 };
 
-/// Configuration of what keeps one.
+/// Configuration of components that keep a journal.
 struct JournalPlace {
   std::string folder;
 };

@@ -25,7 +25,7 @@ class Ledger final : public tendon::PeriodicTask {
       : PeriodicTask(std::move(name), 1ms),
         executed_(place.folder, "executed", source_),
         held_(place.folder, "held", source_) {
-    constexpr std::size_t kRows = std::size_t{1} << 16U;  // whoever reads may stall for a minute
+    constexpr std::size_t kRows = std::size_t{1} << 16U;  // readers may stall for a minute
     state_table().SetLength(kRows);
     state_table().Add(sample_, "Sample");
     auto& control = AddProvidedInterface("Control");
@@ -45,7 +45,7 @@ class Ledger final : public tendon::PeriodicTask {
                   std::to_string(command.check));
   }
 
-  /// Takes its time.
+  /// Blocks the ledger's thread for this time.
   void Hold(std::uint32_t milliseconds, std::uint32_t& held) {
     held_.Add(std::to_string(milliseconds));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));

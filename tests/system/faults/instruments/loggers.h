@@ -10,7 +10,7 @@
 
 namespace faults {
 
-/// Logs 100 000 lines a second, in its cycles.
+/// Logs 100 000 lines per second.
 class Raver final : public tendon::PeriodicTask {
  public:
   explicit Raver(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(1)) {}
@@ -22,7 +22,7 @@ class Raver final : public tendon::PeriodicTask {
   }
 };
 
-/// Logs a number each 20 ms, which grows by one.
+/// Logs a counter every 20 ms.
 class Calm final : public tendon::PeriodicTask {
  public:
   explicit Calm(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(20)) {}

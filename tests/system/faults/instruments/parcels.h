@@ -16,7 +16,7 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// All of its bytes are the same.
+/// A payload of any size, whose bytes are all equal.
 using Parcel = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t kFilling = 7;
 

@@ -1,4 +1,4 @@
-#include "core/parity/places/two_processes.h"
+#include "core/parity/two_processes.h"
 
 #include <tendon/gcm/global_manager.h>
 #include <tendon/process/process.h>

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/process/holding_middleware.h"
-#include "core/process/remote_connection.h"
+#include "core/process/connections/holding_middleware.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 

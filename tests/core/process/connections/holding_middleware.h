@@ -25,7 +25,7 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
     const std::scoped_lock lock(mutex_);
     held_[address] = 0;
   }
-  /// The other end goes on.
+  /// Lets all waiting and further attempts continue.
   void Release(const std::string& address) {
     const std::scoped_lock lock(mutex_);
     held_.erase(address);
@@ -81,6 +81,6 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::string, int> held_;  // how many times somebody has waited for too long
+  std::map<std::string, int> held_;  // by address, the number of time-outs
   std::vector<std::string> waiting_;
 };

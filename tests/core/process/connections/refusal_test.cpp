@@ -6,7 +6,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <thread>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 #include "support/log/log_record.h"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 #include "support/allocation_guard.h"
 
 namespace {

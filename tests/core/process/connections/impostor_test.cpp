@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 

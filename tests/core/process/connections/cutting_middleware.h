@@ -49,7 +49,7 @@ class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
     std::shared_ptr<tendon::Link> link;
   };
 
-  /// What arrives.
+  /// Handles the frames that arrive.
   class Ear final : public tendon::LinkHandler {
    public:
     Ear(std::shared_ptr<Cable> cable, std::shared_ptr<tendon::LinkHandler> handler)
@@ -64,7 +64,7 @@ class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
     const std::shared_ptr<tendon::LinkHandler> handler_;
   };
 
-  /// What is sent.
+  /// Sends the frames of this end.
   class Mouth final : public tendon::test::WrappedLink {
    public:
     explicit Mouth(std::shared_ptr<Cable> cable)

@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/process/connections/holding_middleware.h"
 #include "core/process/empty_host.h"
-#include "core/process/holding_middleware.h"
 #include "support/wait.h"
 
 namespace {

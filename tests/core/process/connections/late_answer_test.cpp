@@ -7,7 +7,7 @@
 #include <future>
 #include <utility>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 

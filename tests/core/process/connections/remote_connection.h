@@ -30,7 +30,7 @@ class RemoteConnection : public NetworkTest {
     ASSERT_TRUE(EventuallyActive(*desk, 1)) << Reason();
   }
   std::string Reason() const { return desk->connections().front().reason; }
-  /// Connections that robot serves.
+  /// The number of connections that robot serves.
   std::size_t Served() const {
     std::size_t count = 0;
     for (const auto& proxy : robot->proxies()) count += proxy.required.size();

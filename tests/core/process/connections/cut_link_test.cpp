@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/process/calls/cutting_middleware.h"
+#include "core/process/connections/cutting_middleware.h"
 #include "support/network_test.h"
 #include "support/record.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "core/process/remote_connection.h"
+#include "core/process/connections/remote_connection.h"
 
 namespace {
 
