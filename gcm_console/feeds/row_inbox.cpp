@@ -16,13 +16,6 @@ tendon::QueueBound BoundFor(tendon::RowDelivery delivery) {
 
 }  // namespace
 
-LostRows& LostRows::operator+=(const LostRows& other) {
-  table += other.table;
-  network += other.network;
-  viewer += other.viewer;
-  return *this;
-}
-
 std::size_t RowInbox::KeptRow::size() const {
   std::size_t bytes = sizeof(KeptRow);
   for (const auto& cell : cells) bytes += sizeof(cell) + cell.size();
@@ -49,7 +42,7 @@ std::size_t RowInbox::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
   if (!columns_) return batch.count;
   std::size_t dropped = 0;
-  lost_ += {batch.lost_table, batch.lost_network, 0};
+  lost_ += batch.lost;
   for (std::size_t row = 0; row < batch.count; ++row) {
     KeptRow kept{.time_ns = batch.times[row],
                  .clock_offset_ns = batch.clock_offset.count(),
@@ -61,7 +54,7 @@ std::size_t RowInbox::OnRows(const tendon::RowBatch& batch) {
       const auto cell = batch.cell(row, column);
       kept.cells.emplace_back(cell.begin(), cell.end());
     }
-    LostRows gap;
+    tendon::LostRows gap;
     const std::size_t size = kept.size();
     rows_.Push(std::move(kept), size, [&](const KeptRow& oldest) {
       gap += oldest.lost_before;
@@ -98,9 +91,9 @@ std::deque<PrintedRow> RowInbox::Take() {
   return printed;
 }
 
-LostRows RowInbox::Rest() {
+tendon::LostRows RowInbox::Rest() {
   const std::scoped_lock lock(mutex_);
-  LostRows rest = std::exchange(gap_, {});
+  tendon::LostRows rest = std::exchange(gap_, {});
   while (!rows_.is_empty()) {
     for (const KeptRow& row : rows_.Take(kMostTaken)) {
       rest += row.lost_before;

@@ -18,22 +18,12 @@
 
 namespace console {
 
-/// Numbers of lost rows, by the place of the loss, as in RowCounts.
-struct LostRows {
-  std::uint64_t table = 0;
-  std::uint64_t network = 0;
-  std::uint64_t viewer = 0;
-
-  [[nodiscard]] std::uint64_t all() const { return table + network + viewer; }
-  LostRows& operator+=(const LostRows& other);
-};
-
 /// One row for printing: the wanted values by path, as JSON text.
 struct PrintedRow {
   std::int64_t time_ns = 0;
   std::int64_t clock_offset_ns = 0;  ///< see RowBatch
   std::uint64_t tick = 0;
-  LostRows lost_before;  ///< between the previous row and this one
+  tendon::LostRows lost_before;  ///< between the previous row and this one
   std::vector<std::pair<std::string, std::string>> values;
 };
 
@@ -64,7 +54,7 @@ class RowInbox final : public tendon::RowSink {
   [[nodiscard]] std::size_t waiting_bytes() const;
   /// Drops the waiting rows. Returns the number of rows lost after the last taken row, including
   /// those dropped. Call it in the printing thread only.
-  LostRows Rest();
+  tendon::LostRows Rest();
   /// Set if a path that was not found by a glob does not exist in its column; then there are no
   /// rows.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
@@ -87,7 +77,7 @@ class RowInbox final : public tendon::RowSink {
     std::int64_t time_ns = 0;
     std::int64_t clock_offset_ns = 0;
     std::uint64_t tick = 0;
-    LostRows lost_before;
+    tendon::LostRows lost_before;
     std::shared_ptr<Columns> columns;
     std::vector<std::vector<std::byte>> cells;
 
@@ -105,8 +95,8 @@ class RowInbox final : public tendon::RowSink {
   std::shared_ptr<Columns> columns_;
   std::optional<tendon::Error> mistake_;
   Rows rows_;
-  LostRows lost_;                      // since the newest waiting row
-  LostRows gap_;                       // since the last taken row; printing thread only
+  tendon::LostRows lost_;              // since the newest waiting row
+  tendon::LostRows gap_;               // since the last taken row; printing thread only
   std::vector<std::string> left_out_;  // reasons since TakeNotices()
   std::string complaint_;
   std::optional<tendon::Error> interruption_;

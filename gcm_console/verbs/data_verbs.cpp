@@ -238,8 +238,8 @@ class WatchedTables {
     return all;
   }
   /// The rows lost after the last printed row of each table.
-  std::vector<std::pair<const std::string*, LostRows>> Rest() {
-    std::vector<std::pair<const std::string*, LostRows>> all;
+  std::vector<std::pair<const std::string*, tendon::LostRows>> Rest() {
+    std::vector<std::pair<const std::string*, tendon::LostRows>> all;
     for (const Table& table : tables_) all.emplace_back(&table.name, table.inbox->Rest());
     return all;
   }
@@ -275,7 +275,7 @@ class WatchedTables {
   bool has_ended_ = false;
 };
 
-std::string LostText(const LostRows& lost) {
+std::string LostText(const tendon::LostRows& lost) {
   return std::to_string(lost.table) + " in the table, " + std::to_string(lost.network) +
          " on the network, " + std::to_string(lost.viewer) + " here";
 }
@@ -302,7 +302,7 @@ class RowWriter {
     return !is_full() && context_.out().good();
   }
   /// Counts rows that are not printed.
-  void Miss(const std::string& table, const LostRows& rows) {
+  void Miss(const std::string& table, const tendon::LostRows& rows) {
     if (rows.all() > 0) ReportGap(table, rows);
     lost_ += rows;
   }
@@ -311,10 +311,10 @@ class RowWriter {
   /// True if only the newest row is requested.
   [[nodiscard]] bool is_latest() const { return options_.is_latest; }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
-  [[nodiscard]] const LostRows& lost() const { return lost_; }
+  [[nodiscard]] const tendon::LostRows& lost() const { return lost_; }
 
  private:
-  void ReportGap(const std::string& table, const LostRows& lost) {
+  void ReportGap(const std::string& table, const tendon::LostRows& lost) {
     if (context_.settings().json) {
       return context_.PrintJsonLine({{"gap",
                                       {{"table", table},
@@ -360,8 +360,9 @@ class RowWriter {
   const WatchOptions& options_;
   const std::vector<std::string> paths_;
   std::uint64_t printed_ = 0;
-  LostRows lost_;
-  std::map<std::string, LostRows> unreported_;  // lost rows that were not reported yet, by table
+  tendon::LostRows lost_;
+  std::map<std::string, tendon::LostRows>
+      unreported_;  // lost rows that were not reported yet, by table
   std::chrono::steady_clock::time_point last_report_;
 };
 
@@ -428,7 +429,7 @@ class StandstillNotices {
 };
 
 void Summarize(const RowWriter& writer, std::ostream& err) {
-  const LostRows& lost = writer.lost();
+  const tendon::LostRows& lost = writer.lost();
   err << "gcm: " << tendon::Counted(writer.printed(), "row", "rows") << ", " << lost.all()
       << " lost";
   if (lost.all() > 0) err << " (" << LostText(lost) << ')';
@@ -438,7 +439,7 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
 /// Returns false if no more rows are requested. After a signal, a write that would block fails, and
 /// the rows after it are lost.
 bool WriteRows(RowWriter& writer, const std::vector<WatchedTables::Row>& rows) {
-  std::map<std::string, LostRows> missed;
+  std::map<std::string, tendon::LostRows> missed;
   bool wants_more = true;
   for (const auto& [table, row] : rows) {
     if (wants_more) {

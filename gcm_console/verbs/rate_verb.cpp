@@ -51,7 +51,7 @@ class RateMeter final : public tendon::RowSink {
   std::size_t OnRows(const tendon::RowBatch& batch) override {
     constexpr double kNanosecond = 1e-9;
     const std::scoped_lock lock(mutex_);
-    rate_.lost += batch.lost_table + batch.lost_network;
+    rate_.lost += batch.lost.all();
     for (std::size_t row = 0; row < batch.count; ++row) {
       ++rate_.rows;
       const bool follows =

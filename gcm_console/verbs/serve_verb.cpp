@@ -50,7 +50,7 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
       tendon::GlobalManager::Start(*middleware, {.address = settings.gcm,
                                                  .state_folder = tendon::os::StateFolder(),
                                                  .launch = program::LcmLaunch(settings.network),
-                                                 .fan_out = fan_out});
+                                                 .broker = fan_out});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");

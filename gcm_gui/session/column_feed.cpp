@@ -111,8 +111,7 @@ void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
 
 std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   const std::lock_guard lock(mutex_);
-  losses_.table += batch.lost_table;
-  losses_.network += batch.lost_network;
+  losses_ += batch.lost;
   if (!schema_ || batch.count == 0) return 0;
   const bool new_epoch = batch.epoch != epoch_;
   epoch_ = batch.epoch;
@@ -158,7 +157,7 @@ QString ColumnFeed::refusal() {
 
 RowLosses ColumnFeed::losses() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (lock) told_losses_ = losses_;
+  if (lock) told_losses_ = {losses_.table, losses_.network, losses_.viewer};
   return told_losses_;
 }
 

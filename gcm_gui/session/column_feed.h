@@ -96,7 +96,7 @@ class ColumnFeed final : public RowSink {
   std::vector<std::byte> newest_row_;
   std::int64_t newest_time_ = 0;
   std::uint64_t rows_ = 0;
-  RowLosses losses_;
+  LostRows losses_;            // as counted by the subscription: a copy without its lock
   RowLosses told_losses_;      // GUI thread only
   std::vector<Order> orders_;  // GUI thread only
   bool fresh_ = false;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/base/source_place.h>
+#include <tendon/base/source_location.h>
 
 #include <span>
 #include <string>
@@ -20,14 +20,14 @@ void RequireName(std::string_view what, std::string_view name);
 
 /// A name that may be given only once, with the source line that gave it: the implicit conversion
 /// from text records the caller's line.
-struct PlacedName {
-  PlacedName(const char* name, SourcePlace given_at = SourcePlace::current())
-      : text(name), place(given_at) {}
-  PlacedName(std::string name, SourcePlace given_at = SourcePlace::current())
-      : text(std::move(name)), place(given_at) {}
+struct LocatedName {
+  LocatedName(const char* name, SourceLocation given_at = SourceLocation::current())
+      : text(name), location(given_at) {}
+  LocatedName(std::string name, SourceLocation given_at = SourceLocation::current())
+      : text(std::move(name)), location(given_at) {}
 
   std::string text;
-  SourcePlace place;
+  SourceLocation location;
 };
 
 /// The candidate most similar to `name`, or empty. Similar means an edit distance of at most 3, of

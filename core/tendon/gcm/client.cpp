@@ -187,7 +187,7 @@ class GcmClient::Implementation {
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) {
-      telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine(), FanOutFinder());
+      telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine(), BrokerFinder());
     }
     return *telemetry_;
   }
@@ -253,12 +253,12 @@ class GcmClient::Implementation {
   }
 
   /// Asks the GCM each time; the GCM answers only clients that may watch.
-  [[nodiscard]] FindFanOut FanOutFinder() const {
+  [[nodiscard]] FindBroker BrokerFinder() const {
     return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
-      const auto place = Wait<message::BroadcastAddress>(timeout, [&](auto handler) {
-        alive->Request<message::BroadcastAddress>(message::kFanOut, None{}, std::move(handler));
+      const auto place = Wait<message::BrokerAddress>(timeout, [&](auto handler) {
+        alive->Request<message::BrokerAddress>(message::kGetBroker, None{}, std::move(handler));
       });
       if (!place) return place.error();
       return place->address;

@@ -61,7 +61,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
       .instance = mine.instance,
       .launcher = std::make_shared<server::LcmLauncher>(options.launch, (*listener)->address(),
                                                         StatePath(options, "processes", "")),
-      .fan_out = options.fan_out});
+      .broker = options.broker});
   server->Start();
   promise.set_value(server);
   return std::unique_ptr<GlobalManager>(new GlobalManager(std::move(middleware), std::move(server),

@@ -37,7 +37,7 @@ class GlobalManager {
     std::chrono::milliseconds order_timeout{1500};
     Launch launch{};  ///< for the processes that it starts
     /// The address of the multicast broker for rows; empty: there is none.
-    std::string fan_out{};
+    std::string broker{};
   };
 
   /// Errors are those of Middleware::Listen(): kExists if another GCM has this address.

@@ -191,8 +191,8 @@ bool TakesArgument(const Signature& signature) {
          kind == CommandKind::kWriteReturn;
 }
 
-Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
-                                    WhenConnected when_connected) {
+Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
+                                            WhenConnected when_connected) {
   for (const InterfaceName& name : {wire.required, wire.provided}) {
     if (auto checked = CheckFullName(name); !checked) return checked.error();
   }
@@ -218,10 +218,10 @@ Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::W
                    Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
     }
   }
-  return WiringOf(catalogue, wire);
+  return ConnectionPlanOf(catalogue, wire);
 }
 
-message::Wiring WiringOf(const Catalogue& catalogue, const message::Wire& wire) {
+message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue, const message::Wire& wire) {
   const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
   if (provider == nullptr || !IsPresent(provider->process)) return {.wire = wire};
   return {

@@ -37,11 +37,12 @@ enum class WhenConnected { kRefuse, kReplace };
 /// kFailed if its process is absent. The process of the provider may be absent or unknown; then the
 /// connection will be pending, and must not replace an active one (kFailed, kNotFound). A missing
 /// interface of a present process is an error.
-Result<message::Wiring> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
-                                    WhenConnected when_connected = WhenConnected::kRefuse);
+Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
+                                            WhenConnected when_connected = WhenConnected::kRefuse);
 
 /// The same order, unchecked.
-[[nodiscard]] message::Wiring WiringOf(const Catalogue& catalogue, const message::Wire& wire);
+[[nodiscard]] message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue,
+                                                       const message::Wire& wire);
 
 /// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed if it is not
 /// connected or its process is absent.

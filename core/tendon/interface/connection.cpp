@@ -123,7 +123,8 @@ void Connection::BindHandlers() {
     CommandBase& bound = *kept.back();
     subscriptions_.push_back({event, &bound});
     event->Subscribe(bound, &required_.lost_events_);
-    if (provided_.host() != nullptr && provided_.host()->is_faulted()) bound.SetSourceFaulted(true);
+    if (provided_.component() != nullptr && provided_.component()->is_faulted())
+      bound.SetSourceFaulted(true);
   }
 }
 
@@ -142,7 +143,7 @@ void Connection::BindFunctions() {
       command = functions_.back().get();
       converted_.push_back(one.description.name);
     }
-    members_.push_back({command, &offer->enabled(), provided_.host()});
+    members_.push_back({command, &offer->enabled(), provided_.component()});
   }
   members_.emplace_back();
   peer_.members = members_.data();
@@ -185,9 +186,9 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
 void Connection::ReportClientGone(std::uint64_t number) {
   const bool has_called = std::ranges::any_of(
       members_, [](const BoundMember& member) { return member.command != nullptr; });
-  const Host* const host = provided_.host();
-  if (!has_called || host == nullptr || !host->is_notified_of_connections()) return;
-  host->ReportClientGone({.provided = &provided_, .name = client_, .connection = number});
+  const ComponentAccess* const component = provided_.component();
+  if (!has_called || component == nullptr || !component->is_notified_of_connections()) return;
+  component->ReportClientGone({.provided = &provided_, .name = client_, .connection = number});
 }
 
 std::uint64_t Connection::taken() const {

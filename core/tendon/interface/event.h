@@ -9,8 +9,9 @@
 
 namespace tendon {
 
-/// The handlers of one event, whatever its type. One thread raises the event, or many if the
-/// component has no thread of its own. Managers subscribe handlers at any time.
+/// The base of Event (below, for authors), whatever the type of the event: holds its handlers. One
+/// thread raises the event, or many if the component has no thread of its own. Managers subscribe
+/// handlers at any time.
 class EventBase : public MemberCaller {
  public:
   ~EventBase() override;
@@ -79,14 +80,15 @@ class Event final : public EventBase {
   static_assert(RequirePayload<T>());
 
  public:
+  /// Raises the event.
   void operator()() requires std::is_same_v<T, None> { Raise(None{}); }
   void operator()(const T& value) requires(!std::is_same_v<T, None>) { Raise(value); }
 
+ private:
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& command) const override {
     return AdaptByLayout<T, None>(command);
   }
 
- private:
   void Raise(const T& value) {
     CallHandlers([&value](CommandBase& handler) {
       None nothing;

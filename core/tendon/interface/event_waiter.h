@@ -64,7 +64,7 @@ class EventWaiter {
     Handler& operator=(const Handler&) = delete;
 
     Status Execute(const T& value, None& /*out*/) override {
-      return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw
+      return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // a copy may throw
         waiter_.Raised(value);
         return Status::kDone;
       });
@@ -111,7 +111,7 @@ class EventWaiter {
     wakeup_.WaitUntil([&] { return newest_.is_fresh() || is_over(); }, deadline);
     const T* newest = newest_.Take();
     if (newest == nullptr) return ending_.Get();
-    return Host::Contain(nullptr, [&]() -> Status {  // a copy may throw
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // a copy may throw
       value = *newest;
       return Status::kDone;
     });

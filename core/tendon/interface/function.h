@@ -7,10 +7,11 @@
 
 namespace tendon {
 
-/// The caller's end of a command, as a member of the calling component. It is bound when its
-/// required interface is connected. A call returns kNotConnected before that, kDisabled while the
-/// server has disabled the command, and kNotActive while the server does not run. Reads also work
-/// while the server is stopped, but not while it is faulted.
+/// The caller's end of a command, as a member of the calling component. Its six kinds have names of
+/// their own, from VoidFunction to WriteReturnFunction, at the end of this file. A function is
+/// bound when its required interface is connected. A call returns kNotConnected before that,
+/// kDisabled while the server has disabled the command, and kNotActive while the server does not
+/// run. Reads also work while the server is stopped, but not while it is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates. A read runs the server's
 /// code in the calling thread. If the server is in another process and the function is not
@@ -29,7 +30,6 @@ namespace tendon {
 template <CommandKind kKind, typename In, typename Out>
 class Function final : public MemberCaller {
   static_assert(RequirePayload<In>() && RequirePayload<Out>());
-  using Time = std::chrono::nanoseconds;
   static constexpr bool kIsVoid = kKind == CommandKind::kVoid;
   static constexpr bool kIsWrite = kKind == CommandKind::kWrite;
   static constexpr bool kIsRead = kKind == CommandKind::kRead;
@@ -38,26 +38,30 @@ class Function final : public MemberCaller {
   static constexpr bool kIsWriteReturn = kKind == CommandKind::kWriteReturn;
 
  public:
+  /// Calls the command.
   Status operator()() requires kIsVoid { return Call({}, nothing_); }
   Status operator()(const In& in) requires kIsWrite { return Call(in, nothing_); }
   Status operator()(Out& out) requires kIsRead { return Call({}, out); }
   Status operator()(const In& in, Out& out) requires kIsQualifiedRead { return Call(in, out); }
 
-  Status Wait(Time timeout) requires kIsVoid { return CallAndWait({}, nothing_, timeout); }
-  Status Wait(const In& in, Time timeout) requires kIsWrite {
+  /// Calls the command and waits at most `timeout` until the server has executed it.
+  Status Wait(std::chrono::nanoseconds timeout) requires kIsVoid {
+    return CallAndWait({}, nothing_, timeout);
+  }
+  Status Wait(const In& in, std::chrono::nanoseconds timeout) requires kIsWrite {
     return CallAndWait(in, nothing_, timeout);
   }
-  Status Wait(Out& out, Time timeout) requires kIsVoidReturn {
+  Status Wait(Out& out, std::chrono::nanoseconds timeout) requires kIsVoidReturn {
     return CallAndWait({}, out, timeout);
   }
-  Status Wait(const In& in, Out& out, Time timeout) requires kIsWriteReturn {
+  Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) requires kIsWriteReturn {
     return CallAndWait(in, out, timeout);
   }
 
   /// Age of the last read value of a mirrored function: see RequiredInterface::Mirror(). 0 if each
   /// read goes to the server; the largest value if nothing was read yet or there is no server.
-  [[nodiscard]] Time age() requires kIsRead {
-    Time age = Time::max();
+  [[nodiscard]] std::chrono::nanoseconds age() requires kIsRead {
+    std::chrono::nanoseconds age = std::chrono::nanoseconds::max();
     if (binding_ == nullptr) return age;
     (void)CallMember(*binding_, index_, [&age](const CommandBase& command) -> Status {
       age = command.age();
@@ -73,12 +77,12 @@ class Function final : public MemberCaller {
     });
   }
 
+ private:
+  friend class RequiredInterface;
+
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& command) const override {
     return AdaptByLayout<In, Out>(command);
   }
-
- private:
-  friend class RequiredInterface;
 
   static Command<In, Out>& Typed(CommandBase& command) {
     return static_cast<Command<In, Out>&>(command);
@@ -89,7 +93,7 @@ class Function final : public MemberCaller {
     return CallMember(*binding_, index_,
                       [&](CommandBase& command) { return Typed(command).Execute(in, out); });
   }
-  Status CallAndWait(const In& in, Out& out, Time timeout) {
+  Status CallAndWait(const In& in, Out& out, std::chrono::nanoseconds timeout) {
     if (binding_ == nullptr) return Status::kNotConnected;
     return CallMember(*binding_, index_,
                       [&](CommandBase& command) { return Typed(command).Wait(in, out, timeout); });

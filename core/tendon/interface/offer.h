@@ -98,8 +98,8 @@ class Offer {
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
-  /// Sets the component; called by its interface. The host must outlive all commands.
-  void SetHost(const Host* host) { host_ = host; }
+  /// Sets the component; called by its interface. The component must outlive all commands.
+  void SetComponent(const ComponentAccess* component) { component_ = component; }
 
   /// Declares that a call only copies from a state table.
   Offer& SetReadsTableOnly() {
@@ -122,7 +122,7 @@ class Offer {
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const = 0;
 
  protected:
-  [[nodiscard]] const Host* host() const { return host_; }
+  [[nodiscard]] const ComponentAccess* component() const { return component_; }
 
  private:
   Offer& SetExpiry(std::chrono::nanoseconds after, std::function<void()> end);
@@ -133,7 +133,7 @@ class Offer {
   ColumnSource source_;
   bool reads_table_only_ = false;
   Flag enabled_{true};
-  const Host* host_ = nullptr;
+  const ComponentAccess* component_ = nullptr;
 };
 
 /// Runs `handler(in, out)` in the server's thread.
@@ -160,7 +160,7 @@ class QueuedOffer : public Offer {
         return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox, expiry());
       }
     }
-    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->host(),
+    return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->component(),
                                                              expiry());
   }
 
@@ -207,7 +207,7 @@ class DirectOffer final : public Offer {
   [[nodiscard]] bool uses_mailbox() const override { return false; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
     return std::make_unique<DirectCommand<In, Out, Body>>(
-        body_, exception_policy_ == ExceptionPolicy::kComponent ? host() : nullptr);
+        body_, exception_policy_ == ExceptionPolicy::kComponent ? component() : nullptr);
   }
 
  private:

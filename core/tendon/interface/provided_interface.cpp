@@ -4,16 +4,16 @@
 
 namespace tendon {
 
-Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer, SourcePlace place) {
-  names_.Add("command", offer->description().name, name_, place);
-  offer->SetHost(host_);
+Offer& ProvidedInterface::AddOffer(std::unique_ptr<Offer> offer, SourceLocation location) {
+  names_.Add("command", offer->description().name, name_, location);
+  offer->SetComponent(component_);
   commands_.push_back(std::move(offer));
   return *commands_.back();
 }
 
 void ProvidedInterface::AddEvent(EventBase& event, MemberDescription description,
-                                 SourcePlace place) {
-  names_.Add("event", description.name, name_, place);
+                                 SourceLocation location) {
+  names_.Add("event", description.name, name_, location);
   event.SetRaisers(raisers(), inbox_);
   events_.push_back({std::move(description), &event});
 }

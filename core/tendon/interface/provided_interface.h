@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/name.h>
-#include <tendon/base/source_place.h>
+#include <tendon/base/source_location.h>
 #include <tendon/interface/event.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/scratch.h>
@@ -27,29 +27,24 @@ namespace tendon {
 class ProvidedInterface {
  public:
   /// Calls wait in `inbox` for the component's thread. If `inbox` is null, they run in the caller's
-  /// thread. `host` is the component; without one, calls are always accepted.
-  ProvidedInterface(std::string name, Inbox* inbox, const Host* host = nullptr)
-      : name_(std::move(name)), inbox_(inbox), host_(host) {}
+  /// thread. If `component` is null, calls are always accepted.
+  ProvidedInterface(std::string name, Inbox* inbox, const ComponentAccess* component = nullptr)
+      : name_(std::move(name)), inbox_(inbox), component_(component) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
   ProvidedInterface& operator=(const ProvidedInterface&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] Inbox* inbox() const { return inbox_; }
-  [[nodiscard]] const Host* host() const { return host_; }
-  /// The threads that raise its events: any thread if the component has no thread of its own.
-  [[nodiscard]] CallerThreads raisers() const {
-    return inbox_ == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread;
-  }
 
-  // Queued to the component's thread; runs in its ProcessQueuedCommands().
+  // Commands that wait in a queue until the component's thread executes them, in its
+  // ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name) {
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, LocatedName name) {
     return AddQueued<None, None>(CommandKind::kVoid, std::move(name),
                                  [method, object](const None&, None&) { (object->*method)(); });
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, PlacedName name) {
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, LocatedName name) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
@@ -57,14 +52,14 @@ class ProvidedInterface {
   /// The caller waits for the reply, with a deadline. Use it only for quick methods: a reply after
   /// the deadline is lost.
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
-  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, PlacedName name) {
+  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, LocatedName name) {
     return AddQueued<None, Out>(
         CommandKind::kVoidReturn, std::move(name),
         [method, object](const None&, Out& out) { (object->*method)(out); });
   }
   template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
-                               PlacedName name) {
+                               LocatedName name) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In, Out>(
         CommandKind::kWriteReturn, std::move(name),
@@ -75,21 +70,22 @@ class ProvidedInterface {
   template <typename In, typename Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
-                                 void (Owner::*method)(Argument), Object* object, PlacedName name) {
+                                 void (Owner::*method)(Argument), Object* object,
+                                 LocatedName name) {
     static_assert(RequirePayload<In>() && RequirePayload<Filtered>());
     const auto handler = [method, object](const Filtered& in, None&) { (object->*method)(in); };
     return AddOffer(
         std::make_unique<FilteredOffer<In, Filtered, decltype(filter), decltype(handler)>>(
             DescribeMember<In, None>(std::move(name.text), CommandKind::kWrite), filter, handler),
-        name.place);
+        name.location);
   }
 
-  // Runs in the caller's thread, and reads only rows of a state table.
+  // Commands that run in the caller's thread and read only rows of a state table.
 
   /// Newest value of a column of `table`; kNoSample before the first row. Allocates nothing for
   /// payloads of fixed size.
   template <Payload T>
-  Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name) {
+  Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
                               [&column](const None&, T& out) { return column.ReadNewest(out); })
@@ -99,7 +95,7 @@ class ProvidedInterface {
   /// The value `delay` rows before the newest; kNoSample until it exists, or if the table is too
   /// short to keep it.
   template <Payload T>
-  Offer& AddCommandReadState(const StateTable& table, const T& variable, PlacedName name,
+  Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name,
                              std::size_t delay) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<None, T>(CommandKind::kRead, std::move(name),
@@ -111,7 +107,7 @@ class ProvidedInterface {
   /// Runs `function(row, question, answer)` on the newest value of a column.
   template <Payload T, typename In, typename Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
-                                 void (*function)(const T&, const In&, Out&), PlacedName name) {
+                                 void (*function)(const T&, const In&, Out&), LocatedName name) {
     const Column<T>& column = table.Find(variable);
     return AddDirect<In, Out>(
         CommandKind::kQualifiedRead, std::move(name),
@@ -123,22 +119,23 @@ class ProvidedInterface {
         });
   }
 
-  // Runs in the caller's thread at any time, as the tag ThreadSafe confirms.
+  // Commands that run in the caller's thread at any time; the tag ThreadSafe confirms that the
+  // method allows it.
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe) {
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, LocatedName name, ThreadSafe) {
     return AddDirect<None, None>(CommandKind::kVoid, std::move(name),
                                  CallMethod<None>(method, object));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                          ThreadSafe) {
     using In = std::remove_cvref_t<Argument>;
     return AddDirect<In, None>(CommandKind::kWrite, std::move(name),
                                CallMethod<In>(method, object));
   }
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
-  Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, PlacedName name,
+  Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, LocatedName name,
                         ThreadSafe) {
     return AddDirect<None, Out>(CommandKind::kRead, std::move(name),
                                 [method, object](const None&, Out& out) -> Status {
@@ -147,21 +144,21 @@ class ProvidedInterface {
                                 });
   }
   /// For a value that never changes after the method has returned it: an image, a map. It is
-  /// encoded in place for another process; callers in this process get a copy. Null gives
-  /// kNoSample. The method runs in the caller's thread, which frees the value if it is the last
-  /// holder.
+  /// encoded in place for another process; callers in this process get a copy. If the method
+  /// returns null, the caller gets kNoSample. The method runs in the caller's thread, which frees
+  /// the value if it is the last holder.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
-                        PlacedName name, ThreadSafe) {
+                        LocatedName name, ThreadSafe) {
     static_assert(RequirePayload<Out>());
     const auto body = [method, object] { return (object->*method)(); };
     return AddOffer(std::make_unique<SharedReadOffer<Out, decltype(body)>>(
                         DescribeMember<None, Out>(std::move(name.text), CommandKind::kRead), body),
-                    name.place);
+                    name.location);
   }
   template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,
-                                 PlacedName name, ThreadSafe) {
+                                 LocatedName name, ThreadSafe) {
     using In = std::remove_cvref_t<Argument>;
     return AddDirect<In, Out>(CommandKind::kQualifiedRead, std::move(name),
                               [method, object](const In& in, Out& out) -> Status {
@@ -172,15 +169,25 @@ class ProvidedInterface {
 
   /// Lets clients handle `event`, which the component raises by calling it.
   template <Payload T>
-  void AddEvent(Event<T>& event, PlacedName name) {
+  void AddEvent(Event<T>& event, LocatedName name) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
-    AddEvent(event, DescribeMember<T, None>(std::move(name.text), kKind), name.place);
+    AddEvent(event, DescribeMember<T, None>(std::move(name.text), kKind), name.location);
   }
 
+  // For managers, connections and proxies.
+
   /// For members that are created at run time, such as those of proxies and the columns of a table.
-  Offer& AddOffer(std::unique_ptr<Offer> offer, SourcePlace place = SourcePlace::current());
+  Offer& AddOffer(std::unique_ptr<Offer> offer,
+                  SourceLocation location = SourceLocation::current());
   void AddEvent(EventBase& event, MemberDescription description,
-                SourcePlace place = SourcePlace::current());
+                SourceLocation location = SourceLocation::current());
+
+  [[nodiscard]] Inbox* inbox() const { return inbox_; }
+  [[nodiscard]] const ComponentAccess* component() const { return component_; }
+  /// The threads that raise its events: any thread if the component has no thread of its own.
+  [[nodiscard]] CallerThreads raisers() const {
+    return inbox_ == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread;
+  }
 
   /// Null if there is none.
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
@@ -206,25 +213,25 @@ class ProvidedInterface {
   };
 
   template <typename In, typename Out, typename Handler>
-  Offer& AddQueued(CommandKind kind, PlacedName name, Handler handler) {
+  Offer& AddQueued(CommandKind kind, LocatedName name, Handler handler) {
     static_assert(RequirePayload<In>() && RequirePayload<Out>());
     return AddOffer(std::make_unique<QueuedOffer<In, Out, Handler>>(
                         DescribeMember<In, Out>(std::move(name.text), kind), std::move(handler)),
-                    name.place);
+                    name.location);
   }
   template <typename In, typename Out, typename Body>
-  Offer& AddDirect(CommandKind kind, PlacedName name, Body body) {
+  Offer& AddDirect(CommandKind kind, LocatedName name, Body body) {
     static_assert(RequirePayload<In>() && RequirePayload<Out>());
     const bool asks = kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
     return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
                         DescribeMember<In, Out>(std::move(name.text), kind), std::move(body),
                         asks ? ExceptionPolicy::kCaller : ExceptionPolicy::kComponent),
-                    name.place);
+                    name.location);
   }
 
   std::string name_;
   Inbox* inbox_;
-  const Host* host_;
+  const ComponentAccess* component_;
   MemberNames names_;
   std::vector<std::unique_ptr<Offer>> commands_;
   std::vector<NamedEvent> events_;

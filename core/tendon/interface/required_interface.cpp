@@ -5,15 +5,15 @@
 namespace tendon {
 
 std::size_t RequiredInterface::AddCaller(MemberCaller& caller, MemberDescription description,
-                                         SourcePlace place) {
-  names_.Add("function", description.name, name_, place);
+                                         SourceLocation location) {
+  names_.Add("function", description.name, name_, location);
   callers_.push_back({std::move(description), &caller});
   return callers_.size() - 1;
 }
 
-Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler, SourcePlace place) {
-  names_.Add("event handler", handler->description().name, name_, place);
-  handler->SetHost(host_);
+Offer& RequiredInterface::AddOffer(std::unique_ptr<Offer> handler, SourceLocation location) {
+  names_.Add("event handler", handler->description().name, name_, location);
+  handler->SetComponent(component_);
   handlers_.push_back(std::move(handler));
   return *handlers_.back();
 }
@@ -54,7 +54,7 @@ void RequiredInterface::Announce(Peer& peer) {
   peer.number = ++peers_;
   peer_.Set(peer.number);  // set before the component can see the peer and compare numbers
   announced_.Exchange(&peer);
-  if (has_listener()) return host_->ReportPeerChanged(*this);
+  if (has_listener()) return component_->ReportPeerChanged(*this);
   if (TakePeer()) binding_.Exchange(peer.members);
 }
 
@@ -65,7 +65,7 @@ void RequiredInterface::Withdraw() noexcept {
 
 void RequiredInterface::AnnounceNone() {
   peer_.Set(kNoPeer);
-  if (has_listener()) host_->ReportPeerChanged(*this);
+  if (has_listener()) component_->ReportPeerChanged(*this);
 }
 
 void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {

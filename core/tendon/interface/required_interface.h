@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/name.h>
-#include <tendon/base/source_place.h>
+#include <tendon/base/source_location.h>
 #include <tendon/interface/event_waiter.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/thread_safe.h>
@@ -26,54 +26,55 @@ enum class Need { kRequired, kOptional };
 class RequiredInterface {
  public:
   /// Events wait in `inbox`. It is null if the component has no thread: handlers then run in the
-  /// thread that raises the event, and any thread may call the functions. `host` is the component;
-  /// without one, handlers always run.
+  /// thread that raises the event, and any thread may call the functions. If `component` is null,
+  /// handlers always run.
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
-                    const Host* host = nullptr)
-      : name_(std::move(name)), inbox_(inbox), host_(host), need_(need) {
+                    const ComponentAccess* component = nullptr)
+      : name_(std::move(name)), inbox_(inbox), component_(component), need_(need) {
     SetCallers(inbox == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread);
   }
   RequiredInterface(const RequiredInterface&) = delete;
   RequiredInterface& operator=(const RequiredInterface&) = delete;
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] Inbox* inbox() const { return inbox_; }
 
   /// Binds `function`, a member of the component, to the command of this name.
   template <CommandKind kKind, Payload In, Payload Out>
-  void AddFunction(Function<kKind, In, Out>& function, PlacedName name,
+  void AddFunction(Function<kKind, In, Out>& function, LocatedName name,
                    Need need = Need::kRequired) {
     MemberDescription description = DescribeMember<In, Out>(std::move(name.text), kKind);
     description.optional = need == Need::kOptional;
-    function.index_ = AddCaller(function, std::move(description), name.place);
+    function.index_ = AddCaller(function, std::move(description), name.location);
     function.binding_ = &binding_;
   }
 
-  // Queued to the component's thread; runs in its ProcessQueuedCommands().
+  // Handlers of events that wait in a queue until the component's thread executes them, in its
+  // ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name,
+  Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, LocatedName name,
                              Need need = Need::kRequired) {
     return AddQueued<None>(CommandKind::kVoid, std::move(name), need,
                            [method, object](const None&, None&) { (object->*method)(); });
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
+  Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                               Need need = Need::kRequired) {
     using In = std::remove_cvref_t<Argument>;
     return AddQueued<In>(CommandKind::kWrite, std::move(name), need,
                          [method, object](const In& in, None&) { (object->*method)(in); });
   }
 
-  // Runs in the thread that raises the event, as the tag ThreadSafe confirms.
+  // Handlers that run in the thread that raises the event; the tag ThreadSafe confirms that the
+  // method allows it.
 
   template <typename Owner, std::derived_from<Owner> Object>
-  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, PlacedName name, ThreadSafe,
+  void AddEventHandlerVoid(void (Owner::*method)(), Object* object, LocatedName name, ThreadSafe,
                            Need need = Need::kRequired) {
     AddDirect<None>(CommandKind::kVoid, std::move(name), need, CallMethod<None>(method, object));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, PlacedName name,
+  void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                             ThreadSafe, Need need = Need::kRequired) {
     using In = std::remove_cvref_t<Argument>;
     AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
@@ -81,33 +82,24 @@ class RequiredInterface {
 
   /// `waiter` is a member of the component; one of its threads waits for the event of this name.
   template <Payload T>
-  void AddEventWaiter(EventWaiter<T>& waiter, PlacedName name, Need need = Need::kRequired) {
+  void AddEventWaiter(EventWaiter<T>& waiter, LocatedName name, Need need = Need::kRequired) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
     AddOffer(std::make_unique<typename EventWaiter<T>::HandlerOffer>(
                  DescribeHandler<T>(kKind, std::move(name.text), need), waiter),
-             name.place);
+             name.location);
   }
-
-  /// For members that are made at run time. Returns the index of `caller` in the binding.
-  std::size_t AddCaller(MemberCaller& caller, MemberDescription description,
-                        SourcePlace place = SourcePlace::current());
-  Offer& AddOffer(std::unique_ptr<Offer> handler, SourcePlace place = SourcePlace::current());
-  [[nodiscard]] BindingGate& binding() { return binding_; }
 
   /// The threads that call its functions. For a task, this is its own thread, unless its
   /// constructor allows others here, such as callbacks of a driver.
   void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
-  [[nodiscard]] CallerThreads callers() const { return binding_.callers(); }
 
   /// Capacity of the mailboxes, both for calls at the server and for events here: 1 to 2^24,
   /// default 64. Set it before the connection is made.
   void SetMailboxCapacity(std::size_t capacity);
-  [[nodiscard]] std::size_t mailbox_capacity() const { return mailbox_capacity_; }
 
   /// How long a read waits for the reply of another process: at least 1 ms, default 100 ms. Set it
   /// before the connection is made.
   void SetReadDeadline(std::chrono::milliseconds deadline);
-  [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
 
   /// Makes reads of `function` (already added) return a local copy, updated about 50 times a
   /// second, if the server is in another process. A read does not wait or lock and, after the first
@@ -118,8 +110,6 @@ class RequiredInterface {
   void Mirror(const Function<CommandKind::kRead, None, T>& function) {
     MarkMirrored(function);
   }
-  /// Names of the mirrored functions.
-  [[nodiscard]] std::vector<std::string> mirrored() const;
 
   /// Steady-clock time at which the current or last event handled by the component's thread was
   /// raised; for an event of another process, the time of its arrival. Not for direct handlers,
@@ -129,17 +119,33 @@ class RequiredInterface {
   /// or a handler threw. If a handler keeps only the latest event, replaced ones are not lost.
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
-  [[nodiscard]] RequiredDescription description() const;
-  /// True if some event handlers run in the thread that raises the event, which may take long.
-  [[nodiscard]] bool handles_in_raiser() const;
-  /// Names of the event handlers that keep only the latest event.
-  [[nodiscard]] std::vector<std::string> latest_only() const;
   /// True if there is a connection. Functions reach the peer only after Component::OnConnected().
   [[nodiscard]] bool is_connected() const noexcept { return peer_.Get() != kNoPeer; }
   /// Increases with each new peer, at Component::OnConnected(); 0 before the first. A changed
   /// number means that earlier data came from another peer. Any thread.
   [[nodiscard]] std::uint64_t generation() const noexcept { return generation_.Get(); }
 
+  // For managers, connections and proxies.
+
+  /// For members that are made at run time. Returns the index of `caller` in the binding.
+  std::size_t AddCaller(MemberCaller& caller, MemberDescription description,
+                        SourceLocation location = SourceLocation::current());
+  Offer& AddOffer(std::unique_ptr<Offer> handler,
+                  SourceLocation location = SourceLocation::current());
+  [[nodiscard]] BindingGate& binding() { return binding_; }
+
+  [[nodiscard]] Inbox* inbox() const { return inbox_; }
+  [[nodiscard]] CallerThreads callers() const { return binding_.callers(); }
+  [[nodiscard]] std::size_t mailbox_capacity() const { return mailbox_capacity_; }
+  [[nodiscard]] std::chrono::milliseconds read_deadline() const { return read_deadline_; }
+  /// Names of the mirrored functions.
+  [[nodiscard]] std::vector<std::string> mirrored() const;
+  [[nodiscard]] RequiredDescription description() const;
+  /// True if some event handlers run in the thread that raises the event, which may take long.
+  [[nodiscard]] bool handles_in_raiser() const;
+  /// Names of the event handlers that keep only the latest event.
+  [[nodiscard]] std::vector<std::string> latest_only() const;
+  /// No member can be added from now on.
   void Seal();
 
   // For the component, in its own thread, which handles each change before it continues.
@@ -177,7 +183,7 @@ class RequiredInterface {
 
   /// True if the component is notified of its peers and admits them itself.
   [[nodiscard]] bool has_listener() const {
-    return host_ != nullptr && host_->is_notified_of_connections();
+    return component_ != nullptr && component_->is_notified_of_connections();
   }
   /// Sets the peer and gives it a number. `peer` must stay valid until Withdraw().
   void Announce(Peer& peer);
@@ -201,19 +207,19 @@ class RequiredInterface {
     return description;
   }
   template <typename In, typename Handler>
-  Offer& AddQueued(CommandKind kind, PlacedName name, Need need, Handler handler) {
+  Offer& AddQueued(CommandKind kind, LocatedName name, Need need, Handler handler) {
     static_assert(RequirePayload<In>());
     return AddOffer(std::make_unique<QueuedOffer<In, None, Handler>>(
                         DescribeHandler<In>(kind, std::move(name.text), need), std::move(handler)),
-                    name.place);
+                    name.location);
   }
   template <typename In, typename Body>
-  void AddDirect(CommandKind kind, PlacedName name, Need need, Body body) {
+  void AddDirect(CommandKind kind, LocatedName name, Need need, Body body) {
     static_assert(RequirePayload<In>());
     AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
                  DescribeHandler<In>(kind, std::move(name.text), need), std::move(body),
                  ExceptionPolicy::kComponent),
-             name.place);
+             name.location);
   }
 
   static constexpr std::size_t kDefaultCapacity = 64;
@@ -221,7 +227,7 @@ class RequiredInterface {
 
   std::string name_;
   Inbox* inbox_;
-  const Host* host_;
+  const ComponentAccess* component_;
   Need need_;
   MemberNames names_;
   std::size_t mailbox_capacity_ = kDefaultCapacity;

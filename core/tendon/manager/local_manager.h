@@ -58,14 +58,17 @@ class LocalManager {
   /// destroys them. Waits without a limit for components that are busy in their own functions.
   virtual ~LocalManager();
 
+  // Components.
+
   /// Creates a component T(name, arguments...) and adds it. Throws ConfigurationError if the name
   /// is taken.
   template <std::derived_from<Component> T, typename... Arguments>
-  T& Add(PlacedName name, Arguments&&... arguments) {
+  T& Add(LocatedName name, Arguments&&... arguments) {
     auto component =
         std::make_unique<T>(std::move(name.text), std::forward<Arguments>(arguments)...);
     T& reference = *component;
-    Add(std::move(component), {.class_name = {}, .library = {}, .added_at = ToString(name.place)});
+    Add(std::move(component),
+        {.class_name = {}, .library = {}, .added_at = ToString(name.location)});
     return reference;
   }
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
@@ -83,6 +86,8 @@ class LocalManager {
   Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
                        Patience patience = kPatience);
 
+  // Connections.
+
   /// Connects a required to a provided interface, at any time. Errors: kNotFound with a suggestion,
   /// kExists, kIncompatible with the reason. A name without a process means this process.
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
@@ -90,6 +95,8 @@ class LocalManager {
   /// Drops accepted calls and events that are not executed within kDrainPatience, and logs their
   /// number.
   virtual Result<void> Disconnect(const InterfaceName& required);
+
+  // Life cycle.
 
   /// From its next start on, `component` makes a cycle after each cycle of `leader`, in the
   /// leader's thread: ThreadedTask::RunAfter(). kFailed if the component is not at rest, never has
@@ -129,6 +136,8 @@ class LocalManager {
   /// faulted.
   Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience);
   Result<void> WaitForAll(ComponentState state, Patience patience);
+
+  // Descriptions of components and connections.
 
   /// Null if there is none; valid until the component is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;

@@ -15,6 +15,11 @@ namespace tendon {
 /// Multicast: one process publishes, any number of others receive, through a broker. The broker
 /// does not wait for a slow receiver, and does not report the messages that it misses. So messages
 /// must carry sequence numbers. Thread-safe.
+///
+/// Broadcast is the interface; the broker is IceStorm, reached through ice/ice_broadcast.h. The
+/// rows of a table that go through the broker are one topic (RowTopic in
+/// process/telemetry/row_stream.h). The command that runs the broker is called `gcm fan-out`
+/// (docs/fan-out.md); the code says broker.
 class Broadcast {
  public:
   /// The publisher's end of a topic. The topic ends when this object is destroyed, and is created

@@ -4,7 +4,6 @@
 #include <tendon/middleware/connect_cancellation.h>
 #include <tendon/middleware/large_message_in_progress.h>
 
-#include <algorithm>
 #include <cassert>
 #include <condition_variable>
 #include <mutex>
@@ -25,36 +24,6 @@ struct MiddlewareCallScope {
   MiddlewareCallScope(const MiddlewareCallScope&) = delete;
   MiddlewareCallScope& operator=(const MiddlewareCallScope&) = delete;
   ~MiddlewareCallScope() { --calls_from_middleware; }
-};
-
-class CurrentRequest;
-
-thread_local const CurrentRequest* current_request = nullptr;
-
-/// While this object exists, this thread handles `request` of `channel`, whose reply may be written
-/// to `slot` (LinkHandler::OnDirectFrame()). One object at a time in a thread.
-class CurrentRequest {
- public:
-  CurrentRequest(const Channel& channel, std::uint64_t request, ReplySlot& slot)
-      : channel_(channel), request_(request), slot_(slot) {
-    assert(current_request == nullptr);
-    current_request = this;
-  }
-  CurrentRequest(const CurrentRequest&) = delete;
-  CurrentRequest& operator=(const CurrentRequest&) = delete;
-  ~CurrentRequest() { current_request = nullptr; }
-
-  /// Null if this thread does not handle `request`.
-  [[nodiscard]] static ReplySlot* SlotOf(const Channel& channel, std::uint64_t request) {
-    const CurrentRequest* const here = current_request;
-    const bool is_it = here != nullptr && &here->channel_ == &channel && here->request_ == request;
-    return is_it ? &here->slot_ : nullptr;
-  }
-
- private:
-  const Channel& channel_;
-  const std::uint64_t request_;
-  ReplySlot& slot_;
 };
 
 /// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost,
@@ -111,7 +80,7 @@ Channel::Channel(Key /*only from here*/, Hello mine, std::shared_ptr<ChannelHand
     : mine_(std::move(mine)),
       is_acceptor_(link != nullptr),
       handler_(std::move(handler)),
-      assembly_([this](const FrameHeader& header) { return IsWanted(header); }),
+      incoming_parts_([this](const FrameHeader& header) { return IsWanted(header); }),
       link_(std::move(link)) {
   if (!link_) return;
   handshake_.emplace(
@@ -308,9 +277,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
 void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part) {
   using Progress = PartAssembly::Progress;
   PartAssembly::Frame frame;
-  const Progress progress = assembly_.Add(header.handle, part, frame);
-  taken_.Set(assembly_.taken());
-  given_up_.Set(assembly_.given_up());
+  const Progress progress = incoming_parts_.Add(header.handle, part, frame);
   last_part_.Set(SteadyClock().Now());
   switch (progress) {
     case Progress::kMoreToCome:
@@ -348,13 +315,6 @@ bool Channel::IsWanted(const FrameHeader& header) {
   return !refusal;
 }
 
-/// The peer may pause between parts while it handles a large message, and this end does not read
-/// parts while it handles one.
-bool Channel::IsUnfinishedTooLong(SteadyTime now) const {
-  return now >=
-         std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);
-}
-
 /// Handling may take long, and this thread does not read meanwhile. So a ProgressSender repeatedly
 /// sends the number of received bytes to the peer. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
@@ -372,26 +332,25 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
   const auto taken = DecodeBody<std::uint64_t>(body);
   last_part_.Set(SteadyClock().Now());
-  if (taken && parts_.OnTaken(*link_, *taken)) return;
+  if (taken && outgoing_parts_.OnTaken(*link_, *taken)) return;
   Fail({ErrorCode::kInvalid, peer_.name + " acknowledged more than was sent to it"});
 }
 
 void Channel::ReportTakenParts() {
-  if (taken_.Get() != reported_taken_.Get()) SendTakenParts();
+  if (incoming_parts_.has_news()) SendTakenParts();
 }
 
 void Channel::SendTakenParts() {
-  const std::scoped_lock lock(reporting_);  // keeps the numbers in order
-  const std::uint64_t taken = taken_.Get();
-  const Bytes body = EncodeBody(taken);
-  const FrameHeader header = HeaderOf(MessageType::kPartsTaken, 0, 0, body.size());
-  if (SendPiece(header, body)) reported_taken_.Set(taken);
+  incoming_parts_.Report([this](std::uint64_t taken) {
+    const Bytes body = EncodeBody(taken);
+    return SendPiece(HeaderOf(MessageType::kPartsTaken, 0, 0, body.size()), body);
+  });
 }
 
 /// Called after each send and arrival, and regularly, because the link may have room again.
 void Channel::Resume() {
   ReportTakenParts();
-  parts_.Resume(*link_);
+  outgoing_parts_.Resume(*link_);
 }
 
 void Channel::OnClosed(const Error& reason) {
@@ -403,9 +362,8 @@ void Channel::OnClosed(const Error& reason) {
   const Error why = *reason_;
   changed_.notify_all();
   lock.unlock();
-  assembly_.Clear();
-  given_up_.Set(assembly_.given_up());
-  parts_.Close();
+  incoming_parts_.Clear();
+  outgoing_parts_.Close();
   requests_.FinishAll(
       {ErrorCode::kUnreachable, peer + " did not answer: " + why.message + "; outcome unknown"});
   CallGuarded(peer, [&] { handler_->OnClosed(shared_from_this(), why); });
@@ -429,8 +387,8 @@ template <typename SendWhole>
 Status Channel::SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
                        SendWhole send_whole) {
   if (body.size() > kMaxBodySize) return Status::kInvalid;
-  if (parts_.MustSendInParts(lane, FrameHeader::kSize + body.size())) {
-    return parts_.Add(*link_, lane, header, body);
+  if (outgoing_parts_.MustSendInParts(lane, FrameHeader::kSize + body.size())) {
+    return outgoing_parts_.Add(*link_, lane, header, body);
   }
   const Status sent = send_whole();
   Resume();
@@ -503,84 +461,21 @@ Result<Answer> Channel::Call(MessageType type, std::uint32_t handle,
   return NoAnswer(PeerName(), timeout);
 }
 
-/// The slot in which this thread may write the reply to `request`; null if the reply must be sent
-/// as a message.
-ReplySlot* Channel::EmptySlotOf(std::uint64_t request) const {
-  ReplySlot* const slot = CurrentRequest::SlotOf(*this, request);
-  return slot != nullptr && !slot->has_begun() ? slot : nullptr;
-}
-
 /// True if a reply of this size may be the response to a direct request. Such a reply is not sent
 /// in parts, so it must be small, or the link fast.
 bool Channel::FitsInSlot(std::size_t size) {
-  if (!parts_.MustSendInParts(kOwnLane, size)) return true;
-  return size <= kMaxReturned && parts_.is_quick();
+  if (!outgoing_parts_.MustSendInParts(kOwnLane, size)) return true;
+  return size <= kMaxReturned && outgoing_parts_.is_quick();
 }
 
-/// The slot for a reply of `size` bytes as the response to its request: `deferred`, or the slot of
-/// the request that this thread handles. Null if the reply must be sent as a message.
-ReplySlot* Channel::SlotFor(std::uint64_t request, std::size_t size, ReplySlot* deferred) {
-  ReplySlot* const answer = deferred != nullptr ? deferred : EmptySlotOf(request);
-  return answer != nullptr && FitsInSlot(FrameHeader::kSize + size) ? answer : nullptr;
-}
-
-std::span<std::byte> Channel::BeginReply(std::uint64_t request, std::size_t size,
-                                         ReplySlot* deferred) {
-  ReplySlot* const answer = SlotFor(request, size, deferred);
-  if (answer == nullptr) return {};
-  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, size));
-  return room.value_or(std::span<std::byte>());
-}
-
-void Channel::EndReply(std::uint64_t request, ReplySlot* deferred) {
-  ReplySlot* const answer = deferred != nullptr ? deferred : CurrentRequest::SlotOf(*this, request);
-  if (answer != nullptr && answer->has_begun()) answer->End();
-}
-
-/// Returns false if the reply must be sent as a message.
-bool Channel::ReplyInSlot(std::uint64_t request, std::span<const std::byte> body,
-                          ReplySlot* deferred) {
-  ReplySlot* const answer = SlotFor(request, body.size(), deferred);
-  if (answer == nullptr) return false;
-  const auto room = answer->Begin(HeaderOf(MessageType::kReply, request, 0, body.size()));
-  if (!room) return false;
-  std::ranges::copy(body, room->begin());
-  answer->End();
-  return true;
-}
-
-/// Returns false if the reply was not sent. `deferred` is the slot of a deferred reply.
-bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                        ReplySlot* deferred) {
-  const bool is_alone = lane == kOwnLane;
-  if (is_alone &&
-      (ReplyInSlot(request, body, deferred) || ReplyBatcher::Keep(*this, request, body))) {
-    return true;
-  }
-  return SendReplyAlone(request, body, lane);
-}
-
-bool Channel::SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
+/// Returns false if the reply was not sent.
+bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane) {
   const Status sent = Send(MessageType::kReply, request, 0, body, lane);
   if (sent || sent == Status::kNotConnected) return bool(sent);
   const Error why = WhyNotSent(sent, PeerName(), body.size());
   Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
   SendRefusal(request, why);
   return false;
-}
-
-/// If the link has no room for all replies, sends them one by one, because some may fit.
-void Channel::SendReplies(const ReplyBatch& batch) {
-  bool is_sent = false;
-  if (batch.replies() > 1) {
-    CallGuarded("answers", [&] {
-      is_sent = Send(MessageType::kReplies, 0, 0, batch.body(), kOwnLane) == Status::kQueued;
-    });
-  }
-  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch.body();
-  while (const auto one = TakeReply(rest)) {
-    CallGuarded("answer", [&] { SendReplyAlone(one->request, one->answer, kOwnLane); });
-  }
 }
 
 void Channel::SendRefusal(std::uint64_t request, const Error& error) {
@@ -591,7 +486,8 @@ void Channel::SendRefusal(std::uint64_t request, const Error& error) {
 void Channel::Expire(SteadyTime now) {
   requests_.Expire(now, PeerName());
   if (!is_open()) return;
-  if (IsUnfinishedTooLong(now)) return CutOff("began a message and did not finish it");
+  if (incoming_parts_.IsUnfinishedTooLong(now))
+    return CutOff("began a message and did not finish it");
   Resume();
 }
 

@@ -7,7 +7,7 @@
 #include <tendon/middleware/handshake.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/middleware/part_assembly.h>
+#include <tendon/middleware/part_receiver.h>
 #include <tendon/middleware/part_sender.h>
 #include <tendon/middleware/payload_limit.h>
 #include <tendon/middleware/pending_requests.h>
@@ -34,6 +34,14 @@ namespace tendon {
 /// parts. Messages of other lanes pass between the parts; those of the same lane wait.
 ///
 /// A channel lives until either end closes it or its middleware is destroyed. Thread-safe.
+///
+/// Its helpers:
+/// - Handshake authenticates the peer; the handler gets no message before that.
+/// - PendingRequests holds the requests of this end until a reply, a refusal or the timeout.
+/// - PartSender sends a large message of this end in parts, as fast as the peer acknowledges them;
+///   PartReceiver joins the parts that the peer sends.
+/// - ChannelHandler, written by the owner, gets the notices and requests of the peer. It answers a
+///   request with a Responder, now or later; a ReplyBatcher sends many replies in one message.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
 
@@ -125,33 +133,35 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   friend class ReplyBatcher;
   friend class Responder;
 
+  // Frames from the link, in the order of a channel's life: handshake, messages, end.
   void OnFrame(std::span<const std::byte> frame) override;
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
   void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override;
   void OnClosed(const Error& reason) override;
-  void OnNoRoom(const char* limit, std::size_t size);
-  void OnTooMuch(const FrameHeader& header);
+  [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
+  // The handshake.
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
-  [[nodiscard]] bool HasOurVersion(const FrameHeader& header);
+  void Opened(Hello peer);
+
+  // Messages of the peer.
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body,
                  std::shared_ptr<const void> owner = nullptr);
+  [[nodiscard]] bool HasOurVersion(const FrameHeader& header);
   void OnReplies(std::span<const std::byte> body);
+
+  // Large messages of the peer, which arrive in parts.
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   [[nodiscard]] bool IsWanted(const FrameHeader& header);
-  [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const;
-  void OnPartsTaken(std::span<const std::byte> body);
+  void HandleLarge(PartAssembly::Frame frame);
   void ReportTakenParts();
   void SendTakenParts();
-  void HandleLarge(PartAssembly::Frame frame);
-  void Resume();
-  void Opened(Hello peer);
-  void Fail(const Error& reason);
+  void OnTooMuch(const FrameHeader& header);
+  void OnNoRoom(const char* limit, std::size_t size);
 
-  [[nodiscard]] static FrameHeader HeaderOf(MessageType type, std::uint64_t request,
-                                            std::uint32_t handle, std::size_t size);
+  // Messages to the peer, whole or in parts.
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
               std::span<const std::byte> body, Lane lane = kCommonLane,
               Delivery delivery = Delivery::kQueued);
@@ -160,32 +170,27 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                 SendWhole send_whole);
   Status SendPiece(const FrameHeader& header, std::span<const std::byte> body,
                    Delivery delivery = Delivery::kQueued);
-  [[nodiscard]] ReplySlot* EmptySlotOf(std::uint64_t request) const;
+  [[nodiscard]] static FrameHeader HeaderOf(MessageType type, std::uint64_t request,
+                                            std::uint32_t handle, std::size_t size);
+  void OnPartsTaken(std::span<const std::byte> body);
+  void Resume();
+
+  // Replies to the peer, for Responder and ReplyBatcher.
   [[nodiscard]] bool FitsInSlot(std::size_t size);
-  [[nodiscard]] ReplySlot* SlotFor(std::uint64_t request, std::size_t size, ReplySlot* deferred);
-  std::span<std::byte> BeginReply(std::uint64_t request, std::size_t size, ReplySlot* deferred);
-  void EndReply(std::uint64_t request, ReplySlot* deferred);
-  bool ReplyInSlot(std::uint64_t request, std::span<const std::byte> body, ReplySlot* deferred);
-  bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane,
-                 ReplySlot* deferred);
-  bool SendReplyAlone(std::uint64_t request, std::span<const std::byte> body, Lane lane);
-  void SendReplies(const ReplyBatch& batch);
+  bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendRefusal(std::uint64_t request, const Error& error);
+
+  void Fail(const Error& reason);
   [[nodiscard]] std::string PeerName() const;
-  [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
   const Hello mine_;
   const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // used only in the middleware's thread
   std::optional<Handshake> handshake_;       // likewise; set when the link exists
-  PartAssembly assembly_;                    // likewise
   PendingRequests requests_;
-  PartSender parts_;
-  Published<std::uint64_t> taken_{0};  // bytes of parts received
-  Published<std::uint64_t> reported_taken_{0};
+  PartReceiver incoming_parts_;
+  PartSender outgoing_parts_;
   Published<SteadyTime> last_part_;
-  Published<SteadyTime> given_up_{SteadyTime::max()};  // copy of assembly_.given_up()
-  std::mutex reporting_;
 
   Flag is_open_;  // set from the end of the handshake until there is a reason_
 

@@ -18,6 +18,7 @@
 namespace tendon {
 
 class Broadcast;
+class ReplySlot;
 
 /// Bytes that may wait on a link for a slow peer.
 inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
@@ -63,59 +64,6 @@ class Link {
   [[nodiscard]] virtual const Certificate* certificate() const { return nullptr; }
 };
 
-/// A reply frame that is the link's response to a request (Delivery::kDirect). The body is written
-/// directly into the memory that the link sends. One thread at a time.
-class ReplySlot {
- public:
-  ReplySlot() = default;
-  ReplySlot(const ReplySlot&) = delete;
-  ReplySlot& operator=(const ReplySlot&) = delete;
-  virtual ~ReplySlot() = default;
-
-  /// Call it at most once. Returns memory for the body of the frame with this header; write all of
-  /// it before End(). Returns no value, without an effect, if the reply can no longer be sent as
-  /// the response. May throw std::bad_alloc; then there is no frame.
-  std::optional<std::span<std::byte>> Begin(const FrameHeader& header) {
-    assert(!has_begun_);
-    has_begun_ = true;
-    size_ = FrameHeader::kSize + header.size;
-    const auto room = MakeRoom(header);
-    has_begun_ = room.has_value();
-    return room;
-  }
-  /// Completes the frame. Without this call there is no frame, and the link may report that to the
-  /// peer.
-  void End() {
-    is_there_ = true;
-    OnEnd();
-  }
-
-  /// Returns another slot for the same reply, which any thread can write later; this slot stays
-  /// empty. If the other slot is destroyed unused, the link stops waiting for the reply. Null after
-  /// Begin(), or if the link cannot defer.
-  [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
-    if (has_begun_) return nullptr;
-    auto later = MakeDeferred();
-    has_begun_ = later != nullptr;
-    return later;
-  }
-
-  [[nodiscard]] bool has_begun() const { return has_begun_; }
-  [[nodiscard]] bool is_there() const { return is_there_; }
-  /// Bytes of the frame; 0 without one.
-  [[nodiscard]] std::size_t size() const { return is_there_ ? size_ : 0; }
-
- private:
-  /// Also writes the header.
-  virtual std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) = 0;
-  virtual void OnEnd() {}
-  virtual std::unique_ptr<ReplySlot> MakeDeferred() { return nullptr; }
-
-  bool has_begun_ = false;
-  bool is_there_ = false;
-  std::size_t size_ = 0;
-};
-
 /// Receives the frames of a link, in a thread of the middleware, one call at a time, in order. Must
 /// neither block nor throw. The link owns it until OnClosed().
 class LinkHandler {
@@ -153,13 +101,6 @@ class Listener {
   /// The address at which others can open links, with the real port: "127.0.0.1:10705".
   [[nodiscard]] virtual std::string address() const = 0;
 };
-
-/// The reason for closing a link if the peer sends bytes that are not a frame, or too large a
-/// frame.
-[[nodiscard]] Error NoFrame(const std::string& peer);
-
-/// A listener made of an address and a function that its destructor calls.
-std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close);
 
 /// Returns the handler of a new link. Called in a thread of the middleware, before the first frame.
 /// Null refuses the link: its opener gets an error or OnClosed().
@@ -219,6 +160,68 @@ Result<void> CheckExposure(const std::string& host, Exposure exposure);
 /// ParseAddress(), and CheckExposure() of the host.
 Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,
                                      Exposure exposure);
+
+// For implementations of links, and for the channels that use them.
+
+/// A reply frame that is the link's response to a request (Delivery::kDirect). The body is written
+/// directly into the memory that the link sends. One thread at a time.
+class ReplySlot {
+ public:
+  ReplySlot() = default;
+  ReplySlot(const ReplySlot&) = delete;
+  ReplySlot& operator=(const ReplySlot&) = delete;
+  virtual ~ReplySlot() = default;
+
+  /// Call it at most once. Returns memory for the body of the frame with this header; write all of
+  /// it before End(). Returns no value, without an effect, if the reply can no longer be sent as
+  /// the response. May throw std::bad_alloc; then there is no frame.
+  std::optional<std::span<std::byte>> Begin(const FrameHeader& header) {
+    assert(!has_begun_);
+    has_begun_ = true;
+    size_ = FrameHeader::kSize + header.size;
+    const auto room = MakeRoom(header);
+    has_begun_ = room.has_value();
+    return room;
+  }
+  /// Completes the frame. Without this call there is no frame, and the link may report that to the
+  /// peer.
+  void End() {
+    is_there_ = true;
+    OnEnd();
+  }
+
+  /// Returns another slot for the same reply, which any thread can write later; this slot stays
+  /// empty. If the other slot is destroyed unused, the link stops waiting for the reply. Null after
+  /// Begin(), or if the link cannot defer.
+  [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
+    if (has_begun_) return nullptr;
+    auto later = MakeDeferred();
+    has_begun_ = later != nullptr;
+    return later;
+  }
+
+  [[nodiscard]] bool has_begun() const { return has_begun_; }
+  [[nodiscard]] bool is_there() const { return is_there_; }
+  /// Bytes of the frame; 0 without one.
+  [[nodiscard]] std::size_t size() const { return is_there_ ? size_ : 0; }
+
+ private:
+  /// Also writes the header.
+  virtual std::optional<std::span<std::byte>> MakeRoom(const FrameHeader& header) = 0;
+  virtual void OnEnd() {}
+  virtual std::unique_ptr<ReplySlot> MakeDeferred() { return nullptr; }
+
+  bool has_begun_ = false;
+  bool is_there_ = false;
+  std::size_t size_ = 0;
+};
+
+/// The reason for closing a link if the peer sends bytes that are not a frame, or too large a
+/// frame.
+[[nodiscard]] Error NoFrame(const std::string& peer);
+
+/// A listener made of an address and a function that its destructor calls.
+std::unique_ptr<Listener> MakeListener(std::string address, std::function<void()> close);
 
 /// Logs a warning if `exposure` is kInsecure. A middleware calls it when it listens.
 void WarnOfExposure(Exposure exposure, std::string_view middleware);

@@ -7,83 +7,83 @@
 
 namespace tendon {
 
-/// Takes a place and gives it a new number. At most half of the entries are used, so a number with
+/// Takes a slot and gives it a new number. At most half of the entries are used, so a number with
 /// a free entry is found soon.
-PendingRequests::Place& PendingRequests::Take() {
+PendingRequests::Slot& PendingRequests::Take() {
   constexpr std::size_t kFirst = 16;
   if (free_.empty()) {
-    if (2 * (places_.size() + 1) > by_number_.size()) {
-      std::vector<Place*> larger(std::max(kFirst, 2 * by_number_.size()));
-      for (Place* place : by_number_) {
-        if (place != nullptr) larger[place->request & (larger.size() - 1)] = place;
+    if (2 * (slots_.size() + 1) > by_number_.size()) {
+      std::vector<Slot*> larger(std::max(kFirst, 2 * by_number_.size()));
+      for (Slot* slot : by_number_) {
+        if (slot != nullptr) larger[slot->request & (larger.size() - 1)] = slot;
       }
       free_.reserve(larger.size() / 2);
       by_number_ = std::move(larger);
     }
-    free_.push_back(&places_.emplace_back());
+    free_.push_back(&slots_.emplace_back());
   }
-  Place& place = *free_.back();
+  Slot& slot = *free_.back();
   free_.pop_back();
   do {
     ++last_;
   } while (EntryOf(last_) != nullptr);
-  EntryOf(last_) = &place;
-  place.request = last_;
-  return place;
+  EntryOf(last_) = &slot;
+  slot.request = last_;
+  return slot;
 }
 
 /// Null if the request has ended.
-PendingRequests::Place* PendingRequests::Remove(std::uint64_t request) {
+PendingRequests::Slot* PendingRequests::Remove(std::uint64_t request) {
   if (by_number_.empty()) return nullptr;
-  Place*& entry = EntryOf(request);
+  Slot*& entry = EntryOf(request);
   if (entry == nullptr || entry->request != request) return nullptr;
   return std::exchange(entry, nullptr);
 }
 
-void PendingRequests::Free(Place& place) {
-  place.request = 0;
-  free_.push_back(&place);
+void PendingRequests::Free(Slot& slot) {
+  slot.request = 0;
+  free_.push_back(&slot);
 }
 
 std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& handler) {
   const SteadyTime deadline = SteadyClock().Now() + timeout;
   const std::scoped_lock lock(mutex_);
   if (finished_) return 0;
-  Place& place = Take();
-  place.deadline = deadline;
-  place.timeout = timeout;
-  place.is_awaited = false;
-  place.handler = std::move(handler);
-  return place.request;
+  Slot& slot = Take();
+  slot.deadline = deadline;
+  slot.timeout = timeout;
+  slot.is_awaited = false;
+  slot.handler = std::move(handler);
+  return slot.request;
 }
 
 /// Null after FinishAll().
-PendingRequests::Place* PendingRequests::AddAwaited() {
+PendingRequests::Slot* PendingRequests::AddAwaited() {
   const std::scoped_lock lock(mutex_);
   if (finished_) return nullptr;
-  Place& place = Take();
-  place.deadline = SteadyTime::max();
-  place.is_awaited = true;
-  return &place;
+  Slot& slot = Take();
+  slot.deadline = SteadyTime::max();
+  slot.is_awaited = true;
+  return &slot;
 }
 
 /// Ends the wait of a caller. Returns the outcome, if there is one.
-std::optional<Result<Answer>> PendingRequests::Leave(Place& place) {
+std::optional<Result<Answer>> PendingRequests::Leave(Slot& slot) {
   const std::scoped_lock lock(mutex_);
-  (void)Remove(place.request);
-  auto outcome = std::exchange(place.outcome, std::nullopt);
-  place.has_ended.Set(false);
-  Free(place);
+  (void)Remove(slot.request);
+  auto outcome = std::exchange(slot.outcome, std::nullopt);
+  slot.has_ended.Set(false);
+  Free(slot);
   return outcome;
 }
 
 void PendingRequests::Withdraw(std::uint64_t request) {
   Handler unused;  // destroyed without the lock
   const std::scoped_lock lock(mutex_);
-  Place* const place = Remove(request);
-  if (place == nullptr) return;
-  unused = std::exchange(place->handler, nullptr);
-  Free(*place);
+  Slot* const slot = Remove(request);
+  if (slot == nullptr) return;
+  unused = std::exchange(slot->handler, nullptr);
+  Free(*slot);
 }
 
 bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
@@ -94,11 +94,11 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
 /// Releases the lock if it returns true.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                                    Result<Answer> outcome) {
-  Place* const place = Remove(request);
-  if (place == nullptr) return false;
-  if (!place->is_awaited) {
-    const Handler handler = std::exchange(place->handler, nullptr);
-    Free(*place);
+  Slot* const slot = Remove(request);
+  if (slot == nullptr) return false;
+  if (!slot->is_awaited) {
+    const Handler handler = std::exchange(slot->handler, nullptr);
+    Free(*slot);
     lock.unlock();
     Result<Bytes> taken = Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
     CallGuarded("request", [&] {
@@ -107,10 +107,10 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
     CallGuarded("request", [&] { handler(std::move(taken)); });
     return true;
   }
-  place->outcome = std::move(outcome);
-  place->has_ended.Set(true);
+  slot->outcome = std::move(outcome);
+  slot->has_ended.Set(true);
   lock.unlock();
-  place->wakeup.Notify();
+  slot->wakeup.Notify();
   return true;
 }
 
@@ -121,8 +121,8 @@ void PendingRequests::OnAnswer(std::uint64_t request, Result<Answer> answer) {
 
 bool PendingRequests::IsAwaited(std::uint64_t request) {
   const std::scoped_lock lock(mutex_);
-  const Place* const place = by_number_.empty() ? nullptr : EntryOf(request);
-  const bool is_awaited = place != nullptr && place->request == request;
+  const Slot* const slot = by_number_.empty() ? nullptr : EntryOf(request);
+  const bool is_awaited = slot != nullptr && slot->request == request;
   if (!is_awaited) ++late_;
   return is_awaited;
 }
@@ -131,9 +131,9 @@ void PendingRequests::Expire(SteadyTime now, const std::string& peer) {
   std::vector<std::pair<std::uint64_t, std::chrono::milliseconds>> due;
   {
     const std::scoped_lock lock(mutex_);
-    for (const Place* place : by_number_) {
-      if (place != nullptr && place->deadline <= now) {
-        due.emplace_back(place->request, place->timeout);
+    for (const Slot* slot : by_number_) {
+      if (slot != nullptr && slot->deadline <= now) {
+        due.emplace_back(slot->request, slot->timeout);
       }
     }
   }
@@ -146,8 +146,8 @@ void PendingRequests::FinishAll(const Error& reason) {
   {
     const std::scoped_lock lock(mutex_);
     finished_ = true;
-    for (const Place* place : by_number_) {
-      if (place != nullptr) all.push_back(place->request);
+    for (const Slot* slot : by_number_) {
+      if (slot != nullptr) all.push_back(slot->request);
     }
   }
   std::ranges::sort(all);

@@ -85,7 +85,7 @@ class PendingRequests {
 
   /// Holds one request at a time. Its address never changes, because a thread may still be about to
   /// wake the caller of an earlier request.
-  struct Place {
+  struct Slot {
     std::uint64_t request = 0;
     SteadyTime deadline{};
     std::chrono::milliseconds timeout{};
@@ -97,23 +97,23 @@ class PendingRequests {
   };
 
   // With the lock held.
-  Place& Take();
-  Place*& EntryOf(std::uint64_t request) { return by_number_[request & (by_number_.size() - 1)]; }
-  [[nodiscard]] Place* Remove(std::uint64_t request);
-  void Free(Place& place);
+  Slot& Take();
+  Slot*& EntryOf(std::uint64_t request) { return by_number_[request & (by_number_.size() - 1)]; }
+  [[nodiscard]] Slot* Remove(std::uint64_t request);
+  void Free(Slot& slot);
 
   bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                     Result<Answer> outcome);
-  Place* AddAwaited();
-  std::optional<Result<Answer>> Leave(Place& place);
+  Slot* AddAwaited();
+  std::optional<Result<Answer>> Leave(Slot& slot);
 
   mutable std::mutex mutex_;
   bool finished_ = false;
   std::uint64_t last_ = 0;
   std::uint64_t late_ = 0;
-  std::deque<Place> places_;
-  std::vector<Place*> free_;       // has capacity for all places_
-  std::vector<Place*> by_number_;  // size is a power of two; each request has an entry of its own
+  std::deque<Slot> slots_;
+  std::vector<Slot*> free_;       // has capacity for all slots_
+  std::vector<Slot*> by_number_;  // size is a power of two; each request has an entry of its own
 };
 
 /// "no answer from robot within 500 ms; outcome unknown"
@@ -137,8 +137,8 @@ void CallGuarded(const std::string& peer, Function function) {
 class BlockingRequest {
  public:
   explicit BlockingRequest(PendingRequests& requests)
-      : requests_(requests), place_(requests.AddAwaited()) {
-    if (place_ != nullptr) number_ = place_->request;
+      : requests_(requests), slot_(requests.AddAwaited()) {
+    if (slot_ != nullptr) number_ = slot_->request;
   }
   BlockingRequest(const BlockingRequest&) = delete;
   BlockingRequest& operator=(const BlockingRequest&) = delete;
@@ -150,19 +150,19 @@ class BlockingRequest {
   /// Returns the outcome, or no value once `deadline` has passed. Call it once: a later answer
   /// counts as late.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
-    if (place_ == nullptr) return std::nullopt;
-    place_->wakeup.WaitUntil([this] { return place_->has_ended.Get(); }, deadline);
+    if (slot_ == nullptr) return std::nullopt;
+    slot_->wakeup.WaitUntil([this] { return slot_->has_ended.Get(); }, deadline);
     return Leave();
   }
 
  private:
   std::optional<Result<Answer>> Leave() {
-    PendingRequests::Place* const place = std::exchange(place_, nullptr);
-    return place == nullptr ? std::nullopt : requests_.Leave(*place);
+    PendingRequests::Slot* const slot = std::exchange(slot_, nullptr);
+    return slot == nullptr ? std::nullopt : requests_.Leave(*slot);
   }
 
   PendingRequests& requests_;
-  PendingRequests::Place* place_;
+  PendingRequests::Slot* slot_;
   std::uint64_t number_ = 0;
 };
 

@@ -1,4 +1,5 @@
 #include <tendon/middleware/channel.h>
+#include <tendon/middleware/pending_requests.h>
 #include <tendon/middleware/reply_batch.h>
 
 #include <cassert>
@@ -82,9 +83,20 @@ bool ReplyBatcher::Keep(Channel& channel, std::uint64_t request,
   return true;
 }
 
+/// If the link has no room for all replies, sends them one by one, because some may fit.
 void ReplyBatcher::Send() {
   const auto channel = std::exchange(channel_, nullptr);
-  channel->SendReplies(batch_);
+  bool is_sent = false;
+  if (batch_.replies() > 1) {
+    CallGuarded("answers", [&] {
+      is_sent =
+          channel->Send(MessageType::kReplies, 0, 0, batch_.body(), kOwnLane) == Status::kQueued;
+    });
+  }
+  std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch_.body();
+  while (const auto one = TakeReply(rest)) {
+    CallGuarded("answer", [&] { channel->SendReply(one->request, one->answer, kOwnLane); });
+  }
   batch_.Clear();
 }
 

@@ -54,9 +54,32 @@ class Responder {
   void Answer(const Result<void>& result);
 
  private:
+  [[nodiscard]] ReplySlot* EmptySlot(const Channel& channel) const;
+  [[nodiscard]] ReplySlot* SlotFor(Channel& channel, std::size_t size) const;
+  bool ReplyInSlot(Channel& channel, std::span<const std::byte> body);
+
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
   std::unique_ptr<ReplySlot> later_;  // the slot for the reply, if it is deferred
+};
+
+/// While this object exists, this thread handles `request` of `channel`, and the Responder of the
+/// request may write the reply to `slot` (LinkHandler::OnDirectFrame()). One object at a time in a
+/// thread.
+class CurrentRequest {
+ public:
+  CurrentRequest(const Channel& channel, std::uint64_t request, ReplySlot& slot);
+  CurrentRequest(const CurrentRequest&) = delete;
+  CurrentRequest& operator=(const CurrentRequest&) = delete;
+  ~CurrentRequest();
+
+  /// Null if this thread does not handle `request`.
+  [[nodiscard]] static ReplySlot* SlotOf(const Channel& channel, std::uint64_t request);
+
+ private:
+  const Channel& channel_;
+  const std::uint64_t request_;
+  ReplySlot& slot_;
 };
 
 }  // namespace tendon

@@ -14,10 +14,10 @@
 
 namespace tendon {
 
-/// The interface of a process to its network parts.
-class ProcessHost {
+/// The access of the network parts to their process.
+class ProcessAccess {
  public:
-  virtual ~ProcessHost() = default;
+  virtual ~ProcessAccess() = default;
   /// The manager's lock. Hold it to look up components and to make or end connections.
   [[nodiscard]] virtual std::unique_lock<std::recursive_mutex> LockStructure() const = 0;
   // Call these with the lock held; the results are valid as long as the lock is held.
@@ -41,7 +41,7 @@ class ProcessHost {
 /// results to the worker.
 struct ProcessContext {
   std::string name;
-  ProcessHost& host;
+  ProcessAccess& process;
   std::shared_ptr<Middleware> middleware;
   Hello hello;  ///< for channels that are opened here; only the worker changes its session
   std::shared_ptr<Worker> worker;

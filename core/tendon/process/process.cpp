@@ -35,13 +35,13 @@ Hello MakeHello(const std::string& name) {
 }  // namespace
 
 /// The network parts of a process.
-class Process::Parts final : private ProcessHost, public MembershipDelegate {
+class Process::Parts final : private ProcessAccess, public MembershipDelegate {
  public:
   Parts(Process& process, const std::string& name, const ProcessOptions& options)
       : process_(process),
         network_(std::make_shared<NetworkThread>()),
         context_{.name = name,
-                 .host = *this,
+                 .process = *this,
                  .middleware = options.middleware,
                  .hello = MakeHello(name),
                  .worker = std::make_shared<Worker>("process", name),
@@ -213,10 +213,10 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
     connections_.UpdatePeers(processes);
   }
 
-  void OnFanOut(const std::string& address) override { services_.telemetry.SetBroker(address); }
+  void OnBroker(const std::string& address) override { services_.telemetry.SetBroker(address); }
 
-  void MakeConnection(const message::Wiring& wiring, RemoteConnections::Done done) override {
-    const message::Wire& wire = wiring.wire;
+  void MakeConnection(const message::ConnectionPlan& plan, RemoteConnections::Done done) override {
+    const message::Wire& wire = plan.wire;
     const auto here = process_.Here(wire.required);
     if (!here) return done(here.error());
     {
@@ -227,7 +227,7 @@ class Process::Parts final : private ProcessHost, public MembershipDelegate {
       }
     }
     if (wire.provided.process != context_.name) {
-      connections_.LearnPeer(wire.provided.process, wiring.address, wiring.instance);
+      connections_.LearnPeer(wire.provided.process, plan.address, plan.instance);
       return connections_.Connect(wire, [this, wire, done](const auto& made) {
         if (!made) ForgetOrder(wire.required);
         done(made);

@@ -15,14 +15,29 @@
 
 namespace tendon {
 
+/// The numbers of lost rows, by the place where they were lost. Each loss is counted once: `table`
+/// and `network` by the subscription (process/telemetry/row_subscription.h), from the numbers that
+/// the table's process sends with its batches; `viewer` by the sink that drops the rows.
+struct LostRows {
+  std::uint64_t table = 0;    ///< overwritten before the table's process could read them
+  std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
+  std::uint64_t viewer = 0;   ///< received, but dropped by the sink
+
+  [[nodiscard]] std::uint64_t all() const { return table + network + viewer; }
+  LostRows& operator+=(const LostRows& other) {
+    table += other.table;
+    network += other.network;
+    viewer += other.viewer;
+    return *this;
+  }
+  bool operator==(const LostRows&) const = default;
+};
+
 /// Rows of one state table, in order, that arrived in one batch. Valid only during the call.
 struct RowBatch {
   std::uint64_t epoch = 0;  ///< changes when the source restarts; ticks then start at 0
-  /// Rows since the last batch that were overwritten before the source could read them.
-  std::uint64_t lost_table = 0;
-  /// Rows since the last batch that the link refused, or that were written while there was no link.
-  std::uint64_t lost_network = 0;
-  std::size_t count = 0;                 ///< 0 if there is only a loss to report
+  LostRows lost;            ///< since the last batch; `viewer` is 0, because the sink counts those
+  std::size_t count = 0;    ///< 0 if there is only a loss to report
   std::span<const std::uint64_t> ticks;  ///< of each row; consecutive without a period
   std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
   /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
@@ -60,16 +75,14 @@ struct TableSubscription {
 };
 
 /// The counts of rows of a subscription since it was made. For a subscription to every row,
-/// received + lost_table + lost_network equals the number of rows written since the first announced
+/// received + lost.table + lost.network equals the number of rows written since the first announced
 /// one, also across a broken link, as soon as the next batch has arrived. After a restart of the
 /// source, the counts continue, without rows written before the subscription was active again. With
 /// a period, rows that were not chosen and rows written while the link was down are not counted;
-/// lost_table counts all rows, chosen or not. With only the newest row, lost_table stays 0.
+/// lost.table counts all rows, chosen or not. With only the newest row, lost.table stays 0.
 struct RowCounts {
-  std::uint64_t received = 0;  ///< rows given to the sink, including lost_viewer
-  std::uint64_t lost_table = 0;
-  std::uint64_t lost_network = 0;
-  std::uint64_t lost_viewer = 0;
+  std::uint64_t received = 0;  ///< rows given to the sink, including lost.viewer
+  LostRows lost;
 
   bool operator==(const RowCounts&) const = default;
 };

@@ -32,7 +32,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
       outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
               {.credit = remote.opened.credit}),
       loss_report_(remote.channel, handle_),
-      interface_(remote.opened.description.name, &outbox_.inbox(), &host_) {
+      interface_(remote.opened.description.name, &outbox_.inbox(), &remote_component_) {
   AddCommands(remote, required, read_deadline);
   AddEvents(remote.opened.description, required);
   interface_.Seal();
@@ -127,11 +127,11 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
     const std::scoped_lock lock(mutex_);
     is_news = std::exchange(fault_, fault) != fault;
   }
-  if (is_faulted != host_.is_faulted()) {
-    host_.SetFaulted(is_faulted);
+  if (is_faulted != remote_component_.is_faulted()) {
+    remote_component_.SetFaulted(is_faulted);
     // Posted to the line, so that handlers get earlier events first.
     const bool is_posted = line_ && line_->Post([self = shared_from_this()] {
-      self->interface_.SetSourceFaulted(self->host_.is_faulted());
+      self->interface_.SetSourceFaulted(self->remote_component_.is_faulted());
     });
     if (!is_posted) interface_.SetSourceFaulted(is_faulted);
   }

@@ -91,7 +91,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   Outbox outbox_;
   LossReport loss_report_;
   std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null without an event
-  Host host_{[](const auto& /*reason*/) {}};         // the remote component; executes nothing here
+  ComponentAccess remote_component_{[](const auto& /*reason*/) {}};  // executes nothing here
   ProvidedInterface interface_;
 
   mutable std::mutex mutex_;

@@ -1,6 +1,6 @@
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
-#include <tendon/interface/execution/host.h>
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/latest_value.h>
 #include <tendon/proxy/queued_command_proxy.h>
 
@@ -84,10 +84,11 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       return claimed;
     }
     std::uint64_t call = 0;
-    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      call = callers_->Enter(*record, deadline);
-      return Status::kQueued;
-    });
+    const Status entered =
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+          call = callers_->Enter(*record, deadline);
+          return Status::kQueued;
+        });
     if (!entered) {
       mailbox_.GiveUp(room);
       completions[*record].Free();
@@ -130,15 +131,17 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     if (!record) return {};
     std::uint64_t call = 0;
     std::uint64_t sent = 0;
-    const Status entered = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      Outbox::BlockingCall blocking_call = BlockingCallOf(0, {});
-      blocking_call.argument.reserve(in.size() + sizeof(std::uint64_t));  // the timeout is appended
-      blocking_call.argument.assign(in.begin(), in.end());
-      call = blocking_call.number = callers_->Enter(*record, deadline);
-      (void)callers_->Start(*record);  // succeeds: the caller is this thread
-      sent = outbox_.SendNow(turn, std::move(blocking_call));
-      return Status::kQueued;
-    });
+    const Status entered =
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+          Outbox::BlockingCall blocking_call = BlockingCallOf(0, {});
+          blocking_call.argument.reserve(in.size() +
+                                         sizeof(std::uint64_t));  // the timeout is appended
+          blocking_call.argument.assign(in.begin(), in.end());
+          call = blocking_call.number = callers_->Enter(*record, deadline);
+          (void)callers_->Start(*record);  // succeeds: the caller is this thread
+          sent = outbox_.SendNow(turn, std::move(blocking_call));
+          return Status::kQueued;
+        });
     turn.unlock();
     if (call == 0) {
       mailbox_.completions()[*record].Free();
@@ -172,9 +175,10 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     room = mailbox_.Claim();
     if (room == nullptr) return outbox_.is_open() ? mailbox_.refusal() : Status::kNotConnected;
     const std::size_t slot = mailbox_.SlotOf(room);
-    const Status written = Host::Contain(nullptr, [&]() -> Status {  // memory may be short
-      return in.WriteTo(RoomIn(slot, size)) ? Status::kQueued : Status::kFailed;
-    });
+    const Status written =
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+          return in.WriteTo(RoomIn(slot, size)) ? Status::kQueued : Status::kFailed;
+        });
     if (!written) {
       FreeIfMany(slot);
       mailbox_.GiveUp(room);
@@ -203,7 +207,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     const Ending ending = completions[record].Await(is_over, deadline);
     const bool is_sent = callers_->Leave(call, ending);
     if (ending == Ending::kDone) {
-      const Status status = Host::Contain(nullptr, [&] {
+      const Status status = ComponentAccess::CatchExceptions(nullptr, [&] {
         if (completions[record].status()) out = callers_->answer(record);
         return completions[record].status();
       });

@@ -131,15 +131,16 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
 /// Asks the side that executes calls: the task, or the component if it has no thread.
 bool RequiredInterfaceProxy::IsAccepting() const {
   if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
-  const Host* host = server_.interface->host();
-  return host == nullptr || host->accepting();
+  const ComponentAccess* component = server_.interface->component();
+  return component == nullptr || component->accepting();
 }
 
 /// The text of an exception can be arbitrary; Printable() shortens it to a length that catalogues
 /// accept.
 std::string RequiredInterfaceProxy::Fault() const {
-  const Host* host = server_.interface->host();
-  return host != nullptr && host->is_faulted() ? Printable(server_.fault()) : std::string();
+  const ComponentAccess* component = server_.interface->component();
+  return component != nullptr && component->is_faulted() ? Printable(server_.fault())
+                                                         : std::string();
 }
 
 bool RequiredInterfaceProxy::Drain(SteadyTime deadline) const {

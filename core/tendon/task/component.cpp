@@ -45,14 +45,14 @@ Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
                                        std::string(transition.refusal)};
 }
 
-void RequireNew(const std::string& what, const PlacedName& name, const Component& component,
-                bool is_sealed, std::map<std::string, SourcePlace>& added_at) {
+void RequireNew(const std::string& what, const LocatedName& name, const Component& component,
+                bool is_sealed, std::map<std::string, SourceLocation>& added_at) {
   RequireName(what, name.text);
   if (is_sealed) {
     throw AddedTooLate(what + " " + Quoted(name.text), "component " + Quoted(component.name()),
                        "state " + std::string(ToString(component.state())));
   }
-  const auto [first, is_new] = added_at.emplace(name.text, name.place);
+  const auto [first, is_new] = added_at.emplace(name.text, name.location);
   if (!is_new) {
     throw ConfigurationError("interface " + Quoted(name.text) + " already exists in " +
                              Quoted(component.name()) + " (added at " + ToString(first->second) +
@@ -227,7 +227,7 @@ void Component::SetStateObserver(std::function<void()> observer) {
   observer_ = std::move(observer);
 }
 
-ProvidedInterface& Component::AddProvidedInterface(PlacedName name) {
+ProvidedInterface& Component::AddProvidedInterface(LocatedName name) {
   if (IsReserved(name.text)) {
     throw ConfigurationError("interface " + Quoted(name.text) + " of " + Quoted(name_) +
                              ": the names state and state-... belong to state tables");
@@ -235,19 +235,20 @@ ProvidedInterface& Component::AddProvidedInterface(PlacedName name) {
   return AddReservedInterface(std::move(name));
 }
 
-ProvidedInterface& Component::AddReservedInterface(PlacedName name) {
+ProvidedInterface& Component::AddReservedInterface(LocatedName name) {
   RequireNew("provided interface", name, *this, sealed_, added_at_);
-  // State tables have no host: they stay readable after a fault, when their records matter most.
-  const Host* const host = IsReserved(name.text) ? nullptr : &host_;
+  // State tables get no access to the component: they stay readable after a fault, when their
+  // records matter most.
+  const ComponentAccess* const access = IsReserved(name.text) ? nullptr : &access_;
   provided_.push_back(
-      std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), host));
+      std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), access));
   return *provided_.back();
 }
 
-RequiredInterface& Component::AddRequiredInterface(PlacedName name, Need need) {
+RequiredInterface& Component::AddRequiredInterface(LocatedName name, Need need) {
   RequireNew("required interface", name, *this, sealed_, added_at_);
   required_.push_back(
-      std::make_unique<RequiredInterface>(std::move(name.text), inbox_.get(), need, &host_));
+      std::make_unique<RequiredInterface>(std::move(name.text), inbox_.get(), need, &access_));
   return *required_.back();
 }
 
@@ -264,7 +265,7 @@ Result<void> Component::Resume() {
 }
 
 void Component::Halt() {
-  host_.SetAccepting(false);  // before Cleanup() frees data that calls use
+  access_.SetAccepting(false);  // before Cleanup() frees data that calls use
   const BlockWhenFull get_through;
   if (RunGuarded("Cleanup", [this] { Cleanup(); })) SetState(ComponentState::kFinished);
 }
@@ -375,8 +376,8 @@ void Component::SetState(ComponentState state) {
     inbox_->SetAccepting(state == ComponentState::kActive);
     if (!IsRunning(state)) inbox_->Unbind();
   }
-  if (is_faulted != host_.is_faulted() && (is_faulted || state == ComponentState::kReady)) {
-    host_.SetFaulted(is_faulted);
+  if (is_faulted != access_.is_faulted() && (is_faulted || state == ComponentState::kReady)) {
+    access_.SetFaulted(is_faulted);
     for (const auto& one : provided_) one->SetSourceFaulted(is_faulted);
   }
   std::function<void()> observer;
@@ -386,8 +387,8 @@ void Component::SetState(ComponentState state) {
     if (!IsRunning(state)) is_stopping_.Set(false);
     // If another thread has faulted the component meanwhile, the state stays faulted until the next
     // start.
-    if (host_.is_faulted()) state = ComponentState::kFaulted;
-    host_.SetAccepting(state == ComponentState::kActive);
+    if (access_.is_faulted()) state = ComponentState::kFaulted;
+    access_.SetAccepting(state == ComponentState::kActive);
     state_.Set(state);
     observer = observer_;
   }

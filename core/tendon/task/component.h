@@ -4,8 +4,8 @@
 #include <tendon/base/error.h>
 #include <tendon/base/name.h>
 #include <tendon/base/result.h>
-#include <tendon/base/source_place.h>
-#include <tendon/interface/execution/host.h>
+#include <tendon/base/source_location.h>
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/inbox.h>
 #include <tendon/interface/provided_interface.h>
 #include <tendon/interface/required_interface.h>
@@ -40,8 +40,9 @@ inline constexpr Patience kNoWait{0};
 /// events return kNotActive. Its connections stay and work again after a restart; queued calls are
 /// dropped. Its tables stay readable through its `state` interfaces.
 ///
-/// The constructor of a derived class adds the interfaces. A manager owns the component and drives
-/// its life cycle. Only one thread at a time may call the functions below "For managers".
+/// The constructor of a derived class adds the interfaces, and the class overrides Configure() and
+/// the functions after it as needed. A manager owns the component and drives its life cycle. Only
+/// one thread at a time may call the functions below "For managers".
 class Component {
  public:
   explicit Component(std::string name);
@@ -72,6 +73,47 @@ class Component {
   /// component is faulted. Any thread except the component's own.
   Result<void> WaitFor(ComponentState state, Patience patience);
 
+ protected:
+  /// For components whose calls wait in an inbox until a thread executes them.
+  Component(std::string name, std::unique_ptr<Inbox> inbox);
+
+  /// Throws ConfigurationError for a duplicate or invalid name, or after Seal(). The names `state`
+  /// and `state-...` are reserved for state tables.
+  ProvidedInterface& AddProvidedInterface(LocatedName name);
+  RequiredInterface& AddRequiredInterface(LocatedName name, Need need = Need::kRequired);
+
+  /// Called before the first start, and before a restart after a fault. May throw.
+  virtual void Configure() {}
+  /// Called before the first cycle, in the component's thread if it has one. May throw.
+  virtual void Startup() {}
+  /// Called after the last cycle, in the component's thread if it has one. The connections still
+  /// work, so commands that it sends reach their servers. May throw.
+  virtual void Cleanup() {}
+
+  // Notifications of changes, in the component's thread before its next Run(). They may throw, and
+  // must return within the cycle's time. They cost nothing in a cycle without a change. Changes
+  // while the component does not run are notified before Startup(); changes while it is suspended,
+  // before OnResume().
+
+  /// `interface` has a new peer. Everything may differ from the last peer, such as the position of
+  /// the robot. Calls reach the new peer from this call on; if other threads may call too, from its
+  /// return on. For a component without a thread, this runs in the thread that connects, in any
+  /// state.
+  virtual void OnConnected(RequiredInterface& /*interface*/) {}
+  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). For
+  /// a component without a thread, this runs in the thread that disconnects; there, its calls still
+  /// reach the peer, if the peer exists.
+  virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
+  /// The component continues after a suspension. Its environment may have changed meanwhile.
+  virtual void OnResume() {}
+  /// A client that could call `interface` is disconnected or lost; none of its calls will be
+  /// executed any more. Called while the component runs, or after it has resumed. `client` is the
+  /// name that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot"
+  /// in another one. For a component without a thread, this runs at once, in the thread that
+  /// disconnects. Consoles and windows that call commands by name are not clients.
+  virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
+
+ public:
   // For managers.
 
   /// Ends the construction: no interface and no member can be added from now on.
@@ -105,45 +147,6 @@ class Component {
   void SetStateObserver(std::function<void()> observer);
 
  protected:
-  /// For components whose calls wait in an inbox until a thread executes them.
-  Component(std::string name, std::unique_ptr<Inbox> inbox);
-
-  /// Throws ConfigurationError for a duplicate or invalid name, or after Seal(). The names `state`
-  /// and `state-...` are reserved for state tables.
-  ProvidedInterface& AddProvidedInterface(PlacedName name);
-  RequiredInterface& AddRequiredInterface(PlacedName name, Need need = Need::kRequired);
-
-  /// Called before the first start, and before a restart after a fault. May throw.
-  virtual void Configure() {}
-  /// Called before the first cycle, in the component's thread if it has one. May throw.
-  virtual void Startup() {}
-  /// Called after the last cycle, in the component's thread if it has one. The connections still
-  /// work, so commands that it sends reach their servers. May throw.
-  virtual void Cleanup() {}
-
-  // Notifications of changes, in the component's thread before its next Run(). They may throw, and
-  // must return within the cycle's time. They cost nothing in a cycle without a change. Changes
-  // while the component does not run are notified before Startup(); changes while it is suspended,
-  // before OnResume().
-
-  /// `interface` has a new peer. Everything may differ from the last peer, such as the position of
-  /// the robot. Calls reach the new peer from this call on; if other threads may call too, from its
-  /// return on. For a component without a thread, this runs in the thread that connects, in any
-  /// state.
-  virtual void OnConnected(RequiredInterface& /*interface*/) {}
-  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). For
-  /// a component without a thread, this runs in the thread that disconnects; there, its calls still
-  /// reach the peer, if the peer exists.
-  virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
-  /// The component continues after a suspension. Its environment may have changed meanwhile.
-  virtual void OnResume() {}
-  /// A client that could call `interface` is disconnected or lost; none of its calls will be
-  /// executed any more. Called while the component runs, or after it has resumed. `client` is the
-  /// name that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot"
-  /// in another one. For a component without a thread, this runs at once, in the thread that
-  /// disconnects. Consoles and windows that call commands by name are not clients.
-  virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
-
   // Implementations of the requests, called if the request is legal. They need not wait for the
   // effect.
 
@@ -196,7 +199,7 @@ class Component {
   virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
-  ProvidedInterface& AddReservedInterface(PlacedName name);
+  ProvidedInterface& AddReservedInterface(LocatedName name);
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
@@ -208,7 +211,7 @@ class Component {
   bool ReportGoneClient(const DisconnectedClient& client);
 
   std::string name_;
-  Host host_{Host::Listeners{
+  ComponentAccess access_{ComponentAccess::Listeners{
       .on_exception = [this](const std::string& reason) { FaultFromOutside(reason); },
       .on_peer_changed = [this](RequiredInterface& interface) { DeliverPeerChange(interface); },
       .on_client_gone =
@@ -217,7 +220,7 @@ class Component {
   bool sealed_ = false;
   std::vector<std::unique_ptr<ProvidedInterface>> provided_;
   std::vector<std::unique_ptr<RequiredInterface>> required_;
-  std::map<std::string, SourcePlace> added_at_;
+  std::map<std::string, SourceLocation> added_at_;
   std::vector<Expiry*> expiries_;
   NoticeList<DisconnectedClient> gone_clients_;
   Published<ComponentState> state_{ComponentState::kConstructed};

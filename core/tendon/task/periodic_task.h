@@ -8,9 +8,10 @@
 
 namespace tendon {
 
-/// A task whose cycles are due at equally spaced, absolute times on the steady clock, so that the
-/// times do not drift. If a cycle takes longer than the period, the task skips to the next time on
-/// the grid. Skipped cycles count as overruns and are never made up in a burst.
+/// A task whose cycles, each one a call of Run(), are due at equally spaced, absolute times on the
+/// steady clock, so that the times do not drift. If a cycle takes longer than the period, the task
+/// skips to the next time on the grid. Skipped cycles count as overruns and are never made up in a
+/// burst.
 class PeriodicTask : public ThreadedTask {
  protected:
   /// `period` is 10 µs to 3600 s; otherwise throws ConfigurationError.

@@ -39,7 +39,8 @@ struct Gap {
   std::int64_t to_ns = 0;
 };
 
-/// The losses of rows of one source since its subscription, by place.
+/// The losses of rows of one source since its subscription, by place. Filled from tendon::LostRows
+/// (gcm_gui/session/column_feed.h); a type of its own because plots depend only on Qt and Qwt.
 struct RowLosses {
   std::uint64_t table = 0;    ///< in its process: overwritten before they could be read
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link

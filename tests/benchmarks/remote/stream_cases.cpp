@@ -35,7 +35,7 @@ class Counter final : public RowSink {
       in_first_ = batch.count;
     }
     rows_ += batch.count;
-    lost_ += batch.lost_table + batch.lost_network;
+    lost_ += batch.lost.all();
     changed_.notify_one();
     return 0;
   }

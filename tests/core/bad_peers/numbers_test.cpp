@@ -72,7 +72,7 @@ TEST_F(RowNumbers, BadInput63RowsThatAreJumpedOverAreLost) {
 
   Send(11, {111}, 112);
 
-  EXPECT_EQ(subscription_.counts(), (RowCounts{.received = 2, .lost_network = 10}));
+  EXPECT_EQ(subscription_.counts(), (RowCounts{.received = 2, .lost = {.network = 10}}));
 }
 
 TEST_F(RowNumbers, BadInput63WhatJumpsOverTheEndOfAllNumbersIsPassedOver) {

@@ -28,7 +28,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                  std::span<const std::byte> body, Responder responder) override {
     if (header.type == message::kMakeConnection) {
-      Make(channel, *DecodeBody<message::Wiring>(body), std::move(responder));
+      Make(channel, *DecodeBody<message::ConnectionPlan>(body), std::move(responder));
     } else if (header.type == message::kBreakConnection) {
       Break(channel, *DecodeBody<message::Wire>(body), std::move(responder));
     } else if (header.type == message::kGetSchemas) {
@@ -56,17 +56,17 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     if (gcm == closed) gcm.reset();
   }
 
-  void Make(const std::shared_ptr<Channel>& channel, const message::Wiring& wiring,
+  void Make(const std::shared_ptr<Channel>& channel, const message::ConnectionPlan& plan,
             Responder responder) {
     const std::scoped_lock lock(mutex);
-    orders.push_back(wiring);
+    orders.push_back(plan);
     if (manners == Manners::kDelayFromConnect) manners = Manners::kDelay;
-    if (Delays([=, this](Responder late) { MakeNow(channel, wiring, std::move(late)); }, responder))
+    if (Delays([=, this](Responder late) { MakeNow(channel, plan, std::move(late)); }, responder))
       return;
-    MakeNow(channel, wiring, std::move(responder));
+    MakeNow(channel, plan, std::move(responder));
   }
 
-  void MakeNow(const std::shared_ptr<Channel>& channel, const message::Wiring& wiring,
+  void MakeNow(const std::shared_ptr<Channel>& channel, const message::ConnectionPlan& plan,
                Responder responder) {
     if (manners == Manners::kRefuseConnects || manners == Manners::kRefuseTheNextConnect) {
       if (manners == Manners::kRefuseTheNextConnect) manners = Manners::kObey;
@@ -75,11 +75,11 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     if (!Obeys(std::move(responder))) return;
     const bool is_missed = manners == Manners::kMissTheNextProvider;
     if (is_missed) manners = Manners::kObey;
-    const bool is_there = !wiring.address.empty() && !is_missed;
+    const bool is_there = !plan.address.empty() && !is_missed;
     const ConnectionDescription made{
         .id = ++last_id,
-        .required = wiring.wire.required,
-        .provided = wiring.wire.provided,
+        .required = plan.wire.required,
+        .provided = plan.wire.provided,
         .state = is_there ? ConnectionState::kActive : ConnectionState::kPending,
         .reason = is_missed ? "nobody answers" : ""};
     connections[made.required] = made;
@@ -180,7 +180,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   std::map<Fingerprint, std::string> texts = {{FingerprintOf<Joints>(), SchemaOf<Joints>().Text()},
                                               {FingerprintOf<double>(), SchemaOf<double>().Text()}};
   std::uint64_t last_id = 0;
-  std::vector<message::Wiring> orders;
+  std::vector<message::ConnectionPlan> orders;
   message::PeerList peers;
   std::optional<Responder> kept;
   std::optional<Joints> goal;
@@ -326,7 +326,7 @@ void FakeProcess::set_manners(Manners manners) {
 
 const ProcessDescription& FakeProcess::description() const { return state_->description; }
 
-std::vector<message::Wiring> FakeProcess::orders() const {
+std::vector<message::ConnectionPlan> FakeProcess::orders() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->orders;
 }

@@ -67,7 +67,7 @@ class FakeProcess {
 
   void set_manners(Manners manners);
   [[nodiscard]] const ProcessDescription& description() const;
-  [[nodiscard]] std::vector<message::Wiring> orders() const;
+  [[nodiscard]] std::vector<message::ConnectionPlan> orders() const;
   [[nodiscard]] message::PeerList peers() const;
   [[nodiscard]] std::size_t connection_count() const;
   [[nodiscard]] bool is_linked() const;

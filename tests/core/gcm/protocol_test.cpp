@@ -26,8 +26,8 @@ Fingerprint MessagesOfVersion10() {
       message::GetSchemas, message::Schemas, message::CallMember, message::CallMemberReply,
       message::Subscribe, message::SubscribeReply, message::RowsHeader,
       message::ProgramVersion,  // process
-      message::Join, message::JoinReply, message::Report, message::Wiring, message::PeerList,
-      ConnectionDescription, message::Health, message::GcmClock,
+      message::Join, message::JoinReply, message::Report, message::ConnectionPlan,
+      message::PeerList, ConnectionDescription, message::Health, message::GcmClock,
       // membership
       message::Snapshot, message::Changes, message::Wire, message::HistoryEntry, message::History,
       message::Forget, message::LogRecords, message::SetLogLevel, message::WatchLog,

@@ -16,7 +16,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/process/empty_host.h"
+#include "core/process/empty_process.h"
 #include "support/folder.h"
 #include "support/machine/stall_meter.h"
 #include "support/wait.h"
@@ -216,7 +216,7 @@ TEST(LargeMessageInProgress, WhatIsDoneSoonExcusesNobody) {
 }
 
 /// A process without components; or with one that has always got another large configuration.
-class Empty final : public EmptyHost, public tendon::MembershipDelegate {
+class Empty final : public EmptyProcess, public tendon::MembershipDelegate {
  public:
   [[nodiscard]] tendon::ProcessContent content() const override {
     if (!is_large) return {};
@@ -227,10 +227,10 @@ class Empty final : public EmptyHost, public tendon::MembershipDelegate {
     return {.components = {component}, .connections = {}, .plugins = {}};
   }
   void OnPeers(const std::vector<tendon::ProcessDescription>& /*processes*/) override {}
-  void OnFanOut(const std::string& /*address*/) override {}
+  void OnBroker(const std::string& /*address*/) override {}
   void OnOwnAddress(const std::string& /*address*/) override {}
   void MakeConnection(
-      const tendon::message::Wiring& /*wiring*/,
+      const tendon::message::ConnectionPlan& /*plan*/,
       std::function<void(const tendon::Result<tendon::ConnectionDescription>&)> done) override {
     done(Nothing());
   }
@@ -296,7 +296,7 @@ class Lease : public testing::Test {
     EXPECT_TRUE(gcm.ok()) << gcm.error().message;
     gcm_ = *std::move(gcm);
     member_ = std::make_unique<tendon::Membership>(
-        context_, host_,
+        context_, process_,
         tendon::Membership::Options{.gcm = gcm_->address(), .process = {.name = "robot"}});
     member_->Begin();
     const auto joined = member_->WaitUntilJoined(kLongEnough);
@@ -323,10 +323,10 @@ class Lease : public testing::Test {
   const tendon::test::Folder folder_;
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   std::unique_ptr<tendon::GlobalManager> gcm_;
-  Empty host_;
+  Empty process_;
   ProcessContext context_{
       .name = "robot",
-      .host = host_,
+      .process = process_,
       .middleware = std::make_shared<LoopbackMiddleware>(network_),
       .hello = {.instance = 1, .name = "robot", .cookie = *tendon::LoopbackCookie()},
       .worker = std::make_shared<Worker>("process", "robot"),
@@ -350,7 +350,7 @@ TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopiesWhatIsLarge) {
 }
 
 TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
-  host_.is_large = true;
+  process_.is_large = true;
   are_renewals_lost_ = true;
 
   const int before = renewals_;
@@ -363,7 +363,7 @@ TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
 
   EXPECT_TRUE(member_->is_joined() || stalls_.has_stood_still());
   EXPECT_TRUE(state() != tendon::ProcessState::kLost || stalls_.has_stood_still());
-  host_.is_large = false;
+  process_.is_large = false;
   EXPECT_TRUE(EventuallyTrue([&] { return !member_->is_joined(); })) << "nothing more is renewed";
 }
 

@@ -26,8 +26,8 @@ class RowInboxTest : public testing::Test {
     const std::vector<std::int64_t> times(ticks.size());
     const std::byte value{7};
     tendon::RowBatch batch;
-    batch.lost_table = lost_table;
-    batch.lost_network = lost_network;
+    batch.lost.table = lost_table;
+    batch.lost.network = lost_network;
     batch.count = ticks.size();
     batch.ticks = ticks;
     batch.times = times;
@@ -44,7 +44,7 @@ TEST_F(RowInboxTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
   Hear(printer, {7, 8}, 4, 0);
   Hear(printer, {}, 0, 5);
 
-  const LostRows rest = printer.Rest();
+  const tendon::LostRows rest = printer.Rest();
 
   EXPECT_EQ(rest.table, 4U);
   EXPECT_EQ(rest.network, 5U);

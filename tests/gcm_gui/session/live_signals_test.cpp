@@ -262,8 +262,8 @@ TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
   EXPECT_EQ(live_.losses(first_), RowLosses{});
 
   RowBatch batch;  // of losses alone
-  batch.lost_table = 7;
-  batch.lost_network = 2;
+  batch.lost.table = 7;
+  batch.lost.network = 2;
   Sink().OnRows(batch);
   SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting + 5);
 

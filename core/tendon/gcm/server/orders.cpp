@@ -52,7 +52,7 @@ class Orders::ConnectOrder final : public std::enable_shared_from_this<ConnectOr
   void Start(Orders& orders);
 
  private:
-  void OnPlanned(Orders& orders, const Result<message::Wiring>& wiring);
+  void OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan);
 
   const message::Wire wire_;
   const ConnectDone done_;
@@ -69,7 +69,7 @@ class Orders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOr
   void Start(Orders& orders);
 
  private:
-  void OnPlanned(Orders& orders, const Result<message::Wiring>& wiring);
+  void OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan);
   void OnBroken(Orders& orders, const Result<None>& broken);
   void OnMade(Orders& orders, const Result<ConnectionDescription>& made);
   void Restore(Orders& orders, const Error& why);
@@ -230,8 +230,8 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
 void Orders::Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalogue& catalogue = parts_.registry.catalogue();
-  const auto wiring = PlanConnect(catalogue, wire, when_connected);
-  if (wiring || wiring.error().code != ErrorCode::kIncompatible) return planned(*this, wiring);
+  const auto plan = PlanConnect(catalogue, wire, when_connected);
+  if (plan || plan.error().code != ErrorCode::kIncompatible) return planned(*this, plan);
   const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
   const auto answered = [=, locked = locked_] {
     locked([&](Orders& orders) {
@@ -247,7 +247,7 @@ void Orders::Plan(const message::Wire& wire, WhenConnected when_connected, const
       LearnSchemas(worker, channel, wanted, kLongest, answered);
     });
   }
-  if (*missing == 0) planned(*this, wiring);
+  if (*missing == 0) planned(*this, plan);
 }
 
 template <typename Order, typename Reply>
@@ -269,12 +269,12 @@ void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
     locked([&](Orders& orders) {
-      orders.SendMake(WiringOf(orders.parts_.registry.catalogue(), wire), claimed);
+      orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), wire), claimed);
     });
   };
   const Catalogue& catalogue = parts_.registry.catalogue();
   if (catalogue.FindConnection(wire.required) != nullptr) return SendBreak(wire.required, make);
-  SendMake(WiringOf(catalogue, wire), claimed);
+  SendMake(ConnectionPlanOf(catalogue, wire), claimed);
 }
 
 void Orders::Break(const InterfaceName& required, ConnectDone done) {
@@ -294,8 +294,8 @@ void Orders::Exchange(const message::Wire& wire, const std::string& who, Done<Re
 
 /// Gives the order to make a connection. Without an answer, uses the state that the process has
 /// reported.
-void Orders::SendMake(const message::Wiring& wiring, ConnectDone done) {
-  const auto heard = [locked = locked_, wire = wiring.wire,
+void Orders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
+  const auto heard = [locked = locked_, wire = plan.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
     if (!made && IsOutcomeUnknown(made.error())) {
       locked([&](Orders& orders) {
@@ -305,8 +305,8 @@ void Orders::SendMake(const message::Wiring& wiring, ConnectDone done) {
     }
     done(std::move(made));
   };
-  Send<ConnectionDescription>(message::kMakeConnection, wiring.wire.required.process, wiring,
-                              timeout_, heard);
+  Send<ConnectionDescription>(message::kMakeConnection, plan.wire.required.process, plan, timeout_,
+                              heard);
 }
 
 void Orders::SendBreak(const InterfaceName& required, Done<None> done) {
@@ -381,26 +381,26 @@ void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,
 
 void Orders::ConnectOrder::Start(Orders& orders) {
   orders.Plan(wire_, WhenConnected::kRefuse,
-              [self = shared_from_this()](Orders& present, const auto& wiring) {
-                self->OnPlanned(present, wiring);
+              [self = shared_from_this()](Orders& present, const auto& plan) {
+                self->OnPlanned(present, plan);
               });
 }
 
-void Orders::ConnectOrder::OnPlanned(Orders& orders, const Result<message::Wiring>& wiring) {
-  if (!wiring) return orders.Answer(done_, Result<ConnectionDescription>(wiring.error()));
-  if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*wiring, claimed);
+void Orders::ConnectOrder::OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan) {
+  if (!plan) return orders.Answer(done_, Result<ConnectionDescription>(plan.error()));
+  if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*plan, claimed);
 }
 
 void Orders::ReplaceOrder::Start(Orders& orders) {
   orders.Plan(wire_, WhenConnected::kReplace,
-              [self = shared_from_this()](Orders& present, const auto& wiring) {
-                self->OnPlanned(present, wiring);
+              [self = shared_from_this()](Orders& present, const auto& plan) {
+                self->OnPlanned(present, plan);
               });
 }
 
-void Orders::ReplaceOrder::OnPlanned(Orders& orders, const Result<message::Wiring>& wiring) {
+void Orders::ReplaceOrder::OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan) {
   const Catalogue& catalogue = orders.parts_.registry.catalogue();
-  const auto former = wiring ? PlanDisconnect(catalogue, wire_.required) : wiring.error();
+  const auto former = plan ? PlanDisconnect(catalogue, wire_.required) : plan.error();
   if (!former) return Fail(orders, former.error());
   auto claimed = orders.Claim(wire_.required, done_);
   if (!claimed) return;
@@ -414,7 +414,7 @@ void Orders::ReplaceOrder::OnBroken(Orders& orders, const Result<None>& broken) 
     if (IsOutcomeUnknown(broken.error())) return Restore(orders, broken.error());
     return Fail(orders, broken.error());
   }
-  orders.SendMake(WiringOf(orders.parts_.registry.catalogue(), wire_),
+  orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), wire_),
                   orders.Step(shared_from_this(), &ReplaceOrder::OnMade));
 }
 
@@ -437,7 +437,7 @@ void Orders::ReplaceOrder::Restore(Orders& orders, const Error& why) {
   const message::Wire former{wire_.required, former_.provided};
   orders.SendBreak(former.required, [](const auto& /*there may be none*/) {});
   orders.Send<ConnectionDescription>(message::kMakeConnection, former.required.process,
-                                     WiringOf(orders.parts_.registry.catalogue(), former),
+                                     ConnectionPlanOf(orders.parts_.registry.catalogue(), former),
                                      orders.timeout_,
                                      orders.Step(shared_from_this(), &ReplaceOrder::OnRestored));
 }

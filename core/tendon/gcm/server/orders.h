@@ -70,7 +70,7 @@ class Orders : private OrderSender {
     InterfaceName former;
   };
 
-  using Planned = std::function<void(Orders&, const Result<message::Wiring>&)>;
+  using Planned = std::function<void(Orders&, const Result<message::ConnectionPlan>&)>;
   void Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned);
   void Make(const message::Wire& wire, ConnectDone done);
   void MakePending(const message::Wire& wire, const ConnectDone& done);
@@ -83,7 +83,7 @@ class Orders : private OrderSender {
 
   // Single orders to the required side's LCM, which executes them in order.
 
-  void SendMake(const message::Wiring& wiring, ConnectDone done);
+  void SendMake(const message::ConnectionPlan& plan, ConnectDone done);
   void SendBreak(const InterfaceName& required, Done<None> done);
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;

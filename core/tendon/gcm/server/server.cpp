@@ -238,7 +238,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kBeginOrder, &Server::BeginOrder},
       {message::kHealth, &Server::ReportHealth},
       {message::kReportHealth, &Server::OnHealth},
-      {message::kFanOut, &Server::ReportFanOut},
+      {message::kGetBroker, &Server::ReportBroker},
       {message::kProcess, &Server::SteerProcess},
       {message::kGetProgram, &Server::ReportVersion},
       {message::kGetChildren, &Server::ReportChildren}};
@@ -414,8 +414,8 @@ void Server::ReportHistory(const Request& request) {
   request.responder->Answer(Result(history_.steps()));
 }
 
-void Server::ReportFanOut(const Request& request) {
-  request.responder->Answer(Result(message::BroadcastAddress{options_.fan_out}));
+void Server::ReportBroker(const Request& request) {
+  request.responder->Answer(Result(message::BrokerAddress{options_.broker}));
 }
 
 void Server::ReportVersion(const Request& request) {

@@ -39,7 +39,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::chrono::milliseconds order_timeout;
     std::uint64_t instance = 0;
     std::shared_ptr<Launcher> launcher{};
-    std::string fan_out{};  ///< the broker's address; empty: there is none
+    std::string broker{};  ///< the broker's address; empty: there is none
   };
   explicit Server(Options options);
 
@@ -104,7 +104,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void TakePlanLock(const Request& request);
   void ReportHistory(const Request& request);
   void ReportHealth(const Request& request);
-  void ReportFanOut(const Request& request);
+  void ReportBroker(const Request& request);
   void ReportVersion(const Request& request);
   void ReportChildren(const Request& request);
   void Forget(const Request& request);

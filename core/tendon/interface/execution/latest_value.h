@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/interface/execution/host.h>
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/mailbox.h>
 #include <tendon/lockfree/snapshot.h>
 #include <tendon/lockfree/try_lock.h>
@@ -28,7 +28,7 @@ class LatestValue {
       mailbox_.CountReplaced();
       return Status::kQueued;
     }
-    return Host::Contain(nullptr, [&]() -> Status {
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
       if (newest_.Write(make())) {
         mailbox_.CountReplaced();
       } else {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/converting_command.h>
 #include <tendon/interface/execution/gate.h>
-#include <tendon/interface/execution/host.h>
 #include <tendon/interface/interface_description.h>
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace tendon {
 struct BoundMember {
   CommandBase* command = nullptr;  ///< null for an optional function without a command
   const Flag* enabled = nullptr;
-  const Host* server = nullptr;  ///< null if faults are not reported, as for state tables
+  const ComponentAccess* server = nullptr;  ///< null if faults are not reported (state tables)
 
   /// True if a call now would reach a server.
   [[nodiscard]] bool is_reached() const noexcept {

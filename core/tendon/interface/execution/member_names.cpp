@@ -4,11 +4,11 @@
 namespace tendon {
 
 void MemberNames::Add(const std::string& what, const std::string& name,
-                      const std::string& interface, SourcePlace place) {
+                      const std::string& interface, SourceLocation location) {
   RequireName(what, name);
   const std::string member = what + " '" + name + "'";
   if (sealed_) throw AddedTooLate(member, "interface '" + interface + "'");
-  const auto [first, is_new] = added_at_.emplace(name, place);
+  const auto [first, is_new] = added_at_.emplace(name, location);
   if (!is_new) {
     throw ConfigurationError(member + " already exists in interface '" + interface +
                              "' (added at " + ToString(first->second) + ")");

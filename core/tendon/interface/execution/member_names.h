@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/base/source_place.h>
+#include <tendon/base/source_location.h>
 
 #include <map>
 #include <string>
@@ -13,13 +13,13 @@ class MemberNames {
   /// Throws ConfigurationError if the name is invalid, already in use (the message says where it
   /// was added) or added after Seal(). `what` is "command", "event", ...
   void Add(const std::string& what, const std::string& name, const std::string& interface,
-           SourcePlace place);
+           SourceLocation location);
   /// No name can be added from now on.
   void Seal() { sealed_ = true; }
 
  private:
   bool sealed_ = false;
-  std::map<std::string, SourcePlace> added_at_;
+  std::map<std::string, SourceLocation> added_at_;
 };
 
 }  // namespace tendon

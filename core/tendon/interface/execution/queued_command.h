@@ -2,8 +2,8 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/expiry.h>
-#include <tendon/interface/execution/host.h>
 #include <tendon/interface/mailbox.h>
 
 #include <chrono>
@@ -22,7 +22,7 @@ template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
 /// Passes the call to the thread that empties the mailbox, which runs `handler(in, out)`. Without a
-/// mailbox (a component without a thread) it runs in the caller's thread, while `host` accepts
+/// mailbox (a component without a thread) it runs in the caller's thread, while `component` accepts
 /// calls. To get the reply, the caller must wait. Replies are stored in a pool, because the caller
 /// may stop waiting before its call ends.
 template <Payload In, Payload Out, typename Handler>
@@ -31,9 +31,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
   /// Each executed call renews `expiry`, if there is one.
-  QueuedCommand(Handler handler, Mailbox* mailbox, const Host* host = nullptr,
+  QueuedCommand(Handler handler, Mailbox* mailbox, const ComponentAccess* component = nullptr,
                 Expiry* expiry = nullptr)
-      : handler_(std::move(handler)), mailbox_(mailbox), host_(host), expiry_(expiry) {
+      : handler_(std::move(handler)), mailbox_(mailbox), component_(component), expiry_(expiry) {
     if (mailbox_ == nullptr) return;
     if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
     if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
@@ -113,8 +113,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   };
 
   Status ExecuteNow(const In& in, Out& out) {
-    if (host_ != nullptr && !host_->accepting()) return Status::kNotActive;
-    return Host::Contain(host_, [&]() -> Status {
+    if (component_ != nullptr && !component_->accepting()) return Status::kNotActive;
+    return ComponentAccess::CatchExceptions(component_, [&]() -> Status {
       handler_(in, out);
       return Status::kDone;
     });
@@ -138,7 +138,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Status ClaimDecoded(std::span<const std::byte> in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();
-    const Status decoded = Host::Contain(nullptr, [&]() -> Status {
+    const Status decoded = ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
       In* value = nullptr;
       if constexpr (kLiesInSlot<In>) {
         value = new (argument) In{};
@@ -153,7 +153,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   }
   template <typename T>
   static Status Copy(const T& from, T& to) {
-    return Host::Contain(nullptr, [&]() -> Status {
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
       to = from;
       return Status::kQueued;
     });
@@ -218,7 +218,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
 
   Handler handler_;
   Mailbox* mailbox_;
-  const Host* host_;
+  const ComponentAccess* component_;
   Expiry* expiry_;
   BlockingCallEntry blocking_entry_{*this};
   std::unique_ptr<In[]> arguments_;  // one per slot

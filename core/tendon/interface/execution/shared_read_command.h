@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/interface/command.h>
-#include <tendon/interface/execution/host.h>
+#include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/offer.h>
 
 #include <memory>
@@ -37,7 +37,7 @@ class SharedReadCommand final : public Command<None, Out> {
  private:
   template <typename Use>
   Status With(Use use) {
-    return Host::Contain(nullptr, [&]() -> Status {
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
       const std::shared_ptr<const Out> value = body_();
       return value ? use(*value) : Status::kNoSample;
     });

@@ -168,10 +168,10 @@ std::shared_ptr<MemberCalls::Target> MemberCalls::Find(const Key& key) {
 
 /// On the worker.
 Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::CallMember& call) {
-  const auto structure = context_.host.LockStructure();
+  const auto structure = context_.process.LockStructure();
   if (auto target = Find(KeyOf(call))) return target;
   const InterfaceName name(context_.name, call.component, call.interface);
-  const auto provided = context_.host.LookUpProvided(name);
+  const auto provided = context_.process.LookUpProvided(name);
   if (!provided) return provided.error();
   const Offer* offer = (*provided)->FindCommand(call.member);
   if (offer == nullptr) {

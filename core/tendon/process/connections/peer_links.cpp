@@ -26,37 +26,37 @@ bool IsSilent(const PeerLink& link) {
 }  // namespace
 
 void PeerLinks::Update(const std::vector<ProcessDescription>& processes) {
-  places_.clear();
+  endpoints_.clear();
   for (const ProcessDescription& process : processes) {
     Learn(process.name, process.address, process.instance);
   }
-  std::erase_if(unresponsive_, [this](const auto& one) { return !places_.contains(one.first); });
+  std::erase_if(unresponsive_, [this](const auto& one) { return !endpoints_.contains(one.first); });
 }
 
 void PeerLinks::Learn(const std::string& process, const std::string& address,
                       std::uint64_t instance) {
-  if (!address.empty()) places_[process] = {address, instance};
+  if (!address.empty()) endpoints_[process] = {address, instance};
 }
 
 std::vector<std::string> PeerLinks::names() const {
   std::vector<std::string> names;
-  for (const auto& [process, place] : places_) names.push_back(process);
+  for (const auto& [process, endpoint] : endpoints_) names.push_back(process);
   return names;
 }
 
 std::optional<std::uint64_t> PeerLinks::InstanceOf(const std::string& process) const {
-  const auto found = places_.find(process);
-  if (found == places_.end()) return std::nullopt;
+  const auto found = endpoints_.find(process);
+  if (found == endpoints_.end()) return std::nullopt;
   return found->second.instance;
 }
 
 void PeerLinks::LinkTo(const std::string& process, Done done) {
   const auto link = links_.find(process);
   if (link != links_.end() && link->second->channel()->is_open()) return done(link->second);
-  const auto place = places_.find(process);
-  if (place == places_.end()) return done(NotThere(process));
+  const auto endpoint = endpoints_.find(process);
+  if (endpoint == endpoints_.end()) return done(NotThere(process));
   const auto peer = unresponsive_.find(process);
-  const bool was_silent = peer != unresponsive_.end() && peer->second.place == place->second;
+  const bool was_silent = peer != unresponsive_.end() && peer->second.endpoint == endpoint->second;
   if (was_silent && SteadyClock().Now() < peer->second.until) return done(peer->second.error);
   std::vector<Done>& waiting = openings_[process];
   waiting.push_back(std::move(done));
@@ -67,20 +67,20 @@ void PeerLinks::LinkTo(const std::string& process, Done done) {
 }
 
 void PeerLinks::Open(const std::string& process) {
-  const auto place = places_.find(process);
-  if (place == places_.end()) return Finish(process, {}, NotThere(process));
-  PeerLink::Open(context_, listener_, process, place->second.address,
-                 [this, process, tried = place->second](const auto& opened) {
+  const auto endpoint = endpoints_.find(process);
+  if (endpoint == endpoints_.end()) return Finish(process, {}, NotThere(process));
+  PeerLink::Open(context_, listener_, process, endpoint->second.address,
+                 [this, process, tried = endpoint->second](const auto& opened) {
                    Finish(process, tried, opened);
                  });
 }
 
-void PeerLinks::Finish(const std::string& process, const Place& tried,
+void PeerLinks::Finish(const std::string& process, const Endpoint& tried,
                        const Result<std::shared_ptr<PeerLink>>& opened) {
   RecordOutcome(process, tried, opened);
-  const auto place = places_.find(process);
-  const bool has_moved = place != places_.end() && place->second != tried;
-  if (has_moved && !(opened && (*opened)->instance() == place->second.instance)) {
+  const auto endpoint = endpoints_.find(process);
+  const bool has_moved = endpoint != endpoints_.end() && endpoint->second != tried;
+  if (has_moved && !(opened && (*opened)->instance() == endpoint->second.instance)) {
     if (opened) (*opened)->channel()->Close();
     Open(process);
   } else {
@@ -95,15 +95,15 @@ void PeerLinks::Finish(const std::string& process, const Place& tried,
   Open(next);
 }
 
-void PeerLinks::RecordOutcome(const std::string& process, const Place& tried,
+void PeerLinks::RecordOutcome(const std::string& process, const Endpoint& tried,
                               const Result<std::shared_ptr<PeerLink>>& opened) {
   if (opened || opened.error().code != ErrorCode::kTimeout) {
     unresponsive_.erase(process);
     return;
   }
   UnresponsivePeer& peer = unresponsive_[process];
-  if (peer.place != tried) peer.backoff.Reset();
-  peer.place = tried;
+  if (peer.endpoint != tried) peer.backoff.Reset();
+  peer.endpoint = tried;
   peer.error = opened.error();
   peer.until = SteadyClock().Now() + peer.backoff.Next();
 }

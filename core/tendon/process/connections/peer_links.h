@@ -42,17 +42,17 @@ class PeerLinks {
   void CloseAll();
 
  private:
-  struct Place {
+  struct Endpoint {
     std::string address;
     std::uint64_t instance = 0;
 
-    bool operator==(const Place&) const = default;
+    bool operator==(const Endpoint&) const = default;
   };
 
   /// A process that accepts connections but does not answer. Not tried again for a while, because
   /// an attempt delays others.
   struct UnresponsivePeer {
-    Place place;
+    Endpoint endpoint;
     Error error;
     // At most the pause of connections.
     Backoff backoff{std::chrono::milliseconds(500), std::chrono::milliseconds(1500)};
@@ -60,14 +60,14 @@ class PeerLinks {
   };
 
   void Open(const std::string& process);
-  void Finish(const std::string& process, const Place& tried,
+  void Finish(const std::string& process, const Endpoint& tried,
               const Result<std::shared_ptr<PeerLink>>& opened);
-  void RecordOutcome(const std::string& process, const Place& tried,
+  void RecordOutcome(const std::string& process, const Endpoint& tried,
                      const Result<std::shared_ptr<PeerLink>>& opened);
 
   ProcessContext& context_;
   PeerListener& listener_;
-  std::map<std::string, Place> places_;
+  std::map<std::string, Endpoint> endpoints_;
   std::map<std::string, std::shared_ptr<PeerLink>> links_;
   std::map<std::string, std::vector<Done>> openings_;  // the functions that wait for each
   std::map<std::string, UnresponsivePeer> unresponsive_;

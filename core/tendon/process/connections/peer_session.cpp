@@ -58,9 +58,9 @@ void PeerSession::OnAllowedNotice(const SharedChannel& channel, const FrameHeade
       services.connections.Close(client, handle);
     });
   } else if (header.type == message::kUnsubscribe) {
-    const auto place = quota_->Enter(0);
-    if (!place) return;  // if the viewer still gets rows, it unsubscribes again
-    services_.context.worker->Post([place, &services = services_, channel, handle] {
+    const auto reservation = quota_->Reserve(0);
+    if (!reservation) return;  // if the viewer still gets rows, it unsubscribes again
+    services_.context.worker->Post([reservation, &services = services_, channel, handle] {
       services.telemetry.Unsubscribe(channel, handle);
     });
   } else if (header.type == message::kRowTaken) {
@@ -128,8 +128,8 @@ template <typename Wanted>
 void PeerSession::Post(
     Body body, Responder responder,
     std::function<void(const Wanted&, const std::shared_ptr<Responder>&)> serve) {
-  const auto place = quota_->Enter(body.size());
-  if (!place) {
+  const auto reservation = quota_->Reserve(body.size());
+  if (!reservation) {
     return responder.Refuse(
         {ErrorCode::kFailed, "process '" + services_.context.name + "' keeps at most " +
                                  std::to_string(RequestQuota::kMostTasks) + " requests, of " +
@@ -140,29 +140,31 @@ void PeerSession::Post(
   auto wanted = DecodeBody<Wanted>(body);
   if (!wanted) return responder.Refuse(wanted.error());
   services_.context.worker->Post(
-      [place, serve = std::move(serve), wanted = *std::move(wanted),
+      [reservation, serve = std::move(serve), wanted = *std::move(wanted),
        answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
 }
 
 /// A notice cannot be refused, so the channel is closed if the quota is used up.
 void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
-  const auto place = quota_->Enter(0);
-  if (!place) return channel->CutOff("sends more than this process can handle");
-  services_.context.worker->Post([place, serve = std::move(serve)] { serve(); });
+  const auto reservation = quota_->Reserve(0);
+  if (!reservation) return channel->CutOff("sends more than this process can handle");
+  services_.context.worker->Post([reservation, serve = std::move(serve)] { serve(); });
 }
 
 void PeerSession::GetCounts(Body body, Responder responder) {
-  Post<message::GetCounts>(body, std::move(responder),
-                           [&host = services_.context.host](const auto& asked, const auto& answer) {
-                             answer->Answer(host.LookUpCounts(asked.required));
-                           });
+  Post<message::GetCounts>(
+      body, std::move(responder),
+      [&process = services_.context.process](const auto& asked, const auto& answer) {
+        answer->Answer(process.LookUpCounts(asked.required));
+      });
 }
 
 void PeerSession::GetFill(Body body, Responder responder) {
-  Post<message::GetFill>(body, std::move(responder),
-                         [&host = services_.context.host](const auto& asked, const auto& answer) {
-                           answer->Answer(host.LookUpFill(asked.component));
-                         });
+  Post<message::GetFill>(
+      body, std::move(responder),
+      [&process = services_.context.process](const auto& asked, const auto& answer) {
+        answer->Answer(process.LookUpFill(asked.component));
+      });
 }
 
 void PeerSession::CallMember(Body body, Responder responder) {
@@ -191,16 +193,16 @@ void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder resp
       });
 }
 
-std::shared_ptr<RequestQuota::Place> RequestQuota::Enter(std::size_t bytes) {
+std::shared_ptr<RequestQuota::Reservation> RequestQuota::Reserve(std::size_t bytes) {
   const std::scoped_lock lock(mutex_);
   if (tasks_ == kMostTasks || bytes > kMostBytes - bytes_) return nullptr;
-  auto place = std::make_shared<Place>(shared_from_this(), bytes);
+  auto reservation = std::make_shared<Reservation>(shared_from_this(), bytes);
   ++tasks_;
   bytes_ += bytes;
-  return place;
+  return reservation;
 }
 
-void RequestQuota::Leave(std::size_t bytes) {
+void RequestQuota::Release(std::size_t bytes) {
   const std::scoped_lock lock(mutex_);
   --tasks_;
   bytes_ -= bytes;

@@ -34,14 +34,14 @@ class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
   /// Bytes of messages; also the limit of a single one.
   static constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
 
-  /// Counts one waiting request while it lives.
-  class Place {
+  /// Counts one waiting request while it exists.
+  class Reservation {
    public:
-    Place(std::shared_ptr<RequestQuota> quota, std::size_t bytes)
+    Reservation(std::shared_ptr<RequestQuota> quota, std::size_t bytes)
         : quota_(std::move(quota)), bytes_(bytes) {}
-    Place(const Place&) = delete;
-    Place& operator=(const Place&) = delete;
-    ~Place() { quota_->Leave(bytes_); }
+    Reservation(const Reservation&) = delete;
+    Reservation& operator=(const Reservation&) = delete;
+    ~Reservation() { quota_->Release(bytes_); }
 
    private:
     const std::shared_ptr<RequestQuota> quota_;
@@ -49,10 +49,10 @@ class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
   };
 
   /// Null if the request would exceed the limits.
-  [[nodiscard]] std::shared_ptr<Place> Enter(std::size_t bytes);
+  [[nodiscard]] std::shared_ptr<Reservation> Reserve(std::size_t bytes);
 
  private:
-  void Leave(std::size_t bytes);
+  void Release(std::size_t bytes);
 
   std::mutex mutex_;
   std::size_t tasks_ = 0;

@@ -32,8 +32,8 @@ void RemoteConnections::Connect(const message::Wire& wire, Done done) {
 }
 
 Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const Done& done) {
-  const auto lock = context_.host.LockStructure();
-  const auto required = context_.host.LookUpRequired(wire.required);
+  const auto lock = context_.process.LockStructure();
+  const auto required = context_.process.LookUpRequired(wire.required);
   if (!required) return required.error();
   const auto known = FindEntry(wire.required);
   const bool stands = known == entries_.end() || known->second.connection != nullptr;
@@ -45,7 +45,7 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
                                    ToString(known->second.description.provided) + " already") +
                      "; disconnect it first"};
   }
-  const ConnectionId id = context_.host.NewConnectionId();
+  const ConnectionId id = context_.process.NewConnectionId();
   Entry& entry = entries_[id];
   entry.description = {.id = id,
                        .required = wire.required,
@@ -71,7 +71,7 @@ void RemoteConnections::LearnPeer(const std::string& process, const std::string&
 void RemoteConnections::TryPossible() {
   std::vector<ConnectionId> possible;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     for (auto& [id, entry] : entries_) {
       const auto instance = peers_.InstanceOf(entry.description.provided.process);
       if (!instance || entry.is_opening) continue;
@@ -91,7 +91,7 @@ void RemoteConnections::Try(ConnectionId id) {
   bool is_first = false;
   bool is_there = false;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end() || found->second.connection || found->second.is_opening) return;
     Entry& entry = found->second;
@@ -121,7 +121,7 @@ void RemoteConnections::ReportPending(ConnectionId id, std::uint64_t attempt) {
   Done done;
   ConnectionDescription description;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end() || found->second.attempt != attempt || found->second.link) return;
     done = std::exchange(found->second.done, nullptr);
@@ -136,11 +136,11 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
   InterfaceRequest wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end()) return;
     Entry& entry = found->second;
-    const auto required = context_.host.LookUpRequired(entry.description.required);
+    const auto required = context_.process.LookUpRequired(entry.description.required);
     entry.is_opening = required.ok();
     if (!required) return;
     wanted = {.open = {.required = entry.description.required,
@@ -172,7 +172,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
 
 void RemoteConnections::GiveUp(ConnectionId id, std::uint64_t attempt, const Error& reason) {
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end() || found->second.attempt != attempt) return;
     if (!found->second.is_opening) return;
@@ -185,7 +185,7 @@ void RemoteConnections::Finish(const Attempt& attempt, const OpenedInterface& op
   Done done;
   ConnectionDescription description;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(attempt.id);
     const bool is_void = found == entries_.end() || found->second.attempt != attempt.number;
     if (is_void) {
@@ -205,14 +205,14 @@ void RemoteConnections::Finish(const Attempt& attempt, const OpenedInterface& op
     return IsFinal(outcome.error()) ? Refuse(attempt.id, outcome.error())
                                     : Postpone(attempt.id, outcome.error().message);
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
   if (done) done(description);
 }
 
 Result<void> RemoteConnections::Bind(Entry& entry,
                                      const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
   ConnectionDescription& description = entry.description;
-  const auto required = context_.host.LookUpRequired(description.required);
+  const auto required = context_.process.LookUpRequired(description.required);
   // Before Make(): a component may call at once, and Make() waits until the call is served.
   context_.proxies.Add(description.provided, proxy);
   auto connection =
@@ -237,21 +237,21 @@ void RemoteConnections::Postpone(ConnectionId id, const std::string& reason) {
   Done done;
   ConnectionDescription description;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end()) return;
     Suspend(found->second, reason);
     done = std::exchange(found->second.done, nullptr);
     description = found->second.description;
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
   if (done) done(description);
 }
 
 void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
   Done done;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = entries_.find(id);
     if (found == entries_.end()) return;
     Entry& entry = found->second;
@@ -267,32 +267,32 @@ void RemoteConnections::Refuse(ConnectionId id, const Error& error) {
       LogConnection(LogLevel::kWarning, entry.description, "is refused: " + error.message);
     }
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
   if (done) done(error);
 }
 
 void RemoteConnections::OnLinkClosed(const PeerLink& link, const Error& reason) {
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     for (auto& [id, entry] : entries_) {
       if (entry.link.get() != &link || !entry.connection) continue;
       Suspend(entry,
               "process '" + entry.description.provided.process + "' was lost: " + reason.message);
     }
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
 }
 
 void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                           const Error& reason) {
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     for (auto& [id, entry] : entries_) {
       if (entry.link.get() != &link || entry.handle != handle) continue;
       Suspend(entry, reason.message);
     }
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
 }
 
 /// Makes the connection pending; it is tried again later.
@@ -312,7 +312,7 @@ void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
 }
 
 bool RemoteConnections::IsNewest(ConnectionId id, std::uint64_t attempt) const {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   const auto found = entries_.find(id);
   return found != entries_.end() && found->second.attempt == attempt;
 }
@@ -342,14 +342,14 @@ void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std:
 }
 
 bool RemoteConnections::Has(const InterfaceName& required) const {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   return FindEntry(required) != entries_.end();
 }
 
 Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
   Done done;
   {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const auto found = FindEntry(required);
     if (found == entries_.end()) {
       return Error{ErrorCode::kNotFound,
@@ -359,7 +359,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     done = std::move(ended.mapped().done);
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
-  context_.host.StructureChanged();
+  context_.process.StructureChanged();
   if (done) {  // on the worker, like every outcome: this thread may be any, and holds the lock
     context_.worker->Post([done, required] {
       done(Error{ErrorCode::kFailed, ToString(required) + " was disconnected meanwhile"});
@@ -370,7 +370,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
 
 void RemoteConnections::RemoveComponent(const std::string& component) {
   std::vector<InterfaceName> concerned;
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   for (const auto& [id, entry] : entries_) {
     const InterfaceName& required = entry.description.required;
     if (required.component == component) concerned.push_back(required);
@@ -379,7 +379,7 @@ void RemoteConnections::RemoveComponent(const std::string& component) {
 }
 
 Result<ConnectionCounts> RemoteConnections::Counts(const InterfaceName& required) const {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   const auto found = FindEntry(required);
   if (found == entries_.end()) {
     return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
@@ -399,12 +399,12 @@ Result<ConnectionCounts> RemoteConnections::Counts(const InterfaceName& required
 }
 
 std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   std::vector<ConnectionDescription> all;
   for (const auto& [id, entry] : entries_) {
     ConnectionDescription& one = all.emplace_back(entry.description);
     if (!entry.connection) continue;
-    const Component* const client = context_.host.LookUpComponent(one.required.component);
+    const Component* const client = context_.process.LookUpComponent(one.required.component);
     const std::string fault = entry.proxy->fault();
     if (client != nullptr && client->state() == ComponentState::kFaulted) {
       SetEndFaulted(one, one.required.component, client->fault());
@@ -416,7 +416,7 @@ std::vector<ConnectionDescription> RemoteConnections::descriptions() const {
 }
 
 bool RemoteConnections::HasCallsUnderWay(const std::string& component) const {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   return std::ranges::any_of(entries_, [&component](const auto& one) {
     const Entry& entry = one.second;
     if (!entry.connection || entry.description.required.component != component) return false;
@@ -425,7 +425,7 @@ bool RemoteConnections::HasCallsUnderWay(const std::string& component) const {
 }
 
 void RemoteConnections::Close(SteadyTime deadline) {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   for (auto& [id, entry] : entries_) TakeDown(entry, deadline);
   entries_.clear();
   peers_.CloseAll();

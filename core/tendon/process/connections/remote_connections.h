@@ -79,7 +79,7 @@ class RemoteConnections final : private PeerListener {
 
   void OnLinkClosed(const PeerLink& link, const Error& reason) override;
   void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle, const Error& reason) override;
-  void OnServerChanged() override { context_.host.StructureChanged(); }
+  void OnServerChanged() override { context_.process.StructureChanged(); }
 
   Result<ConnectionId> Enter(const message::Wire& wire, const Done& done);
   void TryPossible();

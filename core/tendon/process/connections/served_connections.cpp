@@ -70,7 +70,7 @@ std::string EndsOf(const message::OpenInterface& open) {
 void ServedConnections::Open(const std::shared_ptr<Client>& client,
                              const message::OpenInterface& open, Use use,
                              const std::shared_ptr<Responder>& responder) {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   if (const auto may = CheckListeners(*client, use); !may) return responder->Refuse(may.error());
   const auto server = LookUp(open.provided);
   if (!server) return responder->Refuse(server.error());
@@ -82,7 +82,7 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
   Entry& entry = entries_.back();
-  const Component* const component = context_.host.LookUpComponent(entry.component);
+  const Component* const component = context_.process.LookUpComponent(entry.component);
   const message::OpenInterfaceReply opened{
       .handle = client->handles.Reserve(open.description.functions.size()),
       .credit = entry.proxy->capacity(),
@@ -121,7 +121,7 @@ Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provid
     return Error{ErrorCode::kNotFound,
                  "this is process '" + context_.name + "', not '" + provided.process + "'"};
   }
-  const auto found = context_.host.LookUpProvided(provided);
+  const auto found = context_.process.LookUpProvided(provided);
   if (found) return found;
   return Error{found.error().code, "process '" + context_.name + "': " + found.error().message};
 }
@@ -180,7 +180,7 @@ void ServedConnections::RemoveComponent(const std::string& component) {
   const Error reason{ErrorCode::kNotFound, "component '" + component + "' of process '" +
                                                context_.name + "' was removed"};
   const auto is_of_it = [&](const Entry& entry) { return entry.component == component; };
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   for (const Entry& entry : entries_) {
     if (!is_of_it(entry)) continue;
     Channel& channel = *entry.client->channel;
@@ -196,14 +196,14 @@ void ServedConnections::RemoveComponent(const std::string& component) {
 
 void ServedConnections::Close(SteadyTime deadline) {
   const auto any = [](const Entry& /*entry*/) { return true; };
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   TakeDownWhere(entries_, any, deadline);
   TakeDownWhere(hanging_, any, deadline);
 }
 
 template <typename Predicate>
 void ServedConnections::CloseWhere(Predicate predicate) {
-  const auto lock = context_.host.LockStructure();
+  const auto lock = context_.process.LockStructure();
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
   const bool none_hung = hanging_.empty();
   for (auto entry = entries_.begin(); entry != entries_.end();) {
@@ -225,7 +225,7 @@ void ServedConnections::CloseWhere(Predicate predicate) {
 void ServedConnections::CheckHanging() {
   constexpr std::chrono::milliseconds kUntilNextLook(50);
   context_.worker->PostAfter(kUntilNextLook, [this] {
-    const auto lock = context_.host.LockStructure();
+    const auto lock = context_.process.LockStructure();
     const SteadyTime now = SteadyClock().Now();
     TakeDownWhere(
         hanging_, [now](const Entry& entry) { return entry.proxy->Drain(now); }, now);

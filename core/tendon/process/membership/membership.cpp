@@ -42,10 +42,10 @@ class Membership::GcmHandler final : public ChannelHandler {
                  std::span<const std::byte> body, Responder responder) override {
     const auto shared = std::make_shared<Responder>(std::move(responder));
     if (header.type == message::kMakeConnection) {
-      const auto wiring = DecodeBody<message::Wiring>(body);
-      if (!wiring) return shared->Refuse(wiring.error());
-      worker_->Post([&membership = membership_, wiring = *wiring, shared] {
-        membership.delegate_.MakeConnection(wiring, [&membership, shared](const auto& made) {
+      const auto plan = DecodeBody<message::ConnectionPlan>(body);
+      if (!plan) return shared->Refuse(plan.error());
+      worker_->Post([&membership = membership_, plan = *plan, shared] {
+        membership.delegate_.MakeConnection(plan, [&membership, shared](const auto& made) {
           membership.Report();  // the GCM must have the report before its viewers get the answer
           shared->Answer(made);
         });
@@ -156,7 +156,7 @@ void Membership::Try() {
   OpenChannel(context_, wanted, [this](const OpenedChannel& channel) {
     if (!channel) return Fail(WhyNotThere(channel.error()));
     candidate_ = *channel;
-    AskForFanOut(*channel);
+    AskForBroker(*channel);
   });
 }
 
@@ -166,15 +166,15 @@ Error Membership::WhyNotThere(const Error& error) const {
 }
 
 /// Called before the GCM shows this process to viewers, which may ask for rows at once.
-void Membership::AskForFanOut(const std::shared_ptr<Channel>& channel) {
-  Ask<message::BroadcastAddress>(
-      *context_.worker, channel, message::kFanOut, None{}, kJoinTimeout,
-      [this, worker = context_.worker, channel](const Result<message::BroadcastAddress>& place) {
+void Membership::AskForBroker(const std::shared_ptr<Channel>& channel) {
+  Ask<message::BrokerAddress>(
+      *context_.worker, channel, message::kGetBroker, None{}, kJoinTimeout,
+      [this, worker = context_.worker, channel](const Result<message::BrokerAddress>& place) {
         worker->Post([this, channel, place] {
           if (!place && place.error().code == ErrorCode::kTimeout) {
             return Finish(channel, {}, place.error());
           }
-          if (place) delegate_.OnFanOut(place->address);
+          if (place) delegate_.OnBroker(place->address);
           Join(channel);
         });
       });

@@ -30,9 +30,9 @@ class MembershipDelegate {
   virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
   /// The address of the multicast broker for rows; empty if there is none.
-  virtual void OnFanOut(const std::string& address) = 0;
+  virtual void OnBroker(const std::string& address) = 0;
   /// `done` is called on the worker.
-  virtual void MakeConnection(const message::Wiring& wiring,
+  virtual void MakeConnection(const message::ConnectionPlan& plan,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
   /// `begin` is called in a thread that may block; an error cancels the order. `done` is called on
@@ -77,7 +77,7 @@ class Membership final : private NetworkJob {
 
   void Try();
   [[nodiscard]] Error WhyNotThere(const Error& error) const;
-  void AskForFanOut(const std::shared_ptr<Channel>& channel);
+  void AskForBroker(const std::shared_ptr<Channel>& channel);
   void Join(const std::shared_ptr<Channel>& channel);
   [[nodiscard]] ProcessDescription Myself(const ProcessContent& content, const std::string& gcm);
   [[nodiscard]] ProcessDescription Description(const ProcessContent& content) const;

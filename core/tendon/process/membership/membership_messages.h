@@ -19,7 +19,7 @@ inline constexpr auto kRenew = static_cast<MessageType>(0x302);   // request: No
 inline constexpr auto kLeave = static_cast<MessageType>(0x303);   // request: None -> None
 inline constexpr auto kReportHealth =
     static_cast<MessageType>(0x304);  // request: Health -> GcmClock
-// From the GCM, on the channel on which the process joined. request: Wiring ->
+// From the GCM, on the channel on which the process joined. request: ConnectionPlan ->
 // ConnectionDescription; the LCM reports the connection before it answers
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
 // request: Wire -> None; the LCM reports the end of the connection before it replies
@@ -74,10 +74,10 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
-/// The order to the LCM of the required side: the two ends, and the address of the provider's
-/// process. If that process does not exist yet, the address is empty, and the connection is
-/// pending.
-struct Wiring {
+/// The order to the LCM of the required side to make a connection: the two ends, and the address of
+/// the provider's process. If that process does not exist yet, the address is empty, and the
+/// connection is pending.
+struct ConnectionPlan {
   Wire wire;
   std::string address;
   std::uint64_t instance = 0;
@@ -125,10 +125,10 @@ inline constexpr auto tendon::kPayload<tendon::message::Wire> =
                      tendon::Field{"provided", &tendon::message::Wire::provided});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Wiring> =
-    tendon::Describe("tendon.Wiring", tendon::Field{"wire", &tendon::message::Wiring::wire},
-                     tendon::Field{"address", &tendon::message::Wiring::address},
-                     tendon::Field{"instance", &tendon::message::Wiring::instance});
+inline constexpr auto tendon::kPayload<tendon::message::ConnectionPlan> =
+    tendon::Describe("tendon.Wiring", tendon::Field{"wire", &tendon::message::ConnectionPlan::wire},
+                     tendon::Field{"address", &tendon::message::ConnectionPlan::address},
+                     tendon::Field{"instance", &tendon::message::ConnectionPlan::instance});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::PeerList> = tendon::Describe(

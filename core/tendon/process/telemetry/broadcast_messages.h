@@ -14,8 +14,8 @@ namespace tendon::message {
 inline constexpr auto kJoinTopic =
     static_cast<MessageType>(0x20a);  // request: Subscribe -> JoinTopicReply
 // From a viewer or a process to a GCM.
-inline constexpr auto kFanOut =
-    static_cast<MessageType>(0x31c);  // request: None -> BroadcastAddress
+inline constexpr auto kGetBroker =
+    static_cast<MessageType>(0x31c);  // request: None -> BrokerAddress
 
 /// The answer to kJoinTopic.
 struct JoinTopicReply {
@@ -24,7 +24,7 @@ struct JoinTopicReply {
 };
 
 /// The address of the broker.
-struct BroadcastAddress {
+struct BrokerAddress {
   std::string address;  ///< empty if there is none
 };
 
@@ -37,6 +37,5 @@ inline constexpr auto tendon::kPayload<tendon::message::JoinTopicReply> =
                      tendon::Field{"topic", &tendon::message::JoinTopicReply::topic});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::BroadcastAddress> =
-    tendon::Describe("tendon.BroadcastAddress",
-                     tendon::Field{"address", &tendon::message::BroadcastAddress::address});
+inline constexpr auto tendon::kPayload<tendon::message::BrokerAddress> = tendon::Describe(
+    "tendon.BroadcastAddress", tendon::Field{"address", &tendon::message::BrokerAddress::address});

@@ -76,12 +76,12 @@ class ChannelTelemetryClient final : public TelemetryClient {
 
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
                                                      ResolveAddress resolve, Hello mine,
-                                                     FindFanOut find_fan_out) {
+                                                     FindBroker find_broker) {
   return std::make_unique<ChannelTelemetryClient>(
       RowSource::Access{.middleware = std::move(middleware),
                         .resolve = std::move(resolve),
                         .hello = std::move(mine),
-                        .find_fan_out = std::move(find_fan_out)});
+                        .find_broker = std::move(find_broker)});
 }
 
 }  // namespace tendon

@@ -16,7 +16,7 @@ using ResolveAddress = std::function<Result<std::string>(const std::string& proc
 
 /// Returns the address of the multicast broker, or the reason why there is none. Not called in the
 /// middleware's threads; may be null.
-using FindFanOut = std::function<Result<std::string>()>;
+using FindBroker = std::function<Result<std::string>()>;
 
 /// Makes a client that opens channels to processes on demand, with `mine` as its Hello.
 /// Subscriptions to every row use the broker if there is one and the process and the middleware
@@ -24,6 +24,6 @@ using FindFanOut = std::function<Result<std::string>()>;
 /// rows directly, which is logged.
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
                                                      ResolveAddress resolve, Hello mine,
-                                                     FindFanOut find_fan_out = nullptr);
+                                                     FindBroker find_broker = nullptr);
 
 }  // namespace tendon

@@ -120,9 +120,9 @@ void RowSource::RequestRows(Item& item) {
 
 std::string RowSource::BrokerFor(const Item& item) const {
   const bool may_come = !item.is_direct && item.subscription->wanted().rows == RowChoice{} &&
-                        access_.find_fan_out && access_.middleware->broadcast() != nullptr;
+                        access_.find_broker && access_.middleware->broadcast() != nullptr;
   if (!may_come) return {};
-  const auto found = access_.find_fan_out();
+  const auto found = access_.find_broker();
   return found && !HasFailedRecently(*found) ? *found : std::string();
 }
 

@@ -80,7 +80,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<Middleware> middleware;
     ResolveAddress resolve;
     Hello hello;
-    FindFanOut find_fan_out{};
+    FindBroker find_broker{};
     // The time of the last failed subscription at a broker, by address; used only on the worker.
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();

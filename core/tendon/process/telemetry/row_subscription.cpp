@@ -76,8 +76,8 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   RowBatch batch;
   batch.epoch = epoch_;
   const std::uint64_t lost_here = header.rows_before - std::min(rows_, header.rows_before);
-  batch.lost_table = LostInTable(header, lost_here);
-  batch.lost_network = lost_here + std::exchange(lost_between_, 0);
+  batch.lost.table = LostInTable(header, lost_here);
+  batch.lost.network = lost_here + std::exchange(lost_between_, 0);
   batch.count = header.rows;
   batch.ticks = ticks_;
   batch.times = times_;
@@ -87,9 +87,8 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   rows_ = header.rows_before + header.rows;
   next_tick_ = header.next_tick;
   counts_.received += batch.count;
-  counts_.lost_table += batch.lost_table;
-  counts_.lost_network += batch.lost_network;
-  if (sink_) counts_.lost_viewer += sink_->OnRows(batch);
+  counts_.lost += batch.lost;
+  if (sink_) counts_.lost.viewer += sink_->OnRows(batch);
 }
 
 /// True if all rows of the batch are new. Gaps between ticks are lost rows.
@@ -153,7 +152,7 @@ void RowSubscription::End() {
 RowCounts RowSubscription::counts() const {
   const std::scoped_lock lock(mutex_);
   RowCounts counts = counts_;
-  counts.lost_network += lost_between_;
+  counts.lost.network += lost_between_;
   return counts;
 }
 

@@ -60,7 +60,7 @@ TelemetryServer::~TelemetryServer() { context_.network->Remove(*this); }
 
 void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
                                 const message::Subscribe& wanted, Responder& responder) {
-  const auto structure = context_.host.LockStructure();
+  const auto structure = context_.process.LockStructure();
   const auto source = LookUp(wanted);
   if (wanted.rows.period.count() < 0) {
     return responder.Refuse({ErrorCode::kInvalid, "the period of rows must not be below zero"});
@@ -91,7 +91,7 @@ message::SubscribeReply TelemetryServer::Describe(const Source& source) {
 
 void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
                                 const message::Subscribe& wanted, Responder& responder) {
-  const auto structure = context_.host.LockStructure();
+  const auto structure = context_.process.LockStructure();
   const auto source = LookUp(wanted);
   if (!source) return responder.Refuse(source.error());
   const std::scoped_lock lock(mutex_);
@@ -168,7 +168,7 @@ void TelemetryServer::SetBroker(const std::string& address) {
 
 Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe& wanted) const {
   const std::string where = context_.name + "/" + wanted.component;
-  const Component* component = context_.host.LookUpComponent(wanted.component);
+  const Component* component = context_.process.LookUpComponent(wanted.component);
   if (component == nullptr) return Error{ErrorCode::kNotFound, "there is no component " + where};
   const auto tables = component->tables();
   const auto table = std::find_if(tables.begin(), tables.end(),
@@ -200,7 +200,7 @@ Result<TelemetryServer::Source> TelemetryServer::LookUp(const message::Subscribe
 
 void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
                              Responder& responder) {
-  const auto structure = context_.host.LockStructure();
+  const auto structure = context_.process.LockStructure();
   const auto sources = LookUp(wanted);
   if (!sources) return responder.Refuse(sources.error());
   const std::scoped_lock lock(mutex_);
@@ -234,7 +234,7 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
 
 Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
     const message::Mirror& wanted) const {
-  const auto provided = context_.host.LookUpProvided(wanted.provided);
+  const auto provided = context_.process.LookUpProvided(wanted.provided);
   if (!provided) return provided.error();
   std::set<std::string_view> named;
   std::vector<Source> sources;

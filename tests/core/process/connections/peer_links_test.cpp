@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/process/connections/holding_middleware.h"
-#include "core/process/empty_host.h"
+#include "core/process/empty_process.h"
 #include "support/wait.h"
 
 namespace {
@@ -108,9 +108,9 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
   std::vector<std::unique_ptr<tendon::Listener>> listeners_;
   const std::shared_ptr<HoldingMiddleware> links_ =
       std::make_shared<HoldingMiddleware>(std::make_shared<LoopbackMiddleware>(network_));
-  EmptyHost host_;
+  EmptyProcess process_;
   tendon::ProcessContext context_{.name = "desk",
-                                  .host = host_,
+                                  .process = process_,
                                   .middleware = links_,
                                   .hello = {.instance = 1, .name = "desk", .cookie = kCookie},
                                   .worker = std::make_shared<Worker>("process", "desk"),

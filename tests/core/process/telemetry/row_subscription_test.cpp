@@ -84,10 +84,10 @@ TEST(RowSubscription, CountsApartWhatIsLostInTheTableOnTheNetworkAndHere) {
   viewer.sink->room = 8;
   viewer.Send(12);
 
-  EXPECT_EQ(viewer.sink->last.lost_table, 5U);
-  EXPECT_EQ(viewer.sink->last.lost_network, 3U);
+  EXPECT_EQ(viewer.sink->last.lost.table, 5U);
+  EXPECT_EQ(viewer.sink->last.lost.network, 3U);
   EXPECT_EQ(viewer.subscription.counts(),
-            (RowCounts{.received = 22, .lost_table = 5, .lost_network = 3, .lost_viewer = 4}));
+            (RowCounts{.received = 22, .lost = {.table = 5, .network = 3, .viewer = 4}}));
 }
 
 TEST(RowSubscription, ThatIsMadeAgainCountsWhatWasWrittenInBetween) {
@@ -96,14 +96,14 @@ TEST(RowSubscription, ThatIsMadeAgainCountsWhatWasWrittenInBetween) {
   viewer.Send(10);
 
   viewer.Stand(1, 150);
-  EXPECT_EQ(viewer.subscription.counts().lost_network, 40U);
+  EXPECT_EQ(viewer.subscription.counts().lost.network, 40U);
   viewer.Send(5);
 
-  EXPECT_EQ(viewer.sink->last.lost_network, 40U);
+  EXPECT_EQ(viewer.sink->last.lost.network, 40U);
   EXPECT_EQ(viewer.sink->last.epoch, 1U);
   viewer.Send(5);
-  EXPECT_EQ(viewer.sink->last.lost_network, 0U);
-  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 20, .lost_network = 40}));
+  EXPECT_EQ(viewer.sink->last.lost.network, 0U);
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 20, .lost = {.network = 40}}));
 }
 
 TEST(RowSubscription, OfATableThatWasStartedAnewBeginsAnew) {
@@ -157,7 +157,7 @@ TEST(RowSubscription, PassesOverWhatWasOnItsWayWhenItWasMadeAgain) {
   viewer.beginning = before;
   viewer.Send(7);
 
-  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 10, .lost_network = 40}));
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 10, .lost = {.network = 40}}));
 }
 
 TEST(RowSubscription, TellsTheOffsetOfTheSourcesClock) {
@@ -216,7 +216,7 @@ TEST(RowSubscription, OfATopicBeginsWithTheFirstBatchThatArrives) {
   viewer.Refuse(4);
   viewer.Send(6);
 
-  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost_network = 4}));
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost = {.network = 4}}));
 }
 
 TEST(RowSubscription, OfATopicDoesNotCountWhatWasLostBeforeItBegan) {
@@ -228,7 +228,7 @@ TEST(RowSubscription, OfATopicDoesNotCountWhatWasLostBeforeItBegan) {
   viewer.Overwrite(5);
   viewer.Send(6);
 
-  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost_table = 5}));
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 16, .lost = {.table = 5}}));
 }
 
 TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
@@ -242,7 +242,7 @@ TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
   viewer.Send(2);
 
   EXPECT_EQ(viewer.subscription.counts(),
-            (RowCounts{.received = 12, .lost_table = 5, .lost_network = 3}));
+            (RowCounts{.received = 12, .lost = {.table = 5, .network = 3}}));
 }
 
 TEST(RowSubscription, ThatTurnsFromATopicToTheProcessCountsWhatWasWrittenInBetween) {
@@ -253,7 +253,7 @@ TEST(RowSubscription, ThatTurnsFromATopicToTheProcessCountsWhatWasWrittenInBetwe
   viewer.Stand(1, 130);
   viewer.Send(5);
 
-  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 15, .lost_network = 20}));
+  EXPECT_EQ(viewer.subscription.counts(), (RowCounts{.received = 15, .lost = {.network = 20}}));
 }
 
 TEST(RowSubscription, ThatTurnsToATopicHearsNoRowTwice) {

@@ -53,7 +53,7 @@ class Counter final : public tendon::RowSink {
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override { stands_ = true; }
   std::size_t OnRows(const tendon::RowBatch& batch) override {
     received_ += batch.count;
-    lost_ += batch.lost_table + batch.lost_network;
+    lost_ += batch.lost.all();
     const std::scoped_lock held(gate);
     return 0;
   }
@@ -144,11 +144,11 @@ TEST_P(SlowViewer, LosesItsOwnRowsOnlyAndKnowsOfEachWhileTheOthersHearThemAll) {
   EXPECT_EQ(second.counts(), (RowCounts{.received = sent}));
   EXPECT_TRUE(EventuallyTrue([&] {
     const RowCounts counts = stopped.counts();
-    return counts.received + counts.lost_table + counts.lost_network == sent;
+    return counts.received + counts.lost.table + counts.lost.network == sent;
   })) << stopped.counts().received
-      << " + " << stopped.counts().lost_network << " of " << sent;
-  EXPECT_GT(stopped.counts().lost_network, 0U);
-  EXPECT_EQ(stopped.counts().lost_table, 0U);
+      << " + " << stopped.counts().lost.network << " of " << sent;
+  EXPECT_GT(stopped.counts().lost.network, 0U);
+  EXPECT_EQ(stopped.counts().lost.table, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, SlowViewer, testing::ValuesIn(NetworkKinds()), NameOfNetwork);

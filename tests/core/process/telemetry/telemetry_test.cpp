@@ -34,8 +34,8 @@ class Sink final : public tendon::RowSink {
     const std::scoped_lock held(gate);
     const std::scoped_lock lock(mutex_);
     epochs_.insert(batch.epoch);
-    lost_table_ += batch.lost_table;
-    lost_network_ += batch.lost_network;
+    lost_table_ += batch.lost.table;
+    lost_network_ += batch.lost.network;
     for (std::size_t row = 0; row < batch.count; ++row) {
       rows_.push_back({.tick = batch.ticks[row], .time = batch.times[row], .cells = {}});
       for (std::size_t column = 0; column < columns_.size(); ++column) {
@@ -235,7 +235,7 @@ TEST_P(Telemetry, OfTheNewestRowOnlyKeepsNoneForAViewerThatIsBusy) {
   const auto rows = sink->rows();
   EXPECT_GE(rows.at(1).tick, written);  // the first was on its way
   const tendon::RowCounts counts = viewer->CountsOf(id);
-  EXPECT_EQ(counts.lost_table + counts.lost_network + counts.lost_viewer, 0U);
+  EXPECT_EQ(counts.lost.all(), 0U);
 }
 
 TEST_P(Telemetry, RefusesAPeriodBelowZero) {

@@ -22,7 +22,7 @@ void StreamChecker::OnStale(const tendon::Error& reason) {
 
 std::size_t StreamChecker::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
-  verdict_.counted += batch.lost_table + batch.lost_network;
+  verdict_.counted += batch.lost.all();
   for (std::size_t row = 0; row < batch.count; ++row) {
     if (last_tick_ && batch.ticks[row] <= *last_tick_) ++verdict_.repeated;
     last_tick_ = batch.ticks[row];

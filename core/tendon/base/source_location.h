@@ -7,10 +7,10 @@ namespace tendon {
 
 /// A line of source code. As a default argument, it is the caller's line. Replaces
 /// std::source_location, which clang has only since version 15.
-class SourcePlace {
+class SourceLocation {
  public:
-  [[nodiscard]] static constexpr SourcePlace current(const char* file = __builtin_FILE(),
-                                                     unsigned line = __builtin_LINE()) noexcept {
+  [[nodiscard]] static constexpr SourceLocation current(const char* file = __builtin_FILE(),
+                                                        unsigned line = __builtin_LINE()) noexcept {
     return {file, line};
   }
 
@@ -18,13 +18,13 @@ class SourcePlace {
   [[nodiscard]] constexpr unsigned line() const noexcept { return line_; }
 
  private:
-  constexpr SourcePlace(const char* file, unsigned line) noexcept : file_(file), line_(line) {}
+  constexpr SourceLocation(const char* file, unsigned line) noexcept : file_(file), line_(line) {}
 
   const char* file_;
   unsigned line_;
 };
 
 /// "arm.cpp:23"
-[[nodiscard]] std::string ToString(const SourcePlace& place);
+[[nodiscard]] std::string ToString(const SourceLocation& location);
 
 }  // namespace tendon

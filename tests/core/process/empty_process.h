@@ -6,7 +6,7 @@
 #include <string>
 
 /// A process without components.
-class EmptyHost : public tendon::ProcessHost {
+class EmptyProcess : public tendon::ProcessAccess {
  public:
   using Lock = std::unique_lock<std::recursive_mutex>;
 

@@ -22,10 +22,11 @@ struct DisconnectedClient {
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
 };
 
-/// The state of a component that other threads need when they call it or run its code.
+/// The access of interfaces and commands to their component: whether calls are accepted, whether it
+/// is faulted, and reports to it of exceptions and of lost or new peers.
 ///
 /// Thread safety: the component sets the flags; any thread may do the rest.
-class Host {
+class ComponentAccess {
  public:
   /// Callbacks of the component; all but the first are optional.
   struct Listeners {
@@ -37,9 +38,9 @@ class Host {
     std::function<void(DisconnectedClient)> on_client_gone{};
   };
 
-  explicit Host(Listeners listeners) : listeners_(std::move(listeners)) {}
-  explicit Host(std::function<void(const std::string& reason)> on_exception)
-      : Host(Listeners{.on_exception = std::move(on_exception)}) {}
+  explicit ComponentAccess(Listeners listeners) : listeners_(std::move(listeners)) {}
+  explicit ComponentAccess(std::function<void(const std::string& reason)> on_exception)
+      : ComponentAccess(Listeners{.on_exception = std::move(on_exception)}) {}
 
   /// True if the component has callbacks for its peers and clients.
   [[nodiscard]] bool is_notified_of_connections() const {
@@ -61,14 +62,15 @@ class Host {
   void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
   [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
 
-  /// Runs `body() -> Status`. If it throws, returns kFailed and reports the exception to `host`, if
-  /// any.
+  /// Runs `body() -> Status`. If it throws, returns kFailed and reports the exception to
+  /// `component`, if any.
   template <typename Body>
-  static Status Contain(const Host* host, Body body) {
+  static Status CatchExceptions(const ComponentAccess* component, Body body) {
     try {
       return body();
     } catch (...) {
-      if (host != nullptr) host->listeners_.on_exception(ReasonOf(std::current_exception()));
+      if (component != nullptr)
+        component->listeners_.on_exception(ReasonOf(std::current_exception()));
       return Status::kFailed;
     }
   }
