@@ -16,7 +16,7 @@
 #include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 #include <program/exit_code.h>
-#include <program/lcm_launch.h>
+#include <program/lcm_launch_options.h>
 #include <program/network_options.h>
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/connect_cancellation.h>
@@ -123,7 +123,7 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings&
 QStringList GcmCommand(const Options& options) {
   if (options.read_only || !options.network.certificate.empty()) return {};
   QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string())};
-  for (const std::string& word : program::LcmLaunch(options.network).options("gcm")) {
+  for (const std::string& word : program::LcmLaunchOptions(options.network).options("gcm")) {
     command.append(QString::fromStdString(word));
   }
   return command;
@@ -138,8 +138,8 @@ int Run(const Options& options) {
   const bool given = !options.gcm.empty() || qEnvironmentVariableIsSet("TENDON_GCM");
   std::unique_ptr<tendon::gui::HostedGcm> hosted;
   if (!given || !options.listen.empty()) {
-    auto started =
-        tendon::gui::HostedGcm::Start(*middleware, address, program::LcmLaunch(options.network));
+    auto started = tendon::gui::HostedGcm::Start(*middleware, address,
+                                                 program::LcmLaunchOptions(options.network));
     if (started) {
       hosted = std::move(*started);
       address = hosted->address();

@@ -229,19 +229,19 @@ Result<StartResult> TransitionToState(const ProcessPart& part, tendon::Process& 
 /// An error of one component does not stop the others.
 StartResult Start(const ProcessPart& part, tendon::Process& process, const Options& options) {
   MakeConnections(part, process);
-  std::vector<std::string> resting;
+  std::vector<std::string> to_suspend;
   for (const auto& one : part.components) {
     if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) return StartResult::kEnd;
-    const bool rests_later = one.state == ComponentState::kSuspended && Leads(part, one);
-    const auto state = rests_later ? ComponentState::kActive : one.state;
+    const bool is_suspended_later = one.state == ComponentState::kSuspended && Leads(part, one);
+    const auto state = is_suspended_later ? ComponentState::kActive : one.state;
     const auto begun = TransitionToState(part, process, one.name, state, options);
     if (begun && *begun == StartResult::kEnd) return StartResult::kEnd;
     if (!begun) tendon::Log(tendon::LogLevel::kError, options.name, begun.error().message);
-    if (rests_later) resting.push_back(one.name);
+    if (is_suspended_later) to_suspend.push_back(one.name);
   }
-  for (const std::string& name : resting) {
-    if (const auto rests = process.Suspend(name); !rests) {
-      tendon::Log(tendon::LogLevel::kError, options.name, rests.error().message);
+  for (const std::string& name : to_suspend) {
+    if (const auto suspended = process.Suspend(name); !suspended) {
+      tendon::Log(tendon::LogLevel::kError, options.name, suspended.error().message);
     }
   }
   if (tendon::os::RunsAsRoot()) {

@@ -122,9 +122,9 @@ Result<ExitCode> Execute(Context& context, const LifeOrder& order, const std::st
   if (!client) return client.error();
   const Result<void> outcome =
       is_dry ? Check(context, **client, order)
-             : context.Ask<void>(
-                   [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
-                   tendon::GcmClient::kOrdersOfALife);
+             : context.Ask<void>([&](tendon::GcmClient& asked,
+                                     auto handler) { asked.ExecuteLifeOrder(order, handler); },
+                                 tendon::GcmClient::kLifeOrderTimeouts);
   if (!outcome) return outcome.error();
   const bool has_plugin = order.verb != LifeVerb::kConfigure;
   const auto plugin = has_plugin ? AskForPlugin(context, order) : std::nullopt;

@@ -2,7 +2,6 @@
 #include <gcm_console/verbs/verb.h>
 #include <gcm_console/verbs/wire_checks.h>
 #include <tendon/gcm/diagnosis.h>
-#include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
 #include <chrono>
@@ -45,7 +44,7 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnDisputedTypes(context);
+  LearnConflictingTypes(context);
   const auto candidates = RankCandidates((*client)->catalogue(), *required);
   if (!candidates) return candidates.error();
   if (context.settings().json) {
@@ -103,8 +102,9 @@ std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const Interfac
 }
 
 Result<tendon::ConnectionCounts> Served(Context& context, const Diagnosis& diagnosis) {
-  return context.Ask<tendon::ConnectionCounts>(
-      [&](tendon::GcmClient& client, auto handler) { client.GetServed(diagnosis.wire, handler); });
+  return context.Ask<tendon::ConnectionCounts>([&](tendon::GcmClient& client, auto handler) {
+    client.GetProviderCounts(diagnosis.wire, handler);
+  });
 }
 
 void Print(const Diagnosis& diagnosis, std::ostream& out) {
@@ -169,7 +169,7 @@ Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
   if (!required) return required.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnDisputedTypes(context);
+  LearnConflictingTypes(context);
   const Catalogue catalogue = (*client)->catalogue();
   const auto provided = ends.provided.empty() ? LikelyProvider(catalogue, *required)
                                               : tendon::ParseInterfaceName(ends.provided);

@@ -69,7 +69,7 @@ struct UndoResult {
 Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
   return context.Ask<HistoryEntry>(
       [step](tendon::GcmClient& client, auto handler) { client.Undo(handler, step); },
-      tendon::GcmClient::kOrdersOfAnUndo);
+      tendon::GcmClient::kUndoTimeouts);
 }
 
 /// Undoes one step; if that is not possible, may skip it. Returns the error of the undo if it

@@ -112,8 +112,10 @@ Result<Targets> FindTargets(const Catalogue& catalogue, LifeVerb verb,
 
 Result<void> SendOrder(Context& context, const LifeOrder& order) {
   return context.Ask<void>(
-      [&](tendon::GcmClient& client, auto handler) { client.Steer(order, std::move(handler)); },
-      tendon::GcmClient::kOrdersOfALife);
+      [&](tendon::GcmClient& client, auto handler) {
+        client.ExecuteLifeOrder(order, std::move(handler));
+      },
+      tendon::GcmClient::kLifeOrderTimeouts);
 }
 
 void PrintLeftOut(Context& context, const Targets& targets, std::string_view done) {
@@ -203,9 +205,11 @@ Result<void> CheckKill(const Catalogue& catalogue, const Ours& ours, const std::
 
 Result<void> Kill(Context& context, const std::string& process) {
   const tendon::message::ProcessOrder order{.verb = tendon::ProcessVerb::kKill, .process = process};
-  return context.Ask<void>([&](tendon::GcmClient& client,
-                               auto handler) { client.SteerProcess(order, std::move(handler)); },
-                           tendon::GcmClient::kOrdersOfAProcess);
+  return context.Ask<void>(
+      [&](tendon::GcmClient& client, auto handler) {
+        client.ExecuteProcessOrder(order, std::move(handler));
+      },
+      tendon::GcmClient::kProcessOrderTimeouts);
 }
 
 Result<void> CheckForget(const Catalogue& catalogue, const Ours& /*ours*/,

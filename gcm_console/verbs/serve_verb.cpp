@@ -1,6 +1,6 @@
 #include <gcm_console/verbs/verb.h>
 #include <program/fan_out.h>
-#include <program/lcm_launch.h>
+#include <program/lcm_launch_options.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
@@ -46,11 +46,11 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
   }
   auto middleware = program::MakeMiddleware(settings.network);
   if (!middleware) return middleware.error();
-  auto manager =
-      tendon::GlobalManager::Start(*middleware, {.address = settings.gcm,
-                                                 .state_folder = tendon::os::StateFolder(),
-                                                 .launch = program::LcmLaunch(settings.network),
-                                                 .broker = fan_out});
+  auto manager = tendon::GlobalManager::Start(
+      *middleware, {.address = settings.gcm,
+                    .state_folder = tendon::os::StateFolder(),
+                    .launch = program::LcmLaunchOptions(settings.network),
+                    .broker = fan_out});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");

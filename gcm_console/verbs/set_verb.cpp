@@ -88,8 +88,8 @@ Result<void> Configure(Context& context, const LifeOrder& order, const SetWords&
   }
   if (words.dry_run) return CheckRole(context);
   return context.Ask<void>(
-      [&](tendon::GcmClient& asked, auto handler) { asked.Steer(order, handler); },
-      tendon::GcmClient::kOrdersOfALife);
+      [&](tendon::GcmClient& asked, auto handler) { asked.ExecuteLifeOrder(order, handler); },
+      tendon::GcmClient::kLifeOrderTimeouts);
 }
 
 Result<ExitCode> Set(Context& context, const SetWords& words) {

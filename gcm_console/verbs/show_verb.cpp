@@ -10,7 +10,7 @@
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>

@@ -7,7 +7,7 @@
 #include <tendon/gcm/life/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
-#include <tendon/gcm/system/reference_file.h>
+#include <tendon/gcm/system/component_manager_file.h>
 #include <tendon/gcm/system/running_system.h>
 
 #include <CLI/CLI.hpp>
@@ -223,7 +223,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   if (!wanted) return wanted.error();
   const auto client = context.Client();
   if (!client) return client.error();
-  LearnDisputedTypes(context);
+  LearnConflictingTypes(context);
   const tendon::Catalogue catalogue = (*client)->catalogue();
   tendon::KnownClasses known;
   for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {

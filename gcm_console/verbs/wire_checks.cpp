@@ -16,9 +16,9 @@ tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue
           " " + ToString(provided) + " " + ToString(required)};
 }
 
-void LearnDisputedTypes(Context& context) {
+void LearnConflictingTypes(Context& context) {
   static_cast<void>(context.Ask<void>(
-      [](tendon::GcmClient& client, auto handler) { client.LearnDisputedTypes(handler); }));
+      [](tendon::GcmClient& client, auto handler) { client.LearnConflictingTypes(handler); }));
 }
 
 }  // namespace console

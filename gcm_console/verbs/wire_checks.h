@@ -17,6 +17,6 @@ tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue
 /// Asks the processes for types that differ under the same name, so that errors can name the
 /// difference between two ends. Waits for each reply up to the usual time-out, and ignores
 /// failures.
-void LearnDisputedTypes(Context& context);
+void LearnConflictingTypes(Context& context);
 
 }  // namespace console

@@ -4,8 +4,8 @@
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
 #include <gcm_console/verbs/wire_checks.h>
+#include <tendon/gcm/interface_matching.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/matching.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -22,6 +22,7 @@ using tendon::ErrorCode;
 using tendon::InterfaceName;
 using tendon::Match;
 using tendon::Result;
+using tendon::WhenConnected;
 
 struct ConnectArguments {
   std::string required;
@@ -30,6 +31,10 @@ struct ConnectArguments {
   bool match = false;
   bool dry_run = false;
   bool yes = false;
+
+  [[nodiscard]] WhenConnected when_connected() const {
+    return replace ? WhenConnected::kReplace : WhenConnected::kRefuse;
+  }
 };
 
 std::string WireText(const InterfaceName& required, const InterfaceName& provided) {
@@ -49,24 +54,19 @@ ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown,
 }
 
 Result<tendon::ConnectionDescription> SendConnect(Context& context, const InterfaceName& required,
-                                                  const InterfaceName& provided, bool replace) {
+                                                  const InterfaceName& provided,
+                                                  WhenConnected when_connected) {
   return context.Ask<tendon::ConnectionDescription>(
       [&](tendon::GcmClient& asked, auto handler) {
-        if (replace) {
-          asked.Replace(required, provided, handler);
-        } else {
-          asked.Connect(required, provided, handler);
-        }
+        asked.Connect(required, provided, handler, when_connected);
       },
-      tendon::GcmClient::kOrdersOfAReplacement);
+      tendon::GcmClient::kReplaceTimeouts);
 }
 
 /// Like PlanConnect(), but only checks.
 Result<void> CheckConnect(const Catalogue& catalogue, const InterfaceName& required,
-                          const InterfaceName& provided, bool replace) {
-  using tendon::WhenConnected;
-  const auto plan = PlanConnect(catalogue, {required, provided},
-                                replace ? WhenConnected::kReplace : WhenConnected::kRefuse);
+                          const InterfaceName& provided, WhenConnected when_connected) {
+  const auto plan = PlanConnect(catalogue, {required, provided}, when_connected);
   return plan ? Result<void>() : plan.error();
 }
 
@@ -115,7 +115,7 @@ Result<ExitCode> ConnectMatching(Context& context, const ConnectArguments& ends)
   }
   const auto client = context.Client();
   if (!client) return client.error();
-  if (ends.dry_run) LearnDisputedTypes(context);
+  if (ends.dry_run) LearnConflictingTypes(context);
   const Catalogue catalogue = (*client)->catalogue();
   const auto matches = MatchInterfaces(catalogue, {ends.required, ends.provided});
   if (!matches) return matches.error();
@@ -133,8 +133,10 @@ Result<ExitCode> ConnectMatching(Context& context, const ConnectArguments& ends)
     if (!IsClear(match)) {
       result = Unmatched(match, ends.provided);
     } else if (ends.dry_run) {
-      result = CheckConnect(catalogue, match.required, match.provided.front(), false);
-    } else if (auto made = SendConnect(context, match.required, match.provided.front(), false);
+      result =
+          CheckConnect(catalogue, match.required, match.provided.front(), ends.when_connected());
+    } else if (auto made = SendConnect(context, match.required, match.provided.front(),
+                                       ends.when_connected());
                !made) {
       result = made.error();
     }
@@ -159,15 +161,16 @@ Result<ExitCode> Connect(Context& context, const ConnectArguments& ends) {
     return good.error();
   }
   if (ends.dry_run) {
-    LearnDisputedTypes(context);
-    auto checked = CheckConnect((*client)->catalogue(), *required, *provided, ends.replace);
+    LearnConflictingTypes(context);
+    auto checked =
+        CheckConnect((*client)->catalogue(), *required, *provided, ends.when_connected());
     if (!checked) return checked.error();
     const ExitCode printed =
         Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
     const auto provider = LookUpProcess((*client)->catalogue(), provided->process);
     return provider ? printed : WarnOfUnknown(context, provider.error(), ends);
   }
-  const auto made = SendConnect(context, *required, *provided, ends.replace);
+  const auto made = SendConnect(context, *required, *provided, ends.when_connected());
   if (!made) return made.error();
   const Catalogue catalogue = (*client)->catalogue();
   const auto provider = LookUpProcess(catalogue, provided->process);

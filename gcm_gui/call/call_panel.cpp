@@ -9,7 +9,7 @@
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/image_view.h>
 #include <gcm_gui/views/link_button.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

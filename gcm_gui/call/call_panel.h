@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/session/system_requests.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tendon/interface/interface_description.h>
 
 #include <QHash>

@@ -5,7 +5,7 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
-#include <tendon/gcm/matching.h>
+#include <tendon/gcm/interface_matching.h>
 
 #include <QGridLayout>
 #include <QLabel>

@@ -6,7 +6,6 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/system_requests.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/text.h>
 
 #include <QPointer>
 #include <algorithm>

@@ -22,7 +22,7 @@
 #include <gcm_gui/views/tab_panel.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>
 

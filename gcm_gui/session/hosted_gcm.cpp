@@ -8,7 +8,8 @@
 namespace tendon::gui {
 
 Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middleware>& middleware,
-                                                    const std::string& address, Launch launch) {
+                                                    const std::string& address,
+                                                    LaunchOptions launch) {
   auto manager =
       GlobalManager::Start(middleware, {.address = address, .launch = std::move(launch)});
   if (!manager) return manager.error();

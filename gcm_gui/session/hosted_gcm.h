@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/supervisor/launch.h>
+#include <tendon/gcm/supervisor/launch_options.h>
 #include <tendon/middleware/middleware.h>
 
 #include <memory>
@@ -20,7 +20,8 @@ class HostedGcm {
   /// `launch` starts processes. Errors: kExists if there is already a GCM at this address, and
   /// those of Middleware::Listen().
   static Result<std::unique_ptr<HostedGcm>> Start(const std::shared_ptr<Middleware>& middleware,
-                                                  const std::string& address, Launch launch = {});
+                                                  const std::string& address,
+                                                  LaunchOptions launch = {});
   HostedGcm(const HostedGcm&) = delete;
   HostedGcm& operator=(const HostedGcm&) = delete;
   ~HostedGcm();

@@ -1,6 +1,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/session.h>
+#include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 
@@ -24,7 +25,7 @@ std::optional<Error> ErrorOf(const Result<T>& result) {
 /// The action of a window that corresponds to this step of the history.
 Action ActionOf(const message::HistoryEntry& step) {
   Action action;
-  if (IsOfLife(step)) {
+  if (IsLifeCycleStep(step)) {
     action.verb = Action::Verb::kUndo;  // for a step that windows cannot make
     action.component = step.life.process + '/' + step.life.component;
     for (const LifeVerb verb : {LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop}) {
@@ -110,7 +111,7 @@ void Session::hearChanges(const std::vector<CatalogueChange>& changes) {
 
 /// Learns types in advance, so that mismatches can be explained when the user asks.
 void Session::learnTypes() {
-  client_->LearnDisputedTypes([this, poster = poster_](const auto& /*as far as they answer*/) {
+  client_->LearnConflictingTypes([this, poster = poster_](const auto& /*as far as they answer*/) {
     poster->post([this] { Q_EMIT store_.typesLearned(); });
   });
 }
@@ -153,9 +154,10 @@ void Session::connectOrReplace(const InterfaceName& required, const InterfaceNam
   action.verb = Action::Verb::kReplace;
   action.required = required;
   action.provided = provided;
-  client_->Replace(required, provided, [finish = begin(std::move(action))](const auto& result) {
-    finish(ErrorOf(result));
-  });
+  client_->Connect(
+      required, provided,
+      [finish = begin(std::move(action))](const auto& result) { finish(ErrorOf(result)); },
+      WhenConnected::kReplace);
 }
 
 void Session::disconnectInterface(const InterfaceName& required) {
@@ -209,7 +211,7 @@ void Session::steer(LifeVerb verb, const std::string& process, const std::string
   action.verb = Action::Verb::kSteer;
   action.life = verb;
   action.component = process + '/' + component;
-  client_->Steer(
+  client_->ExecuteLifeOrder(
       {.verb = verb, .process = process, .component = component},
       [finish = begin(std::move(action))](const auto& result) { finish(ErrorOf(result)); });
 }
@@ -292,8 +294,8 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
     const auto present = provider != nullptr ? RequirePresent(provider->process) : Result<void>();
     if (diagnosis->is_connected) return tell(*diagnosis, ConnectionCounts());
     if (!present) return tell(*diagnosis, present.error());
-    return client_->GetServed(wire,
-                              [tell, diagnosis](const auto& served) { tell(*diagnosis, served); });
+    return client_->GetProviderCounts(
+        wire, [tell, diagnosis](const auto& served) { tell(*diagnosis, served); });
   }
   const auto start = std::chrono::steady_clock::now();
   const auto heard = [tell, diagnosis, start](const auto& answer) {

@@ -3,7 +3,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/system/system_document.h>
 #include <gcm_gui/system/system_parts.h>
-#include <tendon/gcm/system/reference_file.h>
+#include <tendon/gcm/system/component_manager_file.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
 

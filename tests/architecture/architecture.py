@@ -22,6 +22,7 @@ ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
 ALL_OF_CORE = "core/tendon/tendon.h"
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
 CORE = {folder for row in CORE_ROWS for folder in row}
+LAYERS_WITH_CYCLES = {"process"}  # its connections, membership and telemetry include each other
 
 # The other parts that each part of the tree may include.
 PARTS = {
@@ -304,6 +305,38 @@ def helpers_hide_no_declared_functions(files):
                            f"target may mean; give the helper a name of its own")
 
 
+def folders_of_a_layer_have_no_cycle(files):
+    """The folders below a layer have an order, too. The files in the layer's own folder may include all of them, and
+    all of them those files."""
+    includes = [(file, include, folder_of_layer(file.path), folder_of_layer(include.target))
+                for file in files for include in file.includes]
+    includes = [(file, include, above, below) for file, include, above, below in includes
+                if above and below and above != below and above.split("/")[0] == below.split("/")[0]]
+    below_of = {}
+    for _, _, above, below in includes:
+        below_of.setdefault(above, set()).add(below)
+    for file, include, above, below in includes:
+        if above.split("/")[0] not in LAYERS_WITH_CYCLES and above in all_below(below, below_of):
+            yield (f"{file.path}:{include.line}: {above} may not include <{include.name}>, because {below} includes "
+                   f"files of {above}, itself or through others; move what both need to the lower folder")
+
+
+def folder_of_layer(path):
+    """`gcm/life` for core/tendon/gcm/life/parameters.h, None for a file that is in no folder below a layer."""
+    parts = path.split("/")
+    return "/".join(parts[2:4]) if parts[:2] == ["core", "tendon"] and len(parts) > 4 else None
+
+
+def all_below(folder, below_of):
+    """The folders that a folder includes, itself or through others."""
+    seen, waiting = set(), [folder]
+    while waiting:
+        found = below_of.get(waiting.pop(), set()) - seen
+        seen |= found
+        waiting.extend(found)
+    return seen
+
+
 def installed_headers_include_no_internal_ones(files):
     """A header in the file set HEADERS is installed; a user's compiler must find whatever it includes."""
     installed = set()
@@ -473,8 +506,8 @@ FILE_RULES = (
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
     scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
-              installed_headers_include_no_internal_ones, folders_are_built, folders_are_described,
-              tests_mirror_the_code)
+              folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones, folders_are_built,
+              folders_are_described, tests_mirror_the_code)
 
 
 def folders_of(root):

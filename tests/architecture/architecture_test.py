@@ -147,6 +147,12 @@ BROKEN = {
                                     "}  // namespace os")},
          "lcm/b.cpp:5", "SteadyClock is also the function of lcm/clock.h:3"),
     ],
+    "folders_of_a_layer_have_no_cycle": [
+        ({"core/tendon/gcm/life/a.h": include("tendon/gcm/server/b.h"),
+          "core/tendon/gcm/server/b.h": include("tendon/gcm/system/c.h"),
+          "core/tendon/gcm/system/c.h": include("tendon/gcm/life/d.h"), "core/tendon/gcm/life/d.h": include()},
+         "core/tendon/gcm/server/b.h:2", "gcm/server may not include <tendon/gcm/system/c.h>, because gcm/system"),
+    ],
     "installed_headers_include_no_internal_ones": [
         ({"core/tendon/base/CMakeLists.txt": installs("a.h"), "core/tendon/base/a.h": include("tendon/base/b.h"),
           "core/tendon/base/b.h": include()},
@@ -238,6 +244,11 @@ KEPT = {
                                  "void Line::Quoted(int word) {\n}"),
          "lcm/words.h": in_namespace("void Quoted(int word);"), "lcm/more.h": in_namespace("void Quoted(int word);"),
          "lcm/b.cpp": in_namespace("namespace {\nvoid Quoted(const char* word) {\n}\n}  // namespace")},
+    ],
+    "folders_of_a_layer_have_no_cycle": [
+        {"core/tendon/gcm/a.h": include("tendon/gcm/life/b.h"),
+         "core/tendon/gcm/life/b.h": include("tendon/gcm/c.h", "tendon/gcm/life/d.h", "tendon/gcm/system/e.h"),
+         "core/tendon/gcm/life/d.h": include(), "core/tendon/gcm/system/e.h": include("tendon/gcm/c.h")},
     ],
     "installed_headers_include_no_internal_ones": [
         {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h") + "target_sources(a PRIVATE c.h)\n",

@@ -5,7 +5,7 @@
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/gcm/client/process_requests.h>
-#include <tendon/gcm/disputed_types.h>
+#include <tendon/gcm/conflicting_types.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
@@ -27,8 +27,8 @@ Result<void> Ignored(const Result<None>& result) {
   return result.error();
 }
 
-/// The description of a present process in the catalogue.
-Result<ProcessDescription> PlaceOf(const Catalogue& catalogue, const std::string& process) {
+/// The description of a process; an error if the process is gone or does not listen.
+Result<ProcessDescription> FindReachable(const Catalogue& catalogue, const std::string& process) {
   const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
   if (auto present = RequirePresent((*entry)->process); !present) return present.error();
@@ -194,7 +194,7 @@ class GcmClient::Implementation {
 
   [[nodiscard]] std::chrono::milliseconds timeout() const { return timeout_; }
 
-  void Steer(message::LifeOrder order, DoneHandler done) {
+  void ExecuteLifeOrder(message::LifeOrder order, DoneHandler done) {
     if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
     if (order.instance == 0) {
       order.instance = link_->WithCatalogue([&](const Catalogue& catalogue) {
@@ -203,7 +203,7 @@ class GcmClient::Implementation {
       });
     }
     const auto answered_within =
-        kOrdersOfALife * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
+        kLifeOrderTimeouts * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
     const auto orders = (answered_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
     link_->Request<None>(
         message::kLife, order,
@@ -213,7 +213,7 @@ class GcmClient::Implementation {
 
   /// All callers before the next check of the catalogue share that check, which limits their
   /// number.
-  void LearnDisputedTypes(DoneHandler handler) {
+  void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
     if (closing_) return;
     learners_.push_back(std::move(handler));
@@ -230,7 +230,7 @@ class GcmClient::Implementation {
       const auto alive = weak.lock();
       if (!alive) return Error{ErrorCode::kUnreachable, "the client is closed"};
       return alive->WithCatalogue(
-          [&](const Catalogue& catalogue) { return PlaceOf(catalogue, process); });
+          [&](const Catalogue& catalogue) { return FindReachable(catalogue, process); });
     };
   }
 
@@ -286,7 +286,7 @@ class GcmClient::Implementation {
       learners.swap(learners_);
       next_look_ = SteadyClock().Now() + kPause;
     }
-    const auto types = link_->WithCatalogue(&DisputedTypes);
+    const auto types = link_->WithCatalogue(&ConflictingTypes);
     requests_->Learn(types, [learners = std::move(learners)](const Result<void>& learned) {
       for (const DoneHandler& learner : learners) learner(learned);
     });
@@ -341,17 +341,11 @@ Catalogue GcmClient::catalogue() const {
 }
 
 void GcmClient::Connect(const InterfaceName& required, const InterfaceName& provided,
-                        ConnectHandler handler) {
+                        ConnectHandler handler, WhenConnected when_connected) {
+  const bool may_replace = when_connected == WhenConnected::kReplace;
   implementation_->link().Request<ConnectionDescription>(
-      message::kConnect, message::Wire{required, provided},
-      implementation_->Guarded(std::move(handler)));
-}
-
-void GcmClient::Replace(const InterfaceName& required, const InterfaceName& provided,
-                        ConnectHandler handler) {
-  implementation_->link().Request<ConnectionDescription>(
-      message::kReplace, message::Wire{required, provided},
-      implementation_->Guarded(std::move(handler)), kOrdersOfAReplacement);
+      may_replace ? message::kReplace : message::kConnect, message::Wire{required, provided},
+      implementation_->Guarded(std::move(handler)), may_replace ? kReplaceTimeouts : 1);
 }
 
 void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
@@ -360,21 +354,21 @@ void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
-void GcmClient::Steer(const message::LifeOrder& order, DoneHandler handler) {
-  implementation_->Steer(order, implementation_->Guarded(std::move(handler)));
+void GcmClient::ExecuteLifeOrder(const message::LifeOrder& order, DoneHandler handler) {
+  implementation_->ExecuteLifeOrder(order, implementation_->Guarded(std::move(handler)));
 }
 
-void GcmClient::SteerProcess(message::ProcessOrder order, DoneHandler handler) {
-  constexpr int kOrdersUntilItIsAskedToEnd = kOrdersOfAProcess - 2;
+void GcmClient::ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler) {
+  constexpr int kTimeoutsUntilAskedToEnd = kProcessOrderTimeouts - 2;
   if (order.patience <= std::chrono::nanoseconds(0)) {
-    order.patience = kOrdersUntilItIsAskedToEnd * implementation_->timeout();
+    order.patience = kTimeoutsUntilAskedToEnd * implementation_->timeout();
   }
   implementation_->link().Request<None>(
       message::kProcess, order,
       [done = implementation_->Guarded(std::move(handler))](const auto& answer) {
         done(Ignored(answer));
       },
-      kOrdersOfAProcess);
+      kProcessOrderTimeouts);
 }
 
 void GcmClient::GetChildren(std::function<void(Result<message::Children>)> handler) {
@@ -392,7 +386,7 @@ void GcmClient::GetClasses(const std::string& process,
 void GcmClient::Undo(StepHandler handler, std::uint64_t step) {
   const message::StepSelection which{.id = step, .patience = implementation_->timeout() * 2 / 3};
   implementation_->link().Request<message::HistoryEntry>(
-      message::kUndo, which, implementation_->Guarded(std::move(handler)), kOrdersOfAnUndo);
+      message::kUndo, which, implementation_->Guarded(std::move(handler)), kUndoTimeouts);
 }
 
 void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
@@ -442,11 +436,11 @@ void GcmClient::GetCounts(const InterfaceName& required,
       });
 }
 
-void GcmClient::GetServed(const message::Wire& wire,
-                          std::function<void(Result<ConnectionCounts>)> handler) {
+void GcmClient::GetProviderCounts(const message::Wire& wire,
+                                  std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(
       [this, wire, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->requests().GetServed(wire, done);
+        implementation_->requests().GetProviderCounts(wire, done);
       });
 }
 
@@ -482,8 +476,8 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
             [&](const Catalogue& catalogue) -> Result<MemberDescription> {
               auto found = LookUpCommand(catalogue, *parsed);
               if (!found) return found;
-              const auto place = PlaceOf(catalogue, parsed->process);
-              return place ? found : Result<MemberDescription>(place.error());
+              const auto process = FindReachable(catalogue, parsed->process);
+              return process ? found : Result<MemberDescription>(process.error());
             });
         if (!command) return done(command.error());
         implementation_->requests().Call(*parsed, *command, argument, done);
@@ -505,8 +499,8 @@ void GcmClient::GetSchema(const std::string& process, Fingerprint fingerprint,
       });
 }
 
-void GcmClient::LearnDisputedTypes(DoneHandler handler) {
-  implementation_->LearnDisputedTypes(implementation_->Guarded(std::move(handler)));
+void GcmClient::LearnConflictingTypes(DoneHandler handler) {
+  implementation_->LearnConflictingTypes(implementation_->Guarded(std::move(handler)));
 }
 
 TelemetryClient& GcmClient::telemetry() { return implementation_->telemetry(); }

@@ -3,7 +3,6 @@
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/middleware/middleware.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/process/version_messages.h>
@@ -49,21 +48,21 @@ class GcmListener {
 /// most `timeout` and must not be called from a handler.
 class GcmClient {
  public:
-  /// Replace() and Undo() may take this many times `timeout`: the GCM ends the old connection,
+  /// A Connect() that replaces may take this many times `timeout`: the GCM ends the old connection,
   /// makes the new one, and restores the old one if that fails.
-  static constexpr int kOrdersOfAReplacement = 3;
+  static constexpr int kReplaceTimeouts = 3;
 
   /// Undo() may take this many times `timeout`. The GCM gives all orders within five times
   /// `timeout`, however many components must run again. The sixth is for stopping them if one
   /// fails.
-  static constexpr int kOrdersOfAnUndo = 6;
+  static constexpr int kUndoTimeouts = 6;
 
-  /// Steer() may take this many times `timeout`: once to execute, once to report.
-  static constexpr int kOrdersOfALife = 2;
+  /// ExecuteLifeOrder() may take this many times `timeout`: once to execute, once to report.
+  static constexpr int kLifeOrderTimeouts = 2;
 
-  /// SteerProcess() may take this many times `timeout`: to start or end the process, to wait until
-  /// it joins or to kill it, and to report.
-  static constexpr int kOrdersOfAProcess = 5;
+  /// ExecuteProcessOrder() may take this many times `timeout`: to start or end the process, to wait
+  /// until it joins or to kill it, and to report.
+  static constexpr int kProcessOrderTimeouts = 5;
 
   /// The client and its GCM.
   struct Options {
@@ -101,21 +100,20 @@ class GcmClient {
   using DoneHandler = std::function<void(Result<void>)>;
   using TextHandler = std::function<void(Result<std::string>)>;
 
-  void Connect(const InterfaceName& required, const InterfaceName& provided,
-               ConnectHandler handler);
-  /// Like Connect(), but first disconnects the required interface. Restores the old connection if
-  /// the new one is refused, or if the old one was active and the new one is not. One step of the
-  /// history.
-  void Replace(const InterfaceName& required, const InterfaceName& provided,
-               ConnectHandler handler);
+  /// Connects a required interface. If it is already connected, the request is refused, or the GCM
+  /// first disconnects the interface (WhenConnected::kReplace). Then the GCM restores the old
+  /// connection if the new one is refused, or if the old one was active and the new one is not. One
+  /// step of the history.
+  void Connect(const InterfaceName& required, const InterfaceName& provided, ConnectHandler handler,
+               WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
   /// Gives an order for the life cycle of a component, or to load a plug-in. May take twice
   /// `order.patience`, which is `timeout` by default. The order is only valid for the process
   /// instance that is in the catalogue now.
-  void Steer(const message::LifeOrder& order, DoneHandler handler);
+  void ExecuteLifeOrder(const message::LifeOrder& order, DoneHandler handler);
   /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
-  /// kOrdersOfAProcess times as long as other requests.
-  void SteerProcess(message::ProcessOrder order, DoneHandler handler);
+  /// kProcessOrderTimeouts times as long as other requests.
+  void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);
   /// The processes that the GCM has started. kDenied by a GCM older than this request.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
   /// The classes from which a process can create components, and the plug-ins that it could load.
@@ -144,7 +142,8 @@ class GcmClient {
                  std::function<void(Result<ConnectionCounts>)> handler);
   /// The counts of a connection at the provided side: capacity and lost events. kNotFound if the
   /// provider's process does not have the connection.
-  void GetServed(const message::Wire& wire, std::function<void(Result<ConnectionCounts>)> handler);
+  void GetProviderCounts(const message::Wire& wire,
+                         std::function<void(Result<ConnectionCounts>)> handler);
   /// The fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
@@ -178,7 +177,7 @@ class GcmClient {
   /// Fetches the schemas of types that share a name with another type of the catalogue, so that
   /// FindSchema() knows them and Compare() can name the difference. Call it after every change; it
   /// checks the catalogue at most twice a second.
-  void LearnDisputedTypes(DoneHandler handler);
+  void LearnConflictingTypes(DoneHandler handler);
 
   /// Gives access to state-table rows of any process.
   [[nodiscard]] TelemetryClient& telemetry();

@@ -34,16 +34,17 @@ struct LayerEdge {
   bool operator==(const LayerEdge&) const = default;
 };
 
-/// Places blocks in columns, providers left of their clients. A placed block stays as long as its
-/// layer is the same and no other block grows into it. A new block goes to the free place nearest
-/// its peers. The places of removed blocks are kept, one for each layer, in case they come back.
+/// Places the components of a graph as blocks in columns, providers left of their clients. A placed
+/// block stays as long as its layer is the same and no other block grows into it. A new block goes
+/// to the free place nearest its peers. Remembers the places of removed blocks, one for each layer,
+/// in case they come back.
 class ColumnLayout {
  public:
   /// An object to place, with its name.
   struct Block {
     std::string key;
     Size size;
-    bool keeps_place = true;  ///< false: it moves to where others leave room
+    bool keeps_place = true;  ///< false: it goes where the others leave room
 
     bool operator==(const Block&) const = default;
   };
@@ -90,9 +91,9 @@ class ColumnLayout {
   Size size_;
 };
 
-/// The layer of each of `count` nodes, so that edges lead to higher layers: the length of the
-/// longest path from a node without providers. Ignores the edge that closes a cycle, in the order
-/// of visits.
+/// Assigns a layer to each of `count` nodes, so that each edge leads to a higher layer. The layer
+/// is the length of the longest path from a node without providers. Ignores each edge that closes a
+/// cycle.
 [[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
 }  // namespace tendon::graph

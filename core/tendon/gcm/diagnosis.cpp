@@ -23,9 +23,11 @@ constexpr std::array kSteps = {"both processes are available",
                                "the connection is made",
                                "the provider answers"};
 
-/// Indices in kSteps: "both components are active" and "the processes reach each other".
+/// Indices in kSteps: "both components are active", "the processes reach each other" and "the
+/// connection is made".
 constexpr std::size_t kActive = 1;
 constexpr std::size_t kReached = 4;
+constexpr std::size_t kMade = 5;
 
 /// Makes the checks until one is bad.
 class Examination {
@@ -236,7 +238,6 @@ Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire
 
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   if (diagnosis.failure || flaws.empty()) return;
-  constexpr std::size_t kMade = 5;
   const std::string& provider = diagnosis.wire.provided.process;
   const bool is_late = flaws.front().kind == ConnectionFlaw::Kind::kLate;
   DiagnosisStep& step = is_late ? diagnosis.steps.back() : diagnosis.steps.at(kMade);
@@ -280,6 +281,21 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
           fix,
           {}};
   diagnosis.failure = Error{round_trip.error().code, step.text + "; " + fix};
+}
+
+bool IsKept(const Diagnosis& diagnosis) {
+  const bool is_made =
+      diagnosis.steps.size() > kMade && diagnosis.steps[kMade].verdict != Verdict::kNotReached;
+  return diagnosis.is_connected && diagnosis.failure.has_value() && !is_made;
+}
+
+std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
+  if (IsKept(diagnosis)) {
+    return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
+  }
+  std::vector<std::string> texts;
+  for (const ConnectionRemnant& one : diagnosis.remnants) texts.push_back("left over: " + one.text);
+  return texts;
 }
 
 std::string FixOfUnreached(const std::string& name, const std::string& host, const Error& reason) {

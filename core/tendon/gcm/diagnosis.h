@@ -25,7 +25,7 @@ struct DiagnosisStep {
   bool operator==(const DiagnosisStep&) const = default;
 };
 
-/// What one of the two processes still has of a connection that is not active, or never was.
+/// The rest of an inactive connection in one of its two processes.
 struct ConnectionRemnant {
   enum class Verdict { kNothing, kSomething, kUnknown };
 
@@ -36,14 +36,14 @@ struct ConnectionRemnant {
   bool operator==(const ConnectionRemnant&) const = default;
 };
 
-/// The check of a connection in seven steps: why it works or fails. The console and the window show
-/// the same steps.
+/// The check of a connection in seven steps: why it works or fails. If no step is bad and it is not
+/// connected, it can be connected. The console and the window show the same steps.
 struct Diagnosis {
   message::Wire wire;
   std::vector<DiagnosisStep> steps;         ///< all seven; those after a bad one were not reached
   std::optional<Error> failure;             ///< error of the bad step
-  bool is_connected = false;                ///< if not, and no step is bad, it could be connected
-  std::vector<ConnectionRemnant> remnants;  ///< of both processes if not active and requested
+  bool is_connected = false;                ///< the present required side has this connection
+  std::vector<ConnectionRemnant> remnants;  ///< of both processes; see AddRemnants()
 };
 
 /// Makes the checks that need only the catalogue: that processes and components are present, that
@@ -69,10 +69,18 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
 /// Adds `remnants`: whether both processes have removed a refused or failed connection. The
-/// catalogue knows this for the required side, the answer of GcmClient::GetServed() for the
+/// catalogue knows this for the required side, the answer of GcmClient::GetProviderCounts() for the
 /// provider. Does nothing for a requested connection, because its required side keeps trying.
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served);
+
+/// True if the required side keeps an inactive connection, and makes it as soon as it can.
+[[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
+
+/// The remnants of an inactive connection as text, one line for each process that was asked: "left
+/// over: nothing in robot"; or one line if the connection is kept: "kept: desk makes it as soon as
+/// it can". The text is also correct if nobody has tried to make the connection.
+[[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// The remedy if `host` could not reach process `name`: the process is silent or absent, or `host`
 /// has no route to it.

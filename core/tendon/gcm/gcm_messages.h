@@ -16,6 +16,12 @@
 /// body of a frame.
 namespace tendon {
 
+/// The effect of a connect if the required interface is already connected.
+enum class WhenConnected {
+  kRefuse,   ///< the message kConnect
+  kReplace,  ///< the message kReplace
+};
+
 /// The orders to a GCM for a process on its own host.
 enum class ProcessVerb : std::int32_t {
   kStart,  ///< starts an `lcm` without components, and waits until it has joined
@@ -41,13 +47,14 @@ namespace tendon::message {
 inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
 inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
 inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
-inline constexpr auto kUndo = static_cast<MessageType>(0x313);      // StepSelection -> HistoryEntry
-inline constexpr auto kHistory = static_cast<MessageType>(0x314);   // None -> History
-inline constexpr auto kForget = static_cast<MessageType>(0x315);    // Forget -> None
-inline constexpr auto kReplace = static_cast<MessageType>(0x316);   // Wire -> ConnectionDescription
-inline constexpr auto kHealth = static_cast<MessageType>(0x31a);    // None -> SystemHealth
-inline constexpr auto kProcess = static_cast<MessageType>(0x31b);   // ProcessOrder -> None
-inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);  // PlanLock -> None
+inline constexpr auto kUndo = static_cast<MessageType>(0x313);     // StepSelection -> HistoryEntry
+inline constexpr auto kHistory = static_cast<MessageType>(0x314);  // None -> History
+inline constexpr auto kForget = static_cast<MessageType>(0x315);   // Forget -> None
+inline constexpr auto kReplace = static_cast<MessageType>(0x316);  // Wire -> ConnectionDescription
+inline constexpr auto kHealth = static_cast<MessageType>(0x31a);   // None -> SystemHealth
+inline constexpr auto kProcess = static_cast<MessageType>(0x31b);  // ProcessOrder -> None
+inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // None -> Children
+inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);     // PlanLock -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
 // From the GCM, in addition to process/log/log_messages.h.
@@ -128,6 +135,17 @@ struct LifeStep {
   std::vector<Wire> connections;                        ///< "remove": the component's connections
 
   bool operator==(const LifeStep&) const = default;
+};
+
+/// A process that the GCM has started, and can end or restart.
+struct Child {
+  std::string process;
+  RestartPolicy restart = RestartPolicy::kNever;
+};
+
+/// The answer to kGetChildren. The catalogue does not have this information.
+struct Children {
+  std::vector<Child> processes;  ///< by name
 };
 
 /// The step to undo or to skip.
@@ -214,6 +232,15 @@ inline constexpr auto tendon::kPayload<tendon::message::ProcessOrder> = tendon::
     tendon::Field{"process", &tendon::message::ProcessOrder::process},
     tendon::Field{"restart", &tendon::message::ProcessOrder::restart},
     tendon::Field{"patience", &tendon::message::ProcessOrder::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Child> =
+    tendon::Describe("tendon.Child", tendon::Field{"process", &tendon::message::Child::process},
+                     tendon::Field{"restart", &tendon::message::Child::restart});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Children> = tendon::Describe(
+    "tendon.Children", tendon::Field{"processes", &tendon::message::Children::processes});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::StepSelection> = tendon::Describe(

@@ -3,7 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/gcm/supervisor/launch.h>
+#include <tendon/gcm/supervisor/launch_options.h>
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>
@@ -35,7 +35,7 @@ class GlobalManager {
     /// How long to wait for an LCM's answer: longer than an LCM needs to detect a hanging peer,
     /// shorter than clients wait for the GCM.
     std::chrono::milliseconds order_timeout{1500};
-    Launch launch{};  ///< for the processes that it starts
+    LaunchOptions launch{};  ///< for the processes that it starts
     /// The address of the multicast broker for rows; empty: there is none.
     std::string broker{};
   };

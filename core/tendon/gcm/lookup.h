@@ -3,6 +3,7 @@
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/process/membership/membership_messages.h>
 
 #include <cstdint>
@@ -23,20 +24,20 @@ Result<const ProvidedDescription*> LookUpProvided(const Catalogue& catalogue,
 Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
                                                   const InterfaceName& name);
 
-/// A command, or a column of a state table as a read command.
+/// Finds a command. A column of a state table counts as a read command.
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
 /// True if a call or an event has an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
-/// The effect of a connect if the required interface is already connected.
-enum class WhenConnected { kRefuse, kReplace };
-
-/// The order for a connect, checked against the catalogue. Errors: kInvalid, kNotFound;
-/// kIncompatible, with the text of Refusal(); kExists if the required interface is connected;
-/// kFailed if its process is absent. The process of the provider may be absent or unknown; then the
-/// connection will be pending, and must not replace an active one (kFailed, kNotFound). A missing
-/// interface of a present process is an error.
+/// Checks a connect against the catalogue, and returns the order for the required side's LCM.
+/// Errors: kInvalid; kNotFound, also for a missing interface of a present process; kIncompatible,
+/// with the text of Refusal(); kExists if the required interface is connected; kFailed if its
+/// process is absent.
+///
+/// If the provider's process is absent or unknown, the connection will be pending. A pending
+/// connection cannot replace an active one: kFailed for an absent process, kNotFound for an unknown
+/// one.
 Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                             WhenConnected when_connected = WhenConnected::kRefuse);
 
@@ -59,8 +60,8 @@ Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::str
 /// True if the process is present, even if it is slow.
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
-/// The begin of ProcessDescription::reason if a process was lost because it was silent while its
-/// link was open.
+/// ProcessDescription::reason begins with this text if a process was lost because it was silent
+/// while its link was open.
 inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
 
 /// True if the process was lost because it was silent: it may be suspended, hang, or be

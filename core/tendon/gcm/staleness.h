@@ -35,7 +35,8 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return "lost";
 }
 
-/// If a process does not answer or is gone, the state of its components is unknown.
+/// From the states of a process and of its component. If the process does not answer or is gone,
+/// the state of the component does not count.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;
@@ -56,7 +57,7 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return StaleReason::kFaulted;
 }
 
-/// A component that is not in the catalogue counts as lost.
+/// From the catalogue. A component that is not in it counts as lost.
 [[nodiscard]] inline StaleReason StaleReasonOf(const Catalogue& catalogue,
                                                const std::string& process,
                                                const std::string& component) {
@@ -67,10 +68,10 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return StaleReasonOf(entry->process.state, found->second.state);
 }
 
-/// True if a value must be marked as old, in the console and in the window. Values of a component
-/// that does not run are old, except if the row is so new that it may have just arrived. Values
-/// whose next row is overdue are old too. `age` is the age of the row, if known; `rate` is the rate
-/// of rows in Hz, 0 if unknown.
+/// True if the console and the window must mark a value as old. If the component does not run, its
+/// values are old, except those of a very new row, which may have just arrived. If the component
+/// runs, its values are old when the next row is overdue. `age` is the age of the row, if known;
+/// `rate` is the rate of rows in Hz, 0 if unknown.
 [[nodiscard]] inline bool IsStale(StaleReason why, std::optional<std::chrono::nanoseconds> age,
                                   double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};

@@ -222,8 +222,8 @@ void CheckLeaders(const std::vector<SystemFile::Component>& components, const Fi
     Refuse(process.Place("components") + "[" + std::to_string(i) + "].runs_after",
            "the process has no component '" + leader + "'" + DidYouMean(leader, names));
   }
-  if (const std::string ring = FindRingIn(components); !ring.empty()) {
-    Refuse(process.Place("components"), "runs_after forms a ring: " + ring);
+  if (const std::string cycle = FindCycle(components); !cycle.empty()) {
+    Refuse(process.Place("components"), "runs_after forms a ring: " + cycle);
   }
 }
 

@@ -107,22 +107,6 @@ std::string ClockText(const message::ProcessHealth* health) {
          ")";
 }
 
-bool IsKept(const Diagnosis& diagnosis) {
-  constexpr std::size_t kMade = 5;
-  const bool is_made = diagnosis.steps.size() > kMade &&
-                       diagnosis.steps[kMade].verdict != DiagnosisStep::Verdict::kNotReached;
-  return diagnosis.is_connected && diagnosis.failure.has_value() && !is_made;
-}
-
-std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
-  if (IsKept(diagnosis)) {
-    return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
-  }
-  std::vector<std::string> texts;
-  for (const ConnectionRemnant& one : diagnosis.remnants) texts.push_back("left over: " + one.text);
-  return texts;
-}
-
 std::string PluginText(const PluginDescription& plugin) {
   return plugin.file + " of " + WallTimeText(plugin.written);
 }
@@ -171,14 +155,14 @@ std::string ChangesText(const message::HistoryEntry& step) {
   return text;
 }
 
-bool IsOfLife(const message::HistoryEntry& step) { return !step.life.process.empty(); }
+bool IsLifeCycleStep(const message::HistoryEntry& step) { return !step.life.process.empty(); }
 
-bool IsOfProcess(const message::HistoryEntry& step) {
-  return IsOfLife(step) && step.life.component.empty();
+bool IsProcessStep(const message::HistoryEntry& step) {
+  return IsLifeCycleStep(step) && step.life.component.empty();
 }
 
 const std::string& ProcessOf(const message::HistoryEntry& step) {
-  return IsOfLife(step) ? step.life.process : step.wire.required.process;
+  return IsLifeCycleStep(step) ? step.life.process : step.wire.required.process;
 }
 
 std::string VersionText(const message::ProgramVersion& version) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/manager/component_description.h>
 #include <tendon/middleware/frame.h>
@@ -24,11 +23,12 @@ namespace tendon {
 /// The largest age of a value that is shown as current; members report every second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
-/// The last report of a process in the catalogue, of any age; null if there is none.
+/// The last health report of a process, of any age; null if there is none.
 [[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-/// The same if it is current; null if the process is not alive or has not reported recently.
+/// The last health report if it is current; null if the process is not alive, or has not reported
+/// within kFreshHealth.
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
@@ -40,14 +40,6 @@ inline constexpr std::chrono::seconds kFreshHealth(3);
 [[nodiscard]] std::string MemoryText(const message::ProcessHealth* health);
 /// "0.0 ms off (+-0.1 ms)".
 [[nodiscard]] std::string ClockText(const message::ProcessHealth* health);
-
-/// True if the process of the required interface still tries to make the inactive connection.
-[[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
-
-/// What is left of an inactive connection, one line for each process that was asked: "left over:
-/// nothing in robot", "kept: desk makes it as soon as it can". The text is also correct if nobody
-/// has tried to make the connection.
-[[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// Describes the loaded version of a plug-in: "/opt/robot/arm.so of 2025-11-21 15:40:03".
 [[nodiscard]] std::string PluginText(const PluginDescription& plugin);
@@ -80,22 +72,23 @@ struct OutdatedPlugin {
 [[nodiscard]] std::string ChangesText(const message::HistoryEntry& step);
 
 /// True if the step concerns the life cycle of a component or of a started process.
-[[nodiscard]] bool IsOfLife(const message::HistoryEntry& step);
-[[nodiscard]] bool IsOfProcess(const message::HistoryEntry& step);
+[[nodiscard]] bool IsLifeCycleStep(const message::HistoryEntry& step);
+[[nodiscard]] bool IsProcessStep(const message::HistoryEntry& step);
 
-/// The process that executed the step, and would undo it. For the start of a process, that process
-/// itself.
+/// The process that executed the step, and that would undo it. If the step started a process, the
+/// started process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
 
 /// "version 0.4.0, protocol 10".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
-/// A text about the version that a program reported, or about its absence, and whether it equals
-/// `own`.
+/// The result of CompareVersion().
 struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 10, which is not that of this program"
   bool is_own = false;
 };
+/// Compares the version that a program has reported with `own`. The text also covers a program that
+/// did not report one.
 [[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
                                            const message::ProgramVersion& own);
 

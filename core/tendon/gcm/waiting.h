@@ -8,18 +8,17 @@
 
 namespace tendon {
 
-/// The missing connections of a running component, for required interfaces that it needs to work.
-/// Empty if it does not run, or if `process`, to which it belongs, is absent. All programs use
-/// this.
+/// The required interfaces that a running component needs, and that are not connected. Empty if the
+/// component does not run, or if its process is absent. All programs use this.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component);
 
-/// The same, with a faster search for connections.
+/// The same; `find` finds connections faster than a search in `process`.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component,
                                                         const FindConnection& find);
 
-/// The interfaces that it would wait for if it ran.
+/// The required interfaces that the component would wait for if it ran.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ProcessEntry& process,
                                                              const ComponentDescription& component);
 

@@ -66,8 +66,8 @@ inline constexpr auto kRights = std::to_array<Right>({
     // gcm/gcm_messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
-    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},            // process/telemetry/
-    {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},  // gcm/supervisor/
+    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},  // process/telemetry/
+    {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},
     {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
     // process/log/log_messages.h, gcm/gcm_messages.h

@@ -103,7 +103,7 @@ class MutantMessages : public RemoteConnection {
     EXPECT_TRUE(Did<message::SystemHealth>([&](auto done) { viewer->GetHealth(done); }));
     EXPECT_TRUE(Did<message::Classes>([&](auto done) { viewer->GetClasses("robot", done); }));
     EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetCounts(kRobot, done); }));
-    EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetServed(wire, done); }));
+    EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetProviderCounts(wire, done); }));
     EXPECT_TRUE(Did<MailboxFill>([&](auto done) { viewer->GetFill("robot", "plant", done); }));
     EXPECT_TRUE(Did<std::string>(
         [&](auto done) { viewer->Call("robot/plant/Control.GetMove", "", done); }));

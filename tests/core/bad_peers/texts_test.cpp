@@ -1,5 +1,5 @@
 #include <tendon/base/text.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 #include <tests/support/record.h>
 
 #include <algorithm>
@@ -61,7 +61,7 @@ class LogListener final : public test::Recorder {
   test::Record<message::LogRecord> records_;
 };
 
-class BadInput61 : public test::Bench {};
+class BadInput61 : public test::GcmFixture {};
 INSTANTIATE_TEST_SUITE_P(Over, BadInput61, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 

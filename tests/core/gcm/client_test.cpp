@@ -1,6 +1,6 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/interface/compatibility.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <atomic>
 #include <future>
@@ -10,7 +10,7 @@ namespace {
 
 using test::FakeProcess;
 
-class Client : public test::Bench {
+class Client : public test::GcmFixture {
  protected:
   void SetUp() override {
     robot_ = Join("robot", {test::Arm()});
@@ -72,7 +72,8 @@ TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
   EXPECT_NE(words().find("fields, units or shapes differ"), std::string::npos) << words();
 
   const auto learn = [this] {
-    return bool(Wait<void>(kLong, [this](auto handler) { client_->LearnDisputedTypes(handler); }));
+    return bool(
+        Wait<void>(kLong, [this](auto handler) { client_->LearnConflictingTypes(handler); }));
   };
   // It does not wait long for a process: on a machine that stands still once is not enough.
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -83,7 +84,7 @@ TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
   EXPECT_EQ(robot_->schema_requests(), asked);  // all is known
 }
 
-TEST_P(Client, ManyWhoAskForDisputedTypesShareALook) {
+TEST_P(Client, ManyWhoAskForConflictingTypesShareALook) {
   robot_->Add(test::Mover(test::GoalIn("in/" + GetParam())));  // of which the robot knows no more
   robot_->Add(test::Leader(test::GoalIn("ft/" + GetParam())));
   ASSERT_TRUE(EventuallyTrue([this] {
@@ -94,7 +95,7 @@ TEST_P(Client, ManyWhoAskForDisputedTypesShareALook) {
   std::atomic<int> answered{0};
 
   for (int i = 0; i < kCrowd; ++i) {
-    client_->LearnDisputedTypes([&answered](const auto& /*learned*/) { ++answered; });
+    client_->LearnConflictingTypes([&answered](const auto& /*learned*/) { ++answered; });
   }
 
   EXPECT_TRUE(EventuallyTrue([&] { return answered == kCrowd; }));

@@ -2,7 +2,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/text.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon {

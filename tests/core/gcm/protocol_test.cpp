@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/middleware/handshake.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>

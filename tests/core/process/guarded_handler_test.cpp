@@ -120,9 +120,10 @@ TEST_P(GuardedTest, AGcmDeniesAViewerWhatChangesSomething) {
   ExpectDenied(
       Ask<ConnectionDescription>([&](auto done) { viewer->Connect(required, provided, done); }),
       "connect");
-  ExpectDenied(
-      Ask<ConnectionDescription>([&](auto done) { viewer->Replace(required, provided, done); }),
-      "replace a connection");
+  ExpectDenied(Ask<ConnectionDescription>([&](auto done) {
+                 viewer->Connect(required, provided, done, tendon::WhenConnected::kReplace);
+               }),
+               "replace a connection");
   ExpectDenied(Ask<void>([&](auto done) { viewer->Disconnect(required, done); }), "disconnect");
   ExpectDenied(Ask<tendon::message::HistoryEntry>([&](auto done) { viewer->Undo(done); }), "undo");
   ExpectDenied(Ask<void>([&](auto done) { viewer->Forget("robot", done); }), "forget a process");

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/supervisor/children_messages.h>
 #include <tendon/process/guarded_handler.h>
 #include <tendon/process/membership/membership_messages.h>
 #include <tendon/process/telemetry/broadcast_messages.h>

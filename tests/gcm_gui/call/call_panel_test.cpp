@@ -1,6 +1,6 @@
 #include <gcm_gui/call/call_panel.h>
 #include <gtest/gtest.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 
 #include <QClipboard>
 #include <QGuiApplication>

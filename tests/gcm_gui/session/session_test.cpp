@@ -117,8 +117,8 @@ TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
   GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
   std::atomic<bool> is_stopped = false;
-  console.Steer({.verb = LifeVerb::kStop, .process = "robot", .component = "plant"},
-                [&](const auto& result) { is_stopped = result.ok(); });
+  console.ExecuteLifeOrder({.verb = LifeVerb::kStop, .process = "robot", .component = "plant"},
+                           [&](const auto& result) { is_stopped = result.ok(); });
   ASSERT_TRUE(Eventually([&] { return is_stopped.load(); }));
 
   session_->undo();

@@ -99,11 +99,11 @@ TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
   ASSERT_TRUE(Eventually([&] { return HasStopped(robot_->pid()); }));
 
   const auto stopped = tendon::Wait<void>(std::chrono::seconds(20), [&](auto handler) {
-    viewer_->Steer({.verb = tendon::LifeVerb::kStop,
-                    .process = "robot",
-                    .component = "ledger",
-                    .patience = std::chrono::milliseconds(200)},
-                   std::move(handler));
+    viewer_->ExecuteLifeOrder({.verb = tendon::LifeVerb::kStop,
+                               .process = "robot",
+                               .component = "ledger",
+                               .patience = std::chrono::milliseconds(200)},
+                              std::move(handler));
   });
   robot_->Signal(SIGCONT);
 

@@ -12,11 +12,11 @@ bool EventListener::Try(std::uint32_t attempt) {
   return true;
 }
 
-bool EventListener::OnSubscribed(std::uint32_t attempt, Place place,
+bool EventListener::OnSubscribed(std::uint32_t attempt, Subscription subscription,
                                  const std::vector<MemberDescription>& events) {
   const std::scoped_lock lock(mutex_);
   if (!sink_ || attempt_ != attempt) return false;
-  place_ = std::move(place);
+  subscription_ = std::move(subscription);
   lost_.assign(wanted_.events.size(), 0);
   interruption_.reset();
   sink_->OnListening(events);
@@ -27,7 +27,7 @@ bool EventListener::Fail(std::uint32_t attempt, const Error& reason) {
   const std::scoped_lock lock(mutex_);
   if (attempt_ != attempt) return false;
   attempt_ = 0;
-  place_ = {};
+  subscription_ = {};
   if (!sink_) return false;
   if (interruption_ != reason) sink_->OnStale(reason);
   interruption_ = reason;
@@ -37,22 +37,22 @@ bool EventListener::Fail(std::uint32_t attempt, const Error& reason) {
 void EventListener::End() {
   const std::scoped_lock lock(mutex_);
   sink_.reset();
-  if (place_.channel) {
-    (void)place_.channel->Notify(message::kCloseInterface, place_.handle, Bytes());
+  if (subscription_.channel) {
+    (void)subscription_.channel->Notify(message::kCloseInterface, subscription_.handle, Bytes());
   }
-  place_ = {};
+  subscription_ = {};
 }
 
 void EventListener::Raise(std::uint32_t attempt, std::size_t event,
                           std::span<const std::byte> value, SteadyTime there) {
   const std::scoped_lock lock(mutex_);
-  if (!place_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
-  sink_->OnEvent(event, value, place_.clock->ToLocal(there));
+  if (!subscription_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
+  sink_->OnEvent(event, value, subscription_.clock->ToLocal(there));
 }
 
 void EventListener::OnLost(std::uint32_t attempt, const message::EventsLost& events) {
   const std::scoped_lock lock(mutex_);
-  if (!place_.channel || attempt_ != attempt) return;
+  if (!subscription_.channel || attempt_ != attempt) return;
   for (std::size_t i = 0; i < std::min(lost_.size(), events.lost.size()); ++i) {
     if (events.lost[i] <= lost_[i]) continue;
     sink_->OnEventsLost(i, events.lost[i] - std::exchange(lost_[i], events.lost[i]));

@@ -29,13 +29,13 @@ class EventListener {
   /// has ended.
   bool Try(std::uint32_t attempt);
   /// The accepted attempt: its channel, its number at the other end, and the clock of that end.
-  struct Place {
+  struct Subscription {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
     std::shared_ptr<const SourceClock> clock;
   };
   /// Called when the other end has accepted. Returns false if the attempt is outdated.
-  bool OnSubscribed(std::uint32_t attempt, Place place,
+  bool OnSubscribed(std::uint32_t attempt, Subscription subscription,
                     const std::vector<MemberDescription>& events);
   /// Called when the attempt has failed or ended; reports each reason once. Returns true if another
   /// attempt should follow later, false if this one is outdated or the subscription has ended.
@@ -53,7 +53,7 @@ class EventListener {
   std::mutex mutex_;
   std::shared_ptr<EventSink> sink_;  // null after End()
   std::uint32_t attempt_ = 0;        // 0: none
-  Place place_;                      // without a channel: not active
+  Subscription subscription_;        // without a channel: not active
   std::vector<std::uint64_t> lost_;
   std::optional<Error> interruption_;
 };

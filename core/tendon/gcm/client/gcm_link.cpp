@@ -17,22 +17,23 @@ constexpr std::chrono::milliseconds kRenewal(1000);
 constexpr std::chrono::milliseconds kTick(500);
 
 /// Instance and address of each reachable process.
-using Places = std::map<std::string, std::pair<std::uint64_t, std::string>>;
+using ProcessAddresses = std::map<std::string, std::pair<std::uint64_t, std::string>>;
 
-Places PlacesOf(const Catalogue& catalogue) {
-  Places places;
+ProcessAddresses AddressesOf(const Catalogue& catalogue) {
+  ProcessAddresses addresses;
   for (const auto& [name, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
-    places[name] = {entry.process.instance, entry.process.address};
+    addresses[name] = {entry.process.instance, entry.process.address};
   }
-  return places;
+  return addresses;
 }
 
-std::vector<GcmLink::MovedProcess> Moves(const Places& before, const Places& after) {
+std::vector<GcmLink::MovedProcess> Moves(const ProcessAddresses& before,
+                                         const ProcessAddresses& after) {
   std::vector<GcmLink::MovedProcess> moved;
-  for (const auto& [name, place] : after) {
+  for (const auto& [name, address] : after) {
     const auto old = before.find(name);
-    if (old == before.end() || old->second != place) moved.push_back({name, place.first});
+    if (old == before.end() || old->second != address) moved.push_back({name, address.first});
   }
   return moved;
 }
@@ -217,7 +218,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) 
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel) return;
     pause = std::exchange(unreported_pause_, {});
-    moved = Moves(PlacesOf(catalogue_), PlacesOf(catalogue));
+    moved = Moves(AddressesOf(catalogue_), AddressesOf(catalogue));
     catalogue_ = catalogue;
     is_waiting_ = false;
     lost_.reset();
@@ -238,13 +239,13 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   {
     const std::scoped_lock lock(mutex_);
     if (channel_ != channel || is_waiting_) return;
-    const Places before = PlacesOf(catalogue_);
+    const ProcessAddresses before = AddressesOf(catalogue_);
     for (const CatalogueChange& change : changes.changes) {
       has_hole = !catalogue_.Apply(change);
       if (has_hole) break;
       applied.push_back(change);
     }
-    moved = Moves(before, PlacesOf(catalogue_));
+    moved = Moves(before, AddressesOf(catalogue_));
     is_waiting_ = has_hole;
   }
   Report([&] {

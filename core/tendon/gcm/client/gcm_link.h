@@ -53,10 +53,10 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
     return read(catalogue_);
   }
 
-  /// Sends a request whose answer may take `orders` times the usual timeout.
+  /// Sends a request whose answer may take `timeouts` times the usual timeout.
   template <Payload Answer, Message T>
   void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
-               int orders = 1);
+               int timeouts = 1);
 
  private:
   class Handler;
@@ -106,11 +106,11 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
 
 template <Payload Answer, Message T>
 void GcmLink::Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
-                      int orders) {
+                      int timeouts) {
   std::unique_lock lock(mutex_);
   if (const SharedChannel channel = channel_) {
     lock.unlock();
-    const auto timeout = orders * options_.timeout;
+    const auto timeout = timeouts * options_.timeout;
     return Ask<Answer>(*timer_, channel, type, value, timeout, std::move(handler));
   }
   timer_->Post([handler = std::move(handler), error = NoGcm()] { handler(error); });

@@ -39,21 +39,21 @@ ProcessLinks::ProcessLinks(Middleware& middleware, Resolve resolve, Options opti
 void ProcessLinks::WithChannel(const std::string& process, Use use) {
   std::unique_lock lock(mutex_);
   if (stopped_) return;
-  Place& place = places_[process];
-  if (place.channel && place.channel->is_open()) {
-    const SharedChannel channel = place.channel;
+  ProcessLink& link = links_[process];
+  if (link.channel && link.channel->is_open()) {
+    const SharedChannel channel = link.channel;
     lock.unlock();
     return use(channel);
   }
-  place.channel.reset();
-  place.waiting.push_back(std::move(use));
-  if (place.waiting.size() == 1) opener_.Post([this, process] { Open(process); });
+  link.channel.reset();
+  link.waiting.push_back(std::move(use));
+  if (link.waiting.size() == 1) opener_.Post([this, process] { Open(process); });
 }
 
 void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
   std::unique_lock lock(mutex_);
-  const auto found = places_.find(process);
-  if (found == places_.end() || !found->second.channel) return;
+  const auto found = links_.find(process);
+  if (found == links_.end() || !found->second.channel) return;
   // This program may already have reconnected, and may be in the middle of a request.
   if (found->second.channel->peer().instance == instance) return;
   const SharedChannel channel = std::exchange(found->second.channel, nullptr);
@@ -62,14 +62,14 @@ void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
 }
 
 void ProcessLinks::Stop() {
-  std::map<std::string, Place> places;
+  std::map<std::string, ProcessLink> links;
   {
     const std::scoped_lock lock(mutex_);
     stopped_ = true;
-    places.swap(places_);
+    links.swap(links_);
   }
-  for (const auto& [process, place] : places) {
-    if (place.channel) place.channel->Close();
+  for (const auto& [process, link] : links) {
+    if (link.channel) link.channel->Close();
   }
   opener_.Stop();
 }
@@ -84,9 +84,9 @@ void ProcessLinks::Open(const std::string& process) {
       if (channel) (*channel)->Close();
       return;
     }
-    Place& place = places_[process];
-    waiting.swap(place.waiting);
-    if (channel) place.channel = *channel;
+    ProcessLink& link = links_[process];
+    waiting.swap(link.waiting);
+    if (channel) link.channel = *channel;
   }
   for (const Use& use : waiting) use(channel);
 }
@@ -109,8 +109,8 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
 
 void ProcessLinks::OnChannelClosed(const Channel* channel) {
   const std::scoped_lock lock(mutex_);
-  for (auto& [process, place] : places_) {
-    if (place.channel.get() == channel) place.channel.reset();
+  for (auto& [process, link] : links_) {
+    if (link.channel.get() == channel) link.channel.reset();
   }
 }
 

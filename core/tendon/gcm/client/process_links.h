@@ -51,7 +51,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
 
  private:
   class Handler;
-  struct Place {
+  struct ProcessLink {
     SharedChannel channel;     // null while opening
     std::vector<Use> waiting;  // requests that wait for the channel
   };
@@ -66,7 +66,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   std::weak_ptr<ChannelHandler> listener_;
   std::mutex mutex_;
   bool stopped_ = false;
-  std::map<std::string, Place> places_;
+  std::map<std::string, ProcessLink> links_;
   Worker opener_{"client-links"};
 };
 

@@ -106,7 +106,8 @@ void ProcessRequests::GetCounts(const InterfaceName& required, Handler<Connectio
              std::move(handler));
 }
 
-void ProcessRequests::GetServed(const message::Wire& wire, Handler<ConnectionCounts> handler) {
+void ProcessRequests::GetProviderCounts(const message::Wire& wire,
+                                        Handler<ConnectionCounts> handler) {
   AskProcess(wire.provided.process, message::kGetCounts, message::GetCounts{wire.required},
              std::move(handler));
 }

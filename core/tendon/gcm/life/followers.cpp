@@ -96,9 +96,9 @@ std::vector<LifeOrder> OrdersToRunAgain(const LifeStep& stop, const LifeOrder& o
   std::set<std::string> suspended;  // their followers do not run either
   for (const Follower& one : all) {
     if (!one.was_suspended) continue;
-    const bool rests_already = suspended.contains(one.leader);
+    const bool is_suspended = suspended.contains(one.leader);
     suspended.insert(one.component);
-    if (!rests_already) add(LifeVerb::kSuspend, one.component);
+    if (!is_suspended) add(LifeVerb::kSuspend, one.component);
   }
   return orders;
 }

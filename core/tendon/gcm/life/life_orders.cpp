@@ -17,8 +17,8 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 /// An undo sends its orders within this many times the duration of one order. The requester waits
-/// for one more (GcmClient::kOrdersOfAnUndo), which is for stopping components that must not run.
-constexpr int kOrdersOfAChain = 5;
+/// for one more (GcmClient::kUndoTimeouts), which is for stopping components that must not run.
+constexpr int kUndoOrderTimeouts = 5;
 
 std::string PathOf(const LifeOrder& order) {
   return order.component.empty() ? order.process : order.process + "/" + order.component;
@@ -58,7 +58,7 @@ LifeOrders::LifeOrders(Parts parts, Locked locked, milliseconds timeout)
       locked_(std::move(locked)),
       timeout_(timeout) {}
 
-void LifeOrders::Steer(const LifeOrder& order, const std::string& who, Done<None> done) {
+void LifeOrders::ExecuteOrder(const LifeOrder& order, const std::string& who, Done<None> done) {
   const Catalogue& catalogue = parts_.registry.catalogue();
   const Path path{order.process, order.component};
   const bool is_stop = order.verb == LifeVerb::kStop;
@@ -130,7 +130,7 @@ void LifeOrders::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
   }
   if (!claimed) return;
   UndoPlan plan = PlanUndo(step, patience);
-  const SteadyTime until = SteadyClock().Now() + kOrdersOfAChain * Longest(PatienceOf(patience));
+  const SteadyTime until = SteadyClock().Now() + kUndoOrderTimeouts * Longest(PatienceOf(patience));
   const auto start = [locked = locked_, then = std::move(plan.then), until,
                       claimed](const auto& connected) {
     if (!connected || then.empty()) return claimed(connected);

@@ -2,8 +2,8 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/history.h>
-#include <tendon/gcm/server/order_sender.h>
-#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/members/order_sender.h>
+#include <tendon/gcm/members/registry.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -44,7 +44,7 @@ class LifeOrders : private OrderSender {
   LifeOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
   /// Gives an order that `who` has requested.
-  void Steer(const message::LifeOrder& order, const std::string& who, Done<None> done);
+  void ExecuteOrder(const message::LifeOrder& order, const std::string& who, Done<None> done);
   /// Makes connections, then calls its argument, perhaps under the lock.
   using Connect = std::function<void(Done<None>)>;
   /// Undoes a step. Calls `connect`, without the lock, before components are started. Not recorded

@@ -192,9 +192,9 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
     // A stopped component that an undo has created again has not run since.
-    const bool rests = *after == ComponentState::kFinished && !IsRunning(now->state) &&
-                       now->state != ComponentState::kFaulted;
-    if (now->state != *after && !rests) return Changed(life, "is " + state + " now");
+    const bool is_stopped = *after == ComponentState::kFinished && !IsRunning(now->state) &&
+                            now->state != ComponentState::kFaulted;
+    if (now->state != *after && !is_stopped) return Changed(life, "is " + state + " now");
     return *after == ComponentState::kFinished ? CheckFollowers(catalogue, life) : Result<void>();
   }
   if (step.verb == ToString(LifeVerb::kConfigure) && now->configuration != life.configuration) {

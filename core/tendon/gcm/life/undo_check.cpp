@@ -80,9 +80,9 @@ Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& his
   if ((*owner)->process.instance != step.instance) {
     return CannotUndoNow(step, "process '" + process + "' was restarted since");
   }
-  if (IsOfProcess(step)) return {};
+  if (IsProcessStep(step)) return {};
   const auto checked =
-      IsOfLife(step) ? CheckUndo(catalogue, step) : CheckWire(catalogue, history, step);
+      IsLifeCycleStep(step) ? CheckUndo(catalogue, step) : CheckWire(catalogue, history, step);
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 

@@ -2,7 +2,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/sanitize.h>
+#include <tendon/gcm/members/sanitize.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/hello.h>
@@ -108,7 +108,7 @@ class Server::Peer final : public GuardedHandler {
     return AuditObject(header.type, body);
   }
 
-  Session session = 0;  // guarded by the server's lock; 0: not a member
+  SessionToken session = 0;  // guarded by the server's lock; 0: not a member
 
  private:
   const std::shared_ptr<Server> server_;
@@ -130,14 +130,15 @@ auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
 }
 
 void Server::Start() {
-  life_ = std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, deferred_, worker_},
-                                       LockedWith(&Server::life_), options_.order_timeout);
+  life_orders_ =
+      std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, deferred_, worker_},
+                                   LockedWith(&Server::life_orders_), options_.order_timeout);
   supervisor_ = std::make_unique<Supervisor>(
       Supervisor::Parts{registry_, history_, deferred_, *options_.clock, options_.launcher},
       LockedWith(&Server::supervisor_));
-  orders_ = std::make_unique<Orders>(
-      Orders::Parts{registry_, history_, deferred_, worker_, *life_, *supervisor_},
-      LockedWith(&Server::orders_), options_.order_timeout);
+  connection_orders_ = std::make_unique<ConnectionOrders>(
+      ConnectionOrders::Parts{registry_, history_, deferred_, worker_, *life_orders_, *supervisor_},
+      LockedWith(&Server::connection_orders_), options_.order_timeout);
   KeepTicking();
 }
 
@@ -191,7 +192,9 @@ void Server::Publish() {
       }
     });
   }
-  for (const message::Wire& wire : registry_.TakeDueConnections()) orders_->RestoreConnection(wire);
+  for (const message::Wire& wire : registry_.TakeDueConnections()) {
+    connection_orders_->RestoreConnection(wire);
+  }
 }
 
 /// Sends the list of processes at once, but at most once per tick. Otherwise many processes that
@@ -231,7 +234,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kReplace, &Server::Replace},
       {message::kWatchLog, &Server::WatchLog},
       {message::kSetLogLevel, &Server::SetLogLevel},
-      {message::kLife, &Server::Steer},
+      {message::kLife, &Server::ExecuteLifeOrder},
       {message::kGetClasses, &Server::ListClasses},
       {message::kPassOver, &Server::PassOver},
       {message::kPlanLock, &Server::TakePlanLock},
@@ -239,7 +242,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kHealth, &Server::ReportHealth},
       {message::kReportHealth, &Server::OnHealth},
       {message::kGetBroker, &Server::ReportBroker},
-      {message::kProcess, &Server::SteerProcess},
+      {message::kProcess, &Server::ExecuteProcessOrder},
       {message::kGetProgram, &Server::ReportVersion},
       {message::kGetChildren, &Server::ReportChildren}};
   const auto found = kServes.find(type);
@@ -260,7 +263,7 @@ void Server::Join(const Request& request) {
                                  name + " --role operator --process)"});
   }
   Locked([&] {
-    Session& session = request.peer.session;
+    SessionToken& session = request.peer.session;
     if (session != 0) {
       return Answer<message::JoinReply>(
           request, Error{ErrorCode::kInvalid, "this channel has already joined"});
@@ -285,7 +288,7 @@ void Server::Join(const Request& request) {
 /// not wait behind a large one.
 void Server::Renew(const Request& request) {
   Locked([&] {
-    const Session session = request.peer.session;
+    const SessionToken session = request.peer.session;
     const auto renewed = session == 0 ? Result<void>() : registry_.Renew(session);
     if (!renewed) return Answer(request, renewed);
     deferred_.Add(
@@ -325,36 +328,38 @@ void Server::Watch(const Request& request) {
   });
 }
 
-void Server::Connect(const Request& request) {
-  const auto wire = DecodeBody<message::Wire>(request.body);
-  if (!wire) return request.responder->Refuse(wire.error());
-  Locked([&] { orders_->Connect(*wire, NameOf(*request.channel), AnswerOf(request.responder)); });
-}
+void Server::Connect(const Request& request) { ConnectInterface(request, WhenConnected::kRefuse); }
 
-void Server::Replace(const Request& request) {
+void Server::Replace(const Request& request) { ConnectInterface(request, WhenConnected::kReplace); }
+
+void Server::ConnectInterface(const Request& request, WhenConnected when_connected) {
   const auto wire = DecodeBody<message::Wire>(request.body);
   if (!wire) return request.responder->Refuse(wire.error());
-  Locked([&] { orders_->Replace(*wire, NameOf(*request.channel), AnswerOf(request.responder)); });
+  Locked([&] {
+    connection_orders_->Connect(*wire, when_connected, NameOf(*request.channel),
+                                AnswerOf(request.responder));
+  });
 }
 
 void Server::Disconnect(const Request& request) {
   const auto wire = DecodeBody<message::Wire>(request.body);
   if (!wire) return request.responder->Refuse(wire.error());
   Locked([&] {
-    orders_->Disconnect(wire->required, NameOf(*request.channel), AnswerOf(request.responder));
+    connection_orders_->Disconnect(wire->required, NameOf(*request.channel),
+                                   AnswerOf(request.responder));
   });
 }
 
-void Server::Steer(const Request& request) {
+void Server::ExecuteLifeOrder(const Request& request) {
   const auto order = DecodeBody<message::LifeOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
     supervisor_->NoteChange(order->process);
-    life_->Steer(*order, NameOf(*request.channel), AnswerOf(request.responder));
+    life_orders_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
   });
 }
 
-void Server::SteerProcess(const Request& request) {
+void Server::ExecuteProcessOrder(const Request& request) {
   const auto order = DecodeBody<message::ProcessOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
@@ -365,7 +370,7 @@ void Server::SteerProcess(const Request& request) {
 void Server::ListClasses(const Request& request) {
   const auto wanted = DecodeBody<message::GetClasses>(request.body);
   if (!wanted) return request.responder->Refuse(wanted.error());
-  Locked([&] { life_->ListClasses(wanted->process, AnswerOf(request.responder)); });
+  Locked([&] { life_orders_->ListClasses(wanted->process, AnswerOf(request.responder)); });
 }
 
 void Server::BeginOrder(const Request& request) {
@@ -375,32 +380,36 @@ void Server::BeginOrder(const Request& request) {
     const ProcessDescription* const member = registry_.FindMember(request.peer.session);
     const std::string name = member == nullptr ? "" : member->name;
     supervisor_->NoteChange(name);
-    Answer(request, life_->Begin(order->id, name));
+    Answer(request, life_orders_->Begin(order->id, name));
   });
 }
 
 void Server::Undo(const Request& request) {
   const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
-  Locked([&] { orders_->Undo(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
+  Locked([&] {
+    connection_orders_->Undo(*which, NameOf(*request.channel), AnswerOf(request.responder));
+  });
 }
 
 void Server::PassOver(const Request& request) {
   const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
-  Locked([&] { orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder)); });
+  Locked([&] {
+    connection_orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder));
+  });
 }
 
 void Server::TakePlanLock(const Request& request) {
-  const auto turn = DecodeBody<message::PlanLock>(request.body);
-  if (!turn) return request.responder->Refuse(turn.error());
+  const auto wanted = DecodeBody<message::PlanLock>(request.body);
+  if (!wanted) return request.responder->Refuse(wanted.error());
   Locked([&] {
     const bool is_free = plan_lock_.peer == nullptr || plan_lock_.peer == &request.peer;
-    if (is_free && !turn->is_wanted) plan_lock_ = {};
-    if (is_free && turn->is_wanted && plan_lock_.peer == nullptr) {
+    if (is_free && !wanted->is_wanted) plan_lock_ = {};
+    if (is_free && wanted->is_wanted && plan_lock_.peer == nullptr) {
       plan_lock_ = {&request.peer, NameOf(*request.channel), WallTime()};
     }
-    const bool is_granted = is_free || !turn->is_wanted;
+    const bool is_granted = is_free || !wanted->is_wanted;
     Answer(request, is_granted
                         ? Result<void>()
                         : Error{ErrorCode::kFailed,
@@ -506,7 +515,7 @@ void Server::SetLogLevel(const Request& request) {
   });
 }
 
-void Server::OnLogRecords(const Session& session, std::span<const std::byte> body) {
+void Server::OnLogRecords(const SessionToken& session, std::span<const std::byte> body) {
   if (body.size() > message::kLargestLogBatch) return;
   auto batch = DecodeBody<message::LogRecords>(body);
   if (!batch) return malformed_.Add("records were not understood: " + batch.error().message);

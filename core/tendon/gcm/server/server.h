@@ -3,10 +3,10 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/rate_limited_warning.h>
 #include <tendon/gcm/life/life_orders.h>
-#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/members/deferred_actions.h>
+#include <tendon/gcm/members/registry.h>
+#include <tendon/gcm/server/connection_orders.h>
 #include <tendon/gcm/server/log_buffer.h>
-#include <tendon/gcm/server/orders.h>
-#include <tendon/gcm/server/registry.h>
 #include <tendon/gcm/server/watchers.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/middleware/channel.h>
@@ -95,8 +95,8 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Connect(const Request& request);
   void Replace(const Request& request);
   void Disconnect(const Request& request);
-  void Steer(const Request& request);
-  void SteerProcess(const Request& request);
+  void ExecuteLifeOrder(const Request& request);
+  void ExecuteProcessOrder(const Request& request);
   void ListClasses(const Request& request);
   void BeginOrder(const Request& request);
   void Undo(const Request& request);
@@ -110,9 +110,10 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Forget(const Request& request);
   void WatchLog(const Request& request);
   void SetLogLevel(const Request& request);
+  void ConnectInterface(const Request& request, WhenConnected when_connected);
   void OnReport(const Peer& peer, std::span<const std::byte> body);
   /// Reads `session` with the lock held.
-  void OnLogRecords(const Session& session, std::span<const std::byte> body);
+  void OnLogRecords(const SessionToken& session, std::span<const std::byte> body);
   void OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
   /// Called with the lock held.
@@ -129,9 +130,9 @@ class Server final : public std::enable_shared_from_this<Server> {
   LogQueue own_log_;
   mutable std::mutex mutex_;
   Registry registry_;
-  std::unique_ptr<LifeOrders> life_;
+  std::unique_ptr<LifeOrders> life_orders_;
   std::unique_ptr<Supervisor> supervisor_;
-  std::unique_ptr<Orders> orders_;
+  std::unique_ptr<ConnectionOrders> connection_orders_;
   PlanLockHolder plan_lock_;
   bool stopped_ = false;
   bool are_peers_due_ = false;

@@ -64,7 +64,7 @@ std::string EndOf(const fs::path& file) {
 
 }  // namespace
 
-LcmLauncher::LcmLauncher(Launch launch, const std::string& gcm, fs::path folder)
+LcmLauncher::LcmLauncher(LaunchOptions launch, const std::string& gcm, fs::path folder)
     : launch_(std::move(launch)), gcm_(Reachable(gcm)), folder_(std::move(folder)) {}
 
 fs::path LcmLauncher::FileOf(const std::string& process, const std::string& ending) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/gcm/supervisor/launch.h>
+#include <tendon/gcm/supervisor/launch_options.h>
 #include <tendon/gcm/supervisor/launcher.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace tendon::server {
 class LcmLauncher final : public Launcher {
  public:
   /// `gcm` is the address of the GCM; `folder` is private to this user.
-  LcmLauncher(Launch launch, const std::string& gcm, std::filesystem::path folder);
+  LcmLauncher(LaunchOptions launch, const std::string& gcm, std::filesystem::path folder);
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
   ProcessLog LogOf(const std::string& process) override;
@@ -28,7 +28,7 @@ class LcmLauncher final : public Launcher {
   [[nodiscard]] std::filesystem::path FileOf(const std::string& process,
                                              const std::string& ending) const;
 
-  const Launch launch_;
+  const LaunchOptions launch_;
   const std::string gcm_;
   const std::filesystem::path folder_;
   std::set<std::string> shortened_;                // whose NAME.log.1 is from the present run

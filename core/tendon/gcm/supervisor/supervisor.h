@@ -1,10 +1,10 @@
 #pragma once
 
 #include <tendon/base/clock.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/history.h>
-#include <tendon/gcm/server/deferred_actions.h>
-#include <tendon/gcm/server/registry.h>
-#include <tendon/gcm/supervisor/children_messages.h>
+#include <tendon/gcm/members/deferred_actions.h>
+#include <tendon/gcm/members/registry.h>
 #include <tendon/gcm/supervisor/launcher.h>
 #include <tendon/gcm/supervisor/restart_schedule.h>
 #include <tendon/middleware/body.h>

@@ -52,14 +52,14 @@ auto Seen(const GcmClient& client, const Read& read) {
 
 }  // namespace
 
-Result<void> ClientExecutor::AskForTurn() {
+Result<void> ClientExecutor::TakeLock() {
   return Wait<void>(timeout_ + kLonger,
                     [&](auto handler) { client_.TakePlanLock(std::move(handler)); });
 }
 
 Result<void> ClientExecutor::Begin() {
-  const auto begun = AskForTurn();
-  has_turn_ = begun.ok();
+  const auto begun = TakeLock();
+  has_lock_ = begun.ok();
   if (begun) return begun;
   const ErrorCode code = begun.error().code;
   if (code == ErrorCode::kDenied) return {};
@@ -69,13 +69,13 @@ Result<void> ClientExecutor::Begin() {
 
 void ClientExecutor::End() {
   client_.ReleasePlanLock();
-  has_turn_ = false;
+  has_lock_ = false;
 }
 
 /// Requests the lock before each step, because the GCM releases it if the link breaks.
 Result<void> ClientExecutor::KeepLock() {
-  if (!has_turn_) return {};
-  const auto kept = AskForTurn();
+  if (!has_lock_) return {};
+  const auto kept = TakeLock();
   if (kept || kept.error().code != ErrorCode::kFailed) return kept;
   return Error{kept.error().code, "the plan lost its lock when the connection to the GCM broke; " +
                                       kept.error().message};
@@ -86,22 +86,22 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
   if (auto checked = CheckInstance(step); !checked) return checked;
   switch (step.kind) {
     case Kind::kStop:
-      return Steer(LifeVerb::kStop, step);
+      return ExecuteLifeOrder(LifeVerb::kStop, step);
     case Kind::kSuspend:
-      return Steer(LifeVerb::kSuspend, step);
+      return ExecuteLifeOrder(LifeVerb::kSuspend, step);
     case Kind::kDisconnect:
       return Wait<void>(timeout_ + kLonger,
                         [&](auto handler) { client_.Disconnect(step.wire.required, handler); });
     case Kind::kRemove:
-      return Steer(LifeVerb::kRemove, step);
+      return ExecuteLifeOrder(LifeVerb::kRemove, step);
     case Kind::kStartProcess:
-      return SteerProcess(ProcessVerb::kStart, step);
+      return ExecuteProcessOrder(ProcessVerb::kStart, step);
     case Kind::kEndProcess:
-      return SteerProcess(ProcessVerb::kKill, step);
+      return ExecuteProcessOrder(ProcessVerb::kKill, step);
     case Kind::kConfigure:
-      return Steer(LifeVerb::kConfigure, step);
+      return ExecuteLifeOrder(LifeVerb::kConfigure, step);
     case Kind::kCreate:
-      return Steer(LifeVerb::kCreate, step);
+      return ExecuteLifeOrder(LifeVerb::kCreate, step);
     case Kind::kConnect:
     case Kind::kReplace:
       return Connect(step);
@@ -110,7 +110,8 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
       break;
   }
   if (auto connected = AwaitConnections(step); !connected) return connected;
-  return step.kind == Kind::kStart ? Steer(LifeVerb::kStart, step) : StartSuspended(step);
+  return step.kind == Kind::kStart ? ExecuteLifeOrder(LifeVerb::kStart, step)
+                                   : StartSuspended(step);
 }
 
 Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
@@ -140,14 +141,11 @@ Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
 Result<void> ClientExecutor::Connect(const PlanStep& step) {
   const InterfaceName& required = step.wire.required;
   const InterfaceName& provided = step.wire.provided;
+  const WhenConnected when_connected =
+      step.kind == Kind::kReplace ? WhenConnected::kReplace : WhenConnected::kRefuse;
   const auto made = Wait<ConnectionDescription>(
-      GcmClient::kOrdersOfAReplacement * timeout_ + kLonger, [&](auto handler) {
-        if (step.kind == Kind::kReplace) {
-          client_.Replace(required, provided, handler);
-        } else {
-          client_.Connect(required, provided, handler);
-        }
-      });
+      GcmClient::kReplaceTimeouts * timeout_ + kLonger,
+      [&](auto handler) { client_.Connect(required, provided, handler, when_connected); });
   if (made || IsMadeByOthers(step.wire, made.error().code)) return {};
   return made.error();
 }
@@ -167,15 +165,15 @@ bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal
   return false;
 }
 
-Result<void> ClientExecutor::SteerProcess(ProcessVerb verb, const PlanStep& step) {
-  return Wait<void>(GcmClient::kOrdersOfAProcess * timeout_ + kLonger, [&](auto handler) {
+Result<void> ClientExecutor::ExecuteProcessOrder(ProcessVerb verb, const PlanStep& step) {
+  return Wait<void>(GcmClient::kProcessOrderTimeouts * timeout_ + kLonger, [&](auto handler) {
     message::ProcessOrder order{.verb = verb, .process = step.process};
     if (verb == ProcessVerb::kStart) order.restart = step.restart;
-    client_.SteerProcess(std::move(order), handler);
+    client_.ExecuteProcessOrder(std::move(order), handler);
   });
 }
 
-Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
+Result<void> ClientExecutor::ExecuteLifeOrder(LifeVerb verb, const PlanStep& step) {
   message::LifeOrder order{.verb = verb,
                            .process = step.process,
                            .instance = step.instance,
@@ -191,8 +189,8 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
     order.configuration = step.component.configuration;
     order.based_on = step.based_on;
   }
-  const auto made = Wait<void>(GcmClient::kOrdersOfALife * timeout_ + kLonger,
-                               [&](auto handler) { client_.Steer(order, handler); });
+  const auto made = Wait<void>(GcmClient::kLifeOrderTimeouts * timeout_ + kLonger,
+                               [&](auto handler) { client_.ExecuteLifeOrder(order, handler); });
   const bool is_refused = !made && made.error().code == ErrorCode::kFailed;
   const auto is_so = [&](const Catalogue& now) { return IsSo(now, verb, step); };
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
@@ -200,11 +198,11 @@ Result<void> ClientExecutor::Steer(LifeVerb verb, const PlanStep& step) {
 
 /// Starts and suspends a component. If it cannot be suspended, stops it, because it must not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
-  const auto started = Steer(LifeVerb::kStart, step);
+  const auto started = ExecuteLifeOrder(LifeVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;
-  const auto done = started ? Steer(LifeVerb::kSuspend, step) : started;
+  const auto done = started ? ExecuteLifeOrder(LifeVerb::kSuspend, step) : started;
   if (done) return done;
-  const auto stopped = Steer(LifeVerb::kStop, step);
+  const auto stopped = ExecuteLifeOrder(LifeVerb::kStop, step);
   const std::string before = "it could not be suspended: " + done.error().message;
   if (stopped) return Error{done.error().code, before + "; it was stopped instead"};
   return Error{done.error().code,

@@ -26,19 +26,19 @@ class ClientExecutor final : public PlanExecutor {
   void End() override;
 
  private:
-  [[nodiscard]] Result<void> AskForTurn();
+  [[nodiscard]] Result<void> TakeLock();
   [[nodiscard]] Result<void> KeepLock();
   [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;
   [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
   Result<void> Connect(const PlanStep& step);
   [[nodiscard]] bool IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const;
-  Result<void> SteerProcess(ProcessVerb verb, const PlanStep& step);
-  Result<void> Steer(LifeVerb verb, const PlanStep& step);
+  Result<void> ExecuteProcessOrder(ProcessVerb verb, const PlanStep& step);
+  Result<void> ExecuteLifeOrder(LifeVerb verb, const PlanStep& step);
   Result<void> StartSuspended(const PlanStep& step);
 
   GcmClient& client_;
   const std::chrono::milliseconds timeout_;
-  bool has_turn_ = false;
+  bool has_lock_ = false;
 };
 
 }  // namespace tendon

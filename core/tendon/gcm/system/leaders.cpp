@@ -82,7 +82,7 @@ void PutLeadersFirst(std::vector<SystemFile::Component>& components) {
   components = std::move(ordered);
 }
 
-std::string FindRingIn(const std::vector<SystemFile::Component>& components) {
+std::string FindCycle(const std::vector<SystemFile::Component>& components) {
   const Leaders leaders = LeadersOf(components);
   std::set<std::string> fine;  // neither in a cycle nor behind one
   for (const auto& [follower, leader] : leaders) {

@@ -19,6 +19,6 @@ void PutLeadersFirst(std::vector<SystemFile::Component>& components);
 
 /// "'a' runs after 'b', which runs after 'a'" for the first cycle among the components of a
 /// process; empty if there is none.
-[[nodiscard]] std::string FindRingIn(const std::vector<SystemFile::Component>& components);
+[[nodiscard]] std::string FindCycle(const std::vector<SystemFile::Component>& components);
 
 }  // namespace tendon

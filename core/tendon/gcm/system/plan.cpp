@@ -72,7 +72,7 @@ class Planner {
       PlanConnection({required, provided});
     }
     plan_.untouched = CompareSystems(wanted_, running_.file, StartComparison::kIgnore).equal;
-    AddRests();
+    AddStops();
     SortByLeaders(makings_);
     std::ranges::reverse(removals_);
     SortByLeaders(removals_);  // reversed: followers come before their leaders
@@ -184,8 +184,8 @@ class Planner {
     return born_.contains(process) ? 0 : InstanceOf(catalogue_, process);
   }
 
-  void PlanRest(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
-    PlanStep& step = rests_.emplace(path, StepOf(kind, path, component)).first->second;
+  void PlanStop(Kind kind, const ComponentPath& path, const SystemFile::Component& component) {
+    PlanStep& step = stops_.emplace(path, StepOf(kind, path, component)).first->second;
     step.takes_away = true;
   }
 
@@ -196,7 +196,7 @@ class Planner {
                                 "only that program can leave it out");
       return;
     }
-    if (IsRunning(now.state)) PlanRest(Kind::kStop, path, now);
+    if (IsRunning(now.state)) PlanStop(Kind::kStop, path, now);
     removed_.insert(path);
     removals_.push_back(StepOf(Kind::kRemove, path, now));
     removals_.back().takes_away = true;
@@ -248,7 +248,7 @@ class Planner {
       PlanRemoval(path, now);
       return PlanMaking(Kind::kCreate, path, WithThreadOf(path, now, component));
     }
-    if (IsRunning(now.state)) PlanRest(Kind::kStop, path, now);
+    if (IsRunning(now.state)) PlanStop(Kind::kStop, path, now);
     PlanMaking(Kind::kConfigure, path, component);
     const auto* told = catalogue_.FindComponent(path.first, path.second);
     makings_.back().based_on = BaseOf(told->configuration);
@@ -277,11 +277,11 @@ class Planner {
                  ComponentState now) {
     const ComponentState wanted = component.state;
     if (IsSameDesire(now, wanted)) return;
-    if (!IsRunning(wanted)) return PlanRest(Kind::kStop, path, component);
+    if (!IsRunning(wanted)) return PlanStop(Kind::kStop, path, component);
     if (wanted == ComponentState::kActive) {
       starts_.emplace(path, StepOf(Kind::kStart, path, component));
     } else if (now == ComponentState::kActive) {
-      PlanRest(Kind::kSuspend, path, component);
+      PlanStop(Kind::kSuspend, path, component);
     } else {
       starts_.emplace(path, StepOf(Kind::kStartSuspended, path, component));
     }
@@ -365,11 +365,11 @@ class Planner {
                              "out \"strict\"");
   }
 
-  void AddRests() {
+  void AddStops() {
     const std::vector<ComponentPath> order = StartOrder(running_.file);
     for (auto path = order.rbegin(); path != order.rend(); ++path) {
-      const auto step = rests_.find(*path);
-      if (step != rests_.end()) plan_.steps.push_back(step->second);
+      const auto step = stops_.find(*path);
+      if (step != stops_.end()) plan_.steps.push_back(step->second);
     }
   }
 
@@ -407,7 +407,7 @@ class Planner {
   const SystemIndex running_index_{running_.file};
   std::map<InterfaceName, const ConnectionDescription*> connections_;  // all in the catalogue
   Plan plan_;
-  std::map<ComponentPath, PlanStep> rests_;
+  std::map<ComponentPath, PlanStep> stops_;
   std::vector<PlanStep> disconnects_;
   std::vector<PlanStep> removals_;
   std::vector<PlanStep> births_;  // starts of processes

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalogue.h>
-#include <tendon/gcm/supervisor/children_messages.h>
+#include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/system_file.h>
 
 #include <string>

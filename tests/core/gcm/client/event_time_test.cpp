@@ -1,5 +1,5 @@
 #include <tendon/payload/codec.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <memory>
 #include <mutex>
@@ -56,7 +56,7 @@ class Ear final : public EventSink {
 };
 
 /// A robot whose arm tells how far it is, to the one who listens.
-class EventTimes : public test::Bench {
+class EventTimes : public test::GcmFixture {
  protected:
   void SetUp() override {
     ComponentDescription arm = test::Arm();

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/gcm/system/client_executor.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 namespace tendon {
 namespace {

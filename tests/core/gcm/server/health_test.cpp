@@ -1,5 +1,5 @@
-#include <tendon/gcm/server/registry.h>
-#include <tests/core/gcm/bench.h>
+#include <tendon/gcm/members/registry.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 namespace tendon {
 namespace {
@@ -11,7 +11,7 @@ constexpr std::uint64_t kMiB = 1U << 20U;
 
 class RegistryOfHealth : public testing::Test {
  protected:
-  server::Session Join(const std::string& name, std::uint64_t instance) {
+  server::SessionToken Join(const std::string& name, std::uint64_t instance) {
     const auto admission = registry_.Join({test::ProcessNamed(name, instance), {}, {}}, 0, nullptr);
     EXPECT_TRUE(admission) << admission.error().message;
     return admission ? admission->session : 0;
@@ -90,7 +90,7 @@ TEST_F(RegistryOfHealth, IsNoChangeOfTheCatalogue) {
   EXPECT_EQ(registry_.catalogue(), before);
 }
 
-class Health : public test::Bench {
+class Health : public test::GcmFixture {
  protected:
   static message::SystemHealth Ask(GcmClient& client) {
     const auto health =

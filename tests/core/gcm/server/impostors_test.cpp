@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 #include <tests/support/log/log_record.h>
 #include <tests/support/peers/impostor.h>
 
@@ -16,7 +16,7 @@ using testing::Not;
 using testing::StartsWith;
 
 /// A robot, and others who know its session.
-class Impostors : public test::Bench {
+class Impostors : public test::GcmFixture {
  protected:
   void SetUp() override {
     const auto joined = robot_.Join(address_);

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <tendon/base/log.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 #include <tests/support/log/log_keeper.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ LogRecord Record(const std::string& text) {
   return {.time = 1234, .level = LogLevel::kWarning, .process = {}, .source = "arm", .text = text};
 }
 
-class LogWatching : public test::Bench {
+class LogWatching : public test::GcmFixture {
  protected:
   std::unique_ptr<GcmClient> Read(const std::shared_ptr<LogKeeper>& reader) {
     auto client = Watch(reader);

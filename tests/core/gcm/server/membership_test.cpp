@@ -1,4 +1,4 @@
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <latch>
 #include <thread>
@@ -9,7 +9,7 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using test::FakeProcess;
 
-class Membership : public test::Bench {};
+class Membership : public test::GcmFixture {};
 
 INSTANTIATE_TEST_SUITE_P(Over, Membership, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);

@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <atomic>
 #include <thread>
@@ -25,8 +25,9 @@ class Replacing : public test::DeskAndRobot {
   }
 
   static Result<ConnectionDescription> Replace(GcmClient& client, const InterfaceName& provided) {
-    return Wait<ConnectionDescription>(
-        kLong, [&](auto handler) { client.Replace(kRobot, provided, handler); });
+    return Wait<ConnectionDescription>(kLong, [&](auto handler) {
+      client.Connect(kRobot, provided, handler, WhenConnected::kReplace);
+    });
   }
   [[nodiscard]] bool IsConnectedTo(const InterfaceName& provided) const {
     const auto connection = Connection();

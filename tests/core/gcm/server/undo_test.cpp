@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <random>
 
@@ -17,8 +17,9 @@ class UndoOrders : public test::DeskAndRobot {
   }
   Result<ConnectionDescription> Replace(const InterfaceName& required,
                                         const InterfaceName& provided) {
-    return Wait<ConnectionDescription>(
-        kLong, [&](auto handler) { client_->Replace(required, provided, handler); });
+    return Wait<ConnectionDescription>(kLong, [&](auto handler) {
+      client_->Connect(required, provided, handler, WhenConnected::kReplace);
+    });
   }
   void WaitUntilGone(const std::string& process, const std::string& component) {
     ASSERT_TRUE(EventuallyTrue(

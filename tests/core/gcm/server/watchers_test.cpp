@@ -1,5 +1,5 @@
 #include <sys/socket.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <atomic>
 #include <thread>
@@ -10,7 +10,7 @@ namespace {
 using test::FakeProcess;
 using test::Recorder;
 
-class Watching : public test::Bench {};
+class Watching : public test::GcmFixture {};
 
 INSTANTIATE_TEST_SUITE_P(Over, Watching, testing::Values("loopback", "tcp"), test::NameOfParameter);
 

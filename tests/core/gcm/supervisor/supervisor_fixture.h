@@ -188,7 +188,7 @@ class SupervisorTest : public testing::Test {
   Registry registry_{Leases{}, clock_};
   History history_{folder_.path() / "history.jsonl"};
   DeferredActions deferred_;
-  Session session_ = 0;
+  SessionToken session_ = 0;
   const std::shared_ptr<FakeLauncher> launcher_ = std::make_shared<FakeLauncher>();
   Supervisor supervisor_{{registry_, history_, deferred_, clock_, launcher_},
                          [this](const std::function<void(Supervisor&)>& action) {

@@ -3,7 +3,7 @@
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/running_system.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 namespace tendon {
 namespace {

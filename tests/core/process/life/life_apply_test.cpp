@@ -101,7 +101,7 @@ TEST_P(LifeApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
                                       .library = "lamps",
                                       .leader = "lamp"};
   follower.thread = ToJson(tendon::ThreadOptions{.spin = std::chrono::microseconds(20)});
-  ASSERT_EQ(Reason(Steer(*client_, follower)), "");
+  ASSERT_EQ(Reason(Execute(*client_, follower)), "");
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "a-follower")), "");
   const tendon::Fingerprint before = gcm().catalogue().ContentHash();
   const SystemFile saved = Saved();

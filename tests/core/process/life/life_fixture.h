@@ -45,38 +45,39 @@ class LifeFixture : public NetworkTest {
     return client;
   }
 
-  static tendon::Result<void> Steer(tendon::GcmClient& client,
-                                    const tendon::message::LifeOrder& order) {
-    return tendon::Wait<void>(2 * kLong, [&](auto handler) { client.Steer(order, handler); });
+  static tendon::Result<void> Execute(tendon::GcmClient& client,
+                                      const tendon::message::LifeOrder& order) {
+    return tendon::Wait<void>(2 * kLong,
+                              [&](auto handler) { client.ExecuteLifeOrder(order, handler); });
   }
   /// Sends an order for a component of the process robot, and waits for the answer.
   tendon::Result<void> Order(tendon::LifeVerb verb, const std::string& component) {
-    return Steer(*client_, {.verb = verb, .process = "robot", .component = component});
+    return Execute(*client_, {.verb = verb, .process = "robot", .component = component});
   }
   tendon::Result<void> Load(const std::string& library) {
-    return Steer(*client_,
-                 {.verb = tendon::LifeVerb::kLoad, .process = "robot", .library = library});
+    return Execute(*client_,
+                   {.verb = tendon::LifeVerb::kLoad, .process = "robot", .library = library});
   }
   tendon::Result<void> Create(const std::string& class_name, const std::string& component,
                               const std::string& configuration = "") {
-    return Steer(*client_, {.verb = tendon::LifeVerb::kCreate,
-                            .process = "robot",
-                            .component = component,
-                            .class_name = class_name,
-                            .library = "lamps",
-                            .configuration = configuration});
+    return Execute(*client_, {.verb = tendon::LifeVerb::kCreate,
+                              .process = "robot",
+                              .component = component,
+                              .class_name = class_name,
+                              .library = "lamps",
+                              .configuration = configuration});
   }
   tendon::Result<void> Configure(const std::string& component, const std::string& configuration) {
-    return Steer(*client_, {.verb = tendon::LifeVerb::kConfigure,
-                            .process = "robot",
-                            .component = component,
-                            .configuration = configuration});
+    return Execute(*client_, {.verb = tendon::LifeVerb::kConfigure,
+                              .process = "robot",
+                              .component = component,
+                              .configuration = configuration});
   }
   using Pending = std::future<tendon::Result<void>>;
   /// Sends an order and does not wait for the answer.
   Pending OrderLater(const tendon::message::LifeOrder& order) {
     auto promise = std::make_shared<std::promise<tendon::Result<void>>>();
-    client_->Steer(order, [promise](const auto& result) { promise->set_value(result); });
+    client_->ExecuteLifeOrder(order, [promise](const auto& result) { promise->set_value(result); });
     return promise->get_future();
   }
   Pending OrderLater(tendon::LifeVerb verb, const std::string& component) {

@@ -73,10 +73,10 @@ TEST_P(SlowLife, AStopIsObeyedDuringTheStartOfTheSameComponent) {
   ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
   EXPECT_THAT(Reason(Order(LifeVerb::kSuspend, "slow")), HasSubstr("by another request"));
 
-  const auto stopped = Steer(*client_, {.verb = LifeVerb::kStop,
-                                        .process = "robot",
-                                        .component = "slow",
-                                        .patience = std::chrono::seconds(2)});
+  const auto stopped = Execute(*client_, {.verb = LifeVerb::kStop,
+                                          .process = "robot",
+                                          .component = "slow",
+                                          .patience = std::chrono::seconds(2)});
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);  // it was told, and cannot yet
   Open();
@@ -88,10 +88,10 @@ TEST_P(SlowLife, AStopIsObeyedDuringTheStartOfTheSameComponent) {
 TEST_P(SlowLife, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
   CreateGated("SlowStarter", "slow");
 
-  const auto started = Steer(*client_, {.verb = LifeVerb::kStart,
-                                        .process = "robot",
-                                        .component = "slow",
-                                        .patience = std::chrono::seconds(2)});
+  const auto started = Execute(*client_, {.verb = LifeVerb::kStart,
+                                          .process = "robot",
+                                          .component = "slow",
+                                          .patience = std::chrono::seconds(2)});
 
   ASSERT_FALSE(started);
   EXPECT_EQ(started.error().code, ErrorCode::kTimeout);
@@ -135,11 +135,11 @@ TEST_P(SlowLife, WhatWasNotBegunInTimeIsNotDoneLater) {
                              .configuration = R"({"file": ")" + gate_ + "\"}"});
   ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
 
-  const auto late = Steer(*client_, {.verb = LifeVerb::kCreate,
-                                     .process = "robot",
-                                     .component = "lamp",
-                                     .class_name = "Lamp",
-                                     .patience = std::chrono::seconds(2)});
+  const auto late = Execute(*client_, {.verb = LifeVerb::kCreate,
+                                       .process = "robot",
+                                       .component = "lamp",
+                                       .class_name = "Lamp",
+                                       .patience = std::chrono::seconds(2)});
 
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().code, ErrorCode::kFailed);
@@ -160,10 +160,10 @@ TEST_P(SlowLife, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnections) {
   ASSERT_EQ(Reason(Order(LifeVerb::kStart, "hung")), "");
   ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
 
-  const auto removed = Steer(*client_, {.verb = LifeVerb::kRemove,
-                                        .process = "robot",
-                                        .component = "hung",
-                                        .patience = std::chrono::seconds(2)});
+  const auto removed = Execute(*client_, {.verb = LifeVerb::kRemove,
+                                          .process = "robot",
+                                          .component = "hung",
+                                          .patience = std::chrono::seconds(2)});
 
   ASSERT_FALSE(removed);
   EXPECT_THAT(removed.error().message,

@@ -73,12 +73,12 @@ TEST_P(Life, AProcessSaysWhatItCanMakeAndWithWhichArguments) {
 TEST_P(Life, ALoadedClassIsFoundWithoutItsLibrary) {
   const tendon::message::LifeOrder order{
       .verb = LifeVerb::kCreate, .process = "robot", .component = "lamp", .class_name = "Lamp"};
-  EXPECT_EQ(Reason(Steer(*client_, order)),
+  EXPECT_EQ(Reason(Execute(*client_, order)),
             "no library that process 'robot' has loaded has a class 'Lamp'; load the library that "
             "has it, or name that library");
   ASSERT_EQ(Reason(Load("lamps")), "");
 
-  EXPECT_EQ(Reason(Steer(*client_, order)), "");
+  EXPECT_EQ(Reason(Execute(*client_, order)), "");
 
   EXPECT_EQ(Known("lamp").library, "lamps");
 }
@@ -126,12 +126,12 @@ TEST_P(Life, AProcessWithoutPlugInsMakesNothingButStartsWhatItHas) {
   ASSERT_TRUE(EventuallyTrue(
       [&] { return client_->catalogue().FindComponent("desk", "plant") != nullptr; }));
 
-  EXPECT_EQ(Reason(Steer(*client_, {.verb = LifeVerb::kLoad, .process = "desk", .library = "x"})),
+  EXPECT_EQ(Reason(Execute(*client_, {.verb = LifeVerb::kLoad, .process = "desk", .library = "x"})),
             "process 'desk' cannot create components on request, because its program does not load "
             "plug-ins; the program lcm does");
-  EXPECT_EQ(
-      Reason(Steer(*client_, {.verb = LifeVerb::kStart, .process = "desk", .component = "plant"})),
-      "");
+  EXPECT_EQ(Reason(Execute(*client_,
+                           {.verb = LifeVerb::kStart, .process = "desk", .component = "plant"})),
+            "");
   EXPECT_EQ(desk->Find("plant")->state(), ComponentState::kActive);
 }
 
@@ -140,19 +140,19 @@ TEST_P(Life, APlugInThatTakesItsTimeHoldsUpNothingElse) {
   const std::string file = (folder.path() / "open").string();
   ASSERT_EQ(Reason(Load("lamps")), "");
   std::promise<tendon::Result<void>> made;
-  client_->Steer({.verb = LifeVerb::kCreate,
-                  .process = "robot",
-                  .component = "gate",
-                  .class_name = "Gate",
-                  .configuration = R"({"file": ")" + file + "\"}"},
-                 [&](const auto& result) { made.set_value(result); });
+  client_->ExecuteLifeOrder({.verb = LifeVerb::kCreate,
+                             .process = "robot",
+                             .component = "gate",
+                             .class_name = "Gate",
+                             .configuration = R"({"file": ")" + file + "\"}"},
+                            [&](const auto& result) { made.set_value(result); });
   ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(file + ".reached"); }));
 
-  const auto late = Steer(*client_, {.verb = LifeVerb::kCreate,
-                                     .process = "robot",
-                                     .component = "lamp",
-                                     .class_name = "Lamp",
-                                     .patience = std::chrono::milliseconds(1)});
+  const auto late = Execute(*client_, {.verb = LifeVerb::kCreate,
+                                       .process = "robot",
+                                       .component = "lamp",
+                                       .class_name = "Lamp",
+                                       .patience = std::chrono::milliseconds(1)});
   EXPECT_FALSE(late);  // nobody waits for it any more
   robot_->Add<plant::Plant>("plant");
   EXPECT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
@@ -167,10 +167,10 @@ TEST_P(Life, APlugInThatTakesItsTimeHoldsUpNothingElse) {
 TEST_P(Life, AnOrderForAnEarlierInstanceIsNotGivenToTheNextOne) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
 
-  EXPECT_EQ(Reason(Steer(*client_, {.verb = LifeVerb::kStart,
-                                    .process = "robot",
-                                    .instance = robot_->instance() + 1,
-                                    .component = "lamp"})),
+  EXPECT_EQ(Reason(Execute(*client_, {.verb = LifeVerb::kStart,
+                                      .process = "robot",
+                                      .instance = robot_->instance() + 1,
+                                      .component = "lamp"})),
             "process 'robot' was restarted meanwhile: nothing was done; check it and try "
             "again");
 
@@ -182,7 +182,7 @@ TEST_P(Life, AViewerIsDenied) {
   const auto viewer = NewClient(tendon::Role::kViewer);
 
   const auto started =
-      Steer(*viewer, {.verb = LifeVerb::kStart, .process = "robot", .component = "lamp"});
+      Execute(*viewer, {.verb = LifeVerb::kStart, .process = "robot", .component = "lamp"});
 
   ASSERT_FALSE(started);
   EXPECT_EQ(started.error().code, ErrorCode::kDenied);
@@ -249,11 +249,11 @@ TEST_P(Life, NobodyWhoWatchesMissesAComponentThatIsConfiguredAnew) {
 TEST_P(Life, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
   const auto change = [this](const std::string& seen, const std::string& configuration) {
-    return Reason(Steer(*client_, {.verb = LifeVerb::kConfigure,
-                                   .process = "robot",
-                                   .component = "lamp",
-                                   .configuration = configuration,
-                                   .based_on = tendon::BaseOf(seen)}));
+    return Reason(Execute(*client_, {.verb = LifeVerb::kConfigure,
+                                     .process = "robot",
+                                     .component = "lamp",
+                                     .configuration = configuration,
+                                     .based_on = tendon::BaseOf(seen)}));
   };
   const std::string seen = Known("lamp").configuration;
 
@@ -280,11 +280,11 @@ TEST_P(Life, WhoeverChangesWhatAnUndoHasChangedIsToldWhoUndid) {
       2 * kLong, [&](auto handler) { other->Undo(handler); });
   ASSERT_TRUE(undone) << undone.error().message;
 
-  EXPECT_THAT(Reason(Steer(*client_, {.verb = LifeVerb::kConfigure,
-                                      .process = "robot",
-                                      .component = "lamp",
-                                      .configuration = R"({"brightness": 0.125})",
-                                      .based_on = tendon::BaseOf(seen)})),
+  EXPECT_THAT(Reason(Execute(*client_, {.verb = LifeVerb::kConfigure,
+                                        .process = "robot",
+                                        .component = "lamp",
+                                        .configuration = R"({"brightness": 0.125})",
+                                        .based_on = tendon::BaseOf(seen)})),
               testing::MatchesRegex("the configuration of robot/lamp was changed meanwhile by "
                                     "somebody at ....-..-.. ..:..:..: nothing was done; .*"));
 
@@ -298,7 +298,7 @@ TEST_P(Life, TheProviderOfAConnectionTellsWhomItServes) {
   const tendon::message::Wire wire{{"desk", "operator", "Robot"}, {"robot", "plant", "Control"}};
   const auto served = [&] {
     return tendon::Wait<tendon::ConnectionCounts>(
-        kLong, [&](auto handler) { client_->GetServed(wire, handler); });
+        kLong, [&](auto handler) { client_->GetProviderCounts(wire, handler); });
   };
   ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
   EXPECT_EQ(served().error().code, ErrorCode::kNotFound);

@@ -211,7 +211,7 @@ TEST_P(LifeUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
 
   for (int made = 0; made < kSteps;) {
     const tendon::message::LifeOrder order = orders.Next();
-    if (!Steer(*client_, order)) continue;
+    if (!Execute(*client_, order)) continue;
     ++made;
     followers += order.leader.empty() ? 0 : 1;
   }

@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// How a GCM starts processes on its own host.
-struct Launch {
+struct LaunchOptions {
   std::filesystem::path program;  ///< path of `lcm`; empty: no processes can be started
   /// Further arguments of its command line. Only the process name comes from the request, and was
   /// checked.

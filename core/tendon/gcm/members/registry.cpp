@@ -1,7 +1,7 @@
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/registry.h>
-#include <tendon/gcm/server/sanitize.h>
+#include <tendon/gcm/members/registry.h>
+#include <tendon/gcm/members/sanitize.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/membership/advertised_address.h>
@@ -72,7 +72,7 @@ std::vector<CatalogueChange> Removals(const ProcessEntry& before, const message:
 
 }  // namespace
 
-Result<Registry::Admission> Registry::Join(message::Join join, Session held,
+Result<Registry::Admission> Registry::Join(message::Join join, SessionToken held,
                                            std::shared_ptr<Channel> channel) {
   if (auto taken = Sanitize(join); !taken) return taken.error();
   for (ComponentDescription& component : join.components) pool_.Share(component);
@@ -127,7 +127,7 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
   }
 }
 
-Result<void> Registry::Report(Session session, message::Report report) {
+Result<void> Registry::Report(SessionToken session, message::Report report) {
   const Member* member = Find(session);
   if (member == nullptr)
     return Error{ErrorCode::kDenied, "a report of a membership that has ended"};
@@ -154,7 +154,7 @@ Result<void> Registry::Report(Session session, message::Report report) {
   return result;
 }
 
-Result<void> Registry::Renew(Session session) {
+Result<void> Registry::Renew(SessionToken session) {
   Member* member = Find(session);
   if (member == nullptr) {
     return Error{ErrorCode::kDenied, "this membership has ended: join the GCM again"};
@@ -167,7 +167,7 @@ Result<void> Registry::Renew(Session session) {
   return {};
 }
 
-Result<void> Registry::UpdateHealth(Session session, const message::Health& health) {
+Result<void> Registry::UpdateHealth(SessionToken session, const message::Health& health) {
   Member* member = Find(session);
   if (member == nullptr) return Error{ErrorCode::kDenied, "this membership has ended"};
   if (member->health) member->cpu = CoresBetween(*member->health, health);
@@ -192,7 +192,7 @@ message::SystemHealth Registry::health() const {
   return health;
 }
 
-void Registry::End(Session session, ProcessState state, const std::string& reason) {
+void Registry::End(SessionToken session, ProcessState state, const std::string& reason) {
   const auto found = members_.find(session);
   if (found == members_.end()) return;
   const std::string name = found->second.name;
@@ -262,7 +262,7 @@ Result<void> Registry::Forget(const std::string& process) {
 std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   const SteadyTime now = clock_.Now();
   ExtendLeases(now);
-  std::vector<std::pair<Session, std::chrono::nanoseconds>> given_up;
+  std::vector<std::pair<SessionToken, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
     // A large message may delay the renewal.
     const SteadyTime last_part = member.channel ? member.channel->last_part() : SteadyTime();
@@ -303,7 +303,7 @@ void Registry::ClearTombstones(SteadyTime now) {
   }
 }
 
-const ProcessDescription* Registry::FindMember(Session session) const {
+const ProcessDescription* Registry::FindMember(SessionToken session) const {
   const auto found = members_.find(session);
   return found == members_.end() ? nullptr : &catalogue_.FindProcess(found->second.name)->process;
 }
@@ -339,7 +339,7 @@ ConnectionRestorer::Verdict Registry::OnRestored(const message::Wire& wire,
   return restorer_.Settle(wire, outcome, clock_.Now());
 }
 
-Registry::Member* Registry::Find(Session session) {
+Registry::Member* Registry::Find(SessionToken session) {
   const auto found = members_.find(session);
   return found == members_.end() ? nullptr : &found->second;
 }

@@ -1,8 +1,8 @@
 #include <tendon/base/log.h>
-#include <tendon/gcm/disputed_types.h>
+#include <tendon/gcm/conflicting_types.h>
 #include <tendon/gcm/life/undo_check.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/orders.h>
+#include <tendon/gcm/server/connection_orders.h>
 #include <tendon/gcm/text.h>
 #include <tendon/process/schema_exchange.h>
 
@@ -44,15 +44,15 @@ Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : re
 }  // namespace
 
 /// Makes a connection. Its own callbacks hold it; each step is called under the owner's lock.
-class Orders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
+class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
  public:
   ConnectOrder(message::Wire wire, ConnectDone done)
       : wire_(std::move(wire)), done_(std::move(done)) {}
 
-  void Start(Orders& orders);
+  void Start(ConnectionOrders& orders);
 
  private:
-  void OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan);
+  void OnPlanned(ConnectionOrders& orders, const Result<message::ConnectionPlan>& plan);
 
   const message::Wire wire_;
   const ConnectDone done_;
@@ -61,20 +61,22 @@ class Orders::ConnectOrder final : public std::enable_shared_from_this<ConnectOr
 /// Replaces the present connection of a required interface if the new one fits: breaks the old
 /// connection, makes the new one, and restores the old one if the new one fails. Its own callbacks
 /// hold it; each step is called under the owner's lock.
-class Orders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
+class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
  public:
   ReplaceOrder(message::Wire wire, std::string who, Done<Replacement> done)
       : wire_(std::move(wire)), who_(std::move(who)), done_(std::move(done)) {}
 
-  void Start(Orders& orders);
+  void Start(ConnectionOrders& orders);
 
  private:
-  void OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan);
-  void OnBroken(Orders& orders, const Result<None>& broken);
-  void OnMade(Orders& orders, const Result<ConnectionDescription>& made);
-  void Restore(Orders& orders, const Error& why);
-  void OnRestored(Orders& orders, const Result<ConnectionDescription>& restored);
-  void Fail(Orders& orders, const Error& why) { orders.Answer(done_, Result<Replacement>(why)); }
+  void OnPlanned(ConnectionOrders& orders, const Result<message::ConnectionPlan>& plan);
+  void OnBroken(ConnectionOrders& orders, const Result<None>& broken);
+  void OnMade(ConnectionOrders& orders, const Result<ConnectionDescription>& made);
+  void Restore(ConnectionOrders& orders, const Error& why);
+  void OnRestored(ConnectionOrders& orders, const Result<ConnectionDescription>& restored);
+  void Fail(ConnectionOrders& orders, const Error& why) {
+    orders.Answer(done_, Result<Replacement>(why));
+  }
 
   const message::Wire wire_;
   const std::string who_;
@@ -83,44 +85,45 @@ class Orders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOr
   Error why_;  // set by Restore()
 };
 
-Orders::Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout)
+ConnectionOrders::ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout)
     : OrderSender(parts.registry, parts.deferred, parts.worker),
       parts_(parts),
       locked_(std::move(locked)),
       timeout_(timeout) {}
 
-void Orders::Connect(const message::Wire& wire, const std::string& who, ConnectDone done) {
+void ConnectionOrders::Connect(const message::Wire& wire, WhenConnected when_connected,
+                               const std::string& who, ConnectDone done) {
+  const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
+  const bool is_other = now != nullptr && now->provided != wire.provided;
+  if (when_connected == WhenConnected::kReplace && is_other) {
+    return Exchange(wire, who, [locked = locked_, wire, who, done](const auto& replaced) {
+      if (!replaced) return done(replaced.error());
+      locked([&](ConnectionOrders& orders) {
+        orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
+                      replaced->made, done);
+      });
+    });
+  }
   Make(wire, [locked = locked_, wire, who, done = std::move(done)](const auto& made) {
     if (!made) return done(made);
-    locked([&](Orders& orders) {
+    locked([&](ConnectionOrders& orders) {
       orders.Record({.verb = "connect", .wire = wire, .who = who}, *made, done);
     });
   });
 }
 
-void Orders::Replace(const message::Wire& wire, const std::string& who, ConnectDone done) {
-  const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
-  if (now == nullptr || now->provided == wire.provided) return Connect(wire, who, std::move(done));
-  Exchange(wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& replaced) {
-    if (!replaced) return done(replaced.error());
-    locked([&](Orders& orders) {
-      orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
-                    replaced->made, done);
-    });
-  });
-}
-
-void Orders::Disconnect(const InterfaceName& required, const std::string& who, Done<None> done) {
+void ConnectionOrders::Disconnect(const InterfaceName& required, const std::string& who,
+                                  Done<None> done) {
   Break(required, [locked = locked_, who, done = std::move(done)](const auto& broken) {
     if (!broken) return done(broken.error());
     const message::Wire wire{broken->required, broken->provided};
-    locked([&](Orders& orders) {
+    locked([&](ConnectionOrders& orders) {
       orders.Record({.verb = "disconnect", .wire = wire, .who = who}, None{}, done);
     });
   });
 }
 
-Result<message::HistoryEntry> Orders::Newest(const message::StepSelection& which) const {
+Result<message::HistoryEntry> ConnectionOrders::Newest(const message::StepSelection& which) const {
   const auto step = parts_.history.last();
   if (!step) return NothingToUndo();
   if (which.id == 0 || which.id == step->id) return *step;
@@ -129,23 +132,24 @@ Result<message::HistoryEntry> Orders::Newest(const message::StepSelection& which
                                        WholeText(*step) + "; see: gcm history"};
 }
 
-void Orders::Undo(const message::StepSelection& which, const std::string& who,
-                  Done<message::HistoryEntry> done) {
+void ConnectionOrders::Undo(const message::StepSelection& which, const std::string& who,
+                            Done<message::HistoryEntry> done) {
   const auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
   if (const auto checked = CheckUndo(*step); !checked) {
     return Answer(std::move(done), Result<message::HistoryEntry>(checked.error()));
   }
   const auto finish = [locked = locked_, step = *step, who, done](const auto& outcome) {
-    locked([&](Orders& orders) { orders.FinishUndo(step, who, OutcomeOf(outcome), done); });
+    locked(
+        [&](ConnectionOrders& orders) { orders.FinishUndo(step, who, OutcomeOf(outcome), done); });
   };
-  if (IsOfProcess(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
-  if (IsOfLife(*step)) return UndoLife(*step, which.patience, finish);
+  if (IsProcessStep(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
+  if (IsLifeCycleStep(*step)) return UndoLife(*step, which.patience, finish);
   UndoWire(*step, who, finish);
 }
 
-void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
-                      const ConnectDone& done) {
+void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::string& who,
+                                const ConnectDone& done) {
   const Catalogue& catalogue = parts_.registry.catalogue();
   const InterfaceName& required = step.wire.required;
   const bool is_replacement = step.verb == "replace";
@@ -166,8 +170,8 @@ void Orders::UndoWire(const message::HistoryEntry& step, const std::string& who,
   }
 }
 
-void Orders::PassOver(const message::StepSelection& which, const std::string& who,
-                      Done<message::HistoryEntry> done) {
+void ConnectionOrders::PassOver(const message::StepSelection& which, const std::string& who,
+                                Done<message::HistoryEntry> done) {
   auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
   if (which.id == 0 && CheckUndo(*step)) {
@@ -189,11 +193,13 @@ void Orders::PassOver(const message::StepSelection& which, const std::string& wh
   parts_.history.MarkPassedOver(step->id, [step = *step, done = std::move(done)] { done(step); });
 }
 
-void Orders::RestoreConnection(const message::Wire& wire) {
+void ConnectionOrders::RestoreConnection(const message::Wire& wire) {
   Make(wire, [locked = locked_, wire](const auto& made) {
     const Result<void> outcome = OutcomeOf(made);
     auto verdict = ConnectionRestorer::Verdict::kStillTrying;
-    locked([&](Orders& orders) { verdict = orders.parts_.registry.OnRestored(wire, outcome); });
+    locked([&](ConnectionOrders& orders) {
+      verdict = orders.parts_.registry.OnRestored(wire, outcome);
+    });
     LogRestored(wire, outcome, verdict);
   });
 }
@@ -201,7 +207,7 @@ void Orders::RestoreConnection(const message::Wire& wire) {
 /// Wraps `done` to release the interface afterwards; null if a change of the interface is in
 /// progress.
 template <typename T>
-Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
+ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
     Answer(std::move(done),
            Result<T>(Error{ErrorCode::kFailed, ToString(required) +
@@ -210,15 +216,15 @@ Orders::Done<T> Orders::Claim(const InterfaceName& required, Done<T> done) {
     return nullptr;
   }
   return [locked = locked_, required, done = std::move(done)](Result<T> result) {
-    locked([&](Orders& orders) { orders.busy_.erase(required); });
+    locked([&](ConnectionOrders& orders) { orders.busy_.erase(required); });
     done(std::move(result));
   };
 }
 
 /// Answers after the step is recorded.
 template <typename T>
-void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
-                    Done<T> done) {
+void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
+                              Done<T> done) {
   step.instance = InstanceOf(parts_.registry.catalogue(), step.wire.required.process);
   step.when = WallTime();
   parts_.history.Record(std::move(step),
@@ -227,19 +233,20 @@ void Orders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> 
 
 /// Calls `planned` with the lock held. May ask both processes for schemas, so that a refusal can
 /// name the first difference of two types.
-void Orders::Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned) {
+void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connected,
+                            const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalogue& catalogue = parts_.registry.catalogue();
   const auto plan = PlanConnect(catalogue, wire, when_connected);
   if (plan || plan.error().code != ErrorCode::kIncompatible) return planned(*this, plan);
   const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
   const auto answered = [=, locked = locked_] {
-    locked([&](Orders& orders) {
+    locked([&](ConnectionOrders& orders) {
       if (--*missing > 0) return;
       planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, when_connected));
     });
   };
-  for (const auto& [process, wanted] : DisputedTypesBetween(catalogue, wire)) {
+  for (const auto& [process, wanted] : ConflictingTypesBetween(catalogue, wire)) {
     const auto channel = parts_.registry.ChannelOf(process);
     if (channel == nullptr) continue;
     ++*missing;
@@ -251,24 +258,25 @@ void Orders::Plan(const message::Wire& wire, WhenConnected when_connected, const
 }
 
 template <typename Order, typename Reply>
-Orders::Done<Reply> Orders::Step(std::shared_ptr<Order> order,
-                                 void (Order::*step)(Orders&, const Result<Reply>&)) {
+ConnectionOrders::Done<Reply> ConnectionOrders::Step(std::shared_ptr<Order> order,
+                                                     void (Order::*step)(ConnectionOrders&,
+                                                                         const Result<Reply>&)) {
   return [locked = locked_, order = std::move(order), step](const Result<Reply>& reply) {
-    locked([&](Orders& orders) { ((*order).*step)(orders, reply); });
+    locked([&](ConnectionOrders& orders) { ((*order).*step)(orders, reply); });
   };
 }
 
-void Orders::Make(const message::Wire& wire, ConnectDone done) {
+void ConnectionOrders::Make(const message::Wire& wire, ConnectDone done) {
   std::make_shared<ConnectOrder>(wire, std::move(done))->Start(*this);
 }
 
 /// Makes a connection to an absent provider, after disconnecting the interface if necessary.
-void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
+void ConnectionOrders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto claimed = Claim(wire.required, done);
   if (!claimed) return;
   const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
-    locked([&](Orders& orders) {
+    locked([&](ConnectionOrders& orders) {
       orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), wire), claimed);
     });
   };
@@ -277,7 +285,7 @@ void Orders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   SendMake(ConnectionPlanOf(catalogue, wire), claimed);
 }
 
-void Orders::Break(const InterfaceName& required, ConnectDone done) {
+void ConnectionOrders::Break(const InterfaceName& required, ConnectDone done) {
   const auto connection = PlanDisconnect(parts_.registry.catalogue(), required);
   if (!connection) return Answer(std::move(done), connection);
   const auto claimed = Claim(required, std::move(done));
@@ -288,17 +296,18 @@ void Orders::Break(const InterfaceName& required, ConnectDone done) {
   });
 }
 
-void Orders::Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done) {
+void ConnectionOrders::Exchange(const message::Wire& wire, const std::string& who,
+                                Done<Replacement> done) {
   std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
 }
 
 /// Gives the order to make a connection. Without an answer, uses the state that the process has
 /// reported.
-void Orders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
+void ConnectionOrders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
   const auto heard = [locked = locked_, wire = plan.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
     if (!made && IsOutcomeUnknown(made.error())) {
-      locked([&](Orders& orders) {
+      locked([&](ConnectionOrders& orders) {
         const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
         if (now != nullptr && now->provided == wire.provided) made = *now;
       });
@@ -309,11 +318,11 @@ void Orders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
                               heard);
 }
 
-void Orders::SendBreak(const InterfaceName& required, Done<None> done) {
+void ConnectionOrders::SendBreak(const InterfaceName& required, Done<None> done) {
   const auto heard = [locked = locked_, required, done = std::move(done)](Result<None> broken) {
     bool is_gone = false;
     if (!broken && IsOutcomeUnknown(broken.error())) {
-      locked([&](Orders& orders) {
+      locked([&](ConnectionOrders& orders) {
         is_gone = orders.parts_.registry.catalogue().FindConnection(required) == nullptr;
       });
     }
@@ -323,17 +332,17 @@ void Orders::SendBreak(const InterfaceName& required, Done<None> done) {
              heard);
 }
 
-void Orders::UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
-                      const Done<None>& done) {
+void ConnectionOrders::UndoLife(const message::HistoryEntry& step,
+                                std::chrono::nanoseconds patience, const Done<None>& done) {
   const auto connect = [locked = locked_, step](const Done<None>& connected) {
-    locked([&](Orders& orders) { orders.MakeAgain(step, connected); });
+    locked([&](ConnectionOrders& orders) { orders.MakeAgain(step, connected); });
   };
   parts_.life.Undo(step, patience, connect, done);
 }
 
 /// Restores the connections of a component that was created again. If one fails, the component is
 /// not started.
-void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
+void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
   struct Answers {
     std::size_t missing;
     Result<None> outcome;
@@ -342,7 +351,7 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
       Answers{1 + step.life.connections.size(), None{}});  // under the lock
   const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
                                                           const auto& made) {
-    locked([&](Orders& orders) {
+    locked([&](ConnectionOrders& orders) {
       const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
         answers->outcome = Error{ErrorCode::kFailed,
@@ -361,15 +370,15 @@ void Orders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done
 }
 
 /// The catalogue does not know whether the GCM started a process.
-Result<void> Orders::CheckUndo(const message::HistoryEntry& step) const {
+Result<void> ConnectionOrders::CheckUndo(const message::HistoryEntry& step) const {
   auto checked = CheckUndoOf(parts_.registry.catalogue(), parts_.history.steps(), step);
-  if (!checked || !IsOfProcess(step)) return checked;
+  if (!checked || !IsProcessStep(step)) return checked;
   const auto ours = parts_.supervisor.CheckUndo(step);
   return ours ? ours : CannotUndoNow(step, ours.error().message);
 }
 
-void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,
-                        const Result<void>& outcome, Done<message::HistoryEntry> done) {
+void ConnectionOrders::FinishUndo(message::HistoryEntry step, const std::string& who,
+                                  const Result<void>& outcome, Done<message::HistoryEntry> done) {
   if (!outcome) {
     return Answer(std::move(done),
                   Result<message::HistoryEntry>(CannotUndo(step, outcome.error())));
@@ -379,26 +388,28 @@ void Orders::FinishUndo(message::HistoryEntry step, const std::string& who,
                             {.who = who, .when = WallTime()});
 }
 
-void Orders::ConnectOrder::Start(Orders& orders) {
+void ConnectionOrders::ConnectOrder::Start(ConnectionOrders& orders) {
   orders.Plan(wire_, WhenConnected::kRefuse,
-              [self = shared_from_this()](Orders& present, const auto& plan) {
+              [self = shared_from_this()](ConnectionOrders& present, const auto& plan) {
                 self->OnPlanned(present, plan);
               });
 }
 
-void Orders::ConnectOrder::OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan) {
+void ConnectionOrders::ConnectOrder::OnPlanned(ConnectionOrders& orders,
+                                               const Result<message::ConnectionPlan>& plan) {
   if (!plan) return orders.Answer(done_, Result<ConnectionDescription>(plan.error()));
   if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*plan, claimed);
 }
 
-void Orders::ReplaceOrder::Start(Orders& orders) {
+void ConnectionOrders::ReplaceOrder::Start(ConnectionOrders& orders) {
   orders.Plan(wire_, WhenConnected::kReplace,
-              [self = shared_from_this()](Orders& present, const auto& plan) {
+              [self = shared_from_this()](ConnectionOrders& present, const auto& plan) {
                 self->OnPlanned(present, plan);
               });
 }
 
-void Orders::ReplaceOrder::OnPlanned(Orders& orders, const Result<message::ConnectionPlan>& plan) {
+void ConnectionOrders::ReplaceOrder::OnPlanned(ConnectionOrders& orders,
+                                               const Result<message::ConnectionPlan>& plan) {
   const Catalogue& catalogue = orders.parts_.registry.catalogue();
   const auto former = plan ? PlanDisconnect(catalogue, wire_.required) : plan.error();
   if (!former) return Fail(orders, former.error());
@@ -409,7 +420,8 @@ void Orders::ReplaceOrder::OnPlanned(Orders& orders, const Result<message::Conne
   orders.SendBreak(wire_.required, orders.Step(shared_from_this(), &ReplaceOrder::OnBroken));
 }
 
-void Orders::ReplaceOrder::OnBroken(Orders& orders, const Result<None>& broken) {
+void ConnectionOrders::ReplaceOrder::OnBroken(ConnectionOrders& orders,
+                                              const Result<None>& broken) {
   if (!broken) {
     if (IsOutcomeUnknown(broken.error())) return Restore(orders, broken.error());
     return Fail(orders, broken.error());
@@ -420,7 +432,8 @@ void Orders::ReplaceOrder::OnBroken(Orders& orders, const Result<None>& broken) 
 
 /// Decides whether the new connection stays: an active connection is only replaced by an active
 /// one.
-void Orders::ReplaceOrder::OnMade(Orders& orders, const Result<ConnectionDescription>& made) {
+void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
+                                            const Result<ConnectionDescription>& made) {
   if (!made) return Restore(orders, made.error());
   constexpr ConnectionState kActive = ConnectionState::kActive;
   if (made->state == kActive || former_.state != kActive) {
@@ -432,7 +445,7 @@ void Orders::ReplaceOrder::OnMade(Orders& orders, const Result<ConnectionDescrip
 
 /// Removes the new connection, if there is one, and restores the old one. A slow process executes
 /// both orders as well, and ends up with the old connection.
-void Orders::ReplaceOrder::Restore(Orders& orders, const Error& why) {
+void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Error& why) {
   why_ = why;
   const message::Wire former{wire_.required, former_.provided};
   orders.SendBreak(former.required, [](const auto& /*there may be none*/) {});
@@ -443,8 +456,8 @@ void Orders::ReplaceOrder::Restore(Orders& orders, const Error& why) {
 }
 
 /// Records a failed replacement that left the interface disconnected, so that it can be undone.
-void Orders::ReplaceOrder::OnRestored(Orders& orders,
-                                      const Result<ConnectionDescription>& restored) {
+void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
+                                                const Result<ConnectionDescription>& restored) {
   const message::Wire former{wire_.required, former_.provided};
   const std::string required = ToString(former.required);
   const std::string provided = ToString(former.provided);

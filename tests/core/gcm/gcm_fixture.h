@@ -69,11 +69,11 @@ class Recorder : public GcmListener {
 };
 
 /// A GCM, processes and clients, each with its own middleware, of the kind given by the parameter.
-class Bench : public testing::TestWithParam<std::string> {
+class GcmFixture : public testing::TestWithParam<std::string> {
  protected:
   static constexpr std::chrono::milliseconds kLong{20'000};
 
-  Bench() { StartGcm("127.0.0.1:" + std::to_string(FreePort())); }
+  GcmFixture() { StartGcm("127.0.0.1:" + std::to_string(FreePort())); }
 
   [[nodiscard]] std::shared_ptr<Middleware> NewMiddleware() const {
     if (GetParam() == "tcp") return MakeTcpMiddleware(Exposure::kLoopbackOnly);
@@ -155,7 +155,7 @@ class Bench : public testing::TestWithParam<std::string> {
 };
 
 /// A process robot with an arm, and a process desk that needs one.
-class DeskAndRobot : public Bench {
+class DeskAndRobot : public GcmFixture {
  protected:
   void SetUp() override {
     robot_ = Join("robot", {Arm(), FakeArm()});

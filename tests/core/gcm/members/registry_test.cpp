@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/members/registry.h>
 #include <tendon/middleware/channel.h>
 #include <tests/core/gcm/samples.h>
 
@@ -13,9 +13,9 @@ using Kind = CatalogueChange::Kind;
 
 class RegistryTest : public testing::Test {
  protected:
-  Session Join(const std::string& name, std::uint64_t instance,
-               std::vector<ComponentDescription> components = {},
-               std::vector<ConnectionDescription> connections = {}, Session held = 0) {
+  SessionToken Join(const std::string& name, std::uint64_t instance,
+                    std::vector<ComponentDescription> components = {},
+                    std::vector<ConnectionDescription> connections = {}, SessionToken held = 0) {
     const auto admission = registry_.Join(
         {test::ProcessNamed(name, instance), std::move(components), std::move(connections)}, held,
         nullptr);
@@ -23,18 +23,18 @@ class RegistryTest : public testing::Test {
     return admission ? admission->session : 0;
   }
 
-  Error JoinError(message::Join join, Session held = 0) {
+  Error JoinError(message::Join join, SessionToken held = 0) {
     const auto admission = registry_.Join(std::move(join), held, nullptr);
     EXPECT_FALSE(admission);
     return admission ? Error{} : admission.error();
   }
 
   /// Time passes, and the lease of nobody but these is renewed.
-  void Pass(std::chrono::milliseconds time, const std::vector<Session>& renewing = {}) {
+  void Pass(std::chrono::milliseconds time, const std::vector<SessionToken>& renewing = {}) {
     constexpr auto kStep = 50ms;
     for (auto passed = 0ms; passed < time; passed += kStep) {
       clock_.Advance(kStep);
-      for (const Session session : renewing) ASSERT_TRUE(registry_.Renew(session));
+      for (const SessionToken session : renewing) ASSERT_TRUE(registry_.Renew(session));
       registry_.Tick();
     }
   }
@@ -67,7 +67,7 @@ TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
     return found == nullptr ? nullptr : found->provided.data();
   };
   Join("robot", 1, {test::Arm()});
-  const Session spare = Join("spare", 2);
+  const SessionToken spare = Join("spare", 2);
   ASSERT_TRUE(
       registry_.Report(spare, {{{.kind = Kind::kComponent, .components = {test::Arm("other")}},
                                 {.kind = Kind::kComponent, .components = {test::FakeArm()}}}}));
@@ -79,7 +79,7 @@ TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
 }
 
 TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
-  const Session desk = Join("desk", 1, {test::Teleoperation()}, {Connection()});
+  const SessionToken desk = Join("desk", 1, {test::Teleoperation()}, {Connection()});
   Join("robot", 2, {test::Arm()});
   registry_.End(desk, ProcessState::kLost, "killed");
   Join("desk", 3, {test::Teleoperation()});
@@ -94,7 +94,7 @@ TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
 }
 
 TEST_F(RegistryTest, ASecondProcessOfANameIsToldWhoHasIt) {
-  const Session session = Join("robot", 7);
+  const SessionToken session = Join("robot", 7);
   clock_.Advance(80ms);
 
   const Error error = JoinError({test::ProcessNamed("robot", 8), {}, {}});
@@ -108,8 +108,8 @@ TEST_F(RegistryTest, ASecondProcessOfANameIsToldWhoHasIt) {
 }
 
 TEST_F(RegistryTest, ALeaseThatIsNotRenewedIsSuspectedThenLost) {
-  const Session robot = Join("robot", 1);
-  const Session desk = Join("desk", 2);
+  const SessionToken robot = Join("robot", 1);
+  const SessionToken desk = Join("desk", 2);
 
   Pass(700ms, {desk});
   EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
@@ -127,7 +127,7 @@ TEST_F(RegistryTest, ALeaseThatIsNotRenewedIsSuspectedThenLost) {
 }
 
 TEST_F(RegistryTest, ASuspectThatRenewsIsAliveAgain) {
-  const Session robot = Join("robot", 1);
+  const SessionToken robot = Join("robot", 1);
   Pass(800ms);
   ASSERT_EQ(Process("robot").state, ProcessState::kSuspect);
 
@@ -138,7 +138,7 @@ TEST_F(RegistryTest, ASuspectThatRenewsIsAliveAgain) {
 }
 
 TEST_F(RegistryTest, AStandstillOfTheGcmItselfIsNobodysFault) {
-  const Session robot = Join("robot", 1);
+  const SessionToken robot = Join("robot", 1);
   registry_.Tick();
 
   clock_.Advance(1h);
@@ -151,10 +151,10 @@ TEST_F(RegistryTest, AStandstillOfTheGcmItselfIsNobodysFault) {
 }
 
 TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
-  const Session old = Join("robot", 1, {test::Arm()});
+  const SessionToken old = Join("robot", 1, {test::Arm()});
   Pass(1600ms);
 
-  const Session taken = Join("robot", 2);
+  const SessionToken taken = Join("robot", 2);
 
   EXPECT_EQ(Process("robot").instance, 2U);
   EXPECT_EQ(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
@@ -167,11 +167,11 @@ TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
 }
 
 TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
-  const Session old = Join("robot", 1, {test::Arm()});
+  const SessionToken old = Join("robot", 1, {test::Arm()});
 
   EXPECT_EQ(JoinError({test::ProcessNamed("robot", 1), {}, {}}, old + 1).code, ErrorCode::kExists);
   EXPECT_EQ(JoinError({test::ProcessNamed("robot", 2), {}, {}}, old).code, ErrorCode::kExists);
-  const Session next = Join("robot", 1, {test::Arm("other")}, {}, old);
+  const SessionToken next = Join("robot", 1, {test::Arm("other")}, {}, old);
 
   EXPECT_NE(next, old);
   EXPECT_FALSE(registry_.Renew(old));
@@ -206,7 +206,7 @@ TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
 }
 
 TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
-  const Session robot = Join("robot", 1, {test::Arm()});
+  const SessionToken robot = Join("robot", 1, {test::Arm()});
   const std::uint64_t before = registry_.catalogue().revision();
 
   ASSERT_TRUE(registry_.Report(
@@ -218,7 +218,7 @@ TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
 }
 
 TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
-  const Session robot = Join("robot", 1, {test::Arm()});
+  const SessionToken robot = Join("robot", 1, {test::Arm()});
   Join("desk", 2);
   auto imposter = test::ProcessNamed("robot", 99);
   imposter.state = ProcessState::kLost;
@@ -245,7 +245,7 @@ TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
 }
 
 TEST_F(RegistryTest, AStepThatMakesNoSenseDoesNotKeepTheOthersBack) {
-  const Session robot = Join("robot", 1);
+  const SessionToken robot = Join("robot", 1);
 
   EXPECT_FALSE(registry_.Report(
       robot, {{{.kind = Kind::kComponent, .process = "robot"},
@@ -295,11 +295,11 @@ TEST_F(RegistryTest, ALostProcessKeepsItsConnectionsAsWanted) {
 }
 
 TEST_F(RegistryTest, ConnectionsAreHandedBackOnceBothEndsAreThereAgain) {
-  const Session robot = Join("robot", 1, {test::Arm()});
+  const SessionToken robot = Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
 
-  const Session desk = Join("desk", 3);
+  const SessionToken desk = Join("desk", 3);
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
   ASSERT_TRUE(registry_.Report(
       desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
@@ -315,7 +315,7 @@ TEST_F(RegistryTest, ConnectionsAreHandedBackToTheSameClassAlone) {
   ComponentDescription other = test::Teleoperation();
   other.class_name = "Joystick";
 
-  const Session desk = Join("desk", 3, {other});
+  const SessionToken desk = Join("desk", 3, {other});
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
 
   ASSERT_TRUE(registry_.Report(

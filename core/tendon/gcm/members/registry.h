@@ -3,7 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/server/connection_restorer.h>
+#include <tendon/gcm/members/connection_restorer.h>
 #include <tendon/process/description_pool.h>
 #include <tendon/process/membership/membership_messages.h>
 
@@ -30,34 +30,33 @@ struct Leases {
   std::chrono::hours tombstone_for{24};
 };
 
-/// The token of a membership.
-using Session = std::uint64_t;
+/// A random number that proves a membership; 0: none.
+using SessionToken = std::uint64_t;
 
-/// The members, and the catalogue that results from their reports. A name has at most one member,
-/// whose session, a random number, proves the membership. Makes only decisions: the caller sends
-/// messages and closes channels. Not thread-safe.
+/// The members, and the catalogue that results from their reports. A name has at most one member.
+/// Makes only decisions: the caller sends messages and closes channels. Not thread-safe.
 class Registry {
  public:
   Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
 
   struct Admission {
-    Session session = 0;
+    SessionToken session = 0;
     std::shared_ptr<Channel> replaced;  ///< channel of the process's last membership; may be null
   };
   /// Errors: kInvalid; kExists, with the holder of the name. `held` is the session of an earlier
   /// membership of the same process, which the new one continues.
-  Result<Admission> Join(message::Join join, Session held, std::shared_ptr<Channel> channel);
+  Result<Admission> Join(message::Join join, SessionToken held, std::shared_ptr<Channel> channel);
 
   /// Applies a report. Skips invalid changes; the error names the first one.
-  Result<void> Report(Session session, message::Report report);
+  Result<void> Report(SessionToken session, message::Report report);
   /// Renews a lease. kDenied if the membership has ended.
-  Result<void> Renew(Session session);
+  Result<void> Renew(SessionToken session);
   /// Stores the health of a process, which is not part of the catalogue. kDenied if the membership
   /// has ended.
-  Result<void> UpdateHealth(Session session, const message::Health& health);
+  Result<void> UpdateHealth(SessionToken session, const message::Health& health);
   /// Ends a membership; the catalogue keeps the process as lost or left. Does nothing if the
   /// membership has already ended.
-  void End(Session session, ProcessState state, const std::string& reason);
+  void End(SessionToken session, ProcessState state, const std::string& reason);
   /// Called when the program of a process is being started; `pid` is set when it was started. Until
   /// the process joins, the catalogue shows it as starting, with its former components. Does
   /// nothing if there is a member with that name.
@@ -78,7 +77,7 @@ class Registry {
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
   /// A member's entry in the catalogue; null if the membership has ended.
-  [[nodiscard]] const ProcessDescription* FindMember(Session session) const;
+  [[nodiscard]] const ProcessDescription* FindMember(SessionToken session) const;
   /// The channel of a member; null if there is no such member.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
@@ -95,7 +94,7 @@ class Registry {
   struct Member {
     std::string name;
     std::uint64_t instance = 0;
-    Session session = 0;
+    SessionToken session = 0;
     std::shared_ptr<Channel> channel;
     std::string link;  // address of its end of the channel
     SteadyTime renewed;
@@ -105,7 +104,7 @@ class Registry {
     double cpu = -1.0;    // as in ProcessHealth
   };
 
-  Member* Find(Session session);
+  Member* Find(SessionToken session);
   [[nodiscard]] const Member* FindByName(const std::string& name) const;
   [[nodiscard]] Error NameInUse(const Member& member) const;
   void Enter(const message::Join& join, const std::string& link, std::int64_t now);
@@ -120,7 +119,7 @@ class Registry {
   const Clock& clock_;
   Catalogue catalogue_;
   DescriptionPool pool_;
-  std::map<Session, Member> members_;
+  std::map<SessionToken, Member> members_;
   std::map<std::string, SteadyTime> tombstones_;  // processes that are gone, and since when
   /// Processes that are being started, with their former entries.
   std::map<std::string, std::optional<ProcessDescription>> expected_;

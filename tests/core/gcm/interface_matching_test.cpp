@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/gcm/matching.h>
+#include <tendon/gcm/interface_matching.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon {

@@ -1,4 +1,4 @@
-#include <tendon/gcm/server/deferred_actions.h>
+#include <tendon/gcm/members/deferred_actions.h>
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 #include <gmock/gmock.h>
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tests/core/gcm/argument_samples.h>
 
 namespace tendon {

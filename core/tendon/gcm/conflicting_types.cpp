@@ -1,4 +1,4 @@
-#include <tendon/gcm/disputed_types.h>
+#include <tendon/gcm/conflicting_types.h>
 #include <tendon/gcm/lookup.h>
 
 #include <string_view>
@@ -22,16 +22,16 @@ class TypesByName {
     Add(required.event_handlers, process);
   }
 
-  [[nodiscard]] std::map<std::string, message::GetSchemas> Disputed() const {
-    std::map<std::string, message::GetSchemas> disputed;
+  [[nodiscard]] std::map<std::string, message::GetSchemas> Conflicting() const {
+    std::map<std::string, message::GetSchemas> conflicting;
     for (const auto& [name, types] : types_) {
       if (types.size() < 2) continue;
       for (const auto& [type, process] : types) {
         if (FindSchema(type)) continue;
-        disputed[std::string(process)].fingerprints.push_back(type);
+        conflicting[std::string(process)].fingerprints.push_back(type);
       }
     }
-    return disputed;
+    return conflicting;
   }
 
  private:
@@ -50,17 +50,17 @@ class TypesByName {
 
 }  // namespace
 
-std::map<std::string, message::GetSchemas> DisputedTypes(const Catalogue& catalogue) {
+std::map<std::string, message::GetSchemas> ConflictingTypes(const Catalogue& catalogue) {
   TypesByName types;
   for (const auto& [name, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     for (const auto& [component_name, component] : entry.components) types.Add(component, name);
   }
-  return types.Disputed();
+  return types.Conflicting();
 }
 
-std::map<std::string, message::GetSchemas> DisputedTypesBetween(const Catalogue& catalogue,
-                                                                const message::Wire& wire) {
+std::map<std::string, message::GetSchemas> ConflictingTypesBetween(const Catalogue& catalogue,
+                                                                   const message::Wire& wire) {
   TypesByName types;
   if (const auto* required = catalogue.FindRequired(wire.required)) {
     types.Add(*required, wire.required.process);
@@ -68,7 +68,7 @@ std::map<std::string, message::GetSchemas> DisputedTypesBetween(const Catalogue&
   if (const auto* provided = catalogue.FindProvided(wire.provided)) {
     types.Add(*provided, wire.provided.process);
   }
-  return types.Disputed();
+  return types.Conflicting();
 }
 
 }  // namespace tendon

@@ -1,5 +1,5 @@
+#include <tendon/gcm/interface_matching.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/matching.h>
 #include <tendon/interface/compatibility.h>
 
 #include <algorithm>

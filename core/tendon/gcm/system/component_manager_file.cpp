@@ -1,6 +1,6 @@
 #include <tendon/base/text.h>
+#include <tendon/gcm/system/component_manager_file.h>
 #include <tendon/gcm/system/file_object.h>
-#include <tendon/gcm/system/reference_file.h>
 #include <tendon/gcm/system/system_index.h>
 
 #include <algorithm>
@@ -58,9 +58,9 @@ std::vector<std::string> OtherKeys(const Json& object, const std::vector<std::st
   return others;
 }
 
-class ReferenceReader {
+class ComponentManagerReader {
  public:
-  ReferenceReader(std::string name, std::string process) : process_(std::move(process)) {
+  ComponentManagerReader(std::string name, std::string process) : process_(std::move(process)) {
     imported_.file.name = std::move(name);
     ProcessNamed(process_);
   }
@@ -203,7 +203,7 @@ Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const st
     return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
   }
   return file::ReadText<ImportedSystem>(WithoutComments(text), source, [&](const Json& json) {
-    return ReferenceReader(source, process).Read(json);
+    return ComponentManagerReader(source, process).Read(json);
   });
 }
 

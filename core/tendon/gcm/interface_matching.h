@@ -9,7 +9,7 @@
 
 namespace tendon {
 
-/// A required interface and the provided interfaces that may belong to it.
+/// A required interface and the provided interfaces that fit it.
 struct Match {
   InterfaceName required;
   std::vector<InterfaceName> provided;  ///< all equally good candidates; one if the choice is clear
@@ -21,10 +21,11 @@ struct MatchPatterns {
   std::string provided;
 };
 
-/// For each unconnected required interface that matches the pattern: the provided interfaces that
-/// fit it, or only the one with the same name if that one fits; never one of its own component.
-/// Sorted by path. Linear in matching required times provided interfaces. Errors: kNotFound if a
-/// pattern matches nothing.
+/// Finds the provided interfaces that fit each unconnected required interface. Both must match
+/// their pattern, and belong to different components. If some of the provided interfaces have the
+/// same name as the required one, returns only these. Sorted by path. The cost is proportional to
+/// the number of required times the number of provided interfaces. kNotFound if a pattern matches
+/// nothing.
 Result<std::vector<Match>> MatchInterfaces(const Catalogue& catalogue,
                                            const MatchPatterns& patterns);
 

@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tendon/gcm/system/reference_file.h>
+#include <tendon/gcm/system/component_manager_file.h>
 
 namespace tendon {
 namespace {

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/gcm/server/connection_restorer.h>
+#include <tendon/gcm/members/connection_restorer.h>
 #include <tests/core/gcm/samples.h>
 
 namespace tendon::server {

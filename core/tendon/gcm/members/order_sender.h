@@ -1,7 +1,7 @@
 #pragma once
 
-#include <tendon/gcm/server/deferred_actions.h>
-#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/members/deferred_actions.h>
+#include <tendon/gcm/members/registry.h>
 #include <tendon/middleware/body.h>
 #include <tendon/process/ask.h>
 

@@ -19,10 +19,10 @@ struct MatchingRead {
   bool operator==(const MatchingRead&) const = default;
 };
 
-/// The read commands of the interface that may return the value that `command` sets, the most
-/// likely first: one that returns the argument's type (of several, the one with the same subject,
-/// as GetGains for SetGains); then, if the argument is a structure, those that return other
-/// structures.
+/// The read commands of the interface that may return the value that `command` sets. The most
+/// likely is first: one that returns the argument's type. Of several, that is the one with the same
+/// subject, for example GetGains for SetGains. If the argument is a structure, the commands that
+/// return other structures follow.
 [[nodiscard]] std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
                                                       const MemberDescription& command);
 
@@ -31,8 +31,8 @@ struct MatchingRead {
 /// should not be read to get its width.
 [[nodiscard]] std::vector<std::string> CommonFields(const Schema& wanted, const Schema& offered);
 
-/// The JSON object `value` with these fields copied from `source`; `value` unchanged if either is
-/// not an object.
+/// Copies these fields from the JSON object `source` to the JSON object `value`, and returns the
+/// result. Returns `value` unchanged if either is not an object.
 [[nodiscard]] std::string WithFieldsOf(const std::string& value, const std::string& source,
                                        const std::vector<std::string>& fields);
 

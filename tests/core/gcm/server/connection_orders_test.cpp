@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
-#include <tests/core/gcm/bench.h>
+#include <tests/core/gcm/gcm_fixture.h>
 
 #include <fstream>
 #include <future>
@@ -13,11 +13,12 @@ using test::FakeProcess;
 using test::kControl;
 using test::kRobot;
 
-class Orders : public test::DeskAndRobot {};
+class ConnectionOrders : public test::DeskAndRobot {};
 
-INSTANTIATE_TEST_SUITE_P(Over, Orders, testing::Values("loopback", "tcp"), test::NameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Over, ConnectionOrders, testing::Values("loopback", "tcp"),
+                         test::NameOfParameter);
 
-TEST_P(Orders, AConnectIsMadeByTheRequiredSidesProcess) {
+TEST_P(ConnectionOrders, AConnectIsMadeByTheRequiredSidesProcess) {
   const auto made = Connect(*client_);
 
   ASSERT_TRUE(made) << made.error().message;
@@ -30,7 +31,7 @@ TEST_P(Orders, AConnectIsMadeByTheRequiredSidesProcess) {
   EXPECT_EQ(desk_->orders()[0].instance, robot_->description().instance);
 }
 
-TEST_P(Orders, ADisconnectEndsIt) {
+TEST_P(ConnectionOrders, ADisconnectEndsIt) {
   ASSERT_TRUE(Connect(*client_));
 
   ASSERT_TRUE(Disconnect(*client_));
@@ -41,7 +42,7 @@ TEST_P(Orders, ADisconnectEndsIt) {
             "desk/teleoperation/Robot is not connected: there is nothing to disconnect");
 }
 
-TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
+TEST_P(ConnectionOrders, WhatIsRefusedLeavesNothingBehind) {
   ASSERT_TRUE(Connect(*client_));
   const std::uint64_t revision = gcm_->catalogue().revision();
   const auto code = [&](const InterfaceName& required, const InterfaceName& provided) {
@@ -61,7 +62,7 @@ TEST_P(Orders, WhatIsRefusedLeavesNothingBehind) {
   EXPECT_EQ(gcm_->catalogue().revision(), revision + 1);
 }
 
-TEST_P(Orders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
+TEST_P(ConnectionOrders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
   desk_->set_manners(FakeProcess::Manners::kRefuse);
 
   const auto made = Connect(*client_);
@@ -73,7 +74,7 @@ TEST_P(Orders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
   EXPECT_TRUE(Connect(*client_));
 }
 
-TEST_P(Orders, AProcessThatDiesBeforeItAnswersIsAnError) {
+TEST_P(ConnectionOrders, AProcessThatDiesBeforeItAnswersIsAnError) {
   desk_->set_manners(FakeProcess::Manners::kSayNothing);
   std::promise<Result<ConnectionDescription>> promise;
   auto future = promise.get_future();
@@ -93,7 +94,7 @@ TEST_P(Orders, AProcessThatDiesBeforeItAnswersIsAnError) {
   EXPECT_TRUE(Steps(*client_).empty());
 }
 
-TEST_P(Orders, AProcessThatDoesNotAnswerIsATimeout) {
+TEST_P(ConnectionOrders, AProcessThatDoesNotAnswerIsATimeout) {
   order_timeout_ = 100ms;
   RestartGcm();
   desk_->set_manners(FakeProcess::Manners::kSayNothing);
@@ -111,7 +112,7 @@ TEST(OrderTimeout, IsShorterThanAClientsSoThatItHearsWhy) {
   EXPECT_LT(GlobalManager::Options().order_timeout, GcmClient::Options().timeout);
 }
 
-TEST_P(Orders, AConnectToATombstoneIsPending) {
+TEST_P(ConnectionOrders, AConnectToATombstoneIsPending) {
   robot_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
 
@@ -122,7 +123,7 @@ TEST_P(Orders, AConnectToATombstoneIsPending) {
   EXPECT_EQ(desk_->orders()[0].address, "");
 }
 
-TEST_P(Orders, AConnectToAProcessThatNobodyHasSeenIsPending) {
+TEST_P(ConnectionOrders, AConnectToAProcessThatNobodyHasSeenIsPending) {
   const auto made = Connect(*client_, kRobot, {"never", "arm", "Control"});
 
   ASSERT_TRUE(made) << made.error().message;
@@ -132,7 +133,7 @@ TEST_P(Orders, AConnectToAProcessThatNobodyHasSeenIsPending) {
   EXPECT_EQ(Connect(*client_).error().code, ErrorCode::kExists);
 }
 
-TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
+TEST_P(ConnectionOrders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
   const std::string unit = "rad/" + GetParam();  // the other network's are known by now
   robot_->Know(test::GoalIn("deg"));
   robot_->Add(test::Mover(test::GoalIn("deg")));
@@ -166,7 +167,7 @@ TEST_P(Orders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
   EXPECT_EQ(aide->schema_requests(), 0);       // it has nothing to do with this connection
 }
 
-TEST_P(Orders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
+TEST_P(ConnectionOrders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
   const std::string unit = "grad/" + GetParam();
   robot_->Add(test::Mover(test::GoalIn("deg")));
   desk_->Add(test::Leader(test::GoalIn(unit)));  // which it does not know itself
@@ -183,7 +184,7 @@ TEST_P(Orders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
       << made.error().message;
 }
 
-TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
+TEST_P(ConnectionOrders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
@@ -197,7 +198,7 @@ TEST_P(Orders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(Orders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
+TEST_P(ConnectionOrders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
@@ -218,7 +219,7 @@ TEST_P(Orders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
   EXPECT_EQ(desk_->orders().size(), 2U);
 }
 
-TEST_P(Orders, ADiskThatHangsDelaysTheAnswerButNoLease) {
+TEST_P(ConnectionOrders, ADiskThatHangsDelaysTheAnswerButNoLease) {
   const std::string port = address_.substr(address_.find(':') + 1);
   const auto file = folder_.path() / ("history-127.0.0.1-" + port + ".jsonl");
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
@@ -239,7 +240,7 @@ TEST_P(Orders, ADiskThatHangsDelaysTheAnswerButNoLease) {
   EXPECT_TRUE(answer.get());
 }
 
-TEST_P(Orders, HistoryKnowsWhatWhoAndWhen) {
+TEST_P(ConnectionOrders, HistoryKnowsWhatWhoAndWhen) {
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
 
@@ -256,7 +257,7 @@ TEST_P(Orders, HistoryKnowsWhatWhoAndWhen) {
   }
 }
 
-TEST_P(Orders, UndoTakesStepsBackOneByOne) {
+TEST_P(ConnectionOrders, UndoTakesStepsBackOneByOne) {
   EXPECT_EQ(Undo(*client_).error().message, "there is nothing to undo");
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
@@ -274,7 +275,7 @@ TEST_P(Orders, UndoTakesStepsBackOneByOne) {
   EXPECT_FALSE(Undo(*client_));
 }
 
-TEST_P(Orders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
+TEST_P(ConnectionOrders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
   constexpr int kCount = 50;
   ComponentDescription panel = test::Teleoperation("panel");
   panel.required.clear();
@@ -294,7 +295,7 @@ TEST_P(Orders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
   EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
 }
 
-TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
+TEST_P(ConnectionOrders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   ComponentDescription second = test::Arm("second");
   robot_->Add(second);
   ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "second"); }));
@@ -318,7 +319,7 @@ TEST_P(Orders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   EXPECT_FALSE(Steps(*client_)[0].undone);
 }
 
-TEST_P(Orders, StepsCanBeUndoneAfterTheGcmWasStartedAnew) {
+TEST_P(ConnectionOrders, StepsCanBeUndoneAfterTheGcmWasStartedAnew) {
   ASSERT_TRUE(Connect(*client_));
   RestartGcm();
 

@@ -3,8 +3,8 @@
 #include <tendon/gcm/history.h>
 #include <tendon/gcm/life/life_orders.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/order_sender.h>
-#include <tendon/gcm/server/registry.h>
+#include <tendon/gcm/members/order_sender.h>
+#include <tendon/gcm/members/registry.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/process/worker.h>
 
@@ -21,11 +21,11 @@ namespace tendon::server {
 /// required side's LCM, and records the change in the history. No thread waits. A failed request
 /// changes nothing, as far as the LCM allows; any remaining change is in the history. All functions
 /// are called under the owner's lock; `done` is called once, without it.
-class Orders : private OrderSender {
+class ConnectionOrders : private OrderSender {
  public:
-  /// Calls its argument with the Orders, under the owner's lock, and then runs the deferred
-  /// actions. Does nothing if the owner is gone.
-  using Locked = std::function<void(const std::function<void(Orders&)>&)>;
+  /// Calls its argument with the ConnectionOrders, under the owner's lock, and then runs the
+  /// deferred actions. Does nothing if the owner is gone.
+  using Locked = std::function<void(const std::function<void(ConnectionOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
   using ConnectDone = Done<ConnectionDescription>;
@@ -38,12 +38,12 @@ class Orders : private OrderSender {
     LifeOrders& life;        ///< undoes its own steps
     Supervisor& supervisor;  ///< undoes its own steps
   };
-  Orders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
+  ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// Makes a connection that `who` has requested.
-  void Connect(const message::Wire& wire, const std::string& who, ConnectDone done);
-  /// Replaces the connection of an interface; like Connect() if there is none.
-  void Replace(const message::Wire& wire, const std::string& who, ConnectDone done);
+  /// Makes a connection that `who` has requested. WhenConnected::kReplace replaces a connection of
+  /// the required interface to another provided interface; without one, nothing is replaced.
+  void Connect(const message::Wire& wire, WhenConnected when_connected, const std::string& who,
+               ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
@@ -70,7 +70,7 @@ class Orders : private OrderSender {
     InterfaceName former;
   };
 
-  using Planned = std::function<void(Orders&, const Result<message::ConnectionPlan>&)>;
+  using Planned = std::function<void(ConnectionOrders&, const Result<message::ConnectionPlan>&)>;
   void Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned);
   void Make(const message::Wire& wire, ConnectDone done);
   void MakePending(const message::Wire& wire, const ConnectDone& done);
@@ -79,7 +79,7 @@ class Orders : private OrderSender {
   /// Returns a handler that takes the owner's lock and then calls the function `step` of `order`.
   template <typename Order, typename Reply>
   Done<Reply> Step(std::shared_ptr<Order> order,
-                   void (Order::*step)(Orders&, const Result<Reply>&));
+                   void (Order::*step)(ConnectionOrders&, const Result<Reply>&));
 
   // Single orders to the required side's LCM, which executes them in order.
 

@@ -1,4 +1,4 @@
-#include <tendon/gcm/arguments.h>
+#include <tendon/gcm/initial_arguments.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/connection_restorer.h>
+#include <tendon/gcm/members/connection_restorer.h>
 
 #include <algorithm>
 

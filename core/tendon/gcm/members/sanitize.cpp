@@ -1,5 +1,5 @@
 #include <tendon/base/text.h>
-#include <tendon/gcm/server/sanitize.h>
+#include <tendon/gcm/members/sanitize.h>
 #include <tendon/process/life/life_messages.h>
 
 #include <set>
