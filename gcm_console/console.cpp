@@ -43,7 +43,7 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
 }
 
 /// Completes and shows abbreviated paths for users at a prompt. Scripts must use full paths.
-CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
+CommandLine::Complement ComplementOf(const Streams& streams, ShellSession* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
   if (!is_typed) return nullptr;
@@ -61,7 +61,7 @@ CommandLine::Complement ComplementOf(const Streams& streams, Session* session) {
 }
 
 int Run(const std::vector<std::string>& words, const Streams& streams, const Settings& usual,
-        Session* session) {
+        ShellSession* session) {
   if (!words.empty() && words[0] == kCompleteVerb) return PrintCompletions(words, streams);
   CommandLine line(usual, ComplementOf(streams, session));
   try {
@@ -94,7 +94,7 @@ int RunCommandLine(const std::vector<std::string>& words, const Streams& streams
 }
 
 int RunCommandLine(const std::vector<std::string>& words, const Streams& streams,
-                   Session& session) {
+                   ShellSession& session) {
   return Run(words, streams, session.settings(), &session);
 }
 

@@ -17,6 +17,7 @@ int RunCommandLine(const std::vector<std::string>& words, std::ostream& out, std
 int RunCommandLine(const std::vector<std::string>& words, const Streams& streams);
 
 /// The same for one of several lines of a session.
-int RunCommandLine(const std::vector<std::string>& words, const Streams& streams, Session& session);
+int RunCommandLine(const std::vector<std::string>& words, const Streams& streams,
+                   ShellSession& session);
 
 }  // namespace console

@@ -29,7 +29,7 @@ tendon::Error NoInput(const std::string& verb) {
           "nothing can be piped into this console; in a terminal: gcm " + verb + " -"};
 }
 
-Context::Context(Settings settings, std::string verb, const Streams& streams, Session* session)
+Context::Context(Settings settings, std::string verb, const Streams& streams, ShellSession* session)
     : settings_(std::move(settings)),
       verb_(std::move(verb)),
       streams_(streams),

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gcm_console/command_line/session.h>
 #include <gcm_console/command_line/settings.h>
+#include <gcm_console/command_line/shell_session.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/shell/line_reader.h>
 #include <program/exit_code.h>
@@ -35,7 +35,8 @@ struct Streams {
 class Context {
  public:
   /// With a session, the verb uses the session's link.
-  Context(Settings settings, std::string verb, const Streams& streams, Session* session = nullptr);
+  Context(Settings settings, std::string verb, const Streams& streams,
+          ShellSession* session = nullptr);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const std::string& verb() const { return verb_; }
@@ -48,7 +49,7 @@ class Context {
   /// True if the output is a terminal that can redraw a picture.
   [[nodiscard]] bool has_screen() const;
   /// Null outside a session.
-  [[nodiscard]] Session* session() const { return session_; }
+  [[nodiscard]] ShellSession* session() const { return session_; }
   /// How tables are printed.
   [[nodiscard]] Layout layout() const;
 
@@ -83,7 +84,7 @@ class Context {
   Settings settings_;
   std::string verb_;
   Streams streams_;
-  Session* session_;
+  ShellSession* session_;
   std::ostream nowhere_{nullptr};
   std::shared_ptr<tendon::GcmClient> client_;
 };

@@ -5,8 +5,8 @@
 #include <gcm_gui/language/language.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/session/hosted_gcm.h>
-#include <gcm_gui/session/session.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_columns.h>
@@ -148,8 +148,9 @@ int Run(const Options& options) {
     }
   }
 
-  tendon::gui::Session session(*middleware, address, hosted != nullptr,
-                               options.read_only ? tendon::Role::kViewer : tendon::Role::kOperator);
+  tendon::gui::GcmSession session(
+      *middleware, address, hosted != nullptr,
+      options.read_only ? tendon::Role::kViewer : tendon::Role::kOperator);
   const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
   auto parts = tendon::gui::PartsOf(session);
   parts.console.gcm = address;

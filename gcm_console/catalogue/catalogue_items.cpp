@@ -1,5 +1,5 @@
 #include <gcm_console/catalogue/catalogue_items.h>
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <tendon/gcm/waiting.h>
 

@@ -1,5 +1,5 @@
 #include <gcm_console/catalogue/event_choice.h>
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <tendon/base/path.h>
 
 #include <algorithm>
@@ -23,17 +23,17 @@ Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
     return {ErrorCode::kNotFound,
             "no event fits '" + pattern + "'; list them with: gcm ls -R --type event"};
   }
-  const auto place = FindPlace(catalogue, pattern);
-  if (!place) return place.error();
-  if (place->member != nullptr) {
-    return {ErrorCode::kInvalid, "'" + pattern + "' is a " + place->noun + ", not an event"};
+  const auto target = FindTarget(catalogue, pattern);
+  if (!target) return target.error();
+  if (target->member != nullptr) {
+    return {ErrorCode::kInvalid, "'" + pattern + "' is a " + target->noun + ", not an event"};
   }
-  if (place->required != nullptr) {
+  if (target->required != nullptr) {
     return {ErrorCode::kInvalid, "'" + pattern +
                                      "' is a required interface: only a provided "
                                      "interface has events"};
   }
-  if (place->provided != nullptr) {
+  if (target->provided != nullptr) {
     return {ErrorCode::kNotFound, "'" + pattern + "' has no events"};
   }
   return {ErrorCode::kInvalid,

@@ -45,7 +45,7 @@ Result<std::vector<CatalogueItem>> MatchingItemsAndContents(const tendon::Catalo
   return items;
 }
 
-Error TakesOneName(const std::string& command, const std::string& glob) {
+Error NoGlobAllowed(const std::string& command, const std::string& glob) {
   return {ErrorCode::kInvalid, "'" + glob + "' may match several things, but " + command +
                                    " takes one name; list them with: gcm find '" + glob + "'"};
 }

@@ -20,6 +20,6 @@ tendon::Result<std::vector<CatalogueItem>> MatchingItemsAndContents(
     const tendon::Catalogue& catalogue, const std::string& glob);
 
 /// The error for a verb that takes one path and got a glob: its text says how to list the matches.
-[[nodiscard]] tendon::Error TakesOneName(const std::string& command, const std::string& glob);
+[[nodiscard]] tendon::Error NoGlobAllowed(const std::string& command, const std::string& glob);
 
 }  // namespace console

@@ -143,7 +143,7 @@ Result<void> CheckGlobs(const CLI::App& app) {
     for (const CLI::Option* option : verb->get_options()) {
       if (!IsPath(KindOf(*option))) continue;
       for (const std::string& path : option->results()) {
-        if (IsGlob(path)) return TakesOneName("gcm " + verb->get_name(), path);
+        if (IsGlob(path)) return NoGlobAllowed("gcm " + verb->get_name(), path);
       }
     }
   }

@@ -1,4 +1,4 @@
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/path_completion.h>
@@ -123,7 +123,7 @@ std::string PathFrom(const tendon::Catalogue& catalogue, const std::string& at,
   const std::string first = typed.substr(0, typed.find_first_of(kSeparators));
   const std::string below = ResolvedPath(at, first);
   const bool is_below = at.empty() || first == typed ||
-                        FindPlace(catalogue, WholePath(catalogue, WordKind::kPath, below));
+                        FindTarget(catalogue, WholePath(catalogue, WordKind::kPath, below));
   const std::string process = WholePath(catalogue, WordKind::kProcess, first);
   return ResolvedPath(is_below || catalogue.FindProcess(process) == nullptr ? at : "", typed);
 }

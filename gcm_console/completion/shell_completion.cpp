@@ -1,6 +1,6 @@
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/completion/live_words.h>
+#include <gcm_console/completion/live_completion.h>
 #include <gcm_console/completion/shell_completion.h>
 
 #include <algorithm>
@@ -120,7 +120,7 @@ int PrintCompletions(const std::vector<std::string>& words, const Streams& strea
                 .words =
                     [&typed](WordKind kind, const std::vector<std::string>& before) {
                       const auto client = ClientFor(typed);
-                      return client ? LiveWords(kPatience).Of(*client, kind, before)
+                      return client ? LiveCompletion(kPatience).Of(*client, kind, before)
                                     : std::vector<std::string>();
                     }});
   if (found.is_file) streams.out << ":files\n";

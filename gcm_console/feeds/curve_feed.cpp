@@ -15,12 +15,11 @@ bool IsWithin(const std::string& path, const std::string& whole) {
 }
 
 /// The number at this path, or all numbers below it.
-Result<std::vector<NumericField>> NumbersOf(const tendon::Schema& schema,
-                                            const std::string& field) {
-  auto one = tendon::FindNumericField(schema, field);
+Result<std::vector<NumericField>> NumbersOf(const tendon::Schema& schema, const std::string& path) {
+  auto one = tendon::FindNumericField(schema, path);
   if (one) return std::vector{*std::move(one)};
   std::vector<NumericField> all = tendon::NumericFields(schema);
-  std::erase_if(all, [&](const NumericField& channel) { return !IsWithin(channel.path, field); });
+  std::erase_if(all, [&](const NumericField& field) { return !IsWithin(field.path, path); });
   if (all.empty()) return one.error();
   return all;
 }
@@ -67,7 +66,7 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
       // If the clock went back, the source was restarted.
       if (!samples.empty() && time < samples.back().time) samples.clear();
       samples.push_back(
-          {time, ReadExactly(sources_[i].channel, batch.cell(row, sources_[i].column))});
+          {time, ReadExactly(sources_[i].field, batch.cell(row, sources_[i].column))});
     }
   }
   for (Curve& curve : curves_) {

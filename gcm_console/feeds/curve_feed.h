@@ -52,7 +52,7 @@ class CurveFeed final : public tendon::RowSink {
  private:
   struct Source {
     std::size_t column = 0;
-    tendon::NumericField channel;
+    tendon::NumericField field;
   };
   void Add(const RowInbox::Wanted& wanted, const tendon::Schema& schema);
 

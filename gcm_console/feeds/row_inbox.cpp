@@ -30,8 +30,8 @@ void RowInbox::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   now->schemas = columns;
   now->is_left_out.assign(wanted_.size(), false);
   for (const Wanted& wanted : wanted_) {
-    const auto channel = tendon::FindNumericField(columns.at(wanted.column), wanted.path.field);
-    now->numbers.push_back(channel ? std::optional(*channel) : std::nullopt);
+    const auto field = tendon::FindNumericField(columns.at(wanted.column), wanted.path.field);
+    now->numbers.push_back(field ? std::optional(*field) : std::nullopt);
   }
   const std::scoped_lock lock(mutex_);
   columns_ = std::move(now);
@@ -159,9 +159,9 @@ std::optional<tendon::Error> RowInbox::interruption() const {
 tendon::Result<std::string> RowInbox::Value(std::size_t index, const KeptRow& row) const {
   const auto& [path, column, is_found] = wanted_[index];
   const auto& cell = row.cells.at(column);
-  if (const auto& channel = row.columns->numbers[index]) {
-    const auto number = ReadExactly(*channel, cell);
-    return number ? ToJson(channel->schema, *number) : "null";
+  if (const auto& field = row.columns->numbers[index]) {
+    const auto number = ReadExactly(*field, cell);
+    return number ? ToJson(field->schema, *number) : "null";
   }
   auto json = tendon::ToJson(row.columns->schemas.at(column), cell);
   if (!json) return std::string("null");

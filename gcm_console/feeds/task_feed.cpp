@@ -38,9 +38,9 @@ class TaskFeed::Listener final : public tendon::RowSink {
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
     const std::scoped_lock lock(mutex_);
     const auto find = [&](std::size_t column,
-                          const char* field) -> std::optional<tendon::NumericField> {
-      auto channel = tendon::FindNumericField(columns.at(column), field);
-      return channel ? std::optional(*std::move(channel)) : std::nullopt;
+                          const char* path) -> std::optional<tendon::NumericField> {
+      auto field = tendon::FindNumericField(columns.at(column), path);
+      return field ? std::optional(*std::move(field)) : std::nullopt;
     };
     cycles_ = find(0, ".cycles");
     period_ = find(0, ".period.mean");
@@ -54,8 +54,8 @@ class TaskFeed::Listener final : public tendon::RowSink {
     if (batch.count == 0) return 0;
     const std::size_t row = batch.count - 1;
     written_ = NewestTimeOf(batch);
-    const auto value = [&](const std::optional<tendon::NumericField>& channel, std::size_t column) {
-      return channel ? ReadAsDouble(*channel, batch.cell(row, column)).value_or(0.0) : 0.0;
+    const auto value = [&](const std::optional<tendon::NumericField>& field, std::size_t column) {
+      return field ? ReadAsDouble(*field, batch.cell(row, column)).value_or(0.0) : 0.0;
     };
     figures_.skipped = static_cast<std::uint64_t>(value(skipped_, 1));
     const double period = value(period_, 0);

@@ -14,7 +14,7 @@ class Screen {
   explicit Screen(std::ostream& out) : out_(out) { Take(); }
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
-  ~Screen() { GiveBack(); }
+  ~Screen() { Restore(); }
 
   /// Shows at most `rows` lines: as many lines of `text` as fit, and `footer` as the last one.
   void Show(const std::string& text, const std::string& footer, int rows) {
@@ -30,7 +30,7 @@ class Screen {
   /// After Ctrl-Z: restores the screen until the process continues.
   void PauseIfAsked(tendon::os::Keyboard& keyboard) {
     if (!keyboard.TakePause()) return;
-    GiveBack();
+    Restore();
     keyboard.Pause();
     Take();
   }
@@ -38,7 +38,7 @@ class Screen {
  private:
   /// Takes the screen, and also turns line wrapping off.
   void Take() { out_ << "\x1b[?1049h\x1b[?25l\x1b[?7l" << std::flush; }
-  void GiveBack() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
+  void Restore() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
 
   std::ostream& out_;
 };

@@ -1,4 +1,4 @@
-#include <gcm_console/command_line/session.h>
+#include <gcm_console/command_line/shell_session.h>
 #include <gcm_console/console.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/shell/jobs.h>
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 4> kLasting = {"watch", "events", "hz", "
 
 std::string TextOf(const Words& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + Quoted(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + QuoteWord(word);
   return text;
 }
 
@@ -121,7 +121,7 @@ class Jobs::Job {
 
   const std::string number_;
   const std::string text_;
-  Session session_;
+  ShellSession session_;
   std::mutex mutex_;
   tendon::os::Interruption* interruption_ = nullptr;
   bool is_unwanted_ = false;

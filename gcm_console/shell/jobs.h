@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/command_line/settings.h>
-#include <gcm_console/shell/words.h>
+#include <gcm_console/shell/command_parser.h>
 #include <tendon/base/result.h>
 
 #include <cstddef>

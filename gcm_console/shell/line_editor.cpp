@@ -177,7 +177,7 @@ class LineEditor final : public LineReader {
   unsigned char Complete() {
     const LineInfo* info = el_line(editor_.get());
     const PartialCommand line =
-        PartialCommandOf({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
+        ParsePartialCommand({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
     const std::string& word = line.words.back();
     Completion found = completion_(line);
     AddFiles(found, word);
@@ -195,7 +195,7 @@ class LineEditor final : public LineReader {
   void Replace(const PartialCommand& line, const std::string& common, bool is_only_one) {
     const std::string& word = line.words.back();
     const bool is_whole = is_only_one && common.ends_with(' ');
-    const std::string wanted = Quoted(common.substr(0, common.size() - (is_whole ? 1 : 0)));
+    const std::string wanted = QuoteWord(common.substr(0, common.size() - (is_whole ? 1 : 0)));
     std::string more = is_whole ? " " : "";
     if (word == line.typed && wanted.starts_with(word)) {
       more.insert(0, wanted.substr(word.size()));

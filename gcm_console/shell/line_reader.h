@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/shell/words.h>
+#include <gcm_console/shell/command_parser.h>
 
 #include <filesystem>
 #include <functional>

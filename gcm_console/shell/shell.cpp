@@ -1,4 +1,4 @@
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/path_completion.h>
 #include <gcm_console/shell/shell.h>
@@ -49,13 +49,13 @@ void GoOn(const Streams& streams) {
 Shell::Shell(Settings settings)
     : session_(std::move(settings)),
       page_(WithOwnWords(CommandLine({}).page())),
-      live_words_(kLongestPause) {
+      live_completion_(kLongestPause) {
   tendon::os::HoldTerminationSignals();  // also in the link's threads
   static_cast<void>(session_.Client());
 }
 
 int Shell::Run(const std::string& line, const Streams& streams, AfterFailure after) {
-  const auto commands = CommandsOf(line);
+  const auto commands = ParseCommands(line);
   if (!commands) {
     streams.err << "gcm: " << Plain(commands.error().message) << '\n';
     return program::kUsage;
@@ -128,9 +128,9 @@ Result<void> Shell::GoTo(const std::string& typed) {
     const tendon::Catalogue catalogue = (*client)->catalogue();
     path = WholePath(catalogue, WordKind::kPath,
                      PathFrom(catalogue, session_.settings().at, typed + "/"));
-    const auto place = FindPlace(catalogue, path);
-    if (!place) return place.error();
-    if (place->member != nullptr) {
+    const auto target = FindTarget(catalogue, path);
+    if (!target) return target.error();
+    if (target->member != nullptr) {
       return Error{ErrorCode::kInvalid, "nothing is in '" + path + "': go to its interface"};
     }
   }
@@ -143,16 +143,17 @@ std::string Shell::prompt() const {
   return (at.empty() ? "gcm" : at) + "> ";
 }
 
-std::vector<std::string> Shell::LiveWordsOf(WordKind kind, const Words& before) {
+std::vector<std::string> Shell::LiveCompletionsOf(WordKind kind, const Words& before) {
   const auto client = session_.Client();
-  return client ? live_words_.Of(**client, kind, before) : Words();
+  return client ? live_completion_.Of(**client, kind, before) : Words();
 }
 
 Completion Shell::Complete(const PartialCommand& line) {
   return console::Complete(
       page_, line.words,
       {.catalogue = [this] { return session_.catalogue(); },
-       .words = [this](WordKind kind, const Words& before) { return LiveWordsOf(kind, before); }},
+       .words = [this](WordKind kind,
+                       const Words& before) { return LiveCompletionsOf(kind, before); }},
       session_.settings().at);
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <gcm_console/command_line/session.h>
+#include <gcm_console/command_line/shell_session.h>
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/completion/live_words.h>
+#include <gcm_console/completion/live_completion.h>
 #include <gcm_console/console.h>
+#include <gcm_console/shell/command_parser.h>
 #include <gcm_console/shell/jobs.h>
-#include <gcm_console/shell/words.h>
 
 #include <optional>
 #include <string>
@@ -41,12 +41,12 @@ class Shell {
   /// Runs one of the shell's own commands; empty if `words` is not one.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginInBackground(const Words& words, const Streams& streams);
-  std::vector<std::string> LiveWordsOf(WordKind kind, const Words& before);
+  std::vector<std::string> LiveCompletionsOf(WordKind kind, const Words& before);
   tendon::Result<void> GoTo(const std::string& typed);
 
-  Session session_;
+  ShellSession session_;
   const Page page_;
-  LiveWords live_words_;
+  LiveCompletion live_completion_;
   Jobs jobs_;
   bool has_ended_ = false;
 };

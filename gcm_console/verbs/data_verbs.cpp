@@ -1,5 +1,5 @@
 #include <gcm_console/catalogue/glob.h>
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/feeds/row_inbox.h>
 #include <gcm_console/output/table.h>
@@ -102,8 +102,8 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
   const auto items = MatchingItems(catalogue, glob);
   for (const CatalogueItem& one : items ? *items : std::vector<CatalogueItem>()) {
     if (one.kind != "command") continue;
-    const auto place = FindPlace(catalogue, one.path);
-    const bool is_read = place && place->member->signature.kind == tendon::CommandKind::kRead;
+    const auto target = FindTarget(catalogue, one.path);
+    const bool is_read = target && target->member->signature.kind == tendon::CommandKind::kRead;
     if (is_read) paths.push_back(one.path);
   }
   const auto columns = MatchingColumns(catalogue, {glob});

@@ -1,5 +1,5 @@
 #include <gcm_console/catalogue/event_choice.h>
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/feeds/event_inbox.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/common_options.h>

@@ -1,9 +1,9 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
-#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/gcm/text.h>
@@ -83,12 +83,12 @@ Result<ExitCode> List(Context& context, const std::string& path) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalogue catalogue = (*client)->catalogue();
-  const auto place = path.empty() ? Result<Place>(Place{}) : FindPlace(catalogue, path);
-  if (!place) return place.error();
+  const auto target = path.empty() ? Result<PathTarget>(PathTarget{}) : FindTarget(catalogue, path);
+  if (!target) return target.error();
   if (context.settings().json) {
-    context.PrintJson(JsonOf(context, catalogue, *place));
+    context.PrintJson(JsonOf(context, catalogue, *target));
   } else {
-    context.Print(ListingOf(catalogue, *place));
+    context.Print(ListingOf(catalogue, *target));
   }
   return program::kOk;
 }
@@ -121,9 +121,10 @@ Result<ExitCode> List(Context& context, const ListOptions& options) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalogue catalogue = (*client)->catalogue();
-  const bool is_place = !wanted.path.empty() && !is_glob;
-  const auto place = is_place ? FindPlace(catalogue, wanted.path) : Result<Place>(Place{});
-  if (!place) return place.error();
+  const bool is_path = !wanted.path.empty() && !is_glob;
+  const auto target =
+      is_path ? FindTarget(catalogue, wanted.path) : Result<PathTarget>(PathTarget{});
+  if (!target) return target.error();
   return ListItems(context, catalogue, wanted);
 }
 

@@ -10,17 +10,17 @@ tendon::message::SystemHealth AskHealth(Context& context) {
   return health ? *std::move(health) : tendon::message::SystemHealth{};
 }
 
-std::optional<tendon::ConnectionCounts> AskCounts(Context& context, const Place& place) {
-  const tendon::InterfaceName required(place.process->process.name, place.component->name,
-                                       place.required->name);
+std::optional<tendon::ConnectionCounts> AskCounts(Context& context, const PathTarget& target) {
+  const tendon::InterfaceName required(target.process->process.name, target.component->name,
+                                       target.required->name);
   const auto counts = context.Ask<tendon::ConnectionCounts>(
       [&](tendon::GcmClient& client, auto handler) { client.GetCounts(required, handler); });
   return counts ? std::optional(*counts) : std::nullopt;
 }
 
-std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place) {
+std::optional<tendon::MailboxFill> AskFill(Context& context, const PathTarget& target) {
   const auto fill = context.Ask<tendon::MailboxFill>([&](tendon::GcmClient& client, auto handler) {
-    client.GetFill(place.process->process.name, place.component->name, handler);
+    client.GetFill(target.process->process.name, target.component->name, handler);
   });
   return fill && fill->capacity > 0 ? std::optional(*fill) : std::nullopt;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/context.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/gcm_messages.h>
@@ -16,13 +16,14 @@ namespace console {
 /// The health of all processes; empty if the GCM does not provide it, which is not an error.
 [[nodiscard]] tendon::message::SystemHealth AskHealth(Context& context);
 
-/// The counters of the place's required interface, from its process. Empty if it is not connected
+/// The counters of the target's required interface, from its process. Empty if it is not connected
 /// or the process does not answer.
 [[nodiscard]] std::optional<tendon::ConnectionCounts> AskCounts(Context& context,
-                                                                const Place& place);
+                                                                const PathTarget& target);
 
 /// The mailbox level of the component; empty without a mailbox or an answer of its process.
-[[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context, const Place& place);
+[[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context,
+                                                         const PathTarget& target);
 
 /// The type with this fingerprint, from a process that uses it.
 [[nodiscard]] tendon::Result<tendon::Schema> AskSchema(Context& context, const std::string& process,

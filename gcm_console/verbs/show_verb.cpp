@@ -1,12 +1,12 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/payload_text.h>
-#include <gcm_console/catalogue/place.h>
 #include <gcm_console/feeds/task_feed.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
-#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/text.h>
@@ -94,46 +94,47 @@ void AddComponent(const tendon::ProcessEntry& process,
 }
 
 /// The facts about a thing, one per line.
-Table Facts(Context& context, const Catalogue& catalogue, const Place& place) {
+Table Facts(Context& context, const Catalogue& catalogue, const PathTarget& target) {
   Table table({"WHAT", "VALUE"});
-  const auto& process = place.process->process;
+  const auto& process = target.process->process;
   table.Add({"process", process.name});
-  if (place.component == nullptr) {
+  if (target.component == nullptr) {
     AddProcess(context, process, table);
     return table;
   }
-  const auto& component = *place.component;
-  AddComponent(*place.process, component, table);
+  const auto& component = *target.component;
+  AddComponent(*target.process, component, table);
   const auto name_of = [&](const std::string& interface) {
     return InterfaceName(process.name, component.name, interface);
   };
-  if (place.provided != nullptr) {
-    table.Add({"provided", place.provided->name});
-    const std::string users = UsersOf(catalogue, name_of(place.provided->name));
+  if (target.provided != nullptr) {
+    table.Add({"provided", target.provided->name});
+    const std::string users = UsersOf(catalogue, name_of(target.provided->name));
     if (!users.empty()) table.Add({"connection", users});
   }
-  if (place.required != nullptr) {
-    table.Add({"required", place.required->name});
-    const InterfaceName required = name_of(place.required->name);
+  if (target.required != nullptr) {
+    table.Add({"required", target.required->name});
+    const InterfaceName required = name_of(target.required->name);
     table.Add({"connection", ProviderOf(catalogue, required)});
     const auto* connection = catalogue.FindConnection(required);
     if (connection != nullptr) table.Add({"number", std::to_string(connection->id)});
   }
-  if (place.member != nullptr && !place.member->hazard.empty()) {
-    table.Add({"hazard", place.member->hazard});
+  if (target.member != nullptr && !target.member->hazard.empty()) {
+    table.Add({"hazard", target.member->hazard});
   }
-  if (place.member != nullptr && place.member->expires_after > 0.0) {
-    table.Add({"expires", "unless called again within " + ExpiryText(place.member->expires_after)});
+  if (target.member != nullptr && target.member->expires_after > 0.0) {
+    table.Add(
+        {"expires", "unless called again within " + ExpiryText(target.member->expires_after)});
   }
   return table;
 }
 
 /// Adds the timing of a running task in the last second, which its table provides at once.
-void AddTask(tendon::GcmClient& client, const Place& place, Table& table) {
+void AddTask(tendon::GcmClient& client, const PathTarget& target, Table& table) {
   using namespace std::chrono_literals;
   constexpr double kMicro = 1e6;
   constexpr double kPercent = 100.0;
-  TaskFeed feed(client, place.process->process.name + "/" + place.component->name);
+  TaskFeed feed(client, target.process->process.name + "/" + target.component->name);
   const auto deadline = std::chrono::steady_clock::now() + 500ms;
   auto tasks = feed.Look();
   while (!tasks.empty() && !tasks[0].is_known && std::chrono::steady_clock::now() < deadline) {
@@ -156,8 +157,8 @@ std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
 }
 
 /// Adds the health of a working connection.
-void AddCounts(Context& context, const Place& place, Table& table) {
-  const auto counts = AskCounts(context, place);
+void AddCounts(Context& context, const PathTarget& target, Table& table) {
+  const auto counts = AskCounts(context, target);
   if (!counts) return;
   using Seconds = std::chrono::duration<double>;
   using Microseconds = std::chrono::duration<double, std::micro>;
@@ -194,13 +195,13 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
 
 /// Prints the read commands that return the value that a command sets, as lines to copy. Does not
 /// call them, because `show` only displays.
-void PrintReads(Context& context, const Place& place, const std::string& path,
+void PrintReads(Context& context, const PathTarget& target, const std::string& path,
                 const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);
-  for (const auto& read : MatchingReads(*place.provided, *place.member)) {
+  for (const auto& read : MatchingReads(*target.provided, *target.member)) {
     std::string what = "all of it";
     if (!read.is_whole) {
-      const auto offered = AskSchema(context, place.process->process.name, read.type);
+      const auto offered = AskSchema(context, target.process->process.name, read.type);
       if (!offered) return;
       what = Joined(CommonFields(schema, *offered), ", ");
     }
@@ -210,44 +211,44 @@ void PrintReads(Context& context, const Place& place, const std::string& path,
 }
 
 /// Prints the line that calls the command, to copy.
-void PrintCall(Context& context, const Place& place, const std::string& path) {
-  const auto& member = *place.member;
+void PrintCall(Context& context, const PathTarget& target, const std::string& path) {
+  const auto& member = *target.member;
   if (!TakesArgument(member.signature)) {
     context.out() << "\ngcm call " << path << '\n';
     return;
   }
-  const auto schema = AskSchema(context, place.process->process.name, member.signature.in);
+  const auto schema = AskSchema(context, target.process->process.name, member.signature.in);
   if (!schema) return;
   context.out() << "\ngcm call " << path << " '" << JsonSkeleton(*schema) << "'\n";
-  PrintReads(context, place, path, *schema);
+  PrintReads(context, target, path, *schema);
 }
 
-void PrintPayloads(Context& context, const Place& place, const std::string& path) {
-  const auto& member = *place.member;
-  const std::string& process = place.process->process.name;
+void PrintPayloads(Context& context, const PathTarget& target, const std::string& path) {
+  const auto& member = *target.member;
+  const std::string& process = target.process->process.name;
   const auto& signature = member.signature;
   if (TakesArgument(signature)) PrintPayload(context, process, "argument", signature.in);
-  if (GivesAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
-  if (place.noun == "command") PrintCall(context, place, path);
+  if (HasAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
+  if (target.noun == "command") PrintCall(context, target, path);
 }
 
-void PrintPlace(Context& context, const Catalogue& catalogue, const Place& place,
-                const std::string& path) {
-  Table facts = Facts(context, catalogue, place);
+void PrintTarget(Context& context, const Catalogue& catalogue, const PathTarget& target,
+                 const std::string& path) {
+  Table facts = Facts(context, catalogue, target);
   const bool is_component =
-      place.component != nullptr && place.provided == nullptr && place.required == nullptr;
-  if (is_component && place.component->state == tendon::ComponentState::kActive) {
-    if (const auto client = context.Client()) AddTask(**client, place, facts);
+      target.component != nullptr && target.provided == nullptr && target.required == nullptr;
+  if (is_component && target.component->state == tendon::ComponentState::kActive) {
+    if (const auto client = context.Client()) AddTask(**client, target, facts);
   }
   if (is_component) {
-    const auto fill = AskFill(context, place);
+    const auto fill = AskFill(context, target);
     if (fill) facts.Add({"mailbox", WaitingText(fill->waiting, fill->capacity)});
   }
-  if (place.required != nullptr) AddCounts(context, place, facts);
+  if (target.required != nullptr) AddCounts(context, target, facts);
   context.Print(facts);
   context.out() << '\n';
-  context.Print(ListingOf(catalogue, place));
-  if (place.member != nullptr) PrintPayloads(context, place, path);
+  context.Print(ListingOf(catalogue, target));
+  if (target.member != nullptr) PrintPayloads(context, target, path);
 }
 
 /// Shows each thing below its path.
@@ -259,15 +260,15 @@ Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   if (!items) return items.error();
   auto all = nlohmann::ordered_json::array();
   for (const CatalogueItem& item : *items) {
-    const auto place = FindPlace(catalogue, item.path);
-    if (!place) continue;
+    const auto target = FindTarget(catalogue, item.path);
+    if (!target) continue;
     if (context.settings().json) {
       all.push_back({{"path", item.path}});
-      all.back().update(JsonOf(context, catalogue, *place));
+      all.back().update(JsonOf(context, catalogue, *target));
       continue;
     }
     context.out() << (&item == &items->front() ? "" : "\n") << Plain(item.path) << ":\n";
-    PrintPlace(context, catalogue, *place, item.path);
+    PrintTarget(context, catalogue, *target, item.path);
   }
   if (context.settings().json) context.PrintJson({{"things", std::move(all)}});
   return program::kOk;
@@ -278,12 +279,12 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Catalogue catalogue = (*client)->catalogue();
-  const auto place = FindPlace(catalogue, path);
-  if (!place) return place.error();
+  const auto target = FindTarget(catalogue, path);
+  if (!target) return target.error();
   if (context.settings().json) {
-    context.PrintJson(JsonOf(context, catalogue, *place));
+    context.PrintJson(JsonOf(context, catalogue, *target));
   } else {
-    PrintPlace(context, catalogue, *place, path);
+    PrintTarget(context, catalogue, *target, path);
   }
   return program::kOk;
 }

@@ -149,7 +149,7 @@ Result<ExitCode> Connect(Context& context, const ConnectArguments& ends) {
   if (auto allowed = CheckRole(context); ends.dry_run && !allowed) return allowed.error();
   if (ends.match) return ConnectMatching(context, ends);
   for (const std::string& end : {ends.required, ends.provided}) {
-    if (IsGlob(end)) return TakesOneName("gcm connect without --match", end);
+    if (IsGlob(end)) return NoGlobAllowed("gcm connect without --match", end);
   }
   const auto required = tendon::ParseInterfaceName(ends.required);
   if (!required) return required.error();

@@ -19,7 +19,7 @@ int EventsModel::rowCount(const QModelIndex& parent) const {
 
 QVariant EventsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const ReceivedEvent& event = heard(index.row());
+  const ReceivedEvent& event = eventAt(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return event.path.section('.', -1);
@@ -86,7 +86,7 @@ void EventsModel::setPaused(bool paused) {
   if (!paused) show(std::exchange(waiting_, {}));
 }
 
-void EventsModel::hear(const std::vector<ReceivedEvent>& events) {
+void EventsModel::add(const std::vector<ReceivedEvent>& events) {
   std::vector<ReceivedEvent> fresh;
   for (const ReceivedEvent& event : events) {
     if (!isOfPart(event.path)) continue;
@@ -104,7 +104,7 @@ void EventsModel::hear(const std::vector<ReceivedEvent>& events) {
   }
 }
 
-void EventsModel::hearLost(const QString& path, std::uint64_t count) {
+void EventsModel::addLost(const QString& path, std::uint64_t count) {
   if (isOfPart(path)) lost_ += count;
 }
 

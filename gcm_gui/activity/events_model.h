@@ -23,7 +23,7 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  [[nodiscard]] const ReceivedEvent& heard(int row) const {
+  [[nodiscard]] const ReceivedEvent& eventAt(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
   /// Shows only events below this path, "robot/arm", and discards the others; an empty path means
@@ -43,8 +43,8 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
 
  public Q_SLOTS:
-  void hear(const std::vector<tendon::gui::ReceivedEvent>& events);
-  void hearLost(const QString& path, std::uint64_t count);
+  void add(const std::vector<tendon::gui::ReceivedEvent>& events);
+  void addLost(const QString& path, std::uint64_t count);
 
  private:
   [[nodiscard]] bool isOfPart(const QString& path) const;

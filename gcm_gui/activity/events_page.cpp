@@ -52,9 +52,8 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
     Q_EMIT pathChosen(index.data(kPathRole).toString());
   };
   connect(list_, &QTreeView::activated, this, choose);
-  connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::hear));
-  connect(&reports, &SystemReports::eventsLost, &events_,
-          Guarded(&events_, &EventsModel::hearLost));
+  connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::add));
+  connect(&reports, &SystemReports::eventsLost, &events_, Guarded(&events_, &EventsModel::addLost));
   connect(&selection, &Selection::changed, this, Guarded(this, &EventsPage::listen));
   connect(&rate_timer_, &QTimer::timeout, this, Guarded(this, &EventsPage::showRate));
   rate_timer_.start(kRatePeriod);

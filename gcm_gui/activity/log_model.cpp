@@ -54,7 +54,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-void LogModel::hear(const LogBatch& batch) {
+void LogModel::add(const LogBatch& batch) {
   lost_ += batch.lost;
   const std::size_t all = batch.records.size();
   const std::size_t fresh = std::min(all, kKept);

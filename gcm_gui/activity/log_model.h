@@ -30,7 +30,7 @@ class LogModel : public QAbstractListModel {
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  public Q_SLOTS:
-  void hear(const tendon::LogBatch& batch);
+  void add(const tendon::LogBatch& batch);
   void clear();
 
  private:

@@ -104,7 +104,7 @@ void ProblemsModel::dropAnswered(const Catalogue& catalogue) {
   }
 }
 
-void ProblemsModel::hear(const Action& finished) {
+void ProblemsModel::onActionFinished(const Action& finished) {
   if (finished.verb != Action::Verb::kConnect && finished.verb != Action::Verb::kReplace) return;
   if (finished.outcome == Action::Outcome::kRefused) {
     refusals_[finished.required] = {ToQString(ToString(finished.required)), finished.refusal,

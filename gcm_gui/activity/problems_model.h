@@ -37,7 +37,7 @@ class ProblemsModel : public RowListModel<Problem> {
 
  public Q_SLOTS:
   void update(const tendon::Catalogue& catalogue);
-  void hear(const tendon::gui::Action& finished);
+  void onActionFinished(const tendon::gui::Action& finished);
   void showFaults(const QList<tendon::gui::ViewFault>& faults);
 
  Q_SIGNALS:

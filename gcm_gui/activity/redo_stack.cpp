@@ -18,10 +18,10 @@ RedoStack::RedoStack(ActivityModel& activity, SystemActions& actions, QObject* p
     : QObject(parent), actions_(actions) {
   connect(&activity, &ActivityModel::undone, this,
           [this](const Action& action) { undone_.push_back(action); });
-  connect(&activity, &ActivityModel::finished, this, Guarded(this, &RedoStack::hearDone));
+  connect(&activity, &ActivityModel::finished, this, Guarded(this, &RedoStack::onDone));
 }
 
-void RedoStack::hearDone(const Action& action) {
+void RedoStack::onDone(const Action& action) {
   if (!ChangesConnections(action) && action.verb != Action::Verb::kSteer) return;
   if (!std::exchange(is_under_way_, false)) undone_.clear();
 }

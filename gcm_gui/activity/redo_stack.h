@@ -25,7 +25,7 @@ class RedoStack : public QObject {
   void notice(const QString& text);
 
  private:
-  void hearDone(const Action& action);
+  void onDone(const Action& action);
 
   SystemActions& actions_;
   std::vector<Action> undone_;  // the last one at the back

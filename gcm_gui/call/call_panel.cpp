@@ -161,9 +161,9 @@ QWidget* CallPanel::buildButtons() {
   SetRole(*call_, QStringLiteral("primary"));
   connect(call_, &HoldButton::called, this, &CallPanel::call);
   connect(call_, &QAbstractButton::pressed, this, [this] { is_touched_ = true; });
-  connect(call_, &HoldButton::letGoEarly, this, [this] {
-    tell(Words::tr("Not called: this can set something in motion; hold the button for 0.4 s"),
-         QStringLiteral("warning"));
+  connect(call_, &HoldButton::releasedEarly, this, [this] {
+    showStatus(Words::tr("Not called: this can set something in motion; hold the button for 0.4 s"),
+               QStringLiteral("warning"));
   });
   retry_ = MakeLinkButton(Words::tr("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
@@ -205,8 +205,8 @@ void CallPanel::buildRepeat() {
     return argument();
   });
   repeat_->setVisible(false);
-  connect(repeat_, &RepeatRow::told, this, [this](const QString& text, bool is_bad) {
-    tell(text, is_bad ? QStringLiteral("bad") : QStringLiteral("dim"));
+  connect(repeat_, &RepeatRow::statusChanged, this, [this](const QString& text, bool is_bad) {
+    showStatus(text, is_bad ? QStringLiteral("bad") : QStringLiteral("dim"));
   });
 }
 
@@ -227,7 +227,7 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   as_json_->setChecked(false);
   answer_->setVisible(false);
   picture_->clear();
-  tell({}, {});
+  showStatus({}, {});
   setVisible(true);
   askForSchema();
 }
@@ -251,19 +251,19 @@ void CallPanel::askForSchema() {
   call_->setEnabled(!takes_argument_);
   repeat_->setCallable(!takes_argument_);
   if (!takes_argument_) return check();
-  tell(Words::tr("Loading the argument…"), QStringLiteral("dim"));
+  showStatus(Words::tr("Loading the argument…"), QStringLiteral("dim"));
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), command_.signature.in,
                     [panel = QPointer(this), shown = shown_](const Result<Schema>& schema) {
-                      if (panel != nullptr && panel->shown_ == shown) panel->hearSchema(schema);
+                      if (panel != nullptr && panel->shown_ == shown) panel->onSchema(schema);
                     });
 }
 
-void CallPanel::hearSchema(const Result<Schema>& schema) {
+void CallPanel::onSchema(const Result<Schema>& schema) {
   if (!schema) {
     retry_->setVisible(true);
-    return tell(ToQString(schema.error().message), QStringLiteral("bad"));
+    return showStatus(ToQString(schema.error().message), QStringLiteral("bad"));
   }
-  tell({}, {});
+  showStatus({}, {});
   showForm(*schema);
   check();
 }
@@ -305,11 +305,11 @@ void CallPanel::askForOffer(std::size_t read) {
   calls_.findSchema(path_.section('/', 0, 0).toStdString(), reads_[read].type,
                     [panel = QPointer(this), shown = shown_, read](const Result<Schema>& offered) {
                       const bool is_wanted = panel != nullptr && panel->shown_ == shown;
-                      if (is_wanted) panel->hearOffer(read, offered);
+                      if (is_wanted) panel->onOffer(read, offered);
                     });
 }
 
-void CallPanel::hearOffer(std::size_t read, const Result<Schema>& offered) {
+void CallPanel::onOffer(std::size_t read, const Result<Schema>& offered) {
   const auto fields = offered ? CommonFields(*schema_, *offered) : std::vector<std::string>();
   fields.empty() ? askForOffer(read + 1) : askForValue(reads_[read].name, fields);
 }
@@ -319,17 +319,18 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   calls_.readValue(interface + '.' + read, [panel = QPointer(this), shown = shown_, read,
                                             fields](const Result<std::string>& value) {
     const bool is_wanted = panel != nullptr && panel->shown_ == shown;
-    if (is_wanted) panel->hearValue(read, fields, value);
+    if (is_wanted) panel->onValue(read, fields, value);
   });
 }
 
 /// Puts a read value into the form. Without `fields`, uses the whole value.
-void CallPanel::hearValue(const std::string& read, const std::vector<std::string>& fields,
-                          const Result<std::string>& value) {
+void CallPanel::onValue(const std::string& read, const std::vector<std::string>& fields,
+                        const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
   if (!value) {
-    return tell(Words::tr("Not the current values: %1 does not report them").arg(ToQString(read)),
-                QStringLiteral("warning"));
+    return showStatus(
+        Words::tr("Not the current values: %1 does not report them").arg(ToQString(read)),
+        QStringLiteral("warning"));
   }
   const std::string exact = WithExactDurations(*schema_, *value);
   form_->setJson(fields.empty() ? exact : WithFieldsOf(form_->json(), exact, fields));
@@ -337,10 +338,10 @@ void CallPanel::hearValue(const std::string& read, const std::vector<std::string
   if (!call_->isEnabled()) return;
   QStringList names;
   for (const std::string& field : fields) names << ToQString(field);
-  tell(names.isEmpty() ? Words::tr("As %1 reports now").arg(ToQString(read))
-                       : Words::tr("%1 as %2 reports now")
-                             .arg(names.join(QStringLiteral(", ")), ToQString(read)),
-       QStringLiteral("dim"));
+  showStatus(names.isEmpty() ? Words::tr("As %1 reports now").arg(ToQString(read))
+                             : Words::tr("%1 as %2 reports now")
+                                   .arg(names.join(QStringLiteral(", ")), ToQString(read)),
+             QStringLiteral("dim"));
 }
 
 void CallPanel::showAsJson(bool as_json) {
@@ -376,7 +377,8 @@ void CallPanel::check() {
   }
   call_->setEnabled(problem.isEmpty());
   repeat_->setCallable(problem.isEmpty());
-  if (!under_way_ && !repeat_->repeater().isRunning()) tell(problem, QStringLiteral("warning"));
+  if (!under_way_ && !repeat_->repeater().isRunning())
+    showStatus(problem, QStringLiteral("warning"));
 }
 
 /// Only names the wrong fields, because each field shows its own error.
@@ -410,8 +412,8 @@ void CallPanel::callByKey() {
   is_touched_ = true;
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
-    return tell(Words::tr("Ctrl+Enter again calls it: this can set something in motion"),
-                QStringLiteral("warning"));
+    return showStatus(Words::tr("Ctrl+Enter again calls it: this can set something in motion"),
+                      QStringLiteral("warning"));
   }
   second_key_.stop();
   call();
@@ -425,20 +427,20 @@ void CallPanel::call() {
   under_way_ = true;
   answer_->setVisible(false);
   picture_->clear();
-  tell(Words::tr("Calling…"), QStringLiteral("dim"));
+  showStatus(Words::tr("Calling…"), QStringLiteral("dim"));
   calls_.callCommand(path_.toStdString(), said,
                      [panel = QPointer(this), shown = shown_](const auto& answer, double seconds) {
                        if (panel != nullptr && panel->shown_ == shown) {
-                         panel->hearAnswer(answer, seconds);
+                         panel->onAnswer(answer, seconds);
                        }
                      });
 }
 
-void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
+void CallPanel::onAnswer(const Result<std::string>& answer, double seconds) {
   under_way_ = false;
   check();
-  if (!answer) return tell(ToQString(answer.error().message), QStringLiteral("bad"));
-  tell(Words::tr("Done in ") + DurationText(seconds), QStringLiteral("ok"));
+  if (!answer) return showStatus(ToQString(answer.error().message), QStringLiteral("bad"));
+  showStatus(Words::tr("Done in ") + DurationText(seconds), QStringLiteral("ok"));
   if (answer->empty()) return;
   answer_->setText(Readable(*answer));
   answer_->setToolTip(WholeAnswer(*answer));
@@ -447,7 +449,7 @@ void CallPanel::hearAnswer(const Result<std::string>& answer, double seconds) {
   picture_->showFrom([json] { return RawImageOf(*json); });
 }
 
-void CallPanel::tell(const QString& text, const QString& role) {
+void CallPanel::showStatus(const QString& text, const QString& role) {
   SetRole(*status_, role);
   status_->setText(text);
   status_->setVisible(!text.isEmpty());

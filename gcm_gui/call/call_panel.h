@@ -64,15 +64,15 @@ class CallPanel : public QWidget {
   [[nodiscard]] QWidget* buildButtons();
   void buildRepeat();
   void askForSchema();
-  void hearSchema(const Result<Schema>& schema);
-  void hearAnswer(const Result<std::string>& answer, double seconds);
+  void onSchema(const Result<Schema>& schema);
+  void onAnswer(const Result<std::string>& answer, double seconds);
   void showForm(const Schema& schema);
   // Tries the read commands from index `read` on: first requests their types, then their values.
   void askForOffer(std::size_t read);
-  void hearOffer(std::size_t read, const Result<Schema>& offered);
+  void onOffer(std::size_t read, const Result<Schema>& offered);
   void askForValue(const std::string& read, const std::vector<std::string>& fields);
-  void hearValue(const std::string& read, const std::vector<std::string>& fields,
-                 const Result<std::string>& value);
+  void onValue(const std::string& read, const std::vector<std::string>& fields,
+               const Result<std::string>& value);
   void fitForm();
   /// Switches between form and JSON. Does nothing if the present text is not valid JSON of the
   /// type, so that no input is lost.
@@ -82,7 +82,7 @@ class CallPanel : public QWidget {
   /// Checks the argument; if it is invalid, shows the mistake and disables the call.
   void check();
   [[nodiscard]] QString problemOf(const Error& error) const;
-  void tell(const QString& text, const QString& role);
+  void showStatus(const QString& text, const QString& role);
   void copyCommand() const;
 
   CommandCalls& calls_;

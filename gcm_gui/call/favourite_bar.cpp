@@ -52,7 +52,7 @@ void FavouriteBar::build() {
     button->setProperty("changesSystem", true);
     button->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(button, &HoldButton::called, this, [this, favourite] { call(favourite); });
-    connect(button, &HoldButton::letGoEarly, this, [this] {
+    connect(button, &HoldButton::releasedEarly, this, [this] {
       Q_EMIT notice(
           Words::tr("Not called: this can set something in motion; hold the button "
                     "for 0.4 s"));

@@ -35,7 +35,7 @@ void HoldButton::press() {
 void HoldButton::release() {
   if (!hold_.isActive()) return;
   hold_.stop();
-  Q_EMIT letGoEarly();
+  Q_EMIT releasedEarly();
 }
 
 }  // namespace tendon::gui

@@ -25,7 +25,7 @@ class HoldButton : public QPushButton {
  Q_SIGNALS:
   void called();
   /// The user released the button too early.
-  void letGoEarly();
+  void releasedEarly();
 
  protected:
   bool event(QEvent* event) override;

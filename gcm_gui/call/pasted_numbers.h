@@ -12,7 +12,7 @@ struct PastedNumbers {
   QString refusal;       ///< why a list cannot be split: a sentence for the user
 };
 
-/// Splits a list only if it can be split in only one way: at line ends, tabs, semicolons and
+/// Splits a list only where the split is unambiguous: at line ends, tabs, semicolons and
 /// blanks, at commas followed by a blank, and at the commas of a JSON list without blanks. Refuses
 /// a list with an empty element, because all later numbers would move to other fields.
 [[nodiscard]] PastedNumbers NumbersIn(const QString& text);

@@ -56,17 +56,18 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
     if (careful_) hold_.start();
   });
   connect(button_, &QPushButton::released, this, [this] {
-    if (careful_) letGo();
+    if (careful_) stopRepeating();
   });
   connect(button_, &QPushButton::clicked, this, [this] {
     if (careful_) return;
     repeater_.isRunning() ? repeater_.stop() : begin();
   });
-  connect(&repeater_, &Repeater::progressed, this, [this] { Q_EMIT told(counts(), false); });
+  connect(&repeater_, &Repeater::progressed, this,
+          [this] { Q_EMIT statusChanged(counts(), false); });
   connect(&repeater_, &Repeater::stopped, this, [this](const QString& refusal) {
     showButton();
     const QString ended = counts() + (refusal.isEmpty() ? QString() : QStringLiteral("\n"));
-    Q_EMIT told(ended + refusal, !refusal.isEmpty());
+    Q_EMIT statusChanged(ended + refusal, !refusal.isEmpty());
   });
   for (NumberBox* const box : {rate_, times_}) {
     connect(box, &NumberBox::edited, this, &RepeatRow::checkNumbers);
@@ -78,7 +79,7 @@ void RepeatRow::checkNumbers() {
   QStringList refusals{rate_->refusal(), times_->refusal()};
   refusals.removeAll(QString());
   const bool was_refused = std::exchange(is_refused_, !refusals.isEmpty());
-  if (is_refused_ || was_refused) Q_EMIT told(refusals.join('\n'), is_refused_);
+  if (is_refused_ || was_refused) Q_EMIT statusChanged(refusals.join('\n'), is_refused_);
   showButton();
 }
 
@@ -105,38 +106,38 @@ void RepeatRow::showButton() {
                                : QString());
 }
 
-void RepeatRow::letGo() {
+void RepeatRow::stopRepeating() {
   hold_.stop();
   repeater_.stop();
 }
 
 void RepeatRow::setCommand(const QString& path, double expires_after) {
-  letGo();
+  stopRepeating();
   path_ = path;
   rate_->setValue(expires_after > 0 ? std::ceil(kCallsUntilItExpires / expires_after) : 1);
 }
 
 void RepeatRow::setCareful(bool careful) {
-  if (careful != careful_) letGo();
+  if (careful != careful_) stopRepeating();
   careful_ = careful;
   showButton();
 }
 
 void RepeatRow::setCallable(bool callable) {
-  if (!callable) letGo();
+  if (!callable) stopRepeating();
   is_callable_ = callable;
   showButton();
 }
 
 bool RepeatRow::eventFilter(QObject* watched, QEvent* event) {
   const bool is_left = event->type() == QEvent::FocusOut || event->type() == QEvent::Hide;
-  if (careful_ && is_left) letGo();
+  if (careful_ && is_left) stopRepeating();
   return QWidget::eventFilter(watched, event);
 }
 
 void RepeatRow::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
-  letGo();
+  stopRepeating();
 }
 
 }  // namespace tendon::gui

@@ -32,7 +32,7 @@ class RepeatRow : public QWidget {
 
  Q_SIGNALS:
   /// "12 calls" and their outcome; `is_bad` is true if a refusal ended them.
-  void told(const QString& text, bool is_bad);
+  void statusChanged(const QString& text, bool is_bad);
 
  protected:
   /// Watches for the pointer or the focus leaving the button.
@@ -41,7 +41,7 @@ class RepeatRow : public QWidget {
 
  private:
   void begin();
-  void letGo();
+  void stopRepeating();
   void showButton();
   void checkNumbers();
   [[nodiscard]] QString counts() const;

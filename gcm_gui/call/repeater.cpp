@@ -45,12 +45,12 @@ void Repeater::callNext() {
                      [self = QPointer(this), run](const auto& answer, double) {
                        if (self == nullptr) return;
                        self->under_way_ = false;
-                       if (self->run_ == run) self->hear(answer);
+                       if (self->run_ == run) self->onAnswer(answer);
                      });
   Q_EMIT progressed();
 }
 
-void Repeater::hear(const Result<std::string>& answer) {
+void Repeater::onAnswer(const Result<std::string>& answer) {
   if (!answer) return end(ToQString(answer.error().message));
   if (times_ > 0 && called_ >= times_) end({});
 }

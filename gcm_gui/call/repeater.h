@@ -35,7 +35,7 @@ class Repeater : public QObject {
 
  private:
   void callNext();
-  void hear(const Result<std::string>& answer);
+  void onAnswer(const Result<std::string>& answer);
   void end(const QString& refusal);
 
   CommandCalls& calls_;

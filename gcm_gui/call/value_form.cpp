@@ -72,18 +72,18 @@ void ValueForm::setJson(const std::string& json) {
   is_filling_ = true;
   entry_->setValue(*value);
   is_filling_ = false;
-  if (std::exchange(has_changed_, false)) hearEdit();
+  if (std::exchange(has_changed_, false)) onEdited();
 }
 
 QStringList ValueForm::wrongFields() const {
   QStringList names;
-  for (const Place& place : places_) {
-    if (!place.entry->refusals().isEmpty()) names << place.name;
+  for (const FormField& field : form_fields_) {
+    if (!field.entry->refusals().isEmpty()) names << field.name;
   }
   return names;
 }
 
-void ValueForm::hearEdit() {
+void ValueForm::onEdited() {
   if (is_filling_) {
     has_changed_ = true;
     return;
@@ -93,10 +93,10 @@ void ValueForm::hearEdit() {
 }
 
 void ValueForm::showRefusals() {
-  for (const Place& place : places_) {
-    const QStringList sentences = place.entry->notices() + place.entry->refusals();
-    place.refusals->setText(sentences.join('\n'));
-    place.refusals->setVisible(!sentences.isEmpty());
+  for (const FormField& field : form_fields_) {
+    const QStringList sentences = field.entry->notices() + field.entry->refusals();
+    field.refusals->setText(sentences.join('\n'));
+    field.refusals->setVisible(!sentences.isEmpty());
   }
 }
 
@@ -118,7 +118,7 @@ std::unique_ptr<Entry> ValueForm::addField(const Schema::Field& field, const QSt
   if (field.schema.kind() == Schema::Kind::kStructure) {
     return addFields(field, whole, level + 1);
   }
-  auto [entry, widget] = MakeEntry(field, whole, [this] { hearEdit(); });
+  auto [entry, widget] = MakeEntry(field, whole, [this] { onEdited(); });
   widget->setObjectName(QStringLiteral("form.") + whole);
   if (widget->toolTip().isEmpty()) widget->setToolTip(HelpOf(field));
   const bool is_wide = field.schema.kind() == Schema::Kind::kArray;
@@ -130,7 +130,7 @@ std::unique_ptr<Entry> ValueForm::addField(const Schema::Field& field, const QSt
   refusals->setWordWrap(true);
   SetRole(*refusals, QStringLiteral("bad"));
   grid_->addWidget(refusals, row + (is_wide ? 2 : 1), kNameColumn, 1, kFormColumns);
-  places_.push_back({.name = whole, .entry = entry.get(), .refusals = refusals});
+  form_fields_.push_back({.name = whole, .entry = entry.get(), .refusals = refusals});
   return std::move(entry);
 }
 

@@ -38,7 +38,7 @@ class ValueForm : public QWidget {
  private:
   class Structure;
 
-  struct Place {
+  struct FormField {
     QString name;
     const Entry* entry;
     QLabel* refusals;
@@ -46,16 +46,16 @@ class ValueForm : public QWidget {
 
   std::unique_ptr<Entry> addFields(const Schema::Field& structure, const QString& path, int level);
   std::unique_ptr<Entry> addField(const Schema::Field& field, const QString& path, int level);
-  void hearEdit();
+  void onEdited();
   void showRefusals();
   void addName(const Schema::Field& field, const QString& text, int level);
 
   const Schema schema_;
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
-  std::vector<Place> places_;  // of all fields without subfields
-  bool is_filling_ = false;    // setJson() is filling the fields
-  bool has_changed_ = false;   // a field changed during setJson()
+  std::vector<FormField> form_fields_;  // of all fields without subfields
+  bool is_filling_ = false;             // setJson() is filling the fields
+  bool has_changed_ = false;            // a field changed during setJson()
 };
 
 }  // namespace tendon::gui

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <array>
+#include <cstddef>
 #include <functional>
 
 class QAction;

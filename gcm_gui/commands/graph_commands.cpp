@@ -5,7 +5,7 @@
 #include <gcm_gui/graph/graph_map.h>
 #include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/selection.h>
@@ -23,7 +23,7 @@ namespace {
 
 // These convert between positions of the graph and those of a system file.
 
-std::map<std::string, SystemFile::Position> SavedPositions(const GraphPlaces& places) {
+std::map<std::string, SystemFile::Position> SavedPositions(const NodePositions& places) {
   std::map<std::string, SystemFile::Position> layout;
   for (const auto& [path, place] : places.all()) {
     layout.emplace(path.toStdString(), SystemFile::Position{place.x(), place.y()});
@@ -31,11 +31,11 @@ std::map<std::string, SystemFile::Position> SavedPositions(const GraphPlaces& pl
   return layout;
 }
 
-GraphPlaces::Map PlacesOf(const SystemFile& file) {
-  GraphPlaces::Map places;
+NodePositions::Map PlacesOf(const SystemFile& file) {
+  NodePositions::Map places;
   for (const auto& [path, position] : file.layout) {
     const QPointF place(position.x, position.y);
-    if (IsPlace(place)) places.emplace(ToQString(path), place);
+    if (IsPlausiblePosition(place)) places.emplace(ToQString(path), place);
   }
   return places;
 }
@@ -55,15 +55,16 @@ GraphCommands::GraphCommands(const WindowParts& parts, GraphView& graph, QWidget
 }
 
 void GraphCommands::keepPlaces(const WindowParts& parts, SystemDocument& document) {
-  GraphPlaces& places = graph_.graph().places();
+  NodePositions& places = graph_.graph().nodePositions();
   if (!parts.kept.isEmpty()) places.keepIn(parts.kept + QStringLiteral("/graph.json"));
   document.setLayout(SavedPositions(places));
-  connect(&places, &GraphPlaces::notice, this, &GraphCommands::notice);
-  connect(&places, &GraphPlaces::changed, &document,
+  connect(&places, &NodePositions::notice, this, &GraphCommands::notice);
+  connect(&places, &NodePositions::changed, &document,
           [&places, &document] { document.setLayout(SavedPositions(places)); });
   connect(&document, &SystemDocument::opened, &places,
           [&places, &document] { places.move(PlacesOf(document.file())); });
-  connect(&parts.activity, &ActivityModel::finished, &places, Guarded(&places, &GraphPlaces::grow));
+  connect(&parts.activity, &ActivityModel::finished, &places,
+          Guarded(&places, &NodePositions::onOtherAction));
 }
 
 void GraphCommands::addCommands(Commands& commands) {
@@ -79,11 +80,11 @@ void GraphCommands::addCommands(Commands& commands) {
   map.setChecked(map_->isWanted());
   menu_->addSeparator();
   add(Words::tr("&Undo the last move"), {}, [this] {
-    graph_.graph().places().canUndo() ? takeBack()
-                                      : Q_EMIT notice(Words::tr("Nothing has been moved"));
+    graph_.graph().nodePositions().canUndo() ? undoPositions()
+                                             : Q_EMIT notice(Words::tr("Nothing has been moved"));
   });
   add(Words::tr("&Reset the layout of the graph"), {}, [this] {
-    graph_.graph().places().reset();
+    graph_.graph().nodePositions().reset();
     graph_.fit();
     Q_EMIT notice(Words::tr("All nodes are where the layout puts them · Ctrl+Z undoes"));
   });
@@ -93,13 +94,13 @@ void GraphCommands::addCommands(Commands& commands) {
 }
 
 bool GraphCommands::undoMove() {
-  const bool is_newest = graph_.graph().places().isNewest();
-  if (is_newest) takeBack();
+  const bool is_newest = graph_.graph().nodePositions().isNewest();
+  if (is_newest) undoPositions();
   return is_newest;
 }
 
-void GraphCommands::takeBack() {
-  graph_.graph().places().undo();
+void GraphCommands::undoPositions() {
+  graph_.graph().nodePositions().undo();
   Q_EMIT notice(Words::tr("Moved back"));
 }
 

@@ -43,7 +43,7 @@ class GraphCommands : public QObject {
   void notice(const QString& text);
 
  private:
-  void takeBack();
+  void undoPositions();
   void openMenu(const QPoint& position);
 
   GraphView& graph_;

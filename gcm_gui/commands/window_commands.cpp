@@ -91,9 +91,9 @@ WindowCommands::WindowCommands(MainWindow& window) : QObject(&window), window_(w
 void WindowCommands::addSystemCommands() {
   window_.files().addCommands(*commands_);
   redo_ = new RedoStack(window_.parts().activity, window_.parts().actions, this);
-  connect(redo_, &RedoStack::notice, &window_.notice(), &NoticeLine::tell);
-  connect(&window_.gcmSwitcher(), &GcmSwitcher::notice, &window_.notice(), &NoticeLine::tell);
-  connect(&window_.gcmLauncher(), &GcmLauncher::notice, &window_.notice(), &NoticeLine::tell);
+  connect(redo_, &RedoStack::notice, &window_.notice(), &NoticeLine::showNotice);
+  connect(&window_.gcmSwitcher(), &GcmSwitcher::notice, &window_.notice(), &NoticeLine::showNotice);
+  connect(&window_.gcmLauncher(), &GcmLauncher::notice, &window_.notice(), &NoticeLine::showNotice);
   const auto add = [this](const QString& text, const QKeySequence& key, auto what) {
     commands_->add(Commands::Menu::kSystem, text, key, what);
   };
@@ -117,10 +117,10 @@ void WindowCommands::addSystemCommands() {
   add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { window_.revealSelection(); });
   add(Words::tr("Reload everythi&ng"), Qt::Key_F5, [this] {
     const bool is_there = window_.parts().link.state() == LinkState::State::kConnected;
-    window_.notice().tell(is_there
-                              ? Words::tr("Everything is loaded from the GCM again")
-                              : Words::tr("No GCM answers; the window tries again each second"));
-    window_.parts().link.askAnew();
+    window_.notice().showNotice(
+        is_there ? Words::tr("Everything is loaded from the GCM again")
+                 : Words::tr("No GCM answers; the window tries again each second"));
+    window_.parts().link.requestResync();
   });
   add(Words::tr("Search or &run…"), QKeySequence(Qt::CTRL | Qt::Key_K),
       [this] { palette_->open(); });
@@ -136,7 +136,7 @@ void WindowCommands::addSystemCommands() {
 void WindowCommands::addSteerCommands() {
   steer_ = new SteerCommands(window_.parts().store, window_.selection(), window_.parts().actions,
                              *window_.centralWidget());
-  connect(steer_, &SteerCommands::notice, &window_.notice(), &NoticeLine::tell);
+  connect(steer_, &SteerCommands::notice, &window_.notice(), &NoticeLine::showNotice);
   steer_->addCommands(*commands_);
   steer_->fillMenu(*commands_,
                    {Words::tr("Connect"), Words::tr("Disconnect"),
@@ -166,7 +166,7 @@ void WindowCommands::forbidChanges() {
     connect(refusal, &QAction::triggered, this,
             [this, undoes = action->objectName() == Words::tr("Undo")] {
               if (!undoes || !window_.graphCommands().undoMove())
-                window_.notice().tell(window_.parts().read_only);
+                window_.notice().showNotice(window_.parts().read_only);
             });
     window_.addAction(refusal);
   }

@@ -119,7 +119,7 @@ void ConnectMode::refuse(const Candidate& candidate) {
   const message::Wire wire = wireTo(candidate.port);
   const bool is_meant = !candidate.present && candidate.looksAlike();
   Q_EMIT notice(reason);
-  if (is_meant) Q_EMIT misfitPicked(wire, reason);
+  if (is_meant) Q_EMIT mismatchPicked(wire, reason);
 }
 
 message::Wire ConnectMode::wireTo(const PortName& port) const {

@@ -62,7 +62,7 @@ class ConnectMode : public QObject {
   /// Returns false if the port does not exist, or if the mode is forbidden; then emits a notice().
   bool start(const tendon::gui::PortName& port);
   void leave();
-  /// Requests the connection. If the port does not fit, only emits a notice(), and misfitPicked()
+  /// Requests the connection. If the port does not fit, only emits a notice(), and mismatchPicked()
   /// if it looks alike.
   void pick(const tendon::gui::PortName& port);
   void pickNumber(int number);
@@ -73,7 +73,7 @@ class ConnectMode : public QObject {
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   /// The user picked a similar port that does not fit. No request was sent; `reason` says why the
   /// port does not fit.
-  void misfitPicked(const tendon::message::Wire& wire, const QString& reason);
+  void mismatchPicked(const tendon::message::Wire& wire, const QString& reason);
   /// One sentence for the user.
   void notice(const QString& text);
 

@@ -49,12 +49,12 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
 /// Saves the lines. A failure must not disturb the user, so it is reported only once.
 void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
-  const auto told = [this](const QString& refusal) {
+  const auto report = [this](const QString& refusal) {
     const bool is_new = !refusal.isEmpty() && !is_refusal_told_;
     is_refusal_told_ = !refusal.isEmpty();
     if (is_new) Q_EMIT notice(NotSaved(file_, refusal));
   };
-  FileWriter::instance().write(file_, lines_.join('\n').toUtf8() + '\n', this, told,
+  FileWriter::instance().write(file_, lines_.join('\n').toUtf8() + '\n', this, report,
                                FileWriter::Readers::kOwner);
 }
 

@@ -1,5 +1,5 @@
 #include <gcm_console/completion/completer.h>
-#include <gcm_console/shell/words.h>
+#include <gcm_console/shell/command_parser.h>
 #include <gcm_gui/console/console_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
@@ -25,14 +25,15 @@ constexpr int kFewestColumns = 40;
 
 /// Completes the last word of the line as far as it is unique; empty if nothing can be added.
 std::optional<QString> Completed(const QString& line, const console::Completion& completion) {
-  const auto unfinished = console::PartialCommandOf(line.toStdString());
+  const auto unfinished = console::ParsePartialCommand(line.toStdString());
   const std::string& word = unfinished.words.back();
   std::string common = console::CommonBegin(completion.candidates);
   if (common.size() <= word.size()) return std::nullopt;
   const bool is_whole = completion.candidates.size() == 1 && common.ends_with(' ');
   if (is_whole) common.pop_back();
   const QString begin = line.left(line.size() - ToQString(unfinished.typed).size());
-  return begin + ToQString(console::Quoted(common)) + (is_whole ? QStringLiteral(" ") : QString());
+  return begin + ToQString(console::QuoteWord(common)) +
+         (is_whole ? QStringLiteral(" ") : QString());
 }
 
 QString ListOf(const std::vector<console::Completion::Candidate>& candidates) {
@@ -59,8 +60,8 @@ ConsolePage::ConsolePage(console::Settings settings, const QString& history, QWi
   });
   connect(&history_, &ConsoleHistory::notice, this, &ConsolePage::notice);
   connect(&runner_, &ConsoleRunner::completed, this, &ConsolePage::showCompletion);
-  connect(&Theme::instance(), &Theme::changed, this, &ConsolePage::dress);
-  dress();
+  connect(&Theme::instance(), &Theme::changed, this, &ConsolePage::applyFont);
+  applyFont();
   showPrompt();
 }
 
@@ -101,7 +102,7 @@ void ConsolePage::build() {
   column->addLayout(row);
 }
 
-void ConsolePage::dress() {
+void ConsolePage::applyFont() {
   const QFont& mono = Theme::instance().mono();
   output_->setFont(mono);
   prompt_label_->setFont(mono);

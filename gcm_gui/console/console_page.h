@@ -45,7 +45,7 @@ class ConsolePage : public QWidget {
   };
 
   void build();
-  void dress();
+  void applyFont();
   /// True if the key belongs to the input line rather than to a shortcut of the window.
   [[nodiscard]] static bool isTyping(const QKeyEvent& key);
   bool pressKey(const QKeyEvent& event);

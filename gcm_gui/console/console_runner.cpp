@@ -136,7 +136,7 @@ void ConsoleRunner::run(const QString& line, int columns) {
     try {
       end->exit_code = shell.Run(line, streams, console::Shell::AfterFailure::kGoOn);
     } catch (...) {
-      err << "gcm: " << WordsOfException().toStdString() << '\n';
+      err << "gcm: " << CurrentExceptionText().toStdString() << '\n';
     }
     if (!shell.has_ended()) end->prompt = ToQString(shell.prompt());
   });
@@ -152,7 +152,7 @@ void ConsoleRunner::interrupt() {
 void ConsoleRunner::complete(const QString& line) {
   if (is_running_) return;
   post([this, poster = poster_, line](console::Shell& shell) {
-    const auto unfinished = console::PartialCommandOf(line.toStdString());
+    const auto unfinished = console::ParsePartialCommand(line.toStdString());
     console::Completion completion = shell.Complete(unfinished);
     console::AddFiles(completion, unfinished.words.back());
     poster->post([this, line, completion] { Q_EMIT completed(line, completion); });

@@ -67,18 +67,18 @@ void DiagnosisBinding::check() {
   ask_again_ = is_asking_;
   if (std::exchange(is_asking_, true)) return;
   checks_.diagnose(*wire_, [self = QPointer(this), wire = *wire_](const auto& diagnosis) {
-    if (self != nullptr) self->hear(wire, diagnosis);
+    if (self != nullptr) self->onDiagnosis(wire, diagnosis);
   });
 }
 
-void DiagnosisBinding::hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
+void DiagnosisBinding::onDiagnosis(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
   is_asking_ = false;
   if (wire_ == wire) show(wire, diagnosis);
   if (wire_ != wire || std::exchange(ask_again_, false)) check();
 }
 
 void DiagnosisBinding::show(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
-  if (!diagnosis) return card_.tell(ToQString(diagnosis.error().message));
+  if (!diagnosis) return card_.showMessage(ToQString(diagnosis.error().message));
   DiagnosisReport report{*diagnosis, std::nullopt, {}};
   const auto* refused = refusals_.find(wire.required);
   if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;

@@ -37,7 +37,7 @@ class DiagnosisBinding : public QObject {
 
  private:
   void check();
-  void hear(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
+  void onDiagnosis(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
   void show(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
   void retry();
   void follow(const Catalogue& catalogue, const ChangedParts& touched);

@@ -71,7 +71,7 @@ void DiagnosisCard::begin(const message::Wire& wire) {
   title_->setToolTip(ToQString(ToString(wire.required) + " → " + ToString(wire.provided)));
   setAccessibleName(Words::tr("Why? ") + title_->toolTip());
   if (other || isHidden()) {
-    tell(Words::tr("checking …"));
+    showMessage(Words::tr("checking …"));
     steps_->setComparable(false);
     steps_->show({});
   }
@@ -103,7 +103,7 @@ void DiagnosisCard::show(const DiagnosisReport& report, const RequiredDescriptio
   fit();
 }
 
-void DiagnosisCard::tell(const QString& sentence) {
+void DiagnosisCard::showMessage(const QString& sentence) {
   verdict_->setText(sentence);
   history_->hide();
   leftovers_->hide();

@@ -24,7 +24,7 @@ class DiagnosisCard : public OverlayCard {
   void show(const DiagnosisReport& report, const RequiredDescription* required,
             const ProvidedDescription* provided);
   /// Shows only this sentence.
-  void tell(const QString& sentence);
+  void showMessage(const QString& sentence);
 
  Q_SIGNALS:
   void retryRequested();

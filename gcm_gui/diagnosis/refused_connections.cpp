@@ -9,7 +9,7 @@ const RefusedConnection* RefusedConnections::find(const InterfaceName& required)
   return it == refused_.end() ? nullptr : &it->second;
 }
 
-void RefusedConnections::hear(const Action& finished) {
+void RefusedConnections::onActionFinished(const Action& finished) {
   if (finished.required.interface.empty()) return;
   const bool wanted =
       finished.verb == Action::Verb::kConnect || finished.verb == Action::Verb::kReplace;

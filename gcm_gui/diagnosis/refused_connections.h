@@ -34,7 +34,7 @@ class RefusedConnections : public QObject {
   [[nodiscard]] const RefusedConnection* find(const InterfaceName& required) const;
 
  public Q_SLOTS:
-  void hear(const tendon::gui::Action& finished);
+  void onActionFinished(const tendon::gui::Action& finished);
   void update(const tendon::Catalogue& catalogue);
 
  Q_SIGNALS:

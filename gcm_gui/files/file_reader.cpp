@@ -14,7 +14,7 @@ QString Read(const QString& name, QByteArray& content) try {
   content = file.readAll();
   return file.error() == QFileDevice::NoError ? QString() : file.errorString();
 } catch (...) {
-  return WordsOfException();
+  return CurrentExceptionText();
 }
 
 }  // namespace

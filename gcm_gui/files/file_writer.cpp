@@ -39,7 +39,7 @@ QString Write(const QString& name, const FileWriter::Fill& fill, FileWriter::Rea
   }
   return file.commit() ? QString() : file.errorString();
 } catch (...) {
-  return WordsOfException();
+  return CurrentExceptionText();
 }
 
 }  // namespace
@@ -145,7 +145,7 @@ bool FileWriter::waitForWritten(std::chrono::milliseconds patience) {
       lock, patience, [this] { return queue_->jobs.empty() && queue_->current.isEmpty(); });
 }
 
-void FileWriter::tell() {
+void FileWriter::callNextHandler() {
   std::unique_lock lock(queue_->mutex);
   const Answer answer = std::move(queue_->answers.front());
   queue_->answers.pop_front();
@@ -172,7 +172,7 @@ void FileWriter::work(const std::shared_ptr<Queue>& queue) {
     if (job.listeners.empty()) continue;
     queue->answers.push_back({job.file, refusal, std::move(job.listeners)});
     if (queue->writer == nullptr) continue;
-    QMetaObject::invokeMethod(queue->writer, &FileWriter::tell, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(queue->writer, &FileWriter::callNextHandler, Qt::QueuedConnection);
   }
   queue->is_done = true;
   queue->changed.notify_all();

@@ -58,7 +58,7 @@ class FileWriter : public QObject {
   /// Runs until the queue is closed and empty. Outlives the writer if a disk does not answer.
   static void work(const std::shared_ptr<Queue>& queue);
   /// Calls the handler of the oldest answer.
-  void tell();
+  void callNextHandler();
 
   const std::chrono::milliseconds patience_;
   std::shared_ptr<Queue> queue_;

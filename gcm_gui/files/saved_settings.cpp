@@ -48,11 +48,11 @@ void SavedSettings::set(const QString& name, const QByteArray& value) {
     const QByteArray text = TextOf(all);
     return device.write(text) == text.size();
   };
-  const auto told = [file = file_](const QString& refusal) {
+  const auto report = [file = file_](const QString& refusal) {
     if (refusal.isEmpty()) return;
     std::cerr << "gcm-gui: " << NotSaved(file, refusal).toStdString() << '\n';
   };
-  FileWriter::instance().write(file_, fill, QCoreApplication::instance(), told);
+  FileWriter::instance().write(file_, fill, QCoreApplication::instance(), report);
 }
 
 }  // namespace tendon::gui

@@ -79,11 +79,11 @@ void EdgeHealth::point(const QString& required) {
 void EdgeHealth::ask(const InterfaceName& required) {
   if (!asked_.insert(required).second) return;
   reports_.askCounts(required, [self = QPointer(this), required](const auto& counts) {
-    if (self != nullptr) self->hear(required, counts);
+    if (self != nullptr) self->onCounts(required, counts);
   });
 }
 
-void EdgeHealth::hear(const InterfaceName& required, const Result<ConnectionCounts>& counts) {
+void EdgeHealth::onCounts(const InterfaceName& required, const Result<ConnectionCounts>& counts) {
   asked_.erase(required);
   const bool is_pointed = pointed_ == required;
   if (!counts) {

@@ -49,7 +49,7 @@ class EdgeHealth : public QObject {
 
  private:
   void ask(const InterfaceName& required);
-  void hear(const InterfaceName& required, const Result<ConnectionCounts>& counts);
+  void onCounts(const InterfaceName& required, const Result<ConnectionCounts>& counts);
 
   SystemReports& reports_;
   Seen seen_;

@@ -1,13 +1,13 @@
 #include <gcm_console/output/dot.h>
 #include <gcm_console/output/svg.h>
 #include <gcm_gui/files/file_writer.h>
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_export.h>
 #include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -44,17 +44,17 @@ Drawing DrawingOf(GraphScene& scene) {
   Drawing drawing;
   drawing.size = (all.size() * std::min(kDots, most)).toSize().expandedTo({1, 1});
   scene.hover().pointNow({});
-  scene.emphasis().lift(true);
+  scene.highlight().lift(true);
   QPainter painter(&drawing.strokes);
   scene.render(&painter, QRectF({}, drawing.size), all);
   painter.end();
-  scene.emphasis().lift(false);
+  scene.highlight().lift(false);
   return drawing;
 }
 
 /// The positions in the window; empty if the user has placed nothing.
 console::Places PlacesIn(const GraphScene& scene) {
-  const auto& by_hand = scene.places().all();
+  const auto& by_hand = scene.nodePositions().all();
   const auto& components = scene.components();
   const bool any = std::any_of(by_hand.begin(), by_hand.end(),
                                [&](const auto& place) { return components.contains(place.first); });

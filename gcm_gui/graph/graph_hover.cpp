@@ -20,8 +20,8 @@ QString ComponentPath(const QString& interface) { return interface.section('/', 
 
 }  // namespace
 
-GraphHover::GraphHover(GraphScene& scene, Emphasis& emphasis, const ConnectMode& mode)
-    : QObject(&scene), scene_(scene), emphasis_(emphasis), mode_(mode) {
+GraphHover::GraphHover(GraphScene& scene, Highlight& highlight, const ConnectMode& mode)
+    : QObject(&scene), scene_(scene), highlight_(highlight), mode_(mode) {
   soon_.setSingleShot(true);
   soon_.setInterval(kRest);
   connect(&soon_, &QTimer::timeout, this, Guarded(this, &GraphHover::stand));
@@ -35,7 +35,7 @@ void GraphHover::point(const QString& path) {
   const QString wanted = mode_.active() ? QString() : path;
   if (wanted == pointed_) return;
   pointed_ = wanted;
-  if (pointed_.isEmpty() || !emphasis_.names().empty()) return stand();
+  if (pointed_.isEmpty() || !highlight_.names().empty()) return stand();
   soon_.start();
 }
 
@@ -54,7 +54,7 @@ void GraphHover::stand() {
     forgetCard();
     Q_EMIT connectionPointed(asked_);
   }
-  emphasis_.setPointed(neighbours());
+  highlight_.setPointed(neighbours());
 }
 
 void GraphHover::refresh() {
@@ -67,8 +67,8 @@ const EdgeItem* GraphHover::pointedEdge() const {
   return pointed_.isEmpty() ? nullptr : scene_.edge(pointed_);
 }
 
-Emphasis::Names GraphHover::neighbours() const {
-  Emphasis::Names names;
+Highlight::Names GraphHover::neighbours() const {
+  Highlight::Names names;
   if (pointed_.isEmpty()) return names;
   const bool is_component = pointed_.count('/') == 1;
   for (const auto& [key, edge] : scene_.edges()) {

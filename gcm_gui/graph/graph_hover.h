@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/connect/connect_mode.h>
-#include <gcm_gui/graph/emphasis.h>
+#include <gcm_gui/graph/highlight.h>
 
 #include <QObject>
 #include <QString>
@@ -21,7 +21,7 @@ class GraphHover : public QObject {
 
  public:
   /// The scene owns it.
-  GraphHover(GraphScene& scene, Emphasis& emphasis, const ConnectMode& mode);
+  GraphHover(GraphScene& scene, Highlight& highlight, const ConnectMode& mode);
 
   /// Null while there is none.
   [[nodiscard]] const CardItem* card() const { return card_; }
@@ -44,10 +44,10 @@ class GraphHover : public QObject {
   void refresh();
   void forgetCard();
   [[nodiscard]] const EdgeItem* pointedEdge() const;
-  [[nodiscard]] Emphasis::Names neighbours() const;
+  [[nodiscard]] Highlight::Names neighbours() const;
 
   GraphScene& scene_;
-  Emphasis& emphasis_;
+  Highlight& highlight_;
   const ConnectMode& mode_;
   QTimer soon_;
   QString pointed_;

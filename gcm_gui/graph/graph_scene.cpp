@@ -1,13 +1,13 @@
 #include <gcm_gui/graph/card_placement.h>
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/graph/layout_animation.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
@@ -67,9 +67,9 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
       layout_(new LayoutWorker(this)),
       animation_(new LayoutAnimation(this)),
       preview_(new EdgeItem),
-      emphasis_(new Emphasis(*this)),
-      hover_(new GraphHover(*this, *emphasis_, mode)),
-      places_(new GraphPlaces(this)) {
+      highlight_(new Highlight(*this)),
+      hover_(new GraphHover(*this, *highlight_, mode)),
+      node_positions_(new NodePositions(this)) {
   preview_->setVisible(false);
   addItem(preview_);
   setBackgroundBrush(Theme::instance().color(Token::kCanvas));
@@ -80,7 +80,7 @@ GraphScene::GraphScene(const CatalogueStore& store, const Selection& selection,
   connect(&store, &CatalogueStore::changed, this, Guarded(this, &GraphScene::showCatalogue));
   connect(&selection, &Selection::changed, this, Guarded(this, &GraphScene::showSelection));
   connect(&mode, &ConnectMode::changed, this, &GraphScene::showMode);
-  connect(places_, &GraphPlaces::changed, this, &GraphScene::showPlaces);
+  connect(node_positions_, &NodePositions::changed, this, &GraphScene::showPositions);
   connect(layout_, &LayoutWorker::arranged, this, &GraphScene::showArrangement);
   connect(animation_, &LayoutAnimation::moved, this, [this] { showItems(true); });
   ChangedParts all;
@@ -115,7 +115,7 @@ const EdgeItem* GraphScene::edge(const QString& required) const {
 bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
 void GraphScene::showCatalogue(const Catalogue& catalogue, const ChangedParts& touched) {
-  layout_->arrange(updater_.update(catalogue, touched), placesByHand());
+  layout_->arrange(updater_.update(catalogue, touched), manualPositions());
   if (layout_->isAtWork()) showItems(false);  // only items that already have a place
 }
 
@@ -125,7 +125,7 @@ void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
     const bool is_large = static_cast<std::size_t>(to.nodes.size()) > kMostGliding;
-    carried_.empty() && !is_large ? animation_->goTo(to) : animation_->putAt(to);
+    carried_.empty() && !is_large ? animation_->goTo(to) : animation_->jumpTo(to);
   }
   showItems(moved);
 }
@@ -139,18 +139,18 @@ void GraphScene::showItems(bool moved) {
   Q_EMIT shown();
 }
 
-std::map<QString, QPointF> GraphScene::placesByHand() const {
-  auto places = carried_;
-  places.insert(places_->all().begin(), places_->all().end());
-  return places;
+std::map<QString, QPointF> GraphScene::manualPositions() const {
+  auto positions = carried_;
+  positions.insert(node_positions_->all().begin(), node_positions_->all().end());
+  return positions;
 }
 
-void GraphScene::showPlaces() { layout_->move(updater_.picture(), placesByHand()); }
+void GraphScene::showPositions() { layout_->move(updater_.picture(), manualPositions()); }
 
-void GraphScene::carry(const std::map<QString, QPointF>& places) {
-  if (places == carried_) return;
-  carried_ = places;
-  showPlaces();
+void GraphScene::carry(const std::map<QString, QPointF>& positions) {
+  if (positions == carried_) return;
+  carried_ = positions;
+  showPositions();
 }
 
 void GraphScene::showContents() {

@@ -21,9 +21,9 @@ namespace tendon::gui {
 class CardItem;
 class CardPlacement;
 class ComponentItem;
-class Emphasis;
+class Highlight;
 class GraphHover;
-class GraphPlaces;
+class NodePositions;
 class LayoutAnimation;
 class LayoutWorker;
 class PortItem;
@@ -49,14 +49,14 @@ class GraphScene : public QGraphicsScene {
   /// The edge of a required interface, working or refused; null if there is none.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
-  /// True while places are computed; new items have no place yet.
+  /// True while positions are computed; new items have none yet.
   [[nodiscard]] bool isArranging() const;
   /// The rectangle around all nodes and boxes.
   [[nodiscard]] QRectF contents() const { return contents_; }
-  [[nodiscard]] Emphasis& emphasis() const { return *emphasis_; }
+  [[nodiscard]] Highlight& highlight() const { return *highlight_; }
   [[nodiscard]] GraphHover& hover() const { return *hover_; }
-  /// The places that the user has chosen for components.
-  [[nodiscard]] GraphPlaces& places() const { return *places_; }
+  /// The positions that the user has given to components.
+  [[nodiscard]] NodePositions& nodePositions() const { return *node_positions_; }
   /// Makes a finder of the place for a card at this point.
   [[nodiscard]] CardPlacement placeBeside(const QPointF& point) const;
 
@@ -66,8 +66,9 @@ class GraphScene : public QGraphicsScene {
   void forgetRequested(const tendon::InterfaceName& required);
   /// Shows a warning on the edge of a working connection.
   void showWarning(const tendon::InterfaceName& required, const QString& warning);
-  /// Shows components at these places during a drag, by path; they take precedence over places().
-  void carry(const std::map<QString, QPointF>& places);
+  /// Shows components at these positions during a drag, by path; they take precedence over
+  /// nodePositions().
+  void carry(const std::map<QString, QPointF>& positions);
   /// Shows refused connections as failed edges until the list no longer contains them.
   void showRefused(const tendon::gui::RefusedConnections::ByRequired& refused);
   /// Called when the pointer is on this port. If the port does not fit, a card or refusalPointed()
@@ -96,8 +97,8 @@ class GraphScene : public QGraphicsScene {
   void showItems(bool moved);
   void showArrangement(bool moved);
   void showContents();
-  void showPlaces();
-  [[nodiscard]] std::map<QString, QPointF> placesByHand() const;
+  void showPositions();
+  [[nodiscard]] std::map<QString, QPointF> manualPositions() const;
   void showProcesses();
   void showEdges();
   void showSelection();
@@ -122,9 +123,9 @@ class GraphScene : public QGraphicsScene {
   std::map<InterfaceName, InterfaceName> requested_;
   RefusedConnections::ByRequired refused_;
   EdgeItem* preview_;
-  Emphasis* emphasis_;
+  Highlight* highlight_;
   GraphHover* hover_;
-  GraphPlaces* places_;
+  NodePositions* node_positions_;
   std::map<QString, QPointF> carried_;
   std::vector<CardItem*> cards_;
   std::optional<PortName> pointed_;

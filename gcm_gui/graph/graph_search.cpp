@@ -1,6 +1,6 @@
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
@@ -81,7 +81,7 @@ QToolButton* GraphSearch::addButton(const QString& text, const QString& name, co
   return button;
 }
 
-QString GraphSearch::told() const { return count_->text(); }
+QString GraphSearch::countText() const { return count_->text(); }
 
 void GraphSearch::open() {
   show();
@@ -96,7 +96,7 @@ bool GraphSearch::leave() {
   if (!isVisibleTo(&graph_)) return false;
   const bool had_focus = isAncestorOf(window()->focusWidget());
   hide();
-  graph_.graph().emphasis().setFound({});
+  graph_.graph().highlight().setFound({});
   if (had_focus) graph_.setFocus();
   return true;
 }
@@ -105,7 +105,7 @@ void GraphSearch::search() {
   const QString current = current_ < 0 ? QString() : found_.value(current_);
   const QStringList words = field_->text().split(' ', Qt::SkipEmptyParts);
   found_.clear();
-  Emphasis::Names names;
+  Highlight::Names names;
   for (const auto& [path, item] : graph_.graph().components()) {
     const QString text = words.isEmpty() ? QString() : SearchText(*item);
     const bool fits = std::all_of(words.begin(), words.end(), [&](const QString& word) {
@@ -116,8 +116,8 @@ void GraphSearch::search() {
     names.components.insert(path);
   }
   current_ = found_.indexOf(current);
-  graph_.graph().emphasis().setFound(std::move(names));
-  tell();
+  graph_.graph().highlight().setFound(std::move(names));
+  showCount();
 }
 
 void GraphSearch::go(int way) {
@@ -125,11 +125,11 @@ void GraphSearch::go(int way) {
   const bool is_first = current_ < 0 && way > 0;
   current_ =
       is_first ? 0 : (std::max<qsizetype>(current_, 0) + way + found_.size()) % found_.size();
-  tell();
+  showCount();
   Q_EMIT chosen(found_.at(current_));
 }
 
-void GraphSearch::tell() {
+void GraphSearch::showCount() {
   QString text;
   if (!field_->text().trimmed().isEmpty()) {
     text = found_.isEmpty() ? Words::tr("nothing fits")

@@ -25,7 +25,7 @@ class GraphSearch : public QFrame {
   [[nodiscard]] const QStringList& found() const { return found_; }
   [[nodiscard]] QLineEdit& field() const { return *field_; }
   /// "2 of 14".
-  [[nodiscard]] QString told() const;
+  [[nodiscard]] QString countText() const;
   /// Ends the search; returns false if there was none.
   bool leave();
 
@@ -45,7 +45,7 @@ class GraphSearch : public QFrame {
  private:
   void search();
   void go(int way);
-  void tell();
+  void showCount();
   void moveToEdge();
   QToolButton* addButton(const QString& text, const QString& name, const QString& help);
 

@@ -86,17 +86,17 @@ void GraphView::follow() {
   setSceneRect(contents.adjusted(
       -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
-  const bool calm = mode_.active() || (handIsOnIt() && seen().contains(contents));
+  const bool calm = mode_.active() || (isPointerMoving() && seen().contains(contents));
   if (following_ && !calm) showAll();
-  tellSeen();
+  updateVisibleArea();
 }
 
-void GraphView::tellSeen() {
+void GraphView::updateVisibleArea() {
   scene_.setVisible(seen());
   Q_EMIT moved();
 }
 
-std::vector<InterfaceName> GraphView::seenConnections() const {
+std::vector<InterfaceName> GraphView::visibleConnections() const {
   const QRectF now = seen();
   std::vector<InterfaceName> names;
   for (const auto& [key, edge] : scene_.edges()) {
@@ -109,11 +109,11 @@ std::vector<InterfaceName> GraphView::seenConnections() const {
 void GraphView::lookAt(const QPointF& point) {
   following_ = false;
   centerOn(point);
-  tellSeen();
+  updateVisibleArea();
 }
 
-bool GraphView::handIsOnIt() const {
-  return pointer_moved_.isValid() && !pointer_moved_.hasExpired(hand_rests_.count());
+bool GraphView::isPointerMoving() const {
+  return pointer_moved_.isValid() && !pointer_moved_.hasExpired(pointer_timeout_.count());
 }
 
 void GraphView::showAll() {
@@ -124,7 +124,7 @@ void GraphView::showAll() {
   const double scale = std::clamp(wanted, kLeastScale, kMostFitted);
   setTransform(QTransform::fromScale(scale, scale));
   centerOn(contents.center());
-  tellSeen();
+  updateVisibleArea();
 }
 
 void GraphView::zoom(double factor) {
@@ -132,7 +132,7 @@ void GraphView::zoom(double factor) {
   const double then = std::clamp(now * factor, kLeastScale, kMostScale);
   following_ = false;
   scale(then / now, then / now);
-  tellSeen();
+  updateVisibleArea();
 }
 
 void GraphView::goTo(const QString& path) {
@@ -147,7 +147,7 @@ void GraphView::goTo(const QString& path) {
 void GraphView::reveal(const QString& path) {
   if (const ComponentItem* item = scene_.component(path.section('/', 0, 1))) {
     ensureVisible(item->sceneRect(), 40, 40);
-    tellSeen();
+    updateVisibleArea();
   }
 }
 
@@ -218,7 +218,7 @@ void GraphView::beginDrag() {
   node_drag_.emplace(scene_, pressed_node_, mapToScene(*pressed_));
 }
 
-bool GraphView::putBack() {
+bool GraphView::cancelDrag() {
   if (!node_drag_) return false;
   node_drag_->cancel();
   node_drag_.reset();
@@ -235,7 +235,7 @@ void GraphView::scrollBy(const QPoint& pixels) {
   following_ = false;
   horizontalScrollBar()->setValue(horizontalScrollBar()->value() - pixels.x());
   verticalScrollBar()->setValue(verticalScrollBar()->value() - pixels.y());
-  tellSeen();
+  updateVisibleArea();
 }
 
 void GraphView::dragConnection(const QPoint& position) {
@@ -324,12 +324,12 @@ void GraphView::focusOutEvent(QFocusEvent* event) {
 
 void GraphView::showEvent(QShowEvent* event) {
   QGraphicsView::showEvent(event);
-  Q_EMIT seenChanged(true);
+  Q_EMIT visibilityChanged(true);
 }
 
 void GraphView::hideEvent(QHideEvent* event) {
   QGraphicsView::hideEvent(event);
-  Q_EMIT seenChanged(false);
+  Q_EMIT visibilityChanged(false);
 }
 
 void GraphView::scrollContentsBy(int dx, int dy) {

@@ -14,9 +14,9 @@
 
 namespace tendon::gui {
 
-/// The graph on the screen. The wheel zooms. Dragging moves a component, a process (by its head),
-/// or otherwise the view. A click on a port begins or completes a connection, as does dragging from
-/// port to port; a click on anything else selects it.
+/// The graph on the screen. The wheel zooms. Dragging a component or the head of a process moves
+/// it; dragging anything else moves the view. A click on a port begins or completes a connection;
+/// dragging from one port to another makes one. A click on anything else selects it.
 ///
 /// Fits the whole graph until the user zooms or moves the view, and again after fit(). Does not
 /// refit while the user moves the pointer.
@@ -30,15 +30,15 @@ class GraphView : public QGraphicsView {
   /// The centre of a port's disc in viewport coordinates; empty if there is no such port.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
   /// Sets how long after its last move the pointer still counts as moving; 3 s by default.
-  void setHandRests(std::chrono::milliseconds rests) { hand_rests_ = rests; }
+  void setPointerTimeout(std::chrono::milliseconds timeout) { pointer_timeout_ = timeout; }
   /// The visible part, in scene coordinates.
   [[nodiscard]] QRectF seen() const;
   /// The required interfaces of the working connections that are visible.
-  [[nodiscard]] std::vector<InterfaceName> seenConnections() const;
+  [[nodiscard]] std::vector<InterfaceName> visibleConnections() const;
   /// The path of the interface, component or connection at this position; empty if there is none.
   [[nodiscard]] QString pathAt(const QPoint& position) const;
   /// Cancels a drag of a component or process; returns false if there is none.
-  bool putBack();
+  bool cancelDrag();
 
  public Q_SLOTS:
   void fit();
@@ -55,7 +55,7 @@ class GraphView : public QGraphicsView {
   /// The user clicked an edge of a connection that does not work.
   void whyRequested(const QString& required);
   /// Emitted when the graph becomes visible or hidden.
-  void seenChanged(bool seen);
+  void visibilityChanged(bool visible);
   /// The visible part or the scale has changed.
   void moved();
 
@@ -77,9 +77,9 @@ class GraphView : public QGraphicsView {
  private:
   void zoom(double factor);
   void follow();
-  [[nodiscard]] bool handIsOnIt() const;
+  [[nodiscard]] bool isPointerMoving() const;
   void showAll();
-  void tellSeen();
+  void updateVisibleArea();
   void scrollBy(const QPoint& pixels);
   void pan(const QPoint& position);
   void dragConnection(const QPoint& position);
@@ -103,7 +103,7 @@ class GraphView : public QGraphicsView {
   std::optional<NodeDrag> node_drag_;
   bool dragging_ = false;
   std::optional<QPoint> pointer_;
-  std::chrono::milliseconds hand_rests_{3000};
+  std::chrono::milliseconds pointer_timeout_{3000};
   QElapsedTimer pointer_moved_;  // since the pointer last moved here
 };
 

@@ -45,7 +45,7 @@ LayoutAnimation::LayoutAnimation(QObject* parent) : QObject(parent) {
 
 void LayoutAnimation::goTo(const Arrangement& arrangement) {
   const bool still = QCoreApplication::instance()->property(kStill).toBool();
-  if (still || now_.nodes.isEmpty()) return putAt(arrangement);
+  if (still || now_.nodes.isEmpty()) return jumpTo(arrangement);
   from_ = now_;
   to_ = arrangement;
   way_.stop();
@@ -53,7 +53,7 @@ void LayoutAnimation::goTo(const Arrangement& arrangement) {
   way_.start();
 }
 
-void LayoutAnimation::putAt(const Arrangement& arrangement) {
+void LayoutAnimation::jumpTo(const Arrangement& arrangement) {
   way_.stop();
   to_ = arrangement;
   now_ = arrangement;

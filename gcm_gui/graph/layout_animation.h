@@ -20,8 +20,8 @@ class LayoutAnimation : public QObject {
 
   /// Starts from the present positions.
   void goTo(const Arrangement& arrangement);
-  /// Moves everything at once.
-  void putAt(const Arrangement& arrangement);
+  /// Moves everything without an animation.
+  void jumpTo(const Arrangement& arrangement);
   [[nodiscard]] const Arrangement& now() const { return now_; }
   [[nodiscard]] bool isOver() const { return way_.state() != QAbstractAnimation::Running; }
 

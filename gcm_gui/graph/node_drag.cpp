@@ -1,6 +1,6 @@
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/graph/node_drag.h>
 #include <gcm_gui/theme/metrics.h>
 
@@ -37,7 +37,7 @@ void NodeDrag::moveBy(const QPointF& way) {
 }
 
 void NodeDrag::drop(const QString& key) {
-  if (!way_.isNull()) scene_.places().move(moved(), key);
+  if (!way_.isNull()) scene_.nodePositions().move(moved(), key);
   scene_.carry({});
 }
 

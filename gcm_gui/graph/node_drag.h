@@ -18,7 +18,7 @@ class NodeDrag {
   void moveTo(const QPointF& point);
   /// Moves by this offset from the start.
   void moveBy(const QPointF& way);
-  /// Ends the drag as one step to undo; see GraphPlaces::move().
+  /// Ends the drag as one step to undo; see NodePositions::move().
   void drop(const QString& key = {});
   /// Returns everything to its original position.
   void cancel();

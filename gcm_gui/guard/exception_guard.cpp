@@ -54,7 +54,7 @@ QString NameOf(const QObject& part) {
 
 }  // namespace
 
-QString WordsOfException() {
+QString CurrentExceptionText() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
@@ -79,9 +79,9 @@ ExceptionGuard& ExceptionGuard::instance() {
 
 void ExceptionGuard::setName(QObject& view, const QString& name) { view.setProperty(kName, name); }
 
-void ExceptionGuard::hear(QObject* where, ViewWork work) noexcept {
+void ExceptionGuard::recordException(QObject* where, ViewWork work) noexcept {
   try {
-    const QString what = WordsOfException();
+    const QString what = CurrentExceptionText();
     if (QThread::currentThread() != thread()) {
       const QString name = where == nullptr ? Words::tr("Window") : NameOf(*where);
       QMetaObject::invokeMethod(
@@ -99,9 +99,9 @@ void ExceptionGuard::hear(QObject* where, ViewWork work) noexcept {
   }
 }
 
-void ExceptionGuard::hearThread(const char* thread_name) noexcept {
+void ExceptionGuard::recordThreadException(const char* thread_name) noexcept {
   try {
-    const QString what = WordsOfException();
+    const QString what = CurrentExceptionText();
     QMetaObject::invokeMethod(
         this, [this, thread_name, what] { note(Words::tr(thread_name), nullptr, what); },
         Qt::QueuedConnection);
@@ -112,17 +112,17 @@ void ExceptionGuard::hearThread(const char* thread_name) noexcept {
 
 void ExceptionGuard::count() noexcept {
   const std::lock_guard lock(mutex_);
-  ++unnoted_;
+  ++unreported_;
 }
 
-void ExceptionGuard::noteUnnoted() {
+void ExceptionGuard::reportCountedFaults() {
   std::unique_lock lock(mutex_);
-  const std::uint64_t unnoted = unnoted_;
+  const std::uint64_t unreported = unreported_;
   lock.unlock();
-  if (unnoted == 0) return;
-  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory for it"), unnoted);
+  if (unreported == 0) return;
+  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory for it"), unreported);
   lock.lock();
-  unnoted_ -= unnoted;
+  unreported_ -= unreported;
 }
 
 void ExceptionGuard::note(const QString& name, QWidget* view, const QString& what,
@@ -208,18 +208,18 @@ void ExceptionGuard::dropOld() {
 }
 
 void ExceptionGuard::announce() {
-  noteUnnoted();
+  reportCountedFaults();
   if (!has_news_) return;
   has_news_ = false;
   pause_.start(kPause);
   constexpr std::uint64_t kTimesMore = 10;
   QList<ViewFault> due;
   for (Entry& entry : entries_) {
-    if (entry.fault.count < entry.tell_at) continue;
-    entry.tell_at = entry.fault.count * kTimesMore;
+    if (entry.fault.count < entry.report_at) continue;
+    entry.report_at = entry.fault.count * kTimesMore;
     due.append(entry.fault);
   }
-  for (const ViewFault& fault : due) Q_EMIT told(fault);
+  for (const ViewFault& fault : due) Q_EMIT faultReported(fault);
   Q_EMIT changed();
 }
 

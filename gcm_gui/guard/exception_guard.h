@@ -15,7 +15,7 @@ namespace tendon::gui {
 
 class ViewCover;
 
-/// The activity of a view when it threw.
+/// What a view was doing when it threw.
 enum class ViewWork {
   kDrawing,   ///< a cover replaces the view until the user retries
   kHandling,  ///< an event, a timer, or a change of the system: the view stays visible
@@ -41,8 +41,8 @@ struct ViewFault {
 /// exception; and threads. Faults are counted by view and message; changed() is emitted at once for
 /// a new fault, and at most once a second for repeated faults.
 ///
-/// GUI thread, except hear() and run(), which any thread may call after the first call of
-/// instance(); run() itself must not have to create the ExceptionGuard, perhaps without memory.
+/// GUI thread, except recordException() and run(), which any thread may call. Call instance() once
+/// before, so that run() need not create the ExceptionGuard when memory may be exhausted.
 class ExceptionGuard : public QObject {
   Q_OBJECT
 
@@ -61,7 +61,7 @@ class ExceptionGuard : public QObject {
       part();
       return true;
     } catch (...) {
-      instance().hear(where, work);
+      instance().recordException(where, work);
       return false;
     }
   }
@@ -72,14 +72,14 @@ class ExceptionGuard : public QObject {
       part();
       return true;
     } catch (...) {
-      instance().hearThread(thread_name);
+      instance().recordThreadException(thread_name);
       return false;
     }
   }
 
   /// Records the exception being handled. Never throws; without memory, only counts it.
-  void hear(QObject* where, ViewWork work) noexcept;
-  void hearThread(const char* thread_name) noexcept;
+  void recordException(QObject* where, ViewWork work) noexcept;
+  void recordThreadException(const char* thread_name) noexcept;
 
   /// True if the widget is below a cover and must not be drawn.
   [[nodiscard]] bool isCovered(const QObject* widget) const;
@@ -87,20 +87,20 @@ class ExceptionGuard : public QObject {
   void showAgain(QWidget& view);
   /// Reports the faults that were only counted because of missing memory. The window's regular
   /// timer calls it, because starting a timer would also need memory.
-  void noteUnnoted();
+  void reportCountedFaults();
   /// The faults of covered views, and others for ten minutes after their last occurrence.
   [[nodiscard]] QList<ViewFault> faults() const;
 
  Q_SIGNALS:
   void changed();
   /// A new fault, or one with ten times the count of its last report.
-  void told(const tendon::gui::ViewFault& fault);
+  void faultReported(const tendon::gui::ViewFault& fault);
 
  private:
   struct Entry {
     ViewFault fault;
     QPointer<QWidget> view;
-    std::uint64_t tell_at = 1;  // the count
+    std::uint64_t report_at = 1;  // the count
   };
 
   explicit ExceptionGuard(QObject* parent);
@@ -116,7 +116,7 @@ class ExceptionGuard : public QObject {
   QTimer pause_;                                       // pause between two changed() signals
   bool has_news_ = false;
   std::mutex mutex_;
-  std::uint64_t unnoted_ = 0;  // faults not noted for lack of memory; guarded by mutex_
+  std::uint64_t unreported_ = 0;  // faults not noted for lack of memory; guarded by mutex_
 };
 
 /// Wraps a slot: if it throws, the other receivers of the signal are still called.
@@ -128,6 +128,6 @@ template <typename Receiver, typename... Args>
 }
 
 /// The message of the current exception; call it in a handler only.
-[[nodiscard]] QString WordsOfException();
+[[nodiscard]] QString CurrentExceptionText();
 
 }  // namespace tendon::gui

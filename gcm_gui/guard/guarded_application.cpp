@@ -26,7 +26,7 @@ int GuardedApplication::exec() {
     try {
       return QApplication::exec();
     } catch (...) {
-      ExceptionGuard::instance().hear(nullptr, ViewWork::kHandling);
+      ExceptionGuard::instance().recordException(nullptr, ViewWork::kHandling);
     }
   }
 }
@@ -38,7 +38,8 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   try {
     return QApplication::notify(receiver, event);
   } catch (...) {
-    ExceptionGuard::instance().hear(there, is_paint ? ViewWork::kDrawing : ViewWork::kHandling);
+    ExceptionGuard::instance().recordException(there,
+                                               is_paint ? ViewWork::kDrawing : ViewWork::kHandling);
     if (is_paint && there != nullptr && there->isWidgetType())
       CloseLeftPainter(static_cast<const QWidget&>(*receiver));
     return true;

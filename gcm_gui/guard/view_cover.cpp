@@ -14,13 +14,13 @@ ViewCover::ViewCover(QWidget& view) : QWidget(&view) {
   setObjectName(QStringLiteral("viewCover"));
   setAutoFillBackground(true);
   setCursor(Qt::ArrowCursor);
-  const auto dress = [this] {
+  const auto apply_theme = [this] {
     QPalette colors = palette();
     colors.setColor(QPalette::Window, Theme::instance().color(Token::kPanel));
     setPalette(colors);
   };
-  dress();
-  connect(&Theme::instance(), &Theme::changed, this, dress);
+  apply_theme();
+  connect(&Theme::instance(), &Theme::changed, this, apply_theme);
   auto* words = MakeTextLine(QStringLiteral("viewCover.words"), QStringLiteral("dim"));
   words->setText(Words::tr("This view has met an error and is not drawn. Problems says which."));
   words->setAlignment(Qt::AlignCenter);

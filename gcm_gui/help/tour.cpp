@@ -34,7 +34,7 @@ Tour::Tour(std::vector<TourStep> steps, QWidget& window)
   connect(card_, &TourCard::endRequested, this, &Tour::end);
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
   connect(qApp, &QApplication::focusChanged, this,
-          [this](const QWidget*, const QWidget* now) { hearFocus(now); });
+          [this](const QWidget*, const QWidget* now) { onFocusChanged(now); });
   hide();
 }
 
@@ -114,7 +114,7 @@ void Tour::place() {
   update();
 }
 
-void Tour::hearFocus(const QWidget* now) {
+void Tour::onFocusChanged(const QWidget* now) {
   if (!isRunning() || now == nullptr || now->window() != &window_) return;
   if (now != this && !isAncestorOf(now)) end();
 }

@@ -5,6 +5,7 @@
 #include <QRect>
 #include <QString>
 #include <QWidget>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -53,7 +54,7 @@ class Tour : public QWidget {
   void showStep(std::size_t step, QWidget& target);
   void follow(QWidget* target);
   void place();
-  void hearFocus(const QWidget* now);
+  void onFocusChanged(const QWidget* now);
 
   const std::vector<TourStep> all_;
   std::vector<TourStep> steps_;  // of this run, without the steps known to be skipped

@@ -7,11 +7,11 @@
 namespace tendon::gui {
 namespace {
 
-std::optional<double> ValueOf(const ColumnValues& values, std::string_view field) {
-  const auto& channels = *values.channels;
-  for (std::size_t i = 0; i < std::min(channels.size(), values.values.size()); ++i) {
+std::optional<double> ValueOf(const ColumnValues& values, std::string_view path) {
+  const auto& fields = *values.fields;
+  for (std::size_t i = 0; i < std::min(fields.size(), values.values.size()); ++i) {
     const auto& value = values.values[i];
-    if (channels[i].path == field && value) return value->real();
+    if (fields[i].path == path && value) return value->real();
   }
   return std::nullopt;
 }
@@ -20,7 +20,7 @@ std::optional<double> ValueOf(const ColumnValues& values, std::string_view field
 
 CycleFigures::CycleFigures(SignalSource& source, QObject* parent)
     : QObject(parent), source_(source) {
-  connect(&source, &SignalSource::valuesArrived, this, Guarded(this, &CycleFigures::hearValues));
+  connect(&source, &SignalSource::valuesArrived, this, Guarded(this, &CycleFigures::onValues));
 }
 
 QString CycleFigures::cycleColumn() const { return component_ + QStringLiteral("/state.Cycle"); }
@@ -38,7 +38,7 @@ void CycleFigures::show(const QString& component) {
       this, component_.isEmpty() ? QSet<QString>() : QSet<QString>{cycleColumn(), summaryColumn()});
 }
 
-void CycleFigures::hearValues(const QString& column, const ColumnValues& values) {
+void CycleFigures::onValues(const QString& column, const ColumnValues& values) {
   if (component_.isEmpty()) return;
   if (column == cycleColumn()) {
     if (const auto count = ValueOf(values, ".overruns")) {
@@ -47,7 +47,7 @@ void CycleFigures::hearValues(const QString& column, const ColumnValues& values)
   } else if (column == summaryColumn()) {
     last_second_.reset();
     if (ValueOf(values, ".cycles").value_or(0) == 0) return;
-    const auto value = [&](std::string_view field) { return ValueOf(values, field).value_or(0); };
+    const auto value = [&](std::string_view path) { return ValueOf(values, path).value_or(0); };
     last_second_ = {value(".period.mean"),  value(".lateness.p50"), value(".lateness.p99"),
                     value(".lateness.max"), value(".compute.mean"), value(".period.max"),
                     value(".compute.max")};

@@ -38,7 +38,7 @@ class CycleFigures : public QObject {
   [[nodiscard]] std::optional<std::uint64_t> skipped() const { return skipped_; }
 
  private:
-  void hearValues(const QString& column, const ColumnValues& values);
+  void onValues(const QString& column, const ColumnValues& values);
   [[nodiscard]] QString cycleColumn() const;
   [[nodiscard]] QString summaryColumn() const;
 

@@ -31,9 +31,8 @@ EventList::EventList(SystemReports& reports, QWidget* parent)
   column->setSpacing(0);
   column->addWidget(MakeToolRow({rate_}, {clear}));
   column->addWidget(list, 1);
-  connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::hear));
-  connect(&reports, &SystemReports::eventsLost, &events_,
-          Guarded(&events_, &EventsModel::hearLost));
+  connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::add));
+  connect(&reports, &SystemReports::eventsLost, &events_, Guarded(&events_, &EventsModel::addLost));
   connect(&rate_timer_, &QTimer::timeout, this, Guarded(this, &EventList::showRate));
   rate_timer_.setInterval(kCountPeriod);
   connect(&events_, &QAbstractItemModel::rowsInserted, this, &EventList::showRate);

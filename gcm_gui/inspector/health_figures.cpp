@@ -78,18 +78,18 @@ void HealthFigures::askConnections(const ComponentDescription& component) {
     }
     reports_.askCounts(required, [self = QPointer(this), shown = shown_,
                                   required](const Result<ConnectionCounts>& counts) {
-      if (self != nullptr && self->shown_ == shown) self->hearCounts(required, counts);
+      if (self != nullptr && self->shown_ == shown) self->onCounts(required, counts);
     });
   }
   if (component.provided.empty()) return;
   reports_.askFill(process_, component_,
                    [self = QPointer(this), shown = shown_](const Result<MailboxFill>& fill) {
-                     if (self != nullptr && self->shown_ == shown) self->hearFill(fill);
+                     if (self != nullptr && self->shown_ == shown) self->onFill(fill);
                    });
 }
 
-void HealthFigures::hearCounts(const InterfaceName& required,
-                               const Result<ConnectionCounts>& counts) {
+void HealthFigures::onCounts(const InterfaceName& required,
+                             const Result<ConnectionCounts>& counts) {
   const QString path = ToQString(ToString(required));
   if (counts) {
     interfaces_[path] = InterfaceHealthOf(*counts);
@@ -99,7 +99,7 @@ void HealthFigures::hearCounts(const InterfaceName& required,
   Q_EMIT changed();
 }
 
-void HealthFigures::hearFill(const Result<MailboxFill>& fill) {
+void HealthFigures::onFill(const Result<MailboxFill>& fill) {
   const auto* component = store_.catalogue().FindComponent(process_, component_);
   if (component == nullptr) return;
   for (const auto& one : component->provided) {

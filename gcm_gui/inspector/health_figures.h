@@ -42,8 +42,8 @@ class HealthFigures : public QObject {
  private:
   void ask();
   void askConnections(const ComponentDescription& component);
-  void hearCounts(const InterfaceName& required, const Result<ConnectionCounts>& counts);
-  void hearFill(const Result<MailboxFill>& fill);
+  void onCounts(const InterfaceName& required, const Result<ConnectionCounts>& counts);
+  void onFill(const Result<MailboxFill>& fill);
 
   SystemReports& reports_;
   const CatalogueStore& store_;

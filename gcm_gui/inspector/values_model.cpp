@@ -13,8 +13,8 @@ namespace tendon::gui {
 
 int ValuesModel::Block::rows() const {
   if (is_out) return 0;
-  const bool has_numbers = isKnown() && !values.channels->empty();
-  return has_numbers ? static_cast<int>(values.channels->size()) : 1;
+  const bool has_numbers = isKnown() && !values.fields->empty();
+  return has_numbers ? static_cast<int>(values.fields->size()) : 1;
 }
 
 int ValuesModel::rowCount(const QModelIndex& parent) const {
@@ -28,7 +28,7 @@ int ValuesModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : kColumnCount;
 }
 
-ValuesModel::Place ValuesModel::placeOf(int row) const {
+ValuesModel::RowPosition ValuesModel::positionOf(int row) const {
   for (const Block& block : blocks_) {
     if (row < block.rows()) return {&block, static_cast<std::size_t>(row)};
     row -= block.rows();
@@ -37,47 +37,47 @@ ValuesModel::Place ValuesModel::placeOf(int row) const {
 }
 
 QString ValuesModel::unit(int row) const {
-  const auto [block, channel] = placeOf(row);
-  if (block == nullptr || !block->values.channels || block->values.channels->empty()) return {};
-  return ToQString((*block->values.channels)[channel].unit);
+  const auto [block, field] = positionOf(row);
+  if (block == nullptr || !block->values.fields || block->values.fields->empty()) return {};
+  return ToQString((*block->values.fields)[field].unit);
 }
 
 bool ValuesModel::isNumber(int row) const {
-  const Block* block = placeOf(row).block;
-  return block != nullptr && block->isKnown() && !block->values.channels->empty();
+  const Block* block = positionOf(row).block;
+  return block != nullptr && block->isKnown() && !block->values.fields->empty();
 }
 
 QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Place place = placeOf(index.row());
-  const auto& [block, channel] = place;
-  const bool has_numbers = block->isKnown() && !block->values.channels->empty();
-  const QString field =
-      has_numbers ? ToQString((*block->values.channels)[channel].path) : QString();
+  const RowPosition position = positionOf(index.row());
+  const auto& [block, field] = position;
+  const bool has_numbers = block->isKnown() && !block->values.fields->empty();
+  const QString field_path =
+      has_numbers ? ToQString((*block->values.fields)[field].path) : QString();
   switch (role) {
     case Qt::DisplayRole:
-      return index.column() == kName ? block->name + field : valueOf(place, role);
+      return index.column() == kName ? block->name + field_path : valueOf(position, role);
     case kPathRole:
-      return block->column + field;
+      return block->column + field_path;
     case Qt::ToolTipRole:
       if (isSilent(*block)) return silenceOf(*block);
-      return QString(block->column + field + '\n' + wholeOf(place)).trimmed();
+      return QString(block->column + field_path + '\n' + wholeOf(position)).trimmed();
     case kFontStyleRole:
       return static_cast<int>(FontStyle::kMono);
     case kDetailRole:
-      return index.column() == kName ? detailOf(*block, channel) : QString();
+      return index.column() == kName ? detailOf(*block, field) : QString();
     case kSparklineRole:
-      if (channel >= block->trends.size()) return {};
+      if (field >= block->trends.size()) return {};
       return QVariant::fromValue(
-          SparklineOf((*block->values.channels)[channel].schema, block->trends[channel]));
+          SparklineOf((*block->values.fields)[field].schema, block->trends[field]));
     case kStaleRole:
       return isOld(*block);
     case kFreshRole:
-      return index.column() == kValue ? valueOf(place, role) : QVariant();
+      return index.column() == kValue ? valueOf(position, role) : QVariant();
     case Qt::AccessibleTextRole:
-      return spokenOf(place, field);
+      return spokenOf(position, field_path);
     default:
-      return valueOf(place, role);
+      return valueOf(position, role);
   }
 }
 
@@ -89,17 +89,17 @@ QString ValuesModel::silenceOf(const Block& block) const {
 }
 
 /// The text for screen readers, including the rate or the age.
-QString ValuesModel::spokenOf(const Place& place, const QString& field) const {
-  const QString detail = detailOf(*place.block, place.channel);
+QString ValuesModel::spokenOf(const RowPosition& position, const QString& field_path) const {
+  const QString detail = detailOf(*position.block, position.field);
   const QString value =
       QStringLiteral("%1%2 %3 %4")
-          .arg(place.block->name, field, valueOf(place, Qt::DisplayRole).toString(),
-               valueOf(place, kUnitRole).toString());
+          .arg(position.block->name, field_path, valueOf(position, Qt::DisplayRole).toString(),
+               valueOf(position, kUnitRole).toString());
   return detail.isEmpty() ? value : value + QStringLiteral(", ") + detail;
 }
 
-QVariant ValuesModel::valueOf(const Place& place, int role) const {
-  const auto& [block, channel] = place;
+QVariant ValuesModel::valueOf(const RowPosition& position, int role) const {
+  const auto& [block, field] = position;
   const bool silent = isSilent(*block);
   switch (role) {
     case Qt::DisplayRole:
@@ -114,26 +114,26 @@ QVariant ValuesModel::valueOf(const Place& place, int role) const {
     case kProseRole:
       return silent;
     case kFreshRole:
-      return channel < block->changed.size() && clock_.Now() - block->changed[channel] < kFresh;
+      return field < block->changed.size() && clock_.Now() - block->changed[field] < kFresh;
     default:
       return {};
   }
-  const bool has_numbers = block->isKnown() && !block->values.channels->empty();
+  const bool has_numbers = block->isKnown() && !block->values.fields->empty();
   Quantity value{block->isKnown() && !has_numbers ? block->values.text : QStringLiteral("…"), {}};
   if (has_numbers) {
-    const NumericField& shape = (*block->values.channels)[channel];
+    const NumericField& shape = (*block->values.fields)[field];
     value.unit = ToQString(shape.unit);
-    if (channel < block->values.values.size()) {
-      value = QuantityOf(shape, block->values.values[channel]);
+    if (field < block->values.values.size()) {
+      value = QuantityOf(shape, block->values.values[field]);
     }
   }
   return role == kUnitRole ? value.unit : value.number;
 }
 
-QString ValuesModel::wholeOf(const Place& place) {
-  const auto& values = place.block->values;
-  if (place.channel >= values.values.size()) return {};
-  return WholeText((*values.channels)[place.channel], values.values[place.channel]);
+QString ValuesModel::wholeOf(const RowPosition& position) {
+  const auto& values = position.block->values;
+  if (position.field >= values.values.size()) return {};
+  return WholeText((*values.fields)[position.field], values.values[position.field]);
 }
 
 bool ValuesModel::isSilent(const Block& block) const {
@@ -153,8 +153,8 @@ bool ValuesModel::isOld(const Block& block) const {
   return IsStale(why_, ageOf(block), block.rate.hz());
 }
 
-QString ValuesModel::detailOf(const Block& block, std::size_t channel) const {
-  if (channel > 0) return {};
+QString ValuesModel::detailOf(const Block& block, std::size_t field) const {
+  if (field > 0) return {};
   if (isOld(block)) return OldText(why_, ageOf(block));
   return block.rate.hz() > 0 ? RateText(block.rate.hz()) : QString();
 }
@@ -170,15 +170,15 @@ void ValuesModel::awaitNothing() {
 }
 
 QString ValuesModel::askAgain(int row) {
-  const Place place = placeOf(row);
-  if (place.block == nullptr || !isSilent(*place.block)) return {};
+  const RowPosition position = positionOf(row);
+  if (position.block == nullptr || !isSilent(*position.block)) return {};
   for (Block& block : blocks_) {
-    if (block.column != place.block->column) continue;
+    if (block.column != position.block->column) continue;
     block.awaited = clock_.Now();
     block.refusal.clear();
   }
   Q_EMIT dataChanged(index(row, 0), index(row, kColumnCount - 1));
-  return place.block->column;
+  return position.block->column;
 }
 
 void ValuesModel::tick() {
@@ -233,17 +233,16 @@ QSet<QString> ValuesModel::columns() const {
 void ValuesModel::noteChanges(Block& block, const ColumnValues& values) const {
   const auto& before = block.values.values;
   block.changed.resize(values.values.size());
-  for (std::size_t channel = 0; channel < std::min(before.size(), values.values.size());
-       ++channel) {
-    if (before[channel] != values.values[channel]) block.changed[channel] = clock_.Now();
+  for (std::size_t field = 0; field < std::min(before.size(), values.values.size()); ++field) {
+    if (before[field] != values.values[field]) block.changed[field] = clock_.Now();
   }
 }
 
 void ValuesModel::addToTrends(Block& block) {
   block.trends.resize(block.values.values.size());
-  for (std::size_t channel = 0; channel < block.trends.size(); ++channel) {
-    QList<std::optional<NumericValue>>& trend = block.trends[channel];
-    trend.append(block.values.values[channel]);
+  for (std::size_t field = 0; field < block.trends.size(); ++field) {
+    QList<std::optional<NumericValue>>& trend = block.trends[field];
+    trend.append(block.values.values[field]);
     if (trend.size() > kTrend) trend.removeFirst();
   }
 }
@@ -279,7 +278,7 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
       first += block.rows();
       continue;
     }
-    if (block.values.channels == values.channels) {
+    if (block.values.fields == values.fields) {
       noteChanges(block, values);
       block.values = values;
     } else {
@@ -287,7 +286,7 @@ void ValuesModel::showValues(const QString& column, const ColumnValues& values) 
     }
     block.refusal.clear();
     block.arrived = clock_.Now();
-    block.rate.hear(values);
+    block.rate.onValues(values);
     addToTrends(block);
     const int last = first + block.rows() - 1;
     Q_EMIT dataChanged(index(first, 0), index(last, kColumnCount - 1));

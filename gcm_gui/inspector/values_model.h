@@ -69,35 +69,35 @@ class ValuesModel : public QAbstractTableModel {
     QString column;
     QString name;
     ColumnValues values = {};
-    std::vector<QList<std::optional<NumericValue>>> trends = {};  // by channel
-    std::vector<SteadyTime> changed = {};                         // by channel
+    std::vector<QList<std::optional<NumericValue>>> trends = {};  // by field
+    std::vector<SteadyTime> changed = {};                         // by field
     SteadyTime awaited = SteadyTime::max();                       // start of the wait for an answer
     QString refusal = {};                                         // why no answer came, if known
     SteadyTime arrived = {};                                      // arrival time of its newest row
     RowRate rate = {};
     bool is_out = false;  // set while its rows are replaced
-    [[nodiscard]] bool isKnown() const { return values.channels != nullptr; }
+    [[nodiscard]] bool isKnown() const { return values.fields != nullptr; }
     [[nodiscard]] int rows() const;
     bool operator==(const Block& other) const { return column == other.column; }
   };
-  struct Place {
+  struct RowPosition {
     const Block* block;
-    std::size_t channel;
+    std::size_t field;
   };
-  [[nodiscard]] Place placeOf(int row) const;
+  [[nodiscard]] RowPosition positionOf(int row) const;
   static void addToTrends(Block& block);
   void noteChanges(Block& block, const ColumnValues& values) const;
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
   /// The time since its newest row was written or, if unknown, since it arrived.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> ageOf(const Block& block) const;
-  [[nodiscard]] QString detailOf(const Block& block, std::size_t channel) const;
+  [[nodiscard]] QString detailOf(const Block& block, std::size_t field) const;
   /// The text for a column without an answer.
   [[nodiscard]] QString silenceOf(const Block& block) const;
-  [[nodiscard]] QString spokenOf(const Place& place, const QString& field) const;
-  [[nodiscard]] QVariant valueOf(const Place& place, int role) const;
+  [[nodiscard]] QString spokenOf(const RowPosition& position, const QString& field_path) const;
+  [[nodiscard]] QVariant valueOf(const RowPosition& position, int role) const;
   /// All digits of a value that is shown rounded; otherwise empty.
-  [[nodiscard]] static QString wholeOf(const Place& place);
+  [[nodiscard]] static QString wholeOf(const RowPosition& position);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 
   const Clock& clock_;

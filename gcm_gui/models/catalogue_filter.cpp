@@ -53,11 +53,11 @@ void CatalogueFilter::connectModel() {
   connect(&model_, &QAbstractItemModel::rowsRemoved, this, [this] {
     if (!active()) endRemoveRows();
   });
-  connect(&model_, &QAbstractItemModel::dataChanged, this, &CatalogueFilter::hearChange);
+  connect(&model_, &QAbstractItemModel::dataChanged, this, &CatalogueFilter::onDataChanged);
 }
 
-void CatalogueFilter::hearChange(const QModelIndex& first, const QModelIndex& last,
-                                 const QList<int>& roles) {
+void CatalogueFilter::onDataChanged(const QModelIndex& first, const QModelIndex& last,
+                                    const QList<int>& roles) {
   if (!active()) return Q_EMIT dataChanged(mapFromSource(first), mapFromSource(last), roles);
   for (int row = first.row(); row <= last.row(); ++row) {
     // A signal with roles means changed values, on which no filter depends.

@@ -60,7 +60,7 @@ class CatalogueFilter : public QAbstractProxyModel {
   void takeOut(const CatalogueItem& item);
   void drop(const CatalogueItem& item);
   void recheck(const CatalogueItem& item);
-  void hearChange(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles);
+  void onDataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles);
   /// The number of rows with children at and below `item`.
   [[nodiscard]] std::size_t parentsIn(const CatalogueItem& item) const;
   [[nodiscard]] bool isShown(const CatalogueItem& item) const;

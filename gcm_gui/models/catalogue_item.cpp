@@ -140,7 +140,7 @@ std::vector<QString> Segments(const std::string& path) {
   return segments;
 }
 
-/// The last child if it has this segment, else a new one: channels come in wire order.
+/// The last child if it has this segment, else a new one: fields come in wire order.
 CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   const QString path = parent.path + segment;
   if (!parent.children.empty() && parent.children.back()->path == path) {
@@ -199,7 +199,7 @@ QString KindWord(ItemKind kind) {
       return QStringLiteral("column");
     case ItemKind::kGroup:
       return QStringLiteral("field");
-    case ItemKind::kChannel:
+    case ItemKind::kField:
       return QStringLiteral("value");
   }
   return {};
@@ -255,18 +255,18 @@ std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
   return item;
 }
 
-std::vector<std::unique_ptr<CatalogueItem>> BuildChannels(
-    const CatalogueItem& column, const std::vector<NumericField>& channels) {
+std::vector<std::unique_ptr<CatalogueItem>> BuildFieldItems(
+    const CatalogueItem& column, const std::vector<NumericField>& fields) {
   CatalogueItem root;
   root.path = column.path;
   root.gone = column.gone;
-  for (std::size_t index = 0; index < channels.size(); ++index) {
+  for (std::size_t index = 0; index < fields.size(); ++index) {
     CatalogueItem* item = &root;
-    for (const QString& segment : Segments(channels[index].path)) item = &Group(*item, segment);
+    for (const QString& segment : Segments(fields[index].path)) item = &Group(*item, segment);
     if (item == &root) return {};
-    item->kind = ItemKind::kChannel;
-    item->channel = static_cast<int>(index);
-    item->unit = ToQString(channels[index].unit);
+    item->kind = ItemKind::kField;
+    item->field = static_cast<int>(index);
+    item->unit = ToQString(fields[index].unit);
   }
   LiftUnits(root);
   return std::move(root.children);

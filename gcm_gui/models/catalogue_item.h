@@ -22,9 +22,9 @@ enum class ItemKind {
   kEvent,
   kFunction,
   kHandler,
-  kColumn,   ///< of a state table
-  kGroup,    ///< a structure or an array in a column
-  kChannel,  ///< one number in a column
+  kColumn,  ///< of a state table
+  kGroup,   ///< a structure or an array in a column
+  kField,   ///< one number in a column
 };
 
 /// One row of the catalogue, and its child rows. The path is the identity of a row: unique, and the
@@ -47,7 +47,7 @@ struct CatalogueItem {
   QString host;                            ///< of a process, in lower case
   std::int64_t since = 0;  ///< of a process: when it entered its state, ns since 1970
   Fingerprint type;        ///< of a column
-  int channel = -1;        ///< of a number: the channel index in its column
+  int field = -1;          ///< of a number: the field index in its column
 
   CatalogueItem* parent = nullptr;
   int row = 0;
@@ -70,9 +70,9 @@ struct CatalogueItem {
                                                             const ProcessEntry& entry,
                                                             const ComponentDescription& component);
 
-/// The rows below a column with these channels, grouped by field and index. A column that is a
+/// The rows below a column with these fields, grouped by field and index. A column that is a
 /// single number has none.
-[[nodiscard]] std::vector<std::unique_ptr<CatalogueItem>> BuildChannels(
-    const CatalogueItem& column, const std::vector<NumericField>& channels);
+[[nodiscard]] std::vector<std::unique_ptr<CatalogueItem>> BuildFieldItems(
+    const CatalogueItem& column, const std::vector<NumericField>& fields);
 
 }  // namespace tendon::gui

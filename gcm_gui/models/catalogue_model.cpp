@@ -26,7 +26,7 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
     return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone,
-                    i.still, i.host, i.since, i.type, i.channel);
+                    i.still, i.host, i.since, i.type, i.field);
   };
   if (all(item) == all(fresh)) return false;
   all(item) = all(fresh);
@@ -40,7 +40,7 @@ void Renumber(CatalogueItem& parent, std::size_t from) {
 }
 
 void CollectSignals(const CatalogueItem& item, QList<CurveKey>& names) {
-  if (item.kind == ItemKind::kChannel) names.append({item.path, item.unit});
+  if (item.kind == ItemKind::kField) names.append({item.path, item.unit});
   for (const auto& child : item.children) CollectSignals(*child, names);
 }
 
@@ -55,7 +55,7 @@ QString Glyph(ItemKind kind) {
     case ItemKind::kColumn:
       return QStringLiteral("~");
     case ItemKind::kGroup:
-    case ItemKind::kChannel:
+    case ItemKind::kField:
       return QStringLiteral("·");
     default:
       return {};
@@ -164,8 +164,8 @@ QList<CurveKey> CatalogueModel::signalsBelow(const QString& path) const {
   if (item == nullptr) return names;
   CollectSignals(*item, names);
   const auto values = values_.constFind(path);
-  if (names.isEmpty() && values != values_.constEnd() && values->channels->size() == 1) {
-    names.append({path, ToQString(values->channels->front().unit)});
+  if (names.isEmpty() && values != values_.constEnd() && values->fields->size() == 1) {
+    names.append({path, ToQString(values->fields->front().unit)});
   }
   return names;
 }
@@ -342,12 +342,12 @@ void CatalogueModel::showValues(const QString& column, const ColumnValues& value
   CatalogueItem* item = by_path_.value(column);
   if (item == nullptr || item->kind != ItemKind::kColumn) return;
   const auto known = values_.constFind(column);
-  const bool same_shape = known != values_.constEnd() && known->channels == values.channels;
+  const bool same_shape = known != values_.constEnd() && known->fields == values.fields;
   values_.insert(column, values);
-  arrivals_.hear(column, values);
-  if (!same_shape) mergeChildren(*item, BuildChannels(*item, *values.channels));
-  if (!same_shape && values.channels->size() == 1 && item->children.empty()) {
-    item->unit = ToQString(values.channels->front().unit);
+  arrivals_.onValues(column, values);
+  if (!same_shape) mergeChildren(*item, BuildFieldItems(*item, *values.fields));
+  if (!same_shape && values.fields->size() == 1 && item->children.empty()) {
+    item->unit = ToQString(values.fields->front().unit);
   }
   emitValuesChanged(*item);
 }
@@ -499,38 +499,38 @@ QString CatalogueModel::valueText(const CatalogueItem& item) const {
   if (item.kind == ItemKind::kProcess && item.gone) {
     return item.value + ' ' + AgeText(now_ - item.since);
   }
-  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return item.value;
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kField) return item.value;
   const auto quantity = quantityOf(item);
   return quantity ? quantity->number : QString();
 }
 
 std::optional<Quantity> CatalogueModel::quantityOf(const CatalogueItem& item) const {
-  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return std::nullopt;
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kField) return std::nullopt;
   const auto values = values_.constFind(columnFor(item)->path);
   if (values == values_.constEnd()) return std::nullopt;
-  const bool scalar = values->channels->size() == 1 && item.children.empty();
+  const bool scalar = values->fields->size() == 1 && item.children.empty();
   if (item.kind == ItemKind::kColumn && !scalar) return Quantity{values->text, item.unit};
-  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
-  if (channel >= values->values.size()) return std::nullopt;
-  return QuantityOf((*values->channels)[channel], values->values[channel]);
+  const auto field = static_cast<std::size_t>(std::max(item.field, 0));
+  if (field >= values->values.size()) return std::nullopt;
+  return QuantityOf((*values->fields)[field], values->values[field]);
 }
 
 QString CatalogueModel::wholeText(const CatalogueItem& item) const {
-  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kChannel) return {};
+  if (item.kind != ItemKind::kColumn && item.kind != ItemKind::kField) return {};
   const auto values = values_.constFind(columnFor(item)->path);
-  const auto channel = static_cast<std::size_t>(std::max(item.channel, 0));
+  const auto field = static_cast<std::size_t>(std::max(item.field, 0));
   if (values == values_.constEnd()) return {};
-  const bool scalar = values->channels->size() == 1 && item.children.empty();
+  const bool scalar = values->fields->size() == 1 && item.children.empty();
   if (item.kind == ItemKind::kColumn && !scalar) return values->text;
-  if (channel >= values->values.size()) return {};
-  return WholeText((*values->channels)[channel], values->values[channel]);
+  if (field >= values->values.size()) return {};
+  return WholeText((*values->fields)[field], values->values[field]);
 }
 
 QString CatalogueModel::unitText(const CatalogueItem& item) const {
   const auto quantity = quantityOf(item);
   const QString unit = quantity ? quantity->unit : item.unit;
-  const bool told_above = item.parent->kind == ItemKind::kGroup && item.parent->unit == unit;
-  return told_above ? QString() : unit;
+  const bool is_shown_above = item.parent->kind == ItemKind::kGroup && item.parent->unit == unit;
+  return is_shown_above ? QString() : unit;
 }
 
 QVariant CatalogueModel::factData(const CatalogueItem& item, int column, int role) const {

@@ -4,17 +4,17 @@
 
 namespace tendon::gui {
 
-void ColumnArrivals::hear(const QString& column, const ColumnValues& values) {
+void ColumnArrivals::onValues(const QString& column, const ColumnValues& values) {
   Arrival& arrival = all_[column];
   // The subscription may have ended meanwhile; then its rows are counted from 0 again.
   if (isLeft(column, arrival)) arrival = {};
-  arrival.rate.hear(values);
+  arrival.rate.onValues(values);
   arrival.written = values.time;
-  arrival.heard = clock_.Now();
+  arrival.time = clock_.Now();
 }
 
 bool ColumnArrivals::isLeft(const QString& column, const Arrival& arrival) const {
-  return !watched_.contains(column) && clock_.Now() - arrival.heard > kSilence;
+  return !watched_.contains(column) && clock_.Now() - arrival.time > kSilence;
 }
 
 QStringList ColumnArrivals::dropSilent() {
@@ -27,7 +27,7 @@ std::optional<double> ColumnArrivals::rate(const QString& column) const {
   constexpr double kMostPeriods = 5;
   const auto it = all_.constFind(column);
   if (it == all_.constEnd() || it->rate.hz() <= 0) return std::nullopt;
-  const std::chrono::duration<double> silence = clock_.Now() - it->heard;
+  const std::chrono::duration<double> silence = clock_.Now() - it->time;
   const std::chrono::duration<double> usual(kMostPeriods / it->rate.hz());
   const std::chrono::duration<double> patience = kSilence;
   if (silence > std::max(patience, usual)) return std::nullopt;

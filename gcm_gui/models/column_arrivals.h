@@ -22,7 +22,7 @@ class ColumnArrivals {
 
   explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  void hear(const QString& column, const ColumnValues& values);
+  void onValues(const QString& column, const ColumnValues& values);
   /// Sets the columns with a certain subscription; only their silence counts as an interruption.
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
@@ -40,7 +40,7 @@ class ColumnArrivals {
   struct Arrival {
     RowRate rate;
     std::int64_t written = 0;  // ns on the steady clock; 0 before the first row
-    SteadyTime heard;
+    SteadyTime time;
   };
   [[nodiscard]] bool isLeft(const QString& column, const Arrival& arrival) const;
 

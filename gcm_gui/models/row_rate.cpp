@@ -2,7 +2,7 @@
 
 namespace tendon::gui {
 
-void RowRate::hear(const ColumnValues& values) {
+void RowRate::onValues(const ColumnValues& values) {
   constexpr double kLeastTime = 1;  // s
   const double passed = 1e-9 * static_cast<double>(values.time - time_);
   const bool begins = time_ == 0 || values.rows < rows_ || passed < 0;

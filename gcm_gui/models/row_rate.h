@@ -11,7 +11,7 @@ namespace tendon::gui {
 class RowRate {
  public:
   /// Takes the newest row. A restart of the source restarts the measurement.
-  void hear(const ColumnValues& values);
+  void onValues(const ColumnValues& values);
   /// 0 while unknown.
   [[nodiscard]] double hz() const { return hz_; }
 

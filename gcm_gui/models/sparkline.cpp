@@ -6,14 +6,14 @@
 
 namespace tendon::gui {
 
-Sparkline SparklineOf(const Schema& channel, const QList<std::optional<NumericValue>>& values) {
+Sparkline SparklineOf(const Schema& field, const QList<std::optional<NumericValue>>& values) {
   constexpr double kNoPlace = std::numeric_limits<double>::quiet_NaN();
   std::vector<NumericValue> known;
   for (const auto& value : values) {
     if (value) known.push_back(*value);
   }
-  const NumericAxis axis = NumericAxis::Tight(channel, known);
-  Sparkline trend{.parts = {}, .is_stepped = IsStepped(channel)};
+  const NumericAxis axis = NumericAxis::Tight(field, known);
+  Sparkline trend{.parts = {}, .is_stepped = IsStepped(field)};
   trend.parts.reserve(values.size());
   for (const auto& value : values) {
     trend.parts.append(value ? axis.PartOf(*value).value_or(kNoPlace) : kNoPlace);

@@ -14,8 +14,8 @@ struct Sparkline {
   bool is_stepped = false;  ///< each value holds until the next one
 };
 
-/// The trend of a channel's latest values; nullopt stands for a row without a value.
-[[nodiscard]] Sparkline SparklineOf(const Schema& channel,
+/// The trend of a field's latest values; nullopt stands for a row without a value.
+[[nodiscard]] Sparkline SparklineOf(const Schema& field,
                                     const QList<std::optional<NumericValue>>& values);
 
 }  // namespace tendon::gui

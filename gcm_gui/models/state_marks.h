@@ -25,8 +25,8 @@ class ConnectionIndex;
 [[nodiscard]] QString WordOf(StaleReason why);
 /// "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age);
-/// The missing connections of a component, by the same rules as in core. `connections` must belong
-/// to the same catalogue as the component.
+/// The connections that a component still waits for, by the same rules as in core. `connections`
+/// must belong to the same catalogue as the component.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
                                                         const ProcessEntry& process,
                                                         const ComponentDescription& component);

@@ -52,19 +52,19 @@ QString NumberText(double value) {
   return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
 }
 
-Quantity QuantityOf(const NumericField& channel, const std::optional<NumericValue>& value) {
-  const QString unit = ToQString(channel.unit);
+Quantity QuantityOf(const NumericField& field, const std::optional<NumericValue>& value) {
+  const QString unit = ToQString(field.unit);
   if (!value) return {QStringLiteral("–"), unit};
-  if (!IsRounded(*value)) return {ToQString(ToString(channel.schema, *value)), unit};
+  if (!IsRounded(*value)) return {ToQString(ToString(field.schema, *value)), unit};
   const double real = value->real();
-  if (channel.unit == "s" && real != 0 && std::abs(real) < 1) return DurationOf(real);
+  if (field.unit == "s" && real != 0 && std::abs(real) < 1) return DurationOf(real);
   return {NumberText(real), unit};
 }
 
-QString WholeText(const NumericField& channel, const std::optional<NumericValue>& value) {
+QString WholeText(const NumericField& field, const std::optional<NumericValue>& value) {
   if (!value || !IsRounded(*value)) return {};
-  const Quantity whole{ToQString(ToString(*value)), ToQString(channel.unit)};
-  const Quantity shown = QuantityOf(channel, value);
+  const Quantity whole{ToQString(ToString(*value)), ToQString(field.unit)};
+  const Quantity shown = QuantityOf(field, value);
   if (whole.number == shown.number && whole.unit == shown.unit) return {};
   return whole.unit.isEmpty() ? whole.number : whole.number + ' ' + whole.unit;
 }

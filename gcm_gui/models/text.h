@@ -31,13 +31,13 @@ struct Quantity {
   QString unit;
 };
 
-/// A number formatted as its channel requires: "on", "true", "12", "0.2013" "rad"; "–" for none.
+/// A number formatted as its field requires: "on", "true", "12", "0.2013" "rad"; "–" for none.
 /// Integers keep all digits. Durations below a second get a suitable unit: "19.6" "µs".
-[[nodiscard]] Quantity QuantityOf(const NumericField& channel,
+[[nodiscard]] Quantity QuantityOf(const NumericField& field,
                                   const std::optional<NumericValue>& value);
 
 /// All digits with the unit, if QuantityOf() rounds: "0.20134000000000002 rad"; otherwise empty.
-[[nodiscard]] QString WholeText(const NumericField& channel,
+[[nodiscard]] QString WholeText(const NumericField& field,
                                 const std::optional<NumericValue>& value);
 
 /// The rate of a period in seconds: "1 kHz", "50 Hz", "0.5 Hz"; empty for none.

@@ -44,7 +44,7 @@ PlotView& PlotPage::insert(int place) {
   rows_->insertWidget(place, view);
   rows_->setStretchFactor(place, 1);
   views_.insert(views_.begin() + place, view);
-  tellOrder();
+  updatePlotsAbove();
   auto* close = new QToolButton(view);
   close->setObjectName(kCloseName);
   close->setAccessibleName(Words::tr("Close this plot"));
@@ -75,7 +75,7 @@ void PlotPage::close(PlotView& view) {
   const auto found = std::find(views_.begin(), views_.end(), &view);
   if (found == views_.end() || views_.size() == 1) return;
   const auto next = views_.erase(found);
-  tellOrder();
+  updatePlotsAbove();
   if (current_ == &view) current_ = next == views_.end() ? views_.back() : *next;
   view.hide();
   view.setParent(nullptr);
@@ -96,7 +96,7 @@ void PlotPage::setCurrent(PlotView& view) {
   Q_EMIT currentChanged();
 }
 
-void PlotPage::tellOrder() {
+void PlotPage::updatePlotsAbove() {
   for (auto view = views_.begin(); view != views_.end(); ++view) {
     (*view)->setPlotsAbove({views_.begin(), view});
   }

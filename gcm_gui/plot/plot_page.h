@@ -43,7 +43,7 @@ class PlotPage : public QWidget {
 
  private:
   PlotView& insert(int place);
-  void tellOrder();
+  void updatePlotsAbove();
   void markCurrent();
   void align();
 

@@ -283,8 +283,8 @@ void PlotPanel::openLayout(const QString& name) {
         Q_EMIT notice(name + Words::tr(" is not a layout of plots: ") + *reason);
       }
     } catch (...) {
-      ExceptionGuard::instance().hear(this, ViewWork::kHandling);
-      Q_EMIT notice(name + Words::tr(" cannot be shown: ") + WordsOfException());
+      ExceptionGuard::instance().recordException(this, ViewWork::kHandling);
+      Q_EMIT notice(name + Words::tr(" cannot be shown: ") + CurrentExceptionText());
     }
   });
 }

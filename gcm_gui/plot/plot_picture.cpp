@@ -48,9 +48,9 @@ QImage ImageOf(PlotView& view) {
 void CopyPicture(PlotView& view) { QGuiApplication::clipboard()->setPixmap(view.grab()); }
 
 void SavePicture(PlotView& view, const QString& name, const QObject* context,
-                 const std::function<void(const QString& sentence)>& told) {
-  const auto done = [name, told](const QString& refusal) {
-    told(refusal.isEmpty() ? name + Words::tr(" saved") : NotSaved(name, refusal));
+                 const std::function<void(const QString& sentence)>& report) {
+  const auto done = [name, report](const QString& refusal) {
+    report(refusal.isEmpty() ? name + Words::tr(" saved") : NotSaved(name, refusal));
   };
   FileWriter& writer = FileWriter::exports();
   if (name.endsWith(".svg", Qt::CaseInsensitive)) {

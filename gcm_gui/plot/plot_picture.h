@@ -13,10 +13,10 @@ class PlotView;
 void CopyPicture(PlotView& view);
 
 /// Saves the plot as it looks now: as SVG with scalable curves if the name of `file` ends in .svg,
-/// otherwise as an image at double resolution. Another thread encodes and writes it. Then `told` is
-/// called, if `context` still exists, with a sentence for the user: the saved file, or the reason
-/// of the failure.
+/// otherwise as an image at double resolution. Another thread encodes and writes it. Then `report`
+/// is called, if `context` still exists, with a sentence for the user: the saved file, or the
+/// reason of the failure.
 void SavePicture(PlotView& view, const QString& file, const QObject* context,
-                 const std::function<void(const QString& sentence)>& told);
+                 const std::function<void(const QString& sentence)>& report);
 
 }  // namespace tendon::gui

@@ -291,7 +291,7 @@ void PlotView::noticeSamples() {
   const std::int64_t newest = curves_.newestTime();
   if (newest == newest_ns_) return;
   newest_ns_ = newest;
-  time_axis_->clock().hear(newest, LocalNow());
+  time_axis_->clock().update(newest, LocalNow());
   dirty_ = true;
 }
 

@@ -22,9 +22,9 @@ void SharedTimeAxis::join(CurveSet& curves) { sets_.push_back(&curves); }
 
 void SharedTimeAxis::leave(CurveSet& curves) {
   std::erase(sets_, &curves);
-  for (auto* places : {&former_, &later_}) {
-    for (Place& place : *places) {
-      std::erase_if(place.axes, [&](const auto& each) { return each.first == &curves; });
+  for (auto* states : {&former_, &later_}) {
+    for (ViewState& state : *states) {
+      std::erase_if(state.axes, [&](const auto& each) { return each.first == &curves; });
     }
   }
 }
@@ -41,10 +41,10 @@ bool SharedTimeAxis::setHover(std::optional<int> column) {
   return true;
 }
 
-SharedTimeAxis::Place SharedTimeAxis::present() const {
-  Place place{.window = window_};
-  for (CurveSet* set : sets_) place.axes.emplace_back(set, set->axes());
-  return place;
+SharedTimeAxis::ViewState SharedTimeAxis::present() const {
+  ViewState state{.window = window_};
+  for (CurveSet* set : sets_) state.axes.emplace_back(set, set->axes());
+  return state;
 }
 
 void SharedTimeAxis::remember(Gesture gesture) {
@@ -56,13 +56,13 @@ void SharedTimeAxis::remember(Gesture gesture) {
   if (former_.size() > kMostSteps) former_.erase(former_.begin());
 }
 
-void SharedTimeAxis::go(std::vector<Place>& from, std::vector<Place>& to) {
+void SharedTimeAxis::go(std::vector<ViewState>& from, std::vector<ViewState>& to) {
   if (from.empty()) return;
   to.push_back(present());
-  const Place place = std::move(from.back());
+  const ViewState state = std::move(from.back());
   from.pop_back();
-  window_ = place.window;
-  for (const auto& [set, axes] : place.axes) TakeOver(set->axes(), axes);
+  window_ = state.window;
+  for (const auto& [set, axes] : state.axes) TakeOver(set->axes(), axes);
   endRun();
   touch();
 }

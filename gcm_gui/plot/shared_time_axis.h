@@ -55,21 +55,21 @@ class SharedTimeAxis {
   [[nodiscard]] bool hasLater() const { return !later_.empty(); }
 
  private:
-  struct Place {
+  struct ViewState {
     TimeWindow window;
     std::vector<std::pair<CurveSet*, std::vector<UnitAxis>>> axes;
   };
 
-  [[nodiscard]] Place present() const;
-  void go(std::vector<Place>& from, std::vector<Place>& to);
+  [[nodiscard]] ViewState present() const;
+  void go(std::vector<ViewState>& from, std::vector<ViewState>& to);
 
   TimeWindow window_;
   Cursors cursors_;
   LiveClock clock_;
   std::optional<int> hover_;
   std::vector<CurveSet*> sets_;
-  std::vector<Place> former_;
-  std::vector<Place> later_;
+  std::vector<ViewState> former_;
+  std::vector<ViewState> later_;
   Gesture last_gesture_ = Gesture::kOnce;
   std::uint64_t revision_ = 0;
 };

@@ -79,12 +79,12 @@ ChangedParts TakeSome(ChangedParts& parts, const Catalogue& catalogue, std::size
 
 CatalogueStore::CatalogueStore(QObject* parent) : QObject(parent) {
   next_.setSingleShot(true);
-  connect(&next_, &QTimer::timeout, this, &CatalogueStore::tell);
+  connect(&next_, &QTimer::timeout, this, &CatalogueStore::announce);
 }
 
-void CatalogueStore::tell() {
-  const ChangedParts some = TakeSome(untold_, catalogue_, kMostAtOnce);
-  if (!untold_.empty()) next_.start();
+void CatalogueStore::announce() {
+  const ChangedParts some = TakeSome(unannounced_, catalogue_, kMostAtOnce);
+  if (!unannounced_.empty()) next_.start();
   Q_EMIT changed(catalogue_, some);
 }
 
@@ -111,10 +111,10 @@ void CatalogueStore::replace(Catalogue catalogue) {
       noteState(name, component, std::nullopt);  // changed at an unknown time
     }
   }
-  TouchAll(untold_, catalogue_);
-  TouchAll(untold_, catalogue);
+  TouchAll(unannounced_, catalogue_);
+  TouchAll(unannounced_, catalogue);
   catalogue_ = std::move(catalogue);
-  tell();
+  announce();
 }
 
 void CatalogueStore::apply(const std::vector<CatalogueChange>& changes) {
@@ -122,14 +122,14 @@ void CatalogueStore::apply(const std::vector<CatalogueChange>& changes) {
     ChangedParts here;
     Touch(here, catalogue_, change);
     if (!catalogue_.Apply(change)) continue;
-    untold_.merge(here);
+    unannounced_.merge(here);
     for (const auto& component : change.components)
       noteState(change.process, component, WallClock());
     if (change.kind == CatalogueChange::Kind::kComponentRemoved) {
       states_.erase(ChangedPart{change.process, change.component});
     }
   }
-  if (!untold_.empty()) tell();
+  if (!unannounced_.empty()) announce();
 }
 
 }  // namespace tendon::gui

@@ -14,8 +14,8 @@
 
 namespace tendon::gui {
 
-/// A component that has changed itself, or in a connection of one of its interfaces. An empty
-/// component means the whole process.
+/// A component that has changed, or a component with a changed connection. An empty component means
+/// the whole process.
 struct ChangedPart {
   std::string process;
   std::string component;
@@ -47,7 +47,7 @@ class CatalogueStore : public QObject {
   /// Takes the next changes. Ignores changes after a missing one: a snapshot will follow.
   void apply(const std::vector<CatalogueChange>& changes);
   /// True if not all changes were announced to the views yet.
-  [[nodiscard]] bool isTelling() const { return !untold_.empty(); }
+  [[nodiscard]] bool isAnnouncing() const { return !unannounced_.empty(); }
 
  Q_SIGNALS:
   /// Announces changes that arrived together; if they touch many components, in steps from the
@@ -62,13 +62,13 @@ class CatalogueStore : public QObject {
     std::optional<std::int64_t> since;
   };
 
-  void tell();
+  void announce();
   void noteState(const std::string& process, const ComponentDescription& component,
                  std::optional<std::int64_t> changed_at);
 
   Catalogue catalogue_;
   std::map<ChangedPart, KnownState> states_;
-  ChangedParts untold_;
+  ChangedParts unannounced_;
   QTimer next_;
 };
 

@@ -45,11 +45,11 @@ std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting)
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-ExactNumber NumberOf(const NumericField& channel, std::span<const std::byte> body) {
-  const auto value = ReadExactly(channel, body);
+ExactNumber NumberOf(const NumericField& field, std::span<const std::byte> body) {
+  const auto value = ReadExactly(field, body);
   if (!value) return kNotANumber;
   // States are stored as signed integers, like the numbers in ValueNames.
-  const bool is_state = channel.schema.kind() == Schema::Kind::kBool;
+  const bool is_state = field.schema.kind() == Schema::Kind::kBool;
   if (value->kind() == NumericValue::Kind::kSigned || is_state) {
     return ExactNumber::Signed(value->integer());
   }
@@ -93,19 +93,19 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   }
   fresh_ = true;
   stale_.reset();
-  for (auto& [field, tap] : taps_) resolve(field, tap);
+  for (auto& [field_path, tap] : taps_) resolve(field_path, tap);
 }
 
-void ColumnFeed::resolve(const std::string& field, Tap& tap) const {
+void ColumnFeed::resolve(const std::string& field_path, Tap& tap) const {
   if (!schema_) return;
-  auto channel = FindNumericField(*schema_, field);
-  if (channel.ok()) {
-    tap.names = ValueNamesOf(channel->schema);
-    tap.channel = std::move(*channel);
+  auto field = FindNumericField(*schema_, field_path);
+  if (field.ok()) {
+    tap.names = ValueNamesOf(field->schema);
+    tap.field = std::move(*field);
     tap.stale.reset();
   } else {
-    tap.channel.reset();
-    tap.stale = ToQString(channel.error().message);
+    tap.field.reset();
+    tap.stale = ToQString(field.error().message);
   }
 }
 
@@ -116,7 +116,7 @@ std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   const bool new_epoch = batch.epoch != epoch_;
   epoch_ = batch.epoch;
   std::size_t left_out = 0;
-  for (auto& [field, tap] : taps_) left_out = std::max(left_out, feed(tap, batch, new_epoch));
+  for (auto& [field_path, tap] : taps_) left_out = std::max(left_out, feed(tap, batch, new_epoch));
   keepNewest(batch);
   rows_ += batch.count;
   losses_.viewer += left_out;
@@ -157,18 +157,18 @@ QString ColumnFeed::refusal() {
 
 RowLosses ColumnFeed::losses() {
   const std::unique_lock lock(mutex_, std::try_to_lock);
-  if (lock) told_losses_ = {losses_.table, losses_.network, losses_.viewer};
-  return told_losses_;
+  if (lock) known_losses_ = {losses_.table, losses_.network, losses_.viewer};
+  return known_losses_;
 }
 
 std::size_t ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) const {
-  if (!tap.channel) return 0;
+  if (!tap.field) return 0;
   tap.stale.reset();
   if (new_epoch || tap.runs.empty()) tap.runs.push_back({new_epoch, {}});
   std::vector<Sample>& samples = tap.runs.back().samples;
   for (std::size_t row = 0; row < batch.count; ++row) {
     samples.push_back({batch.times[row] - batch.clock_offset.count(), batch.ticks[row],
-                       NumberOf(*tap.channel, batch.cell(row, 0))});
+                       NumberOf(*tap.field, batch.cell(row, 0))});
   }
   tap.waiting += batch.count;
   return DropOldest(tap.runs, tap.waiting);
@@ -178,12 +178,12 @@ void ColumnFeed::OnStale(const Error& reason) {
   const std::lock_guard lock(mutex_);
   const bool not_there = reason.code == ErrorCode::kUnreachable;
   stale_ = not_there ? QString() : ToQString(reason.message);
-  for (auto& [field, tap] : taps_) tap.stale = stale_;
+  for (auto& [field_path, tap] : taps_) tap.stale = stale_;
 }
 
-void ColumnFeed::tap(const std::string& field) { order({field, true}); }
+void ColumnFeed::tap(const std::string& field_path) { order({field_path, true}); }
 
-void ColumnFeed::untap(const std::string& field) { order({field, false}); }
+void ColumnFeed::untap(const std::string& field_path) { order({field_path, false}); }
 
 void ColumnFeed::order(Order one) {
   orders_.push_back(std::move(one));
@@ -192,23 +192,23 @@ void ColumnFeed::order(Order one) {
 }
 
 void ColumnFeed::executeOrders() {
-  for (const auto& [field, is_wanted] : std::exchange(orders_, {})) {
+  for (const auto& [field_path, is_wanted] : std::exchange(orders_, {})) {
     if (!is_wanted) {
-      taps_.erase(field);
+      taps_.erase(field_path);
       continue;
     }
-    const auto [it, added] = taps_.try_emplace(field);
+    const auto [it, added] = taps_.try_emplace(field_path);
     if (!added) continue;
     it->second.stale = stale_;
-    resolve(field, it->second);
+    resolve(field_path, it->second);
   }
 }
 
-ColumnFeed::NewSamples ColumnFeed::take(const std::string& field) {
+ColumnFeed::NewSamples ColumnFeed::take(const std::string& field_path) {
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock) return {};
   executeOrders();
-  const auto it = taps_.find(field);
+  const auto it = taps_.find(field_path);
   if (it == taps_.end()) return {};
   Tap& tap = it->second;
   tap.waiting = 0;
@@ -216,11 +216,11 @@ ColumnFeed::NewSamples ColumnFeed::take(const std::string& field) {
           std::exchange(tap.names, std::nullopt)};
 }
 
-ChannelList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
+NumericFieldList ColumnFeed::shapeOf(const std::vector<std::byte>& row) {
   if (varies_ && !row.empty()) {
-    auto channels = NumericFields(*schema_, row);
-    if (!SameShape(channels, *shape_)) {
-      shape_ = std::make_shared<const std::vector<NumericField>>(std::move(channels));
+    auto fields = NumericFields(*schema_, row);
+    if (!SameShape(fields, *shape_)) {
+      shape_ = std::make_shared<const std::vector<NumericField>>(std::move(fields));
     }
   }
   return shape_;
@@ -232,20 +232,20 @@ std::optional<ColumnValues> ColumnFeed::takeValues() {
   executeOrders();
   if (!schema_ || !std::exchange(fresh_, false)) return std::nullopt;
   ColumnValues values;
-  values.channels = shapeOf(newest_row_);
+  values.fields = shapeOf(newest_row_);
   if (newest_row_.empty()) return values;
   values.rows = rows_;
   values.time = newest_time_;
-  values.values.reserve(values.channels->size());
-  for (const NumericField& channel : *values.channels) {
-    values.values.push_back(ReadExactly(channel, newest_row_));
+  values.values.reserve(values.fields->size());
+  for (const NumericField& field : *values.fields) {
+    values.values.push_back(ReadExactly(field, newest_row_));
   }
   if (is_picture_) {
     if (auto picture = RawImageOf(*schema_, newest_row_)) {
       values.picture = std::make_shared<const RawImage>(*std::move(picture));
     }
   }
-  if (values.channels->empty()) {
+  if (values.fields->empty()) {
     if (const auto json = ToJson(*schema_, newest_row_); json.ok()) values.text = ToQString(*json);
   }
   return values;

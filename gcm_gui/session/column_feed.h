@@ -17,8 +17,8 @@ namespace tendon::gui {
 /// Passes the rows of one column from network threads to the GUI thread. Keeps every row of tapped
 /// numbers, and only the newest row of the others.
 ///
-/// Network threads hold the lock while they read one batch. All other functions belong to the GUI
-/// thread and never wait for the lock: if it is taken, they do their work in the next call.
+/// Network threads hold the lock while they read one batch. The GUI thread calls all other
+/// functions; they never wait for the lock. If it is taken, they do their work in the next call.
 class ColumnFeed final : public RowSink {
  public:
   /// The maximum number of waiting samples per number; when it is reached, the oldest are dropped
@@ -50,11 +50,11 @@ class ColumnFeed final : public RowSink {
   /// row, which may be very old.
   [[nodiscard]] bool takeRenewed();
 
-  /// `field` is the part of a path after the column: ".position[0]", or empty. If a batch is being
-  /// read, the tap starts at the next take.
-  void tap(const std::string& field);
-  void untap(const std::string& field);
-  [[nodiscard]] NewSamples take(const std::string& field);
+  /// `field_path` is the part of a path after the column: ".position[0]", or empty. If a batch is
+  /// being read, the tap starts at the next take.
+  void tap(const std::string& field_path);
+  void untap(const std::string& field_path);
+  [[nodiscard]] NewSamples take(const std::string& field_path);
   /// The newest row, if one has arrived or the column has become known since the last call.
   [[nodiscard]] std::optional<ColumnValues> takeValues();
   /// The reason why there are no rows, if known; also empty while a batch is being read.
@@ -64,7 +64,7 @@ class ColumnFeed final : public RowSink {
 
  private:
   struct Tap {
-    std::optional<NumericField> channel;
+    std::optional<NumericField> field;
     std::vector<Run> runs;
     std::size_t waiting = 0;  // samples in `runs`
     std::optional<QString> stale;
@@ -73,23 +73,23 @@ class ColumnFeed final : public RowSink {
 
   /// An order of the GUI thread for the taps.
   struct Order {
-    std::string field;
+    std::string field_path;
     bool is_wanted = false;
   };
 
   void order(Order one);
   /// Executes the orders; call it with the lock held.
   void executeOrders();
-  void resolve(const std::string& field, Tap& tap) const;
+  void resolve(const std::string& field_path, Tap& tap) const;
   void keepNewest(const RowBatch& batch);
   /// Returns the number of dropped samples.
   std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
-  [[nodiscard]] ChannelList shapeOf(const std::vector<std::byte>& row);
+  [[nodiscard]] NumericFieldList shapeOf(const std::vector<std::byte>& row);
 
   std::mutex mutex_;
   std::optional<Schema> schema_;
   bool is_picture_ = false;
-  bool varies_ = false;  // the schema has sequences: channels may differ from row to row
+  bool varies_ = false;  // the schema has sequences: fields may differ from row to row
   std::uint64_t epoch_ = 0;
   std::map<std::string, Tap> taps_;
   std::optional<QString> stale_;
@@ -97,11 +97,11 @@ class ColumnFeed final : public RowSink {
   std::int64_t newest_time_ = 0;
   std::uint64_t rows_ = 0;
   LostRows losses_;            // as counted by the subscription: a copy without its lock
-  RowLosses told_losses_;      // GUI thread only
+  RowLosses known_losses_;     // GUI thread only
   std::vector<Order> orders_;  // GUI thread only
   bool fresh_ = false;
   bool is_renewed_ = false;
-  ChannelList shape_;
+  NumericFieldList shape_;
 };
 
 }  // namespace tendon::gui

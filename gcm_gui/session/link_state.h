@@ -33,11 +33,11 @@ class LinkState : public QObject {
   /// Sets the state kLost, or kSearching if there never was a link.
   void setUnreachable(const QString& reason);
   /// Requests the whole state of the system again.
-  void askAnew() { Q_EMIT wantedAnew(); }
+  void requestResync() { Q_EMIT resyncRequested(); }
 
  Q_SIGNALS:
   void changed();
-  void wantedAnew();
+  void resyncRequested();
 
  private:
   void enter(State state);

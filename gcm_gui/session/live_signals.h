@@ -18,9 +18,9 @@ namespace tendon::gui {
 
 class ColumnFeed;
 
-/// Live data over the network. One subscription per column, shared by all users, plus a second one
-/// until the row that existed before has arrived; both end some time after their last user.
-/// Delivers rows 30 times a second, newest values 10 times.
+/// Live data over the network. All users of a column share one subscription. A second subscription
+/// fetches the row that existed before, and ends when that row has arrived. The first one ends some
+/// time after its last user. Delivers rows 30 times a second, newest values 10 times.
 class LiveSignals : public SignalSource {
   Q_OBJECT
 

@@ -104,7 +104,8 @@ void NetworkReports::learn(const console::EventInbox::Content& content) {
   for (const auto& [type, process] : types_.takeDue(SteadyClock().Now())) {
     client_.GetSchema(
         process, type, [this, poster = poster_, type = type](const Result<Schema>& schema) {
-          poster->post([this, type, schema] { types_.hear(type, schema, SteadyClock().Now()); });
+          poster->post(
+              [this, type, schema] { types_.onAnswer(type, schema, SteadyClock().Now()); });
         });
   }
 }
@@ -134,17 +135,17 @@ void NetworkReports::drain() {
     waiting_.pop_front();
   }
   for (const auto& [path, count] : lost.by_path) Q_EMIT eventsLost(ToQString(path), count);
-  std::vector<ReceivedEvent> heard;
+  std::vector<ReceivedEvent> received;
   std::deque<console::ReceivedEvent> unread;
   for (console::ReceivedEvent& event : waiting_) {
     if (const auto value = valueOf(event)) {
-      heard.push_back({event.time_ns, ToQString(event.path), *value});
+      received.push_back({event.time_ns, ToQString(event.path), *value});
     } else {
       unread.push_back(std::move(event));
     }
   }
   waiting_ = std::move(unread);
-  if (!heard.empty()) Q_EMIT eventsArrived(heard);
+  if (!received.empty()) Q_EMIT eventsArrived(received);
 }
 
 void NetworkReports::askHealth(Handler<message::SystemHealth> handler) {

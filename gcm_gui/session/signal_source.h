@@ -18,12 +18,12 @@ namespace tendon::gui {
 struct RawImage;
 
 /// The numbers in a column, in wire order; a new list if their number changes.
-using ChannelList = std::shared_ptr<const std::vector<NumericField>>;
+using NumericFieldList = std::shared_ptr<const std::vector<NumericField>>;
 
 /// The newest row of one column, decoded.
 struct ColumnValues {
-  ChannelList channels;  ///< never null
-  /// By channel; no value if the row does not have it. Empty before the first row.
+  NumericFieldList fields;  ///< never null
+  /// By field; no value if the row does not have it. Empty before the first row.
   std::vector<std::optional<NumericValue>> values;
   QString text;                                  ///< of a column without numbers, as JSON
   std::shared_ptr<const RawImage> picture = {};  ///< of a column with a picture; otherwise null

@@ -17,7 +17,7 @@ std::vector<std::pair<Fingerprint, std::string>> TypeRequests::takeDue(SteadyTim
   return due;
 }
 
-void TypeRequests::hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
+void TypeRequests::onAnswer(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
   Request& one = wanted_[type];
   one.is_asking = false;
   one.answer = answer;

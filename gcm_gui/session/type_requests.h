@@ -22,10 +22,10 @@ class TypeRequests {
 
   /// Adds a type to request from `process`; a later call may name another process.
   void want(Fingerprint type, const std::string& process);
-  /// The types to request now, each with its process. Call hear() for each of them.
+  /// The types to request now, each with its process. Call onAnswer() for each of them.
   [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);
   /// Takes the result of a request.
-  void hear(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
+  void onAnswer(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
   /// The last answer; null if there is none.
   [[nodiscard]] const Result<Schema>* find(Fingerprint type) const;
 

@@ -25,7 +25,7 @@ SteerCard::SteerCard(QWidget& place)
   button_->setProperty("changesSystem", true);
   SetRole(*button_, QStringLiteral("primary"));
   connect(button_, &HoldButton::called, this, &SteerCard::enter);
-  connect(button_, &HoldButton::letGoEarly, this,
+  connect(button_, &HoldButton::releasedEarly, this,
           [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
   auto* lines = new QVBoxLayout(&body());
   lines->setContentsMargins(kInset, 2 * kGrid, kInset, 2 * kGrid);

@@ -20,7 +20,7 @@ SteerRow::SteerRow(QWidget* parent) : QWidget(parent) {
     button->setCareful(true);
     button->setProperty("changesSystem", true);
     connect(button, &HoldButton::called, this, [this, verb] { Q_EMIT chosen(verb); });
-    connect(button, &HoldButton::letGoEarly, this,
+    connect(button, &HoldButton::releasedEarly, this,
             [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
     // All of equal width, and never wider than the panel.
     button->setMinimumWidth(1);

@@ -80,8 +80,9 @@ void PlanController::show(Plan plan, const QString& goal) {
 void PlanController::undo() {
   if (!canUndo()) return;
   to_undo_ = {plan_, goal_, outcomes_, outcome_};
-  plan(*before_, Words::tr("the previous state"),
-       [this](Plan made) { return WithEnds(std::move(made), document_.catalogue(), births_); });
+  plan(*before_, Words::tr("the previous state"), [this](Plan made) {
+    return WithEnds(std::move(made), document_.catalogue(), started_processes_);
+  });
 }
 
 void PlanController::execute(AfterError after_error) {
@@ -89,7 +90,7 @@ void PlanController::execute(AfterError after_error) {
   to_undo_.reset();
   question_.reset();
   before_ = Before(plan_, WholeSystem(document_.catalogue()));
-  births_.clear();
+  started_processes_.clear();
   phase_ = Phase::kRunning;
   Q_EMIT changed();
   runner_.carryOut(
@@ -97,7 +98,7 @@ void PlanController::execute(AfterError after_error) {
       [self = QPointer(this)](std::size_t /*number*/, const StepOutcome& came) {
         if (self == nullptr) return;
         self->outcomes_.push_back(came);
-        self->noteBirth();
+        self->recordStartedProcess();
         Q_EMIT self->changed();
       },
       [self = QPointer(this)](const PlanOutcome& outcome) {
@@ -109,13 +110,13 @@ void PlanController::execute(AfterError after_error) {
 }
 
 /// Records the process that the last step has started; the catalogue already has it.
-void PlanController::noteBirth() {
+void PlanController::recordStartedProcess() {
   if (outcomes_.size() > plan_.steps.size()) return;
   const PlanStep& step = plan_.steps[outcomes_.size() - 1];
-  const bool is_birth = step.kind == PlanStep::Kind::kStartProcess;
-  if (!is_birth || outcomes_.back().state != StepOutcome::State::kDone) return;
-  births_.push_back(step);
-  births_.back().instance = InstanceOf(document_.catalogue(), step.process);
+  const bool is_start = step.kind == PlanStep::Kind::kStartProcess;
+  if (!is_start || outcomes_.back().state != StepOutcome::State::kDone) return;
+  started_processes_.push_back(step);
+  started_processes_.back().instance = InstanceOf(document_.catalogue(), step.process);
 }
 
 void PlanController::leave() {

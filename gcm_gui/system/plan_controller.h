@@ -71,7 +71,7 @@ class PlanController : public QObject {
   /// Makes the plan when all processes have answered; `finish` may still change it.
   void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
-  void noteBirth();
+  void recordStartedProcess();
 
   const SystemDocument& document_;
   PlanRunner& runner_;
@@ -84,8 +84,8 @@ class PlanController : public QObject {
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
-  std::optional<ExecutedPlan> to_undo_;  // the executed plan while its undo is previewed
-  std::vector<PlanStep> births_;         // processes started since then, with their instances
+  std::optional<ExecutedPlan> to_undo_;      // the executed plan while its undo is previewed
+  std::vector<PlanStep> started_processes_;  // processes started since then, with their instances
 };
 
 }  // namespace tendon::gui

@@ -34,7 +34,7 @@ void PlanWorker::carryOut(Plan plan, AfterError after_error, Progress progress, 
           },
           [&] { return is_stopped->Get(); });
     } catch (...) {
-      outcome.error = Error{ErrorCode::kFailed, WordsOfException().toStdString()};
+      outcome.error = Error{ErrorCode::kFailed, CurrentExceptionText().toStdString()};
       outcome.failed = 1;
     }
     poster->post([done, outcome] { done(outcome); });

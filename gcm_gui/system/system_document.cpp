@@ -116,7 +116,7 @@ SystemDocument::SystemDocument(const CatalogueStore& store, SystemReports& repor
       poster_(std::make_shared<GuiPoster>(this)) {
   soon_.setSingleShot(true);
   soon_.setInterval(kSoon);
-  connect(&soon_, &QTimer::timeout, this, Guarded(this, &SystemDocument::hear));
+  connect(&soon_, &QTimer::timeout, this, Guarded(this, &SystemDocument::onCatalogueChanged));
   connect(&store, &CatalogueStore::changed, this, [this] {
     if (!soon_.isActive()) soon_.start();
   });
@@ -133,7 +133,7 @@ QString SystemDocument::title() const {
   return Words::tr("%1, modified since %2").arg(FileName(path_), ClockText(modified_).left(5));
 }
 
-void SystemDocument::hear() {
+void SystemDocument::onCatalogueChanged() {
   snapshots_.add(WallClock(), WholeSystem(store_.catalogue()));
   if (isOpen()) compare();
 }
@@ -187,7 +187,7 @@ void SystemDocument::setLayout(Layout layout) { layout_ = std::move(layout); }
 
 void SystemDocument::open(const QString& path) {
   read(path, [this, path](const Result<SystemFile>& read) {
-    if (!read) return Q_EMIT told(ToQString(read.error().message));
+    if (!read) return Q_EMIT notice(ToQString(read.error().message));
     imported_.clear();
     take(path, *read, [this] { Q_EMIT opened(); });
   });
@@ -199,13 +199,13 @@ void SystemDocument::importFrom(const QString& path, const QString& process) {
   thread_.start([this, poster = poster_, path, to, process = process.toStdString()] {
     const auto imported = ImportTo(to, path, process);
     poster->post([this, to, imported] {
-      if (!imported) return Q_EMIT told(ToQString(imported.error().message));
+      if (!imported) return Q_EMIT notice(ToQString(imported.error().message));
       imported_ = to;
       take(to, imported->file, [this, to, left_out = imported->left_out] {
         Q_EMIT opened();
         const QString came = Words::tr("Imported to ") + FileName(to);
-        Q_EMIT told(left_out.empty() ? came
-                                     : came + QStringLiteral("; ") + ToQString(left_out.front()));
+        Q_EMIT notice(left_out.empty() ? came
+                                       : came + QStringLiteral("; ") + ToQString(left_out.front()));
       });
     });
   });
@@ -226,7 +226,7 @@ std::optional<SystemDocument::StartedProcesses> SystemDocument::startedBy(
     return StartedProcesses{
         {}, Words::tr("this GCM is too old to report which processes it has started")};
   }
-  Q_EMIT told(ToQString(answer.error().message));
+  Q_EMIT notice(ToQString(answer.error().message));
   return std::nullopt;
 }
 
@@ -251,8 +251,9 @@ void SystemDocument::write(const QString& path, const StartedProcesses& started)
     const auto system = SystemToSave(file, running, children, layout, missing);
     const auto written = system ? WriteSystemFile(file, *system) : Result<void>(system.error());
     poster->post([this, path, system, written, sentences] {
-      if (!written) return Q_EMIT told(ToQString(written.error().message));
-      take(path, *system, [this, sentences] { Q_EMIT told(sentences.join(QStringLiteral("; "))); });
+      if (!written) return Q_EMIT notice(ToQString(written.error().message));
+      take(path, *system,
+           [this, sentences] { Q_EMIT notice(sentences.join(QStringLiteral("; "))); });
     });
   });
 }
@@ -271,8 +272,8 @@ void SystemDocument::writePart(const std::string& what, const StartedProcesses& 
   thread_.start([this, poster = poster_, path = path_, system = WithPartOf(file_, running, what)] {
     const auto written = WriteSystemFile(path.toStdString(), system);
     poster->post([this, path, system, written] {
-      if (!written) return Q_EMIT told(ToQString(written.error().message));
-      take(path, system, [this, path] { Q_EMIT told(Words::tr("Updated ") + FileName(path)); });
+      if (!written) return Q_EMIT notice(ToQString(written.error().message));
+      take(path, system, [this, path] { Q_EMIT notice(Words::tr("Updated ") + FileName(path)); });
     });
   });
 }

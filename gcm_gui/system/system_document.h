@@ -65,10 +65,10 @@ class SystemDocument : public QObject {
   /// Emitted after open(), when the file was read.
   void opened();
   /// A sentence about the outcome.
-  void told(const QString& sentence);
+  void notice(const QString& sentence);
 
  private:
-  void hear();
+  void onCatalogueChanged();
   /// Compares soon with the running system; again if something has changed meanwhile.
   void compare();
   void show(SystemComparison comparison);
@@ -81,7 +81,7 @@ class SystemDocument : public QObject {
     message::Children children;
     QString note;
   };
-  /// Empty if the answer is any other error; then told() is emitted, and nothing is written.
+  /// Empty if the answer is any other error; then notice() is emitted, and nothing is written.
   std::optional<StartedProcesses> startedBy(const Result<message::Children>& answer);
   void write(const QString& path, const StartedProcesses& started);
   void writePart(const std::string& what, const StartedProcesses& started);

@@ -32,11 +32,11 @@ SystemFiles::SystemFiles(const WindowParts& parts, TabPanel& centre, QWidget& wi
       panel_(new DiffPanel(document_, restore_, parts.read_only)),
       page_(centre.addPage(panel_, Words::tr("Diff"))),
       demo_(parts.demo) {
-  connect(&document_, &SystemDocument::told, this, &SystemFiles::notice);
+  connect(&document_, &SystemDocument::notice, this, &SystemFiles::notice);
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::titleChanged);
   connect(&document_, &SystemDocument::opened, this, &SystemFiles::showTab);
   connect(&document_, &SystemDocument::changed, this, &SystemFiles::previewBringUp);
-  connect(&document_, &SystemDocument::told, this, [this] { brings_up_ = false; });
+  connect(&document_, &SystemDocument::notice, this, [this] { brings_up_ = false; });
   connect(&restore_, &PlanController::changed, this, [this] {
     if (!isBringUpInSight()) brings_up_ = false;
     if (starts_demo_) showDemo();

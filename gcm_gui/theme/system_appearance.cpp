@@ -41,19 +41,19 @@ void SystemAppearance::askPortal() {
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;
   bus.connect(kService, kObject, kInterface, "SettingChanged", this,
-              SLOT(hearSetting(QString, QString, QDBusVariant)));
+              SLOT(onSettingChanged(QString, QString, QDBusVariant)));
   QDBusMessage call = QDBusMessage::createMethodCall(kService, kObject, kInterface, "Read");
   call << QString(kGroup) << QString(kKey);
   auto* watcher = new QDBusPendingCallWatcher(bus.asyncCall(call), this);
   connect(watcher, &QDBusPendingCallWatcher::finished, this, [this, watcher] {
     const QDBusPendingReply<QDBusVariant> reply = *watcher;
-    if (!reply.isError()) hearSetting(kGroup, kKey, reply.value());
+    if (!reply.isError()) onSettingChanged(kGroup, kKey, reply.value());
     watcher->deleteLater();
   });
 }
 
-void SystemAppearance::hearSetting(const QString& group, const QString& key,
-                                   const QDBusVariant& value) {
+void SystemAppearance::onSettingChanged(const QString& group, const QString& key,
+                                        const QDBusVariant& value) {
   if (group != kGroup || key != kKey) return;
   const uint preference = Unwrapped(value.variant()).toUInt();
   if (preference == kPreferDark) set(Appearance::kDark);

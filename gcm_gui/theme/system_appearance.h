@@ -24,7 +24,7 @@ class SystemAppearance : public QObject {
   void changed();
 
  private:
-  Q_SLOT void hearSetting(const QString& group, const QString& key, const QDBusVariant& value);
+  Q_SLOT void onSettingChanged(const QString& group, const QString& key, const QDBusVariant& value);
 
   void askPortal();
   void set(Appearance appearance);

@@ -74,7 +74,7 @@ Theme& Theme::instance() {
   if (theme.isNull()) {
     LoadResources();
     auto* made = new Theme(qApp);
-    made->dress();
+    made->applyLook();
     theme = made;
   }
   return *theme;
@@ -110,19 +110,19 @@ void Theme::follow() {
   if (choice_ == Choice::kLight) wanted = Appearance::kLight;
   if (wanted == appearance_) return;
   appearance_ = wanted;
-  dress();
+  applyLook();
   Q_EMIT changed();
 }
 
-void Theme::dress() {
-  weighFonts();
+void Theme::applyLook() {
+  setFontWeights();
   QApplication::setFont(text_);
   QApplication::setPalette(PaletteOf(*this));
   qApp->setStyleSheet(styleSheet());
 }
 
 // Light letters on a dark background look bolder.
-void Theme::weighFonts() {
+void Theme::setFontWeights() {
   const bool lighter = appearance_ == Appearance::kDark && text_.family() == kTextFamily;
   text_.setWeight(lighter ? QFont::Light : QFont::Normal);
   small_.setWeight(text_.weight());

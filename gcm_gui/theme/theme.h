@@ -51,8 +51,8 @@ class Theme : public QObject {
   explicit Theme(QObject* parent);
 
   void follow();
-  void dress();
-  void weighFonts();
+  void applyLook();
+  void setFontWeights();
   [[nodiscard]] QString styleSheet() const;
 
   SystemAppearance* system_;

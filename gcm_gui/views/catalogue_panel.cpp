@@ -71,7 +71,7 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CataloguePanel::foldGone);
   connect(&selection, &Selection::changed, this, Guarded(this, &CataloguePanel::showSelected));
   connect(gone_, &QToolButton::toggled, this, &CataloguePanel::foldGone);
-  const auto hear_rows = [this](const QModelIndex& below) {
+  const auto on_rows_changed = [this](const QModelIndex& below) {
     count_soon_.start();
     if (!below.isValid()) foldGone();
   };
@@ -79,8 +79,8 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
           [this](const QModelIndex& first, const QModelIndex&, const QList<int>& roles) {
             if (roles.isEmpty() && !first.parent().isValid()) foldGone();  // one may have returned
           });
-  connect(&filter_, &QAbstractItemModel::rowsInserted, this, hear_rows);
-  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, hear_rows);
+  connect(&filter_, &QAbstractItemModel::rowsInserted, this, on_rows_changed);
+  connect(&filter_, &QAbstractItemModel::rowsRemoved, this, on_rows_changed);
   showCount();
 }
 
@@ -116,7 +116,7 @@ void CataloguePanel::foldGone() {
     const bool is_hidden = is_folded && !gone_->isChecked();
     if (tree_->isRowHidden(row, {}) != is_hidden) tree_->setRowHidden(row, {}, is_hidden);
   }
-  tellFolded(folded);
+  showFoldedCount(folded);
 }
 
 /// Shows the selection. The former one stays visible until the next tick, so that nothing moves
@@ -132,11 +132,11 @@ void CataloguePanel::showSelected() {
     is_shown = is_shown || !is_folded;
   }
   if (!is_shown) return;
-  tellFolded(hidden);
+  showFoldedCount(hidden);
   tree_->scrollTo(tree_->currentIndex());
 }
 
-void CataloguePanel::tellFolded(int folded) {
+void CataloguePanel::showFoldedCount(int folded) {
   gone_->setVisible(folded > 0);
   gone_->setText((gone_->isChecked() ? QStringLiteral("▾ ") : QStringLiteral("▸ ")) +
                  Words::tr("gone (%1)").arg(folded));

@@ -40,7 +40,7 @@ class CataloguePanel : public QWidget {
   void showCount();
   void foldGone();
   void showSelected();
-  void tellFolded(int folded);
+  void showFoldedCount(int folded);
   [[nodiscard]] bool isFolded(const QModelIndex& process) const;
 
   CatalogueFilter& filter_;

@@ -79,7 +79,7 @@ void ImageView::begin() {
     try {
       shown = Prepare(source(), name);
     } catch (...) {
-      shown = PreparedImage{{}, WordsOfException()};
+      shown = PreparedImage{{}, CurrentExceptionText()};
     }
     poster->post([this, shown, version] {
       is_busy_ = false;

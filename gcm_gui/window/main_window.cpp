@@ -107,7 +107,7 @@ void MainWindow::connectModels() {
   connect(&parts_.source, &SignalSource::valuesArrived, &catalogue_model_,
           Guarded(&catalogue_model_, &CatalogueModel::showValues));
   connect(&parts_.activity, &ActivityModel::finished, &problems_,
-          Guarded(&problems_, &ProblemsModel::hear));
+          Guarded(&problems_, &ProblemsModel::onActionFinished));
   ChangedParts all;
   for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
   catalogue_model_.update(store.catalogue(), all);
@@ -123,14 +123,14 @@ void MainWindow::connectExceptionGuard() {
   ExceptionGuard& guard = ExceptionGuard::instance();
   connect(&guard, &ExceptionGuard::changed, &problems_,
           [this, &guard] { problems_.showFaults(guard.faults()); });
-  connect(&guard, &ExceptionGuard::told, this, [this](const ViewFault& fault) {
+  connect(&guard, &ExceptionGuard::faultReported, this, [this](const ViewFault& fault) {
     Log(LogLevel::kError, "gcm-gui",
         QStringLiteral("%1: %2 (%3 times)")
             .arg(fault.view, fault.what)
             .arg(fault.count)
             .toStdString());
     if (!fault.is_covered) return;  // it is in Problems; the notice of the action may be better
-    notice_->tell(Words::tr("%1 has met an error: see Problems").arg(fault.view));
+    notice_->showNotice(Words::tr("%1 has met an error: see Problems").arg(fault.view));
   });
 }
 
@@ -146,13 +146,13 @@ void MainWindow::buildViews() {
   // From left to right: the catalogue comes before the middle.
   setTabOrder(&top_bar_->lastButton(), &catalogue_->filterField());
   setTabOrder(&catalogue_->filterField(), &catalogue_->tree());
-  const auto dress = [this] {
+  const auto apply_theme = [this] {
     QPalette colors = palette();
     colors.setColor(QPalette::Window, Theme::instance().color(Token::kCanvas));
     setPalette(colors);
   };
-  dress();
-  connect(&Theme::instance(), &Theme::changed, this, dress);
+  apply_theme();
+  connect(&Theme::instance(), &Theme::changed, this, apply_theme);
 }
 
 QWidget* MainWindow::buildTop() {
@@ -256,8 +256,8 @@ QWidget* MainWindow::buildConnectionsPage() {
 void MainWindow::addFavourites() {
   auto* bar = new FavouriteBar(favourites_, parts_.store, parts_.calls);
   addToolBar(Qt::TopToolBarArea, bar);
-  connect(bar, &FavouriteBar::notice, notice_, &NoticeLine::tell);
-  connect(&favourites_, &Favourites::notice, notice_, &NoticeLine::tell);
+  connect(bar, &FavouriteBar::notice, notice_, &NoticeLine::showNotice);
+  connect(&favourites_, &Favourites::notice, notice_, &NoticeLine::showNotice);
   connect(bar, &FavouriteBar::pathChosen, this, &MainWindow::goTo);
   connect(inspector_, &Inspector::favouriteRequested, &favourites_,
           [this](const QString& path, const QString& argument) {
@@ -276,22 +276,22 @@ void MainWindow::connectViews() {
           [this](const QModelIndex&) { inspector_->focusCall(); });
   connect(inspector_, &Inspector::plotRequested, binding_, &PlotBinding::plotSignal);
   connect(inspector_, &Inspector::connectRequested, this, &MainWindow::startConnecting);
-  connect(inspector_, &Inspector::notice, notice_, &NoticeLine::tell);
-  connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::tell);
+  connect(inspector_, &Inspector::notice, notice_, &NoticeLine::showNotice);
+  connect(binding_, &PlotBinding::notice, notice_, &NoticeLine::showNotice);
   connect(top_bar_, &TopBar::problemsRequested, this, [this] {
     panels_->reveal(*strip_);
     strip_->showProblems();
   });
   connect(strip_, &TabPanel::currentChanged, this,
-          [this] { panels_->giveRoom(*strip_, kRoomToRead); });
+          [this] { panels_->ensureSize(*strip_, kRoomToRead); });
   connect(strip_, &ActivityStrip::jumpRequested, this, &MainWindow::goTo);
   connect(strip_, &ActivityStrip::problemChosen, this, &MainWindow::goTo);
-  connect(strip_, &ActivityStrip::notice, notice_, &NoticeLine::tell);
-  connect(files_, &SystemFiles::notice, notice_, &NoticeLine::tell);
+  connect(strip_, &ActivityStrip::notice, notice_, &NoticeLine::showNotice);
+  connect(files_, &SystemFiles::notice, notice_, &NoticeLine::showNotice);
   graph_commands_->keepPlaces(parts_, files_->document());
-  connect(graph_commands_, &GraphCommands::notice, notice_, &NoticeLine::tell);
+  connect(graph_commands_, &GraphCommands::notice, notice_, &NoticeLine::showNotice);
   connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
-  connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::tell);
+  connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::showNotice);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
   connect(&problems_, &ProblemsModel::countChanged, top_bar_, &TopBar::showProblemCount);
@@ -305,8 +305,8 @@ void MainWindow::connectWhy() {
   why_card_ = new DiagnosisCard(*centralWidget());
   why_ = new DiagnosisBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
   connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(),
-          Guarded(&why_->refusals(), &RefusedConnections::hear));
-  connect(&mode_, &ConnectMode::misfitPicked, &parts_.activity,
+          Guarded(&why_->refusals(), &RefusedConnections::onActionFinished));
+  connect(&mode_, &ConnectMode::mismatchPicked, &parts_.activity,
           [&activity = parts_.activity](const message::Wire& wire, const QString& reason) {
             activity.finish(activity.begin({.required = wire.required, .provided = wire.provided}),
                             0.0, reason);
@@ -316,14 +316,14 @@ void MainWindow::connectWhy() {
   connect(graph_, &GraphView::whyRequested, why_, &DiagnosisBinding::open);
   connect(inspector_, &Inspector::whyRequested, why_, &DiagnosisBinding::open);
   connect(strip_, &ActivityStrip::problemChosen, why_, &DiagnosisBinding::openProblem);
-  connect(why_, &DiagnosisBinding::notice, notice_, &NoticeLine::tell);
+  connect(why_, &DiagnosisBinding::notice, notice_, &NoticeLine::showNotice);
   match_ = new MatchCard(*centralWidget(), parts_.store, parts_.actions);
   auto* health = new EdgeHealth(
-      parts_.reports, [this] { return graph_->seenConnections(); }, this);
+      parts_.reports, [this] { return graph_->visibleConnections(); }, this);
   connect(&scene_->hover(), &GraphHover::connectionPointed, health, &EdgeHealth::point);
   connect(health, &EdgeHealth::counted, &scene_->hover(), &GraphHover::showReadout);
   connect(health, &EdgeHealth::found, scene_, &GraphScene::showWarning);
-  connect(graph_, &GraphView::seenChanged, health, &EdgeHealth::setLooking);
+  connect(graph_, &GraphView::visibilityChanged, health, &EdgeHealth::setLooking);
 }
 
 void MainWindow::connectModeToViews() {
@@ -376,7 +376,7 @@ std::vector<InterfaceName> MainWindow::selectedRequired() const {
 void MainWindow::connectSelection() {
   if (const auto required = selectedRequired(); required.size() > 1) return match_->open(required);
   const auto path = ParsePath(selection_.current().toStdString());
-  if (!path.ok()) return notice_->tell(Words::tr("Select an interface to connect it"));
+  if (!path.ok()) return notice_->showNotice(Words::tr("Select an interface to connect it"));
   if (!path->interface.empty()) return startConnecting(selection_.current());
   const auto* component = parts_.store.catalogue().FindComponent(path->process, path->component);
   if (component != nullptr) {
@@ -386,7 +386,7 @@ void MainWindow::connectSelection() {
       return startConnecting(ToQString(ToString(name)));
     }
   }
-  notice_->tell(selection_.current() + Words::tr(" has no unconnected required interface"));
+  notice_->showNotice(selection_.current() + Words::tr(" has no unconnected required interface"));
 }
 
 void MainWindow::disconnectSelection() {
@@ -395,13 +395,13 @@ void MainWindow::disconnectSelection() {
   if (name.ok() && parts_.store.catalogue().FindConnection(*name) != nullptr) {
     return parts_.actions.disconnectInterface(*name);
   }
-  notice_->tell(Words::tr("Select a connected required interface to disconnect it"));
+  notice_->showNotice(Words::tr("Select a connected required interface to disconnect it"));
 }
 
 void MainWindow::callSelection() {
   panels_->reveal(*inspector_);
   if (!inspector_->focusCall()) {
-    notice_->tell(Words::tr("Select a command of a provided interface to call it"));
+    notice_->showNotice(Words::tr("Select a command of a provided interface to call it"));
   }
 }
 
@@ -417,11 +417,11 @@ void MainWindow::revealSelection() {
 }
 
 void MainWindow::escape() {
-  if (graph_->putBack() || graph_commands_->search().leave()) return;
+  if (graph_->cancelDrag() || graph_commands_->search().leave()) return;
   if (mode_.active()) return mode_.leave();
   if (why_card_->isVisible()) return why_card_->close();
   if (match_->isVisible()) return match_->close();
-  if (!commands_->closeCard()) notice_->tell({});
+  if (!commands_->closeCard()) notice_->showNotice({});
 }
 
 void MainWindow::showPage() {
@@ -442,7 +442,7 @@ void MainWindow::showLink() {
                      .arg(link.address()));
   const bool outdated = parts_.link.state() == LinkState::State::kLost;
   if (!outdated && lost_since_ > 0) {
-    notice_->tell(Words::tr("The GCM is back after ") + AgeText(WallClock() - lost_since_));
+    notice_->showNotice(Words::tr("The GCM is back after ") + AgeText(WallClock() - lost_since_));
   }
   lost_since_ = outdated ? parts_.link.since() : 0;
   catalogue_model_.setOutdated(outdated);
@@ -458,18 +458,18 @@ void MainWindow::showPerspective(Panels::Perspective perspective) {
 
 void MainWindow::tick() {
   const qint64 now = WallClock();
-  const auto tell = [now](auto& view) {
+  const auto set_now = [now](auto& view) {
     ExceptionGuard::run(&view, ViewWork::kHandling, [&] { view.setNow(now); });
   };
-  tell(catalogue_model_);
-  tell(*catalogue_);
-  tell(*scene_);
-  tell(*top_bar_);
-  tell(*lost_);
+  set_now(catalogue_model_);
+  set_now(*catalogue_);
+  set_now(*scene_);
+  set_now(*top_bar_);
+  set_now(*lost_);
   // Old faults disappear after a while.
   ExceptionGuard::run(&problems_, ViewWork::kHandling,
                       [this] { problems_.showFaults(ExceptionGuard::instance().faults()); });
-  ExceptionGuard::instance().noteUnnoted();
+  ExceptionGuard::instance().reportCountedFaults();
 }
 
 }  // namespace tendon::gui

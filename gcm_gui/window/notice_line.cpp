@@ -27,43 +27,43 @@ NoticeLine::NoticeLine(const ConnectMode& mode, const ActivityModel& activity, Q
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
   fade_.setSingleShot(true);
   fade_.setInterval(kShown);
-  connect(&fade_, &QTimer::timeout, this, [this] { tell({}); });
+  connect(&fade_, &QTimer::timeout, this, [this] { showNotice({}); });
   connect(&mode, &ConnectMode::changed, this, &NoticeLine::refresh);
-  connect(&mode, &ConnectMode::notice, this, &NoticeLine::tell);
-  connect(&activity, &ActivityModel::finished, this, Guarded(this, &NoticeLine::hear));
+  connect(&mode, &ConnectMode::notice, this, &NoticeLine::showNotice);
+  connect(&activity, &ActivityModel::finished, this, Guarded(this, &NoticeLine::onActionFinished));
   connect(&Theme::instance(), &Theme::changed, this, qOverload<>(&QWidget::update));
 }
 
-void NoticeLine::tell(const QString& text) {
+void NoticeLine::showNotice(const QString& text) {
   notice_ = text;
   if (!text.isEmpty()) fade_.start();
   refresh();
 }
 
-void NoticeLine::hear(const Action& finished) {
-  if (finished.outcome == Action::Outcome::kRefused) return tell(finished.refusal);
+void NoticeLine::onActionFinished(const Action& finished) {
+  if (finished.outcome == Action::Outcome::kRefused) return showNotice(finished.refusal);
   const QString time = DurationText(finished.seconds);
   switch (finished.verb) {
     case Action::Verb::kConnect:
-      return tell(Words::tr("Connected in %1 · Ctrl+Z undoes").arg(time));
+      return showNotice(Words::tr("Connected in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kDisconnect:
-      return tell(Words::tr("Disconnected in %1 · Ctrl+Z undoes").arg(time));
+      return showNotice(Words::tr("Disconnected in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kReplace:
-      return tell(Words::tr("Replaced in %1 · Ctrl+Z undoes").arg(time));
+      return showNotice(Words::tr("Replaced in %1 · Ctrl+Z undoes").arg(time));
     case Action::Verb::kUndo:
-      return tell(Words::tr("Undone in %1").arg(time));
+      return showNotice(Words::tr("Undone in %1").arg(time));
     case Action::Verb::kForget:
-      return tell(Words::tr("Forgotten"));
+      return showNotice(Words::tr("Forgotten"));
     case Action::Verb::kSteer:
-      return tell(
+      return showNotice(
           finished.life == LifeVerb::kRestart
               ? Words::tr("%1 has been restarted in %2").arg(ToQString(finished.component), time)
               : Words::tr("%1: %2 done in %3 · Ctrl+Z twice undoes")
                     .arg(ToQString(finished.component), WordOf(finished.life), time));
     case Action::Verb::kCall:
-      return tell(Words::tr("Called in %1").arg(time));
+      return showNotice(Words::tr("Called in %1").arg(time));
     case Action::Verb::kLogLevel:
-      return tell(
+      return showNotice(
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
     case Action::Verb::kApply:
       return;  // shown on its own page

@@ -22,7 +22,7 @@ class NoticeLine : public QWidget {
 
  public Q_SLOTS:
   /// Shows the text for some seconds.
-  void tell(const QString& text);
+  void showNotice(const QString& text);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -30,7 +30,7 @@ class NoticeLine : public QWidget {
  private:
   void refresh();
   void showMode();
-  void hear(const Action& finished);
+  void onActionFinished(const Action& finished);
 
   const ConnectMode& mode_;
   QString notice_;

@@ -108,7 +108,7 @@ void Panels::reveal(const QWidget& content) {
   }
 }
 
-void Panels::giveRoom(const QWidget& content, int size) {
+void Panels::ensureSize(const QWidget& content, int size) {
   for (const Panel& panel : panels_) {
     if (!panel.dock->isAncestorOf(&content)) continue;
     const Qt::Orientation along = across(panel.area);

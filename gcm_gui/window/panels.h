@@ -35,7 +35,7 @@ class Panels : public QObject {
   /// Shows the panel that contains this widget.
   void reveal(const QWidget& content);
   /// Makes the panel of this widget at least this wide across its edge, in pixels.
-  void giveRoom(const QWidget& content, int size);
+  void ensureSize(const QWidget& content, int size);
   /// Restores the default layout.
   void reset();
 

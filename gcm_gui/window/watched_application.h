@@ -8,9 +8,9 @@
 namespace tendon::gui {
 
 /// Measures the longest processor time of an event handler, and counts how often handlers wait.
-/// Waiting for the processor does not count, so a busy machine is not reported as a slow handler.
-/// Nor does the event loop's own wait for events, nor Qt's wait while painting: it shares large
-/// areas with its own threads.
+/// Three kinds of waiting do not count: for the processor, so that a busy machine is not reported
+/// as a slow handler; of the event loop for events; and of Qt while painting, because Qt paints
+/// large areas in several threads.
 class WatchedApplication : public GuardedApplication {
   Q_OBJECT
 

@@ -1,9 +1,9 @@
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/window/window_parts.h>
 
 namespace tendon::gui {
 
-WindowParts PartsOf(Session& session) {
+WindowParts PartsOf(GcmSession& session) {
   return {.store = session.store(),
           .link = session.link(),
           .activity = session.activity(),

@@ -13,7 +13,7 @@ class CommandCalls;
 class ConnectionChecks;
 class LinkState;
 class PlanRunner;
-class Session;
+class GcmSession;
 class SignalSource;
 class SystemActions;
 class SystemReports;
@@ -37,6 +37,6 @@ struct WindowParts {
 };
 
 /// The parts that belong to a session.
-[[nodiscard]] WindowParts PartsOf(Session& session);
+[[nodiscard]] WindowParts PartsOf(GcmSession& session);
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ class ComponentItem : public QGraphicsItem {
   /// `rect` is in the scene; `stale` means an outdated state. Returns true if it has changed.
   bool show(const NodePicture& picture, const QRectF& rect, bool stale);
   void setSelected(bool selected);
-  /// Raises the item above the veil.
+  /// Raises the item above the DimmingItem.
   void setRaised(bool raised);
 
   [[nodiscard]] const QString& path() const { return picture_.path; }

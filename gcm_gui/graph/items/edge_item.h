@@ -24,7 +24,7 @@ class EdgeItem : public QGraphicsItem {
   void setSelected(bool selected);
   /// The flaw of a working connection; empty if there is none.
   void setWarning(const QString& warning);
-  /// Raises the item above the veil.
+  /// Raises the item above the DimmingItem.
   void setRaised(bool raised);
 
   [[nodiscard]] const QString& required() const { return required_; }

@@ -21,8 +21,8 @@ inline constexpr double kProcessInset = 14;
 /// Names are unreadable below this scale, so less is drawn.
 inline constexpr double kFarAway = 0.35;
 
-// The z values of the veil that dims the graph, and of the items above it.
-inline constexpr double kVeil = 5;
+// The z values of the DimmingItem, and of the items above it.
+inline constexpr double kDimming = 5;
 inline constexpr double kRaisedEdge = 6;
 inline constexpr double kRaisedNode = 7;
 inline constexpr double kReadout = 8;

@@ -9,7 +9,7 @@ constexpr std::int64_t kSpanNs = 2'000'000'000;
 
 }  // namespace
 
-void LiveClock::hear(std::int64_t newest_ns, std::int64_t local_ns) {
+void LiveClock::update(std::int64_t newest_ns, std::int64_t local_ns) {
   const std::int64_t lead = newest_ns - local_ns;
   if (lead_ns_ == kUnknown || local_ns - span_began_ns_ > kSpanNs) {
     former_lead_ns_ = lead_ns_;

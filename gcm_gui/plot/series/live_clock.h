@@ -13,7 +13,7 @@ namespace tendon::gui {
 class LiveClock {
  public:
   /// A sample with time `newest_ns` has arrived at `local_ns`.
-  void hear(std::int64_t newest_ns, std::int64_t local_ns);
+  void update(std::int64_t newest_ns, std::int64_t local_ns);
   /// Returns `local_ns` before the first sample.
   [[nodiscard]] std::int64_t now(std::int64_t local_ns) const;
 

@@ -1,5 +1,5 @@
 #include <gcm_console/feeds/query_throttle.h>
-#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/path_details.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>

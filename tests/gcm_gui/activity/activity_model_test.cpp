@@ -220,7 +220,7 @@ TEST(ProblemsModel, ARefusalStaysUntilTheInterfaceIsConnected) {
   refused.outcome = Action::Outcome::kRefused;
   refused.refusal = "does not fit";
 
-  model.hear(refused);
+  model.onActionFinished(refused);
   model.update(system.catalogue());
   EXPECT_EQ(model.rowCount(), before + 1);
 

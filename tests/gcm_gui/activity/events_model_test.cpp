@@ -28,16 +28,16 @@ class EventsModelTest : public ::testing::Test {
 };
 
 TEST_F(EventsModelTest, TheNewestStandsFirstAndTheOldestMakesRoom) {
-  model_.hear({{1, "a/b/C.One", ""}, {2, "a/b/C.Two", ""}});
-  model_.hear({{3, "a/b/C.Three", ""}, {4, "a/b/C.Four", ""}});
+  model_.add({{1, "a/b/C.One", ""}, {2, "a/b/C.Two", ""}});
+  model_.add({{3, "a/b/C.Three", ""}, {4, "a/b/C.Four", ""}});
 
   EXPECT_EQ(Shown(), (QStringList{"a/b/C.Four", "a/b/C.Three", "a/b/C.Two"}));
 }
 
 TEST_F(EventsModelTest, OnlyEventsOfThePartCount) {
   model_.setPart("a/b");
-  model_.hear({{1, "a/b/C.One", ""}, {2, "a/bad/C.Two", ""}});
-  model_.hearLost("a/bad/C.Two", 5);
+  model_.add({{1, "a/b/C.One", ""}, {2, "a/bad/C.Two", ""}});
+  model_.addLost("a/bad/C.Two", 5);
 
   EXPECT_EQ(Shown(), QStringList{"a/b/C.One"});
   EXPECT_EQ(model_.lost(), 0U);
@@ -45,9 +45,9 @@ TEST_F(EventsModelTest, OnlyEventsOfThePartCount) {
 }
 
 TEST_F(EventsModelTest, WhatComesWhilePausedIsShownAfterwards) {
-  model_.hear({{1, "a/b/C.One", ""}});
+  model_.add({{1, "a/b/C.One", ""}});
   model_.setPaused(true);
-  model_.hear({{2, "a/b/C.Two", ""}});
+  model_.add({{2, "a/b/C.Two", ""}});
   EXPECT_EQ(model_.rowCount(), 1);
   EXPECT_EQ(model_.waiting(), 1U);
 
@@ -57,7 +57,7 @@ TEST_F(EventsModelTest, WhatComesWhilePausedIsShownAfterwards) {
 }
 
 TEST_F(EventsModelTest, AFilterThatIsTakenAwayShowsAllAgain) {
-  model_.hear({{1, "a/b/C.One", "{\"joint\":3}"}, {2, "a/b/C.Two", ""}});
+  model_.add({{1, "a/b/C.One", "{\"joint\":3}"}, {2, "a/b/C.Two", ""}});
   model_.setWords({"joint"});
   EXPECT_EQ(Shown(), QStringList{"a/b/C.One"});
 
@@ -67,8 +67,8 @@ TEST_F(EventsModelTest, AFilterThatIsTakenAwayShowsAllAgain) {
 }
 
 TEST_F(EventsModelTest, TheRateIsThatOfTheLastTwoSeconds) {
-  model_.hear({{kEventSecond, "a/b/C.One", ""}, {5 * kEventSecond, "a/b/C.One", ""}});
-  model_.hear({{6 * kEventSecond, "a/b/C.One", ""}});
+  model_.add({{kEventSecond, "a/b/C.One", ""}, {5 * kEventSecond, "a/b/C.One", ""}});
+  model_.add({{6 * kEventSecond, "a/b/C.One", ""}});
 
   EXPECT_DOUBLE_EQ(model_.rate(6 * kEventSecond), 1.0);
   EXPECT_DOUBLE_EQ(model_.rate(9 * kEventSecond), 0.0);

@@ -14,7 +14,7 @@ class LogModelTest : public ::testing::Test {
   void Hear(LogLevel level, const std::string& source, const std::string& text) {
     LogBatch batch;
     batch.records.push_back({1, level, "robot", source, text});
-    model_.hear(batch);
+    model_.add(batch);
   }
   QStringList Shown() const {
     QStringList texts;
@@ -43,7 +43,7 @@ TEST_F(LogModelTest, ARecordNamesWhereItComesFrom) {
 TEST_F(LogModelTest, TheOldestRecordsMakeRoom) {
   LogBatch batch;
   batch.records.resize(LogModel::kKept);
-  model_.hear(batch);
+  model_.add(batch);
   Hear(LogLevel::kInfo, "arm", "newest");
 
   EXPECT_EQ(model_.rowCount(), static_cast<int>(LogModel::kKept));
@@ -53,7 +53,7 @@ TEST_F(LogModelTest, TheOldestRecordsMakeRoom) {
 TEST_F(LogModelTest, WhatTheGcmCouldNotKeepIsCountedAsLost) {
   LogBatch batch;
   batch.lost = 7;
-  model_.hear(batch);
+  model_.add(batch);
 
   EXPECT_EQ(model_.lost(), 7U);
 }

@@ -36,7 +36,7 @@ class LargeWindow {
   void Fill() {
     window_->show();
     store_.replace(catalogue_);
-    while (store_.isTelling() || window_->graph().graph().isArranging()) {
+    while (store_.isAnnouncing() || window_->graph().graph().isArranging()) {
       QCoreApplication::processEvents();
     }
     window_->grab();

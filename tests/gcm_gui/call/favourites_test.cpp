@@ -77,7 +77,7 @@ TEST(HoldButton, WhatCanMoveHasToBeHeld) {
   button.setCareful(true);
   button.show();
   QSignalSpy called(&button, &HoldButton::called);
-  QSignalSpy let_go(&button, &HoldButton::letGoEarly);
+  QSignalSpy let_go(&button, &HoldButton::releasedEarly);
 
   QTest::mouseClick(&button, Qt::LeftButton);
   EXPECT_EQ(called.size(), 0);

@@ -4,7 +4,7 @@
 #include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -110,7 +110,7 @@ TEST_F(GraphCommandsTest, WhereThingsWerePutIsInTheSystemFileAndComesBackFromIt)
   GraphScene& scene = window_.graph().graph();
   const auto place = [&] { return scene.component("robot/arm")->sceneRect().topLeft(); };
   const QPointF before = place();
-  scene.places().move({{"robot/arm", {-120, 44}}, {"gone/thing", {1, 2}}});
+  scene.nodePositions().move({{"robot/arm", {-120, 44}}, {"gone/thing", {1, 2}}});
   SystemDocument& document = window_.files().document();
   const QString file = InFolder("put.gcm.json");
   document.save(file);
@@ -120,7 +120,7 @@ TEST_F(GraphCommandsTest, WhereThingsWerePutIsInTheSystemFileAndComesBackFromIt)
   EXPECT_EQ(read->layout.size(), 1U);
   EXPECT_EQ(read->layout.at("robot/arm"), (SystemFile::Position{-120, 44}));
 
-  scene.places().reset();
+  scene.nodePositions().reset();
   ASSERT_EQ(place(), before);
   document.open(file);
 
@@ -161,8 +161,9 @@ TEST_F(GraphCommandsTest, SvgAndDotAreThoseOfTheConsole) {
 TEST_F(GraphCommandsTest, WhatWasPutSomewhereIsThereInSvgAndDot) {
   GraphScene& scene = window_.graph().graph();
   const QByteArray before = Saved(InFolder("before.svg"));
-  scene.places().move({{"robot/arm", scene.component("robot/force_sensor")->sceneRect().topLeft() +
-                                         QPointF(0, 200)}});
+  scene.nodePositions().move(
+      {{"robot/arm",
+        scene.component("robot/force_sensor")->sceneRect().topLeft() + QPointF(0, 200)}});
 
   const QByteArray svg = Saved(InFolder("after.svg"));
   const auto height_of = [](const QByteArray& picture, const QByteArray& name) {
@@ -177,7 +178,7 @@ TEST_F(GraphCommandsTest, WhatWasPutSomewhereIsThereInSvgAndDot) {
   EXPECT_TRUE(dot.contains("layout=nop;"));
   EXPECT_EQ(dot.count("pos=\""), static_cast<qsizetype>(scene.components().size()));
 
-  scene.places().reset();
+  scene.nodePositions().reset();
   EXPECT_EQ(Saved(InFolder("again.svg")), before);
 }
 

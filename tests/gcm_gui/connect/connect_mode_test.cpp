@@ -131,7 +131,7 @@ TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
 
 TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
   QSignalSpy notice(&mode_, &ConnectMode::notice);
-  QSignalSpy misfit(&mode_, &ConnectMode::misfitPicked);
+  QSignalSpy misfit(&mode_, &ConnectMode::mismatchPicked);
   const InterfaceName drives{"robot", "arm", "Drives"};
   mode_.start({Side::kRequired, kRobot});
 

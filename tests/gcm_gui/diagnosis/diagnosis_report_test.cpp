@@ -51,7 +51,7 @@ TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheB
   refused.required = kReported;
   refused.provided = kController;
   refused.outcome = Action::Outcome::kRefused;
-  refusals_.hear(refused);
+  refusals_.onActionFinished(refused);
   EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported), kController);
 }
 

@@ -31,8 +31,8 @@ RealSystem::RealSystem() {
   gcm_ =
       std::make_unique<Program>(Program::Words{Built("bin/gcm"), "--gcm", address_, "serve"}, own);
   EXPECT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
-  session_ = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
-                                       Role::kOperator, std::chrono::seconds(20));
+  session_ = std::make_unique<GcmSession>(*program::MakeMiddleware({}), address_, false,
+                                          Role::kOperator, std::chrono::seconds(20));
   window_ = std::make_unique<MainWindow>(PartsOf(*session_));
   window_->show();
   window_->activateWindow();

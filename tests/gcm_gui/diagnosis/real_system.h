@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gcm_gui/graph/graph_view.h>
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/window/main_window.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class RealSystem : public ::testing::Test {
   const std::string address_ = "127.0.0.1:" + std::to_string(FreePort());
   std::unique_ptr<Program> gcm_;
   std::map<std::string, std::unique_ptr<Program>> lcms_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<GcmSession> session_;
   std::unique_ptr<MainWindow> window_;
 };
 

@@ -20,7 +20,7 @@ class RefusalsTest : public ::testing::Test {
     action.provided = verb == Action::Verb::kDisconnect ? InterfaceName{} : kProvided;
     action.outcome = outcome;
     action.refusal = outcome == Action::Outcome::kRefused ? "no answer" : "";
-    refusals_.hear(action);
+    refusals_.onActionFinished(action);
   }
 
   RefusedConnections refusals_;

@@ -43,8 +43,8 @@ TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
       session_->store().catalogue().FindProcess("robot")->process;  // as it was before it stopped
   std::optional<Result<std::string>> answer;  // outlives the session, which fills it
   // Patient beyond any test: who waits for the handshake is seen to.
-  auto session = std::make_unique<Session>(*program::MakeMiddleware({}), address_, false,
-                                           Role::kOperator, 10min);
+  auto session = std::make_unique<GcmSession>(*program::MakeMiddleware({}), address_, false,
+                                              Role::kOperator, 10min);
   ASSERT_TRUE(Eventually([&] { return session->link().state() == LinkState::State::kConnected; }));
   robot_->Signal(SIGSTOP);
   const int before = ConnectionsTo(robot.address);

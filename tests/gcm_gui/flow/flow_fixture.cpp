@@ -43,8 +43,8 @@ void FlowFixture::StartGcm() {
 
 void FlowFixture::OpenWindow() {
   const program::NetworkOptions network;
-  session_ = std::make_unique<Session>(*program::MakeMiddleware(network), address_, false,
-                                       Role::kOperator, std::chrono::seconds(20));
+  session_ = std::make_unique<GcmSession>(*program::MakeMiddleware(network), address_, false,
+                                          Role::kOperator, std::chrono::seconds(20));
   WindowParts parts = PartsOf(*session_);
   parts.console.gcm = address_;
   parts.console.network = network;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/window/main_window.h>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ class FlowFixture : public ::testing::Test {
   std::unique_ptr<Program> gcm_;
   std::unique_ptr<Program> robot_;
   std::unique_ptr<Program> desk_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<GcmSession> session_;
   std::unique_ptr<MainWindow> window_;
 };
 

@@ -21,7 +21,7 @@ class GraphFixture : public ::testing::Test {
   /// Shows the graph, and waits until all items have their places.
   void Show() {
     store_.apply(system_.TakeChanges());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling() && !scene_.isArranging(); },
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing() && !scene_.isArranging(); },
                                 kGraphPatience));
   }
 

@@ -1,5 +1,5 @@
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_hover.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gtest/gtest.h>
@@ -41,10 +41,10 @@ class GraphHoverTest : public GraphFixture {
     return scene_.edge(kEdge)->path().pointAtPercent(0.5);
   }
   [[nodiscard]] bool EventuallyDims(bool dims) const {
-    return QTest::qWaitFor([&] { return scene_.emphasis().veil() == (dims ? 1 : 0); },
+    return QTest::qWaitFor([&] { return scene_.highlight().dimming() == (dims ? 1 : 0); },
                            kHoverPatience);
   }
-  [[nodiscard]] bool IsAboveTheVeil(const QString& component) const {
+  [[nodiscard]] bool IsHighlighted(const QString& component) const {
     return scene_.component(component)->zValue() > scene_.component("desk/teleoperation")->zValue();
   }
 };
@@ -53,23 +53,23 @@ TEST_F(GraphHoverTest, AComponentStandsOutWithWhatItIsConnectedTo) {
   MoveTo(HeadOf("robot/arm"));
 
   ASSERT_TRUE(EventuallyDims(true));
-  EXPECT_TRUE(IsAboveTheVeil("robot/arm"));
-  EXPECT_TRUE(IsAboveTheVeil("robot/controller"));
-  EXPECT_FALSE(IsAboveTheVeil("desk/view"));
+  EXPECT_TRUE(IsHighlighted("robot/arm"));
+  EXPECT_TRUE(IsHighlighted("robot/controller"));
+  EXPECT_FALSE(IsHighlighted("desk/view"));
   EXPECT_GT(scene_.edge(kEdge)->zValue(), scene_.edge("desk/view/Host")->zValue());
 
   MoveTo(view_.mapToScene(QPoint(2, 2)));
 
   ASSERT_TRUE(EventuallyDims(false));
-  EXPECT_FALSE(IsAboveTheVeil("robot/arm"));
+  EXPECT_FALSE(IsHighlighted("robot/arm"));
 }
 
 TEST_F(GraphHoverTest, APortStandsOutWithItsOwnConnectionsOnly) {
   MoveTo(scene_.port({Side::kProvided, {"robot", "arm", "Drives"}})->scenePos());
 
   ASSERT_TRUE(EventuallyDims(true));
-  EXPECT_EQ(scene_.emphasis().names().edges, std::set<QString>{kEdge});
-  EXPECT_EQ(scene_.emphasis().names().components,
+  EXPECT_EQ(scene_.highlight().names().edges, std::set<QString>{kEdge});
+  EXPECT_EQ(scene_.highlight().names().components,
             (std::set<QString>{"robot/arm", "robot/controller"}));
 }
 
@@ -121,7 +121,7 @@ TEST_F(GraphHoverTest, WhileAConnectionIsMadeNothingIsDimmed) {
   mode_.start({Side::kRequired, {"desk", "teleoperation", "Robot"}});
   MoveTo(HeadOf("robot/controller"));
 
-  EXPECT_TRUE(scene_.emphasis().names().empty());
+  EXPECT_TRUE(scene_.highlight().names().empty());
   EXPECT_TRUE(EventuallyDims(false));
 }
 
@@ -130,8 +130,8 @@ TEST_F(GraphHoverTest, WhoWalksByKeysSeesTheNeighboursToo) {
 
   QTest::keyClick(&view_, Qt::Key_Right);
 
-  EXPECT_TRUE(scene_.emphasis().names().components.contains("robot/arm"));
-  EXPECT_TRUE(scene_.emphasis().names().components.contains("robot/controller"));
+  EXPECT_TRUE(scene_.highlight().names().components.contains("robot/arm"));
+  EXPECT_TRUE(scene_.highlight().names().components.contains("robot/controller"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_search.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gtest/gtest.h>
 
@@ -42,23 +42,23 @@ TEST_F(GraphSearchTest, AllWordsHaveToBeThereInAnyOrder) {
 
   Type("drives");
   EXPECT_EQ(search_.found(), QStringList{"robot/arm"}) << "by the name of an interface";
-  EXPECT_EQ(search_.told(), "1 found");
+  EXPECT_EQ(search_.countText(), "1 found");
 
   Type("no such thing");
   EXPECT_TRUE(search_.found().isEmpty());
-  EXPECT_EQ(search_.told(), "nothing fits");
-  EXPECT_TRUE(scene_.emphasis().names().empty());
+  EXPECT_EQ(search_.countText(), "nothing fits");
+  EXPECT_TRUE(scene_.highlight().names().empty());
 }
 
 TEST_F(GraphSearchTest, WhatIsFoundStandsOut) {
   Type("desk");
 
-  EXPECT_TRUE(scene_.emphasis().names().components.contains("desk/view"));
-  EXPECT_FALSE(scene_.emphasis().names().components.contains("robot/arm"));
+  EXPECT_TRUE(scene_.highlight().names().components.contains("desk/view"));
+  EXPECT_FALSE(scene_.highlight().names().components.contains("robot/arm"));
 
   system_.Component("desk", Task("newcomer", 1, {}));
   Show();
-  EXPECT_TRUE(scene_.emphasis().names().components.contains("desk/newcomer"));
+  EXPECT_TRUE(scene_.highlight().names().components.contains("desk/newcomer"));
 }
 
 TEST_F(GraphSearchTest, EnterGoesFromOneToTheNextAndShiftEnterBack) {
@@ -67,7 +67,7 @@ TEST_F(GraphSearchTest, EnterGoesFromOneToTheNextAndShiftEnterBack) {
 
   Enter();
   EXPECT_EQ(selection_.current(), search_.found()[0]);
-  EXPECT_EQ(search_.told(), "1 of 3");
+  EXPECT_EQ(search_.countText(), "1 of 3");
   Enter();
   EXPECT_EQ(selection_.current(), search_.found()[1]);
   Enter(Qt::ShiftModifier);
@@ -96,7 +96,7 @@ TEST_F(GraphSearchTest, EscapeEndsItAndGivesTheFocusBack) {
   QTest::keyClick(&search_.field(), Qt::Key_Escape);
 
   EXPECT_FALSE(search_.isVisible());
-  EXPECT_TRUE(scene_.emphasis().names().empty());
+  EXPECT_TRUE(scene_.highlight().names().empty());
   EXPECT_FALSE(search_.leave());
 }
 

@@ -243,7 +243,7 @@ TEST_F(GraphViewTest, WhatComesWhileAConnectionIsMadeMovesNothing) {
 }
 
 TEST_F(GraphViewTest, WhatComesUnderAHandMovesNothing) {
-  view_.setHandRests(std::chrono::hours(1));
+  view_.setPointerTimeout(std::chrono::hours(1));
   view_.resize(1600, 900);
   Hover(kControl);
   Hover(kDrives);

@@ -95,7 +95,7 @@ TEST_F(ExceptionGuardTest, ATimerAQueuedCallAndAWantOfMemoryAreContained) {
 TEST_F(ExceptionGuardTest, FaultsThatRepeatThemselvesAreOneThatIsCounted) {
   constexpr int kTimes = 1000;
   QSignalSpy changed(&ExceptionGuard::instance(), &ExceptionGuard::changed);
-  QSignalSpy told(&ExceptionGuard::instance(), &ExceptionGuard::told);
+  QSignalSpy told(&ExceptionGuard::instance(), &ExceptionGuard::faultReported);
   for (int i = 0; i < kTimes; ++i) {
     ExceptionGuard::run(right_, ViewWork::kHandling, [] { throw std::runtime_error("again"); });
   }

@@ -56,7 +56,7 @@ class ValuesInTime : public ::testing::Test {
   }
   /// So many rows have come so far, the newest now.
   void Send(std::uint64_t rows, const std::vector<double>& values) {
-    model_.showValues(kJoints, {.channels = shape_,
+    model_.showValues(kJoints, {.fields = shape_,
                                 .values = ExactValues(values),
                                 .text = {},
                                 .picture = {},
@@ -69,7 +69,7 @@ class ValuesInTime : public ::testing::Test {
   [[nodiscard]] QString Detail() const { return model_.index(0, 0).data(kDetailRole).toString(); }
 
   const QString kJoints = "robot/arm/state.Joints";
-  const ChannelList shape_ =
+  const NumericFieldList shape_ =
       std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(1)));
   const Catalogue catalogue_ = LookSystem(0).catalogue();
   ManualClock clock_;

@@ -43,7 +43,7 @@ class CatalogueFactsTest : public ::testing::Test {
     for (int i = 0; i < 10 * how_long.count(); ++i) {
       clock_.Advance(milliseconds(100));
       rows_ += 10;
-      model_.showValues(kJoints, {.channels = shape_,
+      model_.showValues(kJoints, {.fields = shape_,
                                   .values = ExactValues({1, 2}),
                                   .text = {},
                                   .rows = rows_,
@@ -56,7 +56,7 @@ class CatalogueFactsTest : public ::testing::Test {
   CatalogueStore store_;
   CatalogueModel model_{nullptr, clock_};
   QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
-  ChannelList shape_;
+  NumericFieldList shape_;
   std::uint64_t rows_ = 0;
 };
 

@@ -90,10 +90,10 @@ TEST(TrendProperty, HasAPlaceForEveryNumber) {
 TEST(ValueTextProperty, NeverSaysAnotherNumber) {
   test::CheckProperty([] {
     const double value = *test::AnyFinite();
-    NumericField channel;
-    channel.schema = Schema(Schema::Kind::kFloat64);
-    const std::string shown = QuantityOf(channel, NumericValue(value)).number.toStdString();
-    const std::string whole = WholeText(channel, NumericValue(value)).toStdString();
+    NumericField field;
+    field.schema = Schema(Schema::Kind::kFloat64);
+    const std::string shown = QuantityOf(field, NumericValue(value)).number.toStdString();
+    const std::string whole = WholeText(field, NumericValue(value)).toStdString();
     // The largest double, rounded, is beyond what a double can be read as.
     const long double near = std::strtold(shown.c_str(), nullptr);
     RC_ASSERT(std::abs(near - value) <= std::abs(value) * 6e-3L);

@@ -46,7 +46,7 @@ TEST(Text, AgesGrowCoarser) {
   EXPECT_EQ(AgeText(-5), "0 s");
 }
 
-TEST(Text, AChannelIsShownAsItIsMeant) {
+TEST(Text, ANumberIsShownAsItIsMeant) {
   NumericField enumeration;
   enumeration.schema = Schema::Enum("arm.Mode", {{"off", 0}, {"on", 1}});
   NumericField boolean;
@@ -77,11 +77,11 @@ TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
   NumericField stamp;
   stamp.schema = Schema(Schema::Kind::kFloat64);
   stamp.unit = "s";
-  const auto shown = [](const NumericField& channel, double value) {
-    return QuantityOf(channel, NumericValue(value)).number;
+  const auto shown = [](const NumericField& field, double value) {
+    return QuantityOf(field, NumericValue(value)).number;
   };
-  const auto whole = [](const NumericField& channel, double value) {
-    return WholeText(channel, NumericValue(value));
+  const auto whole = [](const NumericField& field, double value) {
+    return WholeText(field, NumericValue(value));
   };
 
   EXPECT_EQ(shown(angle, 0.1 + 0.2), "0.3000");
@@ -99,8 +99,8 @@ TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
   seconds.unit = "s";
   NumericField angle;
   angle.unit = "rad";
-  const auto text = [](const NumericField& channel, double value) {
-    const auto [number, unit] = QuantityOf(channel, NumericValue(value));
+  const auto text = [](const NumericField& field, double value) {
+    const auto [number, unit] = QuantityOf(field, NumericValue(value));
     return number + ' ' + unit;
   };
 

@@ -21,7 +21,7 @@ class CatalogueStoreTest : public ::testing::Test {
 
   void Show(SystemBuilder& system) { store_.apply(system.TakeChanges()); }
   [[nodiscard]] bool Finish() {
-    return QTest::qWaitFor([&] { return !store_.isTelling(); }, kPatience);
+    return QTest::qWaitFor([&] { return !store_.isAnnouncing(); }, kPatience);
   }
   /// How often a process was told of as a whole.
   [[nodiscard]] int Times(const std::string& process) const {
@@ -39,7 +39,7 @@ TEST_F(CatalogueStoreTest, AFewChangesAreToldOfAtOnce) {
 
   Show(system);
 
-  EXPECT_FALSE(store_.isTelling());
+  EXPECT_FALSE(store_.isAnnouncing());
   EXPECT_EQ(told_.size(), 1u);
 }
 

@@ -253,7 +253,7 @@ TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
   const auto newest = values.front().at(1).value<ColumnValues>();
   ASSERT_EQ(newest.values.size(), 2u);
   EXPECT_EQ(newest.values[0], NumericValue(119.0));
-  EXPECT_EQ(newest.channels->at(1).path, ".position[1]");
+  EXPECT_EQ(newest.fields->at(1).path, ".position[1]");
 }
 
 TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
@@ -391,7 +391,7 @@ TEST_F(LiveSignalsTest, AColumnThatHoldsAPictureIsOneAndItsBytesAreNoNumbers) {
   ASSERT_NE(heard.picture, nullptr);
   EXPECT_EQ(heard.picture->width, 40U);
   EXPECT_EQ(heard.picture->data.size(), 1200);
-  EXPECT_LT(heard.channels->size(), 20U);
+  EXPECT_LT(heard.fields->size(), 20U);
 }
 
 TEST_F(LiveSignalsTest, WhatIsNoPathOfAColumnIsLeftAlone) {

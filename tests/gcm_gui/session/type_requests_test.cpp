@@ -17,7 +17,7 @@ TEST(TypeRequests, OneThatIsWantedIsAskedForOnce) {
   EXPECT_EQ(types.takeDue(SteadyTime()), (Due{{kType, "robot"}}));
   EXPECT_TRUE(types.takeDue(SteadyTime(1h)).empty());
   EXPECT_EQ(types.find(kType), nullptr);
-  types.hear(kType, SchemaOf<double>(), SteadyTime(1h));
+  types.onAnswer(kType, SchemaOf<double>(), SteadyTime(1h));
   types.want(kType, "desk");
 
   EXPECT_TRUE(types.takeDue(SteadyTime(2h)).empty());
@@ -30,19 +30,19 @@ TEST(TypeRequests, OneThatWasNotToldIsAskedForAgainLaterAndLater) {
   types.want(kType, "robot");
   SteadyTime now{};
   (void)types.takeDue(now);
-  types.hear(kType, kNoAnswer, now);
+  types.onAnswer(kType, kNoAnswer, now);
   EXPECT_EQ(types.find(kType)->error().message, "no answer");
 
   for (const std::chrono::seconds pause : {1s, 2s, 4s, 8s, 16s, 30s, 30s}) {
     EXPECT_TRUE(types.takeDue(now + pause - 1ns).empty());
     now += pause;
     EXPECT_EQ(types.takeDue(now), (Due{{kType, "robot"}}));
-    types.hear(kType, kNoAnswer, now);
+    types.onAnswer(kType, kNoAnswer, now);
   }
 
   types.want(kType, "desk");
   EXPECT_EQ(types.takeDue(now + 1min), (Due{{kType, "desk"}}));
-  types.hear(kType, SchemaOf<double>(), now);
+  types.onAnswer(kType, SchemaOf<double>(), now);
   EXPECT_TRUE(types.find(kType)->ok());
 }
 

@@ -121,14 +121,14 @@ QSet<QString> ScriptedSignals::watched() const {
 
 void ScriptedSignals::send(const QString& column, const Schema& schema,
                            const std::vector<double>& values) {
-  ChannelList& shape = shapes_[column];
+  NumericFieldList& shape = shapes_[column];
   if (shape == nullptr)
     shape = std::make_shared<const std::vector<NumericField>>(NumericFields(schema));
   Q_EMIT valuesArrived(column, ColumnValues{shape, ExactValues(values), {}});
 }
 
 void ScriptedSignals::sendPicture(const QString& column, const RawImage& picture) {
-  ChannelList& shape = shapes_[column];
+  NumericFieldList& shape = shapes_[column];
   if (shape == nullptr) shape = std::make_shared<const std::vector<NumericField>>();
   Q_EMIT valuesArrived(column, {shape, {}, {}, std::make_shared<const RawImage>(picture)});
 }

@@ -111,7 +111,7 @@ class ScriptedSignals final : public SignalSource {
 
  private:
   QMap<const QObject*, QSet<QString>> watched_;
-  QMap<QString, ChannelList> shapes_;
+  QMap<QString, NumericFieldList> shapes_;
 };
 
 /// Records its requests; the test gives the answers, and sends log and events by its Qt signals.

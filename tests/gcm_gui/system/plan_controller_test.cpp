@@ -103,7 +103,7 @@ class SavingTest : public PlanControllerTest {
  protected:
   /// What the window says of it.
   QString Save() {
-    QSignalSpy told(&document_, &SystemDocument::told);
+    QSignalSpy told(&document_, &SystemDocument::notice);
     document_.save(Path());
     EXPECT_TRUE(QTest::qWaitFor([&] { return told.count() == 1; }, 60000));
     return told.isEmpty() ? QString() : told[0][0].toString();

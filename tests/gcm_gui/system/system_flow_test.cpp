@@ -1,4 +1,4 @@
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/system/diff_panel.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/theme.h>
@@ -51,8 +51,8 @@ class SystemFlowTest : public ::testing::Test {
 
   void Open(const QString& read_only, Role role) {
     window_.reset();
-    session_ = std::make_unique<Session>(Node(), manager_->address(), true, role,
-                                         std::chrono::seconds(20));
+    session_ = std::make_unique<GcmSession>(Node(), manager_->address(), true, role,
+                                            std::chrono::seconds(20));
     WindowParts parts = PartsOf(*session_);
     parts.read_only = read_only;
     window_ = std::make_unique<MainWindow>(parts);
@@ -115,7 +115,7 @@ class SystemFlowTest : public ::testing::Test {
   std::unique_ptr<GlobalManager> manager_;
   std::unique_ptr<Process> robot_;
   std::unique_ptr<Process> desk_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<GcmSession> session_;
   std::unique_ptr<MainWindow> window_;
 };
 
@@ -146,7 +146,7 @@ TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndSavedWithWhatRuns) {
   const std::string made = Document().path().toStdString();
   EXPECT_NE(ReadSystemFile(made)->FindComponent("robot", "MTML"), nullptr);
 
-  QSignalSpy told(&Document(), &SystemDocument::told);
+  QSignalSpy told(&Document(), &SystemDocument::notice);
   window_->findChild<QAction*>("Save the running system")->trigger();
   ASSERT_TRUE(Eventually([&] { return told.count() == 1; }));
   const auto saved = ReadSystemFile(made);
@@ -162,7 +162,7 @@ TEST_F(SystemFlowTest, AnImportTouchesNoFileThatIsThere) {
   };
   write("lab.json", R"({"components": []})");
   write("lab.gcm.json", "mine");
-  QSignalSpy told(&Document(), &SystemDocument::told);
+  QSignalSpy told(&Document(), &SystemDocument::notice);
 
   Document().importFrom(folder_.filePath("lab.json"), "robot");
 

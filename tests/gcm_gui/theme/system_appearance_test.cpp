@@ -14,8 +14,8 @@ constexpr auto kKey = "color-scheme";
 
 // What the desktop portal says when the user switches.
 void Say(SystemAppearance& appearance, const QString& key, const QVariant& value) {
-  QMetaObject::invokeMethod(&appearance, "hearSetting", Q_ARG(QString, kGroup), Q_ARG(QString, key),
-                            Q_ARG(QDBusVariant, QDBusVariant(value)));
+  QMetaObject::invokeMethod(&appearance, "onSettingChanged", Q_ARG(QString, kGroup),
+                            Q_ARG(QString, key), Q_ARG(QDBusVariant, QDBusVariant(value)));
 }
 
 TEST(SystemAppearance, BeginsWithThatOfTheApplicationsPalette) {

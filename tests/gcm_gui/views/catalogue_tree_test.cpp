@@ -23,7 +23,7 @@ class CatalogueTreeTest : public WindowFixture {
  protected:
   CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
     store_.replace(LargeSystem(10, 50).catalogue());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isTelling(); }, kPatience));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing(); }, kPatience));
   }
 
   static QString PathOf(int process, int component) {

@@ -162,8 +162,8 @@ TEST_F(AccessibleTest, TheMapAndTheSearchInTheGraph) {
   ASSERT_TRUE(window_.graphCommands().map().isVisible());
   ExpectNames("graph");
 
-  EXPECT_EQ(search.field().accessibleDescription(), search.told());
-  EXPECT_FALSE(search.told().isEmpty());
+  EXPECT_EQ(search.field().accessibleDescription(), search.countText());
+  EXPECT_FALSE(search.countText().isEmpty());
   for (const char* button : {"graphSearch.previous", "graphSearch.next", "graphSearch.close"}) {
     EXPECT_TRUE(IsReached(Named(button))) << button;
   }

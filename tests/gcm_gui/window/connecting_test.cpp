@@ -91,7 +91,7 @@ class ReadOnlyTest : public ConnectingTest {
     EXPECT_EQ(Refused(), "this window only looks") << how;
     EXPECT_TRUE(actions_.asked.isEmpty()) << how;
     EXPECT_FALSE(only_looks_.connectMode().active()) << how;
-    only_looks_.findChild<NoticeLine*>()->tell({});
+    only_looks_.findChild<NoticeLine*>()->showNotice({});
   }
 
   MainWindow only_looks_{{.store = store_,

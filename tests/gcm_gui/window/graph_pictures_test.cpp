@@ -1,10 +1,10 @@
 #include <gcm_gui/commands/graph_commands.h>
-#include <gcm_gui/graph/emphasis.h>
 #include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>
+#include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/component_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/theme/theme.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class GraphPicturesTest : public WindowFixture {
 
   [[nodiscard]] GraphScene& scene() const { return window_.graph().graph(); }
   [[nodiscard]] bool EventuallyDimmed() const {
-    return QTest::qWaitFor([&] { return scene().emphasis().veil() == 1; }, kPatience);
+    return QTest::qWaitFor([&] { return scene().highlight().dimming() == 1; }, kPatience);
   }
 };
 
@@ -55,7 +55,7 @@ TEST_F(GraphPicturesTest, NearWithTheMapAndFound) {
 
 TEST_F(GraphPicturesTest, PutElsewhere) {
   const QPointF arm = scene().component("robot/arm")->sceneRect().topLeft();
-  scene().places().move({{"robot/arm", arm + QPointF(40, 120)}});
+  scene().nodePositions().move({{"robot/arm", arm + QPointF(40, 120)}});
   window_.graph().fit();
   KeepPictures(window_, "graph-moved");
 }
@@ -64,7 +64,7 @@ TEST_F(GraphPicturesTest, ManyFromFarAway) {
   SystemBuilder large = LargeSystem(12, 20);
   store_.replace(large.catalogue());
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return !store_.isTelling() && !window_.graph().graph().isArranging(); }, kPatience));
+      [&] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); }, kPatience));
   window_.graph().fit();
   KeepPictures(window_, "graph-far");
 }

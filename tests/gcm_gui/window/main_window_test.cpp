@@ -53,7 +53,7 @@ TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
 }
 
 TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
-  QSignalSpy asked(&link_, &LinkState::wantedAnew);
+  QSignalSpy asked(&link_, &LinkState::resyncRequested);
 
   QTest::keyClick(&window_, Qt::Key_F5);
 

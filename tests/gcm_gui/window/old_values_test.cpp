@@ -36,7 +36,7 @@ class OldValues : public WindowFixture {
     const std::int64_t time = SteadyNow() - std::chrono::nanoseconds(age).count();
     const auto shape =
         std::make_shared<const std::vector<NumericField>>(NumericFields(test::JointStateSchema(1)));
-    Q_EMIT source_.valuesArrived(kJoints, {.channels = shape,
+    Q_EMIT source_.valuesArrived(kJoints, {.fields = shape,
                                            .values = ExactValues({0.5, 0.116}),
                                            .text = {},
                                            .rows = ++rows_,

@@ -19,7 +19,8 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
 void WindowFixture::Show() {
   store_.apply(system_.TakeChanges());
   EXPECT_TRUE(QTest::qWaitFor(
-      [this] { return !store_.isTelling() && !window_.graph().graph().isArranging(); }, kPatience));
+      [this] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); },
+      kPatience));
 }
 
 WindowParts WindowFixture::Parts() {

@@ -58,7 +58,7 @@ class WindowScaleTest : public WindowFixture {
 TEST_F(WindowScaleTest, AThousandComponentsComeAndCanBeWorkedWith) {
   Time("the first of them appear", [&] { store_.replace(large_.catalogue()); });
   TimeTurns("the longest turn until all are there",
-            [&] { return !store_.isTelling() && !window_.graph().graph().isArranging(); });
+            [&] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); });
   EXPECT_EQ(window_.graph().graph().components().size(), std::size_t{kProcesses * kOfEach});
   TimeTurns("the longest turn until it has settled",
             [turns = 0]() mutable { return ++turns > 50; });

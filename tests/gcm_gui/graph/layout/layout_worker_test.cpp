@@ -1,7 +1,7 @@
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
 #include <gcm_gui/graph/layout/layout_worker.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/graph/layout_animation.h>
 #include <gtest/gtest.h>
@@ -86,8 +86,8 @@ TEST(GraphScene, WhatHasNoPlaceYetIsNotShown) {
   EXPECT_TRUE(scene.components().empty());
   EXPECT_TRUE(scene.processes().empty());
 
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !scene.isArranging() && !store.isTelling(); }, kWorkerPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !store.isAnnouncing(); },
+                              kWorkerPatience));
   ASSERT_EQ(scene.components().size(), 7U);
   for (const auto& [path, component] : scene.components()) {
     const auto* process = scene.processes().at(path.section('/', 0, 0));
@@ -115,14 +115,14 @@ class LayoutAnimationTest : public GraphFixture {
 TEST_F(LayoutAnimationTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
   const QPointF laid_out = place();
   const QPointF by_hand = laid_out + QPointF(600, 400);
-  scene_.places().move({{"robot/arm", by_hand}});
+  scene_.nodePositions().move({{"robot/arm", by_hand}});
   ASSERT_TRUE(IsEventuallyAt(by_hand));
 
-  scene_.places().reset();
+  scene_.nodePositions().reset();
   EXPECT_EQ(place(), by_hand) << "it begins where it was";
   EXPECT_TRUE(IsEventuallyAt(laid_out));
 
-  scene_.places().undo();
+  scene_.nodePositions().undo();
   EXPECT_TRUE(IsEventuallyAt(by_hand));
 }
 
@@ -134,12 +134,12 @@ TEST(LayoutAnimation, ALargeSystemGoesInOneStep) {
   RecordingActions actions;
   ConnectMode mode{store, actions};
   GraphScene scene(store, selection, mode);
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return !scene.isArranging() && !store.isTelling(); }, kWorkerPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !store.isAnnouncing(); },
+                              kWorkerPatience));
   const auto& [path, component] = *scene.components().begin();
   const QPointF there = component->pos() + QPointF(5000, 5000);
 
-  scene.places().move({{path, there}});
+  scene.nodePositions().move({{path, there}});
 
   EXPECT_EQ(component->pos(), there);
   QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, true);

@@ -10,7 +10,7 @@ TEST(LiveClock, RunsEvenlyThoughSamplesComeInBatches) {
   LiveClock clock;
   const std::int64_t ahead = 77 * kSecond;
   for (std::int64_t local = 0; local < kSecond; local += 50 * kMillisecond) {
-    clock.hear(local + ahead, local);
+    clock.update(local + ahead, local);
     for (std::int64_t later = 0; later < 50; ++later) {
       EXPECT_EQ(clock.now(local + later * kMillisecond), local + later * kMillisecond + ahead);
     }
@@ -19,26 +19,26 @@ TEST(LiveClock, RunsEvenlyThoughSamplesComeInBatches) {
 
 TEST(LiveClock, ALateBatchDoesNotTurnItBack) {
   LiveClock clock;
-  clock.hear(10 * kSecond, 10 * kSecond);
+  clock.update(10 * kSecond, 10 * kSecond);
 
-  clock.hear(10 * kSecond + 20 * kMillisecond, 10 * kSecond + 400 * kMillisecond);
+  clock.update(10 * kSecond + 20 * kMillisecond, 10 * kSecond + 400 * kMillisecond);
 
   EXPECT_EQ(clock.now(11 * kSecond), 11 * kSecond);
 }
 
 TEST(LiveClock, GoesOnWhenTheSourceIsSilent) {
   LiveClock clock;
-  clock.hear(10 * kSecond, 3 * kSecond);
+  clock.update(10 * kSecond, 3 * kSecond);
 
   EXPECT_EQ(clock.now(100 * kSecond), 107 * kSecond);
 }
 
 TEST(LiveClock, ForgetsALeadThatIsNoLongerReached) {
   LiveClock clock;
-  clock.hear(20 * kSecond, 10 * kSecond);
+  clock.update(20 * kSecond, 10 * kSecond);
   for (int i = 1; i < 100; ++i) {
     const std::int64_t local = 10 * kSecond + i * 100 * kMillisecond;
-    clock.hear(local + 5 * kSecond, local);
+    clock.update(local + 5 * kSecond, local);
   }
 
   EXPECT_EQ(clock.now(30 * kSecond), 35 * kSecond);

@@ -17,10 +17,10 @@ class StreamChecker final : public tendon::RowSink {
  public:
   struct Verdict {
     std::uint64_t received = 0;
-    std::uint64_t missing = 0;       ///< numbers that never arrived although the ledger did not restart
-    std::uint64_t counted = 0;       ///< losses that the stream itself reported
-    std::uint64_t repeated = 0;      ///< numbers or ticks that arrived twice or went back
-    std::uint64_t damaged = 0;       ///< samples with a wrong check sum
+    std::uint64_t missing = 0;   ///< numbers that never arrived although the ledger did not restart
+    std::uint64_t counted = 0;   ///< losses that the stream itself reported
+    std::uint64_t repeated = 0;  ///< numbers or ticks that arrived twice or went back
+    std::uint64_t damaged = 0;   ///< samples with a wrong check sum
     std::vector<std::string> stale;  ///< the reason of each report that rows have stopped
     std::uint64_t subscriptions = 0;
     std::uint64_t ledgers = 0;

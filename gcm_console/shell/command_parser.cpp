@@ -1,4 +1,4 @@
-#include <gcm_console/shell/words.h>
+#include <gcm_console/shell/command_parser.h>
 
 #include <cctype>
 #include <utility>
@@ -120,14 +120,14 @@ class Reader {
 
 }  // namespace
 
-Result<std::vector<Command>> CommandsOf(std::string_view line) {
+Result<std::vector<Command>> ParseCommands(std::string_view line) {
   Reader reader(line);
   if (auto read = reader.Read(); !read) return read.error();
   reader.EndCommand(false);
   return std::move(reader.commands());
 }
 
-std::string Quoted(std::string_view word) {
+std::string QuoteWord(std::string_view word) {
   std::string typed;
   for (const char letter : word) {
     const bool begins = typed.empty() && (letter == '#' || letter == '{' || letter == '[');
@@ -139,7 +139,7 @@ std::string Quoted(std::string_view word) {
   return typed;
 }
 
-PartialCommand PartialCommandOf(std::string_view line) {
+PartialCommand ParsePartialCommand(std::string_view line) {
   Reader reader(line);
   const bool is_whole = static_cast<bool>(reader.Read());
   PartialCommand partial{std::move(reader.words()), std::string(line.substr(reader.begin()))};

@@ -1,5 +1,5 @@
 #include <gcm_gui/files/file_writer.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 
 #include <QDir>
 #include <QFile>
@@ -18,31 +18,31 @@ constexpr std::size_t kMostSteps = 50;
 constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
 constexpr double kFurthest = 1e6;           // a larger distance is a mistake in the file
 
-QByteArray MapText(const GraphPlaces::Map& places) {
+QByteArray MapText(const NodePositions::Map& places) {
   QJsonObject all;
   for (const auto& [path, place] : places) all.insert(path, QJsonArray{place.x(), place.y()});
   return QJsonDocument(QJsonObject{{"schema", 1}, {"places", all}}).toJson();
 }
 
-GraphPlaces::Map PlacesIn(const QByteArray& text) {
-  GraphPlaces::Map places;
+NodePositions::Map PlacesIn(const QByteArray& text) {
+  NodePositions::Map places;
   const QJsonObject all =
       QJsonDocument::fromJson(text).object().value(QStringLiteral("places")).toObject();
   for (auto it = all.begin(); it != all.end() && places.size() < kMostPlaces; ++it) {
     const QJsonArray numbers = it->toArray();
     const QPointF place(numbers.at(0).toDouble(kFurthest), numbers.at(1).toDouble(kFurthest));
-    if (IsPlace(place)) places.emplace(it.key(), place);
+    if (IsPlausiblePosition(place)) places.emplace(it.key(), place);
   }
   return places;
 }
 
 }  // namespace
 
-bool IsPlace(const QPointF& place) {
-  return std::abs(place.x()) < kFurthest && std::abs(place.y()) < kFurthest;
+bool IsPlausiblePosition(const QPointF& position) {
+  return std::abs(position.x()) < kFurthest && std::abs(position.y()) < kFurthest;
 }
 
-void GraphPlaces::keepIn(const QString& name) {
+void NodePositions::keepIn(const QString& name) {
   file_ = name;
   QDir().mkpath(QFileInfo(name).path());
   QFile file(name);
@@ -51,7 +51,7 @@ void GraphPlaces::keepIn(const QString& name) {
   Q_EMIT changed();
 }
 
-void GraphPlaces::move(const std::map<QString, QPointF>& moved, const QString& key) {
+void NodePositions::move(const std::map<QString, QPointF>& moved, const QString& key) {
   Map then = all_;
   for (const auto& [path, place] : moved) then[path] = place;
   if (then == all_) return;
@@ -60,21 +60,21 @@ void GraphPlaces::move(const std::map<QString, QPointF>& moved, const QString& k
   keep();
 }
 
-void GraphPlaces::reset() {
+void NodePositions::reset() {
   if (all_.empty()) return;
   begin({});
   all_.clear();
   keep();
 }
 
-void GraphPlaces::undo() {
+void NodePositions::undo() {
   if (steps_.empty()) return;
   all_ = std::move(steps_.back().before);
   steps_.pop_back();
   keep();
 }
 
-void GraphPlaces::begin(const QString& key) {
+void NodePositions::begin(const QString& key) {
   const bool goes_on = is_newest_ && !key.isEmpty() && !steps_.empty() && steps_.back().key == key;
   is_newest_ = true;
   if (goes_on) return;
@@ -82,7 +82,7 @@ void GraphPlaces::begin(const QString& key) {
   steps_.push_back({key, all_});
 }
 
-void GraphPlaces::keep() {
+void NodePositions::keep() {
   Q_EMIT changed();
   if (file_.isEmpty()) return;
   FileWriter::instance().write(file_, MapText(all_), this, [this](const QString& refusal) {

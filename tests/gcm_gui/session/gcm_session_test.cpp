@@ -1,4 +1,4 @@
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <gtest/gtest.h>
 #include <support/plant.h>
 #include <tendon/gcm/global_manager.h>
@@ -33,7 +33,7 @@ class SessionTest : public ::testing::Test {
     desk_ = std::make_unique<Process>("desk", Options());
     desk_->Add<plant::Operator>("operator");
     (void)desk_->StartAll();
-    session_ = std::make_unique<Session>(Node(), manager_->address(), true);
+    session_ = std::make_unique<GcmSession>(Node(), manager_->address(), true);
   }
 
   std::shared_ptr<Middleware> Node() { return std::make_shared<LoopbackMiddleware>(network_); }
@@ -66,7 +66,7 @@ class SessionTest : public ::testing::Test {
   std::unique_ptr<GlobalManager> manager_;
   std::unique_ptr<Process> robot_;
   std::unique_ptr<Process> desk_;
-  std::unique_ptr<Session> session_;
+  std::unique_ptr<GcmSession> session_;
 };
 
 TEST_F(SessionTest, TheCatalogueArrivesByItself) {
@@ -167,8 +167,8 @@ TEST_F(SessionTest, ACallThatIsRefusedIsToldInTheActivityToo) {
 }
 
 TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
-  session_ = std::make_unique<Session>(Node(), manager_->address(), true, Role::kOperator,
-                                       std::chrono::seconds(40));
+  session_ = std::make_unique<GcmSession>(Node(), manager_->address(), true, Role::kOperator,
+                                          std::chrono::seconds(40));
   ASSERT_TRUE(EverythingIsThere());
   bool is_linked = false;
   session_->readValue("robot/plant/state.Move", [&](const auto&) { is_linked = true; });

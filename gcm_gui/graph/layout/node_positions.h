@@ -8,13 +8,13 @@
 
 namespace tendon::gui {
 
-/// True for a plausible position; a very distant one is a mistake in a file.
-[[nodiscard]] bool IsPlace(const QPointF& place);
+/// False for a very distant position, which is a mistake in a file.
+[[nodiscard]] bool IsPlausiblePosition(const QPointF& position);
 
 /// The positions that the user has given to components: the top left corner by path, in scene
 /// coordinates. Saved in a file, even for components that are gone; the last fifty steps can be
 /// undone. GUI thread; the FileWriter writes the file.
-class GraphPlaces : public QObject {
+class NodePositions : public QObject {
   Q_OBJECT
 
  public:
@@ -39,7 +39,7 @@ class GraphPlaces : public QObject {
   /// Undoes the last step.
   void undo();
   /// Called when the user has done something else.
-  void grow() { is_newest_ = false; }
+  void onOtherAction() { is_newest_ = false; }
 
  Q_SIGNALS:
   void changed();

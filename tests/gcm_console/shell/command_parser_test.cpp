@@ -1,5 +1,5 @@
 #include <gcm_console/command_line/command_line.h>
-#include <gcm_console/shell/words.h>
+#include <gcm_console/shell/command_parser.h>
 #include <gtest/gtest.h>
 
 namespace console {
@@ -8,7 +8,7 @@ namespace {
 using Commands = std::vector<Words>;
 
 Commands Of(const std::string& line) {
-  const auto commands = CommandsOf(line);
+  const auto commands = ParseCommands(line);
   EXPECT_TRUE(commands) << line;
   Commands all;
   if (!commands) return all;
@@ -16,43 +16,43 @@ Commands Of(const std::string& line) {
   return all;
 }
 
-TEST(Words, StandBetweenBlanks) {
+TEST(CommandParser, StandBetweenBlanks) {
   EXPECT_EQ(Of(""), Commands{});
   EXPECT_EQ(Of("  ls \t robot/arm "), (Commands{{"ls", "robot/arm"}}));
 }
 
-TEST(Words, ASemicolonEndsACommandAndANumberSignTheLine) {
+TEST(CommandParser, ASemicolonEndsACommandAndANumberSignTheLine) {
   EXPECT_EQ(Of("cd robot; ls ;; tree # all; of it"), (Commands{{"cd", "robot"}, {"ls"}, {"tree"}}));
   EXPECT_EQ(Of("# nothing"), Commands{});
   EXPECT_EQ(Of("find a#b"), (Commands{{"find", "a#b"}}));
 }
 
-TEST(Words, AnAmpersandLeavesACommandBehind) {
+TEST(CommandParser, AnAmpersandLeavesACommandBehind) {
   const std::vector<Command> expected = {{{"watch", "a/b/c.d"}, true}, {{"ls"}, false}};
   for (const char* line : {"watch a/b/c.d & ls", "watch a/b/c.d& & ls", "watch a/b/c.d &ls;"}) {
-    const auto commands = CommandsOf(line);
+    const auto commands = ParseCommands(line);
     ASSERT_TRUE(commands);
     EXPECT_EQ(*commands, expected) << line;
   }
   EXPECT_EQ(Of("find 'a & b' c\\&d"), (Commands{{"find", "a & b", "c&d"}}));
 }
 
-TEST(Words, TheProgramsNameBeforeAVerbIsPassedOver) {
+TEST(CommandParser, TheProgramsNameBeforeAVerbIsPassedOver) {
   EXPECT_EQ(Of("gcm ls robot; gcm tree & gcm"), (Commands{{"ls", "robot"}, {"tree"}, {"gcm"}}));
   EXPECT_EQ(Of("find gcm"), (Commands{{"find", "gcm"}}));
-  EXPECT_EQ(PartialCommandOf("gcm sho").words, Words{"sho"});
-  EXPECT_EQ(PartialCommandOf("gcm ").words, Words{""});
-  EXPECT_EQ(PartialCommandOf("gcm call {").words, (Words{"call", "{"}));
-  EXPECT_EQ(PartialCommandOf("gcm {").words, Words{"{"});
-  EXPECT_EQ(PartialCommandOf("gcm").words, Words{"gcm"});
+  EXPECT_EQ(ParsePartialCommand("gcm sho").words, Words{"sho"});
+  EXPECT_EQ(ParsePartialCommand("gcm ").words, Words{""});
+  EXPECT_EQ(ParsePartialCommand("gcm call {").words, (Words{"call", "{"}));
+  EXPECT_EQ(ParsePartialCommand("gcm {").words, Words{"{"});
+  EXPECT_EQ(ParsePartialCommand("gcm").words, Words{"gcm"});
 }
 
-TEST(Words, QuotesKeepTogetherWhatBelongsTogether) {
+TEST(CommandParser, QuotesKeepTogetherWhatBelongsTogether) {
   EXPECT_EQ(Of(R"(find 'a; b' "c \" d" e\ f '')"),
             (Commands{{"find", "a; b", "c \" d", "e f", ""}}));
 }
 
-TEST(Words, JsonNeedsNoQuotes) {
+TEST(CommandParser, JsonNeedsNoQuotes) {
   EXPECT_EQ(Of(R"(call a/b.C {"position": [1, 2], "name": "x } ; y"}; ls)"),
             (Commands{{"call", "a/b.C", R"({"position": [1, 2], "name": "x } ; y"})"}, {"ls"}}));
   EXPECT_EQ(Of(R"(call a/b.C goal={"name": "x ; y"} list=[1, 2]; ls)"),
@@ -60,30 +60,30 @@ TEST(Words, JsonNeedsNoQuotes) {
   EXPECT_EQ(Of("watch state.Joints[0]"), (Commands{{"watch", "state.Joints[0]"}}));
 }
 
-TEST(Words, WhatHasNoEndIsRefused) {
-  EXPECT_EQ(CommandsOf("ls 'a b").error().message, "the quote in column 4 is not closed");
-  EXPECT_EQ(CommandsOf("call a {\"b\": [1").error().message,
+TEST(CommandParser, WhatHasNoEndIsRefused) {
+  EXPECT_EQ(ParseCommands("ls 'a b").error().message, "the quote in column 4 is not closed");
+  EXPECT_EQ(ParseCommands("call a {\"b\": [1").error().message,
             "the bracket in column 8 is not closed");
 }
 
-TEST(Words, OfALineThatIsBeingTypedTheLastIsOpen) {
-  EXPECT_EQ(PartialCommandOf("").words, (Words{""}));
-  EXPECT_EQ(PartialCommandOf("ls").words, (Words{"ls"}));
-  EXPECT_EQ(PartialCommandOf("ls ").words, (Words{"ls", ""}));
-  EXPECT_EQ(PartialCommandOf("cd a; get b/c").words, (Words{"get", "b/c"}));
-  EXPECT_EQ(PartialCommandOf("cd a;").words, (Words{""}));
-  EXPECT_EQ(PartialCommandOf("get b/c").typed, "b/c");
-  EXPECT_EQ(PartialCommandOf("save my\\ ").typed, "my\\ ");
-  EXPECT_EQ(PartialCommandOf("save my\\ ").words, (Words{"save", "my "}));
+TEST(CommandParser, OfALineThatIsBeingTypedTheLastIsOpen) {
+  EXPECT_EQ(ParsePartialCommand("").words, (Words{""}));
+  EXPECT_EQ(ParsePartialCommand("ls").words, (Words{"ls"}));
+  EXPECT_EQ(ParsePartialCommand("ls ").words, (Words{"ls", ""}));
+  EXPECT_EQ(ParsePartialCommand("cd a; get b/c").words, (Words{"get", "b/c"}));
+  EXPECT_EQ(ParsePartialCommand("cd a;").words, (Words{""}));
+  EXPECT_EQ(ParsePartialCommand("get b/c").typed, "b/c");
+  EXPECT_EQ(ParsePartialCommand("save my\\ ").typed, "my\\ ");
+  EXPECT_EQ(ParsePartialCommand("save my\\ ").words, (Words{"save", "my "}));
 }
 
-TEST(Words, QuotedTheyAreReadAsTheyWere) {
+TEST(CommandParser, QuotedTheyAreReadAsTheyWere) {
   for (const char* word :
        {"lab.json", "my lab; 'new'.json", "#1", "a#1", "a&b", "[old]", "a\\b\"c", "ä b"}) {
-    EXPECT_EQ(Of("save " + Quoted(word)), (Commands{{"save", word}})) << word;
+    EXPECT_EQ(Of("save " + QuoteWord(word)), (Commands{{"save", word}})) << word;
   }
-  EXPECT_EQ(Quoted("lab.json"), "lab.json");
-  EXPECT_EQ(Quoted("my lab"), "my\\ lab");
+  EXPECT_EQ(QuoteWord("lab.json"), "lab.json");
+  EXPECT_EQ(QuoteWord("my lab"), "my\\ lab");
 }
 
 TEST(ResolvedPath, BeginsWhereTheShellIs) {

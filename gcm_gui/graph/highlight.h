@@ -8,11 +8,11 @@
 namespace tendon::gui {
 
 class GraphScene;
-class VeilItem;
+class DimmingItem;
 
-/// Highlights a part of the graph by a veil that dims all the rest; the veil fades in and out in a
-/// graph of moderate size. GUI thread; each change visits all items.
-class Emphasis : public QObject {
+/// Highlights a part of the graph by dimming all the rest, with a fade in and out if the graph is
+/// of moderate size. GUI thread; each change visits all items.
+class Highlight : public QObject {
   Q_OBJECT
 
  public:
@@ -25,31 +25,31 @@ class Emphasis : public QObject {
   };
 
   /// The scene owns it.
-  explicit Emphasis(GraphScene& scene);
+  explicit Highlight(GraphScene& scene);
 
   /// The part under the pointer; takes precedence over the found part.
   void setPointed(Names names);
   /// The part that a search has found.
   void setFound(Names names);
 
-  /// Hides the veil temporarily, for code that draws the graph elsewhere.
+  /// Removes the dimming temporarily, for code that draws the graph elsewhere.
   void lift(bool lifted);
 
-  /// The highlighted part, also while the veil fades in; empty if nothing is highlighted.
+  /// The highlighted part, also while the rest fades; empty if nothing is highlighted.
   [[nodiscard]] const Names& names() const { return pointed_.empty() ? found_ : pointed_; }
   /// How much the rest is dimmed, from 0 to 1.
-  [[nodiscard]] double veil() const;
+  [[nodiscard]] double dimming() const;
 
  private:
   void refresh();
   void raise();
 
   GraphScene& scene_;
-  VeilItem* veil_;
+  DimmingItem* dimming_item_;
   QVariantAnimation fade_;
   Names pointed_;
   Names found_;
-  Names raised_;  // the last part, kept until the veil is gone
+  Names raised_;  // the last part, kept until the fade has ended
 };
 
 }  // namespace tendon::gui

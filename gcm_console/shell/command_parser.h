@@ -23,10 +23,10 @@ struct Command {
 /// word begins a comment. Inside '...' every character is literal; elsewhere \ makes the next one
 /// literal. A word, or the part of a word after =, that begins with { or [ is JSON and ends with
 /// its bracket, quotes included. kInvalid if a quote or a bracket is not closed.
-tendon::Result<std::vector<Command>> CommandsOf(std::string_view line);
+tendon::Result<std::vector<Command>> ParseCommands(std::string_view line);
 
-/// Quotes a word so that CommandsOf() reads it as one.
-[[nodiscard]] std::string Quoted(std::string_view word);
+/// Quotes a word so that ParseCommands() reads it as one.
+[[nodiscard]] std::string QuoteWord(std::string_view word);
 
 /// The words of the last command of an unfinished line. The last word is empty after a blank;
 /// `typed` is its original text in the line.
@@ -34,6 +34,6 @@ struct PartialCommand {
   Words words;
   std::string typed;
 };
-PartialCommand PartialCommandOf(std::string_view line);
+PartialCommand ParsePartialCommand(std::string_view line);
 
 }  // namespace console

@@ -1,7 +1,7 @@
 #include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/text.h>
-#include <gcm_console/verbs/place_details.h>
+#include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
@@ -35,15 +35,15 @@ void ListComponents(const tendon::ProcessEntry& entry, Table& table) {
   }
 }
 
-void ListInterfaces(const Catalogue& catalogue, const Place& place, Table& table) {
+void ListInterfaces(const Catalogue& catalogue, const PathTarget& target, Table& table) {
   const auto name_of = [&](const std::string& interface) {
-    return InterfaceName(place.process->process.name, place.component->name, interface);
+    return InterfaceName(target.process->process.name, target.component->name, interface);
   };
-  for (const auto& one : place.component->provided) {
+  for (const auto& one : target.component->provided) {
     table.Add({one.name, "provided", std::to_string(one.commands.size() + one.events.size()),
                UsersOf(catalogue, name_of(one.name))});
   }
-  for (const auto& one : place.component->required) {
+  for (const auto& one : target.component->required) {
     table.Add({one.name, "required",
                std::to_string(one.functions.size() + one.event_handlers.size()),
                ProviderOf(catalogue, name_of(one.name))});
@@ -55,17 +55,17 @@ void AddMember(const std::string& noun, const tendon::MemberDescription& member,
       {member.name, std::string(ToString(member.signature.kind)) + " " + noun, TypesOf(member)});
 }
 
-void ListMembers(const Place& place, Table& table) {
-  if (place.member != nullptr) return AddMember(place.noun, *place.member, table);
+void ListMembers(const PathTarget& target, Table& table) {
+  if (target.member != nullptr) return AddMember(target.noun, *target.member, table);
   const auto add = [&table](const std::string& noun, const auto& members) {
     for (const auto& one : members) AddMember(noun, one, table);
   };
-  if (place.provided != nullptr) {
-    add("command", place.provided->commands);
-    add("event", place.provided->events);
+  if (target.provided != nullptr) {
+    add("command", target.provided->commands);
+    add("event", target.provided->events);
   } else {
-    add("function", place.required->functions);
-    add("handler", place.required->event_handlers);
+    add("function", target.required->functions);
+    add("handler", target.required->event_handlers);
   }
 }
 
@@ -77,42 +77,42 @@ ordered_json ProcessJson(const tendon::ProcessEntry& entry, const SystemHealth& 
 
 }  // namespace
 
-Table ListingOf(const Catalogue& catalogue, const Place& place) {
-  if (place.process == nullptr) {
+Table ListingOf(const Catalogue& catalogue, const PathTarget& target) {
+  if (target.process == nullptr) {
     Table table({"PROCESS", "STATE", "HOST", "PID", "COMPONENTS", "ADDRESS"});
     ListProcesses(catalogue, table);
     return table;
   }
-  if (place.component == nullptr) {
+  if (target.component == nullptr) {
     Table table({"COMPONENT", "STATE", "CLASS", "PERIOD/s", "DETAIL"});
-    ListComponents(*place.process, table);
+    ListComponents(*target.process, table);
     return table;
   }
-  if (place.provided == nullptr && place.required == nullptr) {
+  if (target.provided == nullptr && target.required == nullptr) {
     Table table({"INTERFACE", "SIDE", "MEMBERS", "CONNECTED"});
-    ListInterfaces(catalogue, place, table);
+    ListInterfaces(catalogue, target, table);
     return table;
   }
   Table table({"MEMBER", "KIND", "TYPE"});
-  ListMembers(place, table);
+  ListMembers(target, table);
   return table;
 }
 
-ordered_json JsonOf(Context& context, const Catalogue& catalogue, const Place& place) {
-  if (place.member != nullptr) return {{"member", ToJson(*place.member)}};
-  if (place.provided != nullptr) return {{"interface", ToJson(*place.provided)}};
-  if (place.required != nullptr) {
-    ordered_json json = {{"interface", ToJson(*place.required)}};
-    if (const auto counts = AskCounts(context, place)) json["counts"] = ToJson(*counts);
+ordered_json JsonOf(Context& context, const Catalogue& catalogue, const PathTarget& target) {
+  if (target.member != nullptr) return {{"member", ToJson(*target.member)}};
+  if (target.provided != nullptr) return {{"interface", ToJson(*target.provided)}};
+  if (target.required != nullptr) {
+    ordered_json json = {{"interface", ToJson(*target.required)}};
+    if (const auto counts = AskCounts(context, target)) json["counts"] = ToJson(*counts);
     return json;
   }
-  if (place.component != nullptr) {
-    ordered_json json = {{"component", ToJson(*place.component, *place.process)}};
-    if (const auto fill = AskFill(context, place)) json["mailbox"] = ToJson(*fill);
+  if (target.component != nullptr) {
+    ordered_json json = {{"component", ToJson(*target.component, *target.process)}};
+    if (const auto fill = AskFill(context, target)) json["mailbox"] = ToJson(*fill);
     return json;
   }
   const SystemHealth health = AskHealth(context);
-  if (place.process != nullptr) return {{"process", ProcessJson(*place.process, health)}};
+  if (target.process != nullptr) return {{"process", ProcessJson(*target.process, health)}};
   ordered_json processes = ordered_json::array();
   for (const auto& [name, entry] : catalogue.processes())
     processes.push_back(ProcessJson(entry, health));

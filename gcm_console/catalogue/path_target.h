@@ -7,9 +7,9 @@
 
 namespace console {
 
-/// The things that a path names in a catalogue, down to the depth of the path; deeper ones are
+/// The target of a path in a catalogue, and the things above it; those below it are
 /// null. The pointers are valid until the catalogue changes.
-struct Place {
+struct PathTarget {
   const tendon::ProcessEntry* process = nullptr;
   const tendon::ComponentDescription* component = nullptr;
   const tendon::ProvidedDescription* provided = nullptr;
@@ -20,10 +20,10 @@ struct Place {
 
 /// Finds "process/component/interface.member" or the beginning of such a path. kNotFound suggests
 /// similar names; kInvalid if the path continues into a value.
-tendon::Result<Place> FindPlace(const tendon::Catalogue& catalogue, const std::string& path);
+tendon::Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const std::string& path);
 
 /// "arm.LinkId -> geometry_msgs.Pose", "double[7]"; empty without argument and result.
 std::string TypesOf(const tendon::MemberDescription& member);
-bool GivesAnswer(const tendon::MemberDescription& member);
+bool HasAnswer(const tendon::MemberDescription& member);
 
 }  // namespace console

@@ -6,9 +6,9 @@
 namespace tendon::gui {
 
 /// A translucent sheet in the background colour that dims the items below it.
-class VeilItem : public QGraphicsItem {
+class DimmingItem : public QGraphicsItem {
  public:
-  VeilItem();
+  DimmingItem();
 
   /// Sets the covered area, in scene coordinates.
   void cover(const QRectF& rect);

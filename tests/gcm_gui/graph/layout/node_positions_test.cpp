@@ -1,7 +1,7 @@
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>
-#include <gcm_gui/graph/layout/graph_places.h>
+#include <gcm_gui/graph/layout/node_positions.h>
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -15,9 +15,9 @@
 namespace tendon::gui {
 namespace {
 
-class GraphPlacesTest : public GraphFixture {
+class NodePositionsTest : public GraphFixture {
  protected:
-  GraphPlacesTest() : GraphFixture(LookSystem(0)) {
+  NodePositionsTest() : GraphFixture(LookSystem(0)) {
     Show();
     view_.resize(1400, 900);
     view_.show();
@@ -50,7 +50,7 @@ void ExpectNear(const QPointF& a, const QPointF& b) {
   EXPECT_LT(std::abs(a.y() - b.y()), 5);
 }
 
-TEST_F(GraphPlacesTest, AComponentIsDraggedAndStaysWhereItIsPut) {
+TEST_F(NodePositionsTest, AComponentIsDraggedAndStaysWhereItIsPut) {
   const QRectF before = Rect("robot/arm");
   const QRectF other = Rect("robot/controller");
   const QPointF way(-60, 280);
@@ -71,14 +71,14 @@ TEST_F(GraphPlacesTest, AComponentIsDraggedAndStaysWhereItIsPut) {
   EXPECT_FALSE(Rect("robot/newcomer").intersects(Rect("robot/arm")));
 }
 
-TEST_F(GraphPlacesTest, WhatIsInTheWayStepsAside) {
+TEST_F(NodePositionsTest, WhatIsInTheWayStepsAside) {
   DragHead("robot/arm", Rect("robot/controller").topLeft() - Rect("robot/arm").topLeft());
 
   EXPECT_FALSE(Rect("robot/arm").intersects(Rect("robot/controller")));
   EXPECT_FALSE(Box("robot").intersects(Box("desk")));
 }
 
-TEST_F(GraphPlacesTest, AProcessIsDraggedByItsHeadWithAllThatItHas) {
+TEST_F(NodePositionsTest, AProcessIsDraggedByItsHeadWithAllThatItHas) {
   const QPointF arm = Rect("robot/arm").topLeft();
   const QPointF controller = Rect("robot/controller").topLeft();
   const QPointF way(20, 320);
@@ -90,26 +90,26 @@ TEST_F(GraphPlacesTest, AProcessIsDraggedByItsHeadWithAllThatItHas) {
   EXPECT_FALSE(Box("robot").intersects(Box("desk")));
 }
 
-TEST_F(GraphPlacesTest, AMoveIsTakenBackInOneStep) {
+TEST_F(NodePositionsTest, AMoveIsTakenBackInOneStep) {
   const QPointF first = Rect("robot/arm").topLeft();
   DragHead("robot/arm", {-40, 200});
   const QPointF second = Rect("robot/arm").topLeft();
   DragHead("robot/arm", {-40, 80});
 
-  scene_.places().undo();
+  scene_.nodePositions().undo();
   EXPECT_EQ(Rect("robot/arm").topLeft(), second);
 
-  scene_.places().reset();
+  scene_.nodePositions().reset();
   EXPECT_EQ(Rect("robot/arm").topLeft(), first);
 
-  scene_.places().undo();
+  scene_.nodePositions().undo();
   EXPECT_EQ(Rect("robot/arm").topLeft(), second);
-  scene_.places().undo();
+  scene_.nodePositions().undo();
   EXPECT_EQ(Rect("robot/arm").topLeft(), first);
-  EXPECT_FALSE(scene_.places().canUndo());
+  EXPECT_FALSE(scene_.nodePositions().canUndo());
 }
 
-TEST_F(GraphPlacesTest, WhatIsUnderWayGoesBackWhenItIsToldTo) {
+TEST_F(NodePositionsTest, WhatIsUnderWayGoesBackWhenItIsToldTo) {
   const QPointF before = Rect("robot/arm").topLeft();
   const QPoint start = view_.mapFromScene(before + QPointF(30, 14));
   QTest::mousePress(view_.viewport(), Qt::LeftButton, {}, start);
@@ -117,16 +117,16 @@ TEST_F(GraphPlacesTest, WhatIsUnderWayGoesBackWhenItIsToldTo) {
   QTest::mouseMove(view_.viewport(), start + QPoint(0, 90));
   ASSERT_NE(Rect("robot/arm").topLeft(), before);
 
-  EXPECT_TRUE(view_.putBack());
+  EXPECT_TRUE(view_.cancelDrag());
   QTest::mouseMove(view_.viewport(), start + QPoint(0, 120));
   QTest::mouseRelease(view_.viewport(), Qt::LeftButton, {}, start + QPoint(0, 120));
 
   EXPECT_EQ(Rect("robot/arm").topLeft(), before);
-  EXPECT_FALSE(scene_.places().canUndo());
-  EXPECT_FALSE(view_.putBack());
+  EXPECT_FALSE(scene_.nodePositions().canUndo());
+  EXPECT_FALSE(view_.cancelDrag());
 }
 
-TEST_F(GraphPlacesTest, AltAndArrowKeysMoveWhatIsSelectedAsOneStep) {
+TEST_F(NodePositionsTest, AltAndArrowKeysMoveWhatIsSelectedAsOneStep) {
   selection_.select("robot/arm");
   const QPointF before = Rect("robot/arm").topLeft();
 
@@ -134,22 +134,22 @@ TEST_F(GraphPlacesTest, AltAndArrowKeysMoveWhatIsSelectedAsOneStep) {
   EXPECT_GT(Rect("robot/arm").top(), before.y() + 10);
   EXPECT_EQ(Rect("robot/arm").left(), before.x());
 
-  scene_.places().undo();
+  scene_.nodePositions().undo();
   EXPECT_EQ(Rect("robot/arm").topLeft(), before);
 }
 
-TEST_F(GraphPlacesTest, PlacesAreKeptForTheNextTimeAndABadFileHarmsNothing) {
+TEST_F(NodePositionsTest, PlacesAreKeptForTheNextTimeAndABadFileHarmsNothing) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("kept/graph.json");
   {
-    GraphPlaces places;
+    NodePositions places;
     places.keepIn(file);
     places.move({{"robot/arm", {12, -40}}, {"gone/long ago", {3, 4}}});
     ASSERT_TRUE(FileWriter::instance().waitForWritten(std::chrono::minutes(2)));
   }
-  GraphPlaces again;
+  NodePositions again;
   again.keepIn(file);
-  EXPECT_EQ(again.all(), (GraphPlaces::Map{{"robot/arm", {12, -40}}, {"gone/long ago", {3, 4}}}));
+  EXPECT_EQ(again.all(), (NodePositions::Map{{"robot/arm", {12, -40}}, {"gone/long ago", {3, 4}}}));
   EXPECT_FALSE(again.canUndo());
 
   QFile bad(file);
@@ -157,9 +157,9 @@ TEST_F(GraphPlacesTest, PlacesAreKeptForTheNextTimeAndABadFileHarmsNothing) {
   bad.write(
       R"({"schema": 1, "places": {"a/b": [1], "c/d": "x", "e/f": [1e30, 0], "g/h": [1, 2]}})");
   bad.close();
-  GraphPlaces survivor;
+  NodePositions survivor;
   survivor.keepIn(file);
-  EXPECT_EQ(survivor.all(), (GraphPlaces::Map{{"g/h", {1, 2}}}));
+  EXPECT_EQ(survivor.all(), (NodePositions::Map{{"g/h", {1, 2}}}));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <gcm_console/catalogue/place.h>
+#include <gcm_console/catalogue/path_target.h>
 #include <gtest/gtest.h>
 #include <tests/core/gcm/samples.h>
 
@@ -7,9 +7,9 @@ namespace {
 
 using tendon::ErrorCode;
 
-class PlaceTest : public testing::Test {
+class PathTargetTest : public testing::Test {
  protected:
-  PlaceTest() {
+  PathTargetTest() {
     using Kind = tendon::CatalogueChange::Kind;
     Apply({.kind = Kind::kProcess,
            .process = "robot",
@@ -26,36 +26,36 @@ class PlaceTest : public testing::Test {
 
   /// The type column of a member.
   std::string Types(const std::string& path) {
-    const auto place = FindPlace(catalogue_, path);
-    EXPECT_TRUE(place) << place.error().message;
-    return place ? TypesOf(*place->member) : "";
+    const auto target = FindTarget(catalogue_, path);
+    EXPECT_TRUE(target) << target.error().message;
+    return target ? TypesOf(*target->member) : "";
   }
   tendon::Error ErrorOf(const std::string& path) {
-    const auto place = FindPlace(catalogue_, path);
-    EXPECT_FALSE(place) << path;
-    return place ? tendon::Error{} : place.error();
+    const auto target = FindTarget(catalogue_, path);
+    EXPECT_FALSE(target) << path;
+    return target ? tendon::Error{} : target.error();
   }
 
   tendon::Catalogue catalogue_;
 };
 
-TEST_F(PlaceTest, GoesAsDeepAsThePath) {
-  EXPECT_EQ(FindPlace(catalogue_, "robot")->component, nullptr);
-  EXPECT_EQ(FindPlace(catalogue_, "robot/arm")->component->name, "arm");
-  EXPECT_EQ(FindPlace(catalogue_, "robot/arm/Control")->provided->name, "Control");
-  EXPECT_EQ(FindPlace(catalogue_, "robot/teleoperation/Robot")->required->name, "Robot");
-  EXPECT_EQ(FindPlace(catalogue_, "robot/arm/Control.Stop")->noun, "command");
-  EXPECT_EQ(FindPlace(catalogue_, "robot/teleoperation/Robot.MoveTo")->noun, "function");
+TEST_F(PathTargetTest, GoesAsDeepAsThePath) {
+  EXPECT_EQ(FindTarget(catalogue_, "robot")->component, nullptr);
+  EXPECT_EQ(FindTarget(catalogue_, "robot/arm")->component->name, "arm");
+  EXPECT_EQ(FindTarget(catalogue_, "robot/arm/Control")->provided->name, "Control");
+  EXPECT_EQ(FindTarget(catalogue_, "robot/teleoperation/Robot")->required->name, "Robot");
+  EXPECT_EQ(FindTarget(catalogue_, "robot/arm/Control.Stop")->noun, "command");
+  EXPECT_EQ(FindTarget(catalogue_, "robot/teleoperation/Robot.MoveTo")->noun, "function");
 }
 
-TEST_F(PlaceTest, TypesAreShownWhereSomethingGoesInOrOut) {
+TEST_F(PathTargetTest, TypesAreShownWhereSomethingGoesInOrOut) {
   EXPECT_EQ(Types("robot/arm/Control.Stop"), "");
   EXPECT_EQ(Types("robot/arm/Control.MoveTo"), "float64[7]");
   EXPECT_EQ(Types("robot/arm/Control.GetJoints"), "float64[7]");
   EXPECT_EQ(Types("robot/arm/Control.Scale"), "float64 -> float64[7]");
 }
 
-TEST_F(PlaceTest, NothingIsNoTypeWhateverItIsCalled) {
+TEST_F(PathTargetTest, NothingIsNoTypeWhateverItIsCalled) {
   tendon::MemberDescription stop{
       .name = "Stop",
       .signature = tendon::SignatureOf<tendon::None, tendon::None>(tendon::CommandKind::kVoid),
@@ -64,7 +64,7 @@ TEST_F(PlaceTest, NothingIsNoTypeWhateverItIsCalled) {
   EXPECT_EQ(TypesOf(stop), "");
 }
 
-TEST_F(PlaceTest, WhatIsMissingIsNamedWithWhatIsNear) {
+TEST_F(PathTargetTest, WhatIsMissingIsNamedWithWhatIsNear) {
   EXPECT_EQ(ErrorOf("robt").message, "no process 'robt'; did you mean 'robot'?");
   EXPECT_EQ(ErrorOf("robot/arn").message, "no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_EQ(ErrorOf("robot/arm/Contrl").message,

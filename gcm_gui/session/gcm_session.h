@@ -24,16 +24,19 @@ namespace tendon::gui {
 
 /// The window's only connection to the system, and the only class that is called by network
 /// threads. It delivers everything in the GUI thread, in order; no request waits.
-class Session : public QObject, public SystemActions, public CommandCalls, public ConnectionChecks {
+class GcmSession : public QObject,
+                   public SystemActions,
+                   public CommandCalls,
+                   public ConnectionChecks {
   Q_OBJECT
 
  public:
   /// Searches for the GCM at `address` without a time limit; requests time out after `timeout`. A
   /// viewer is denied every change.
-  Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
-          Role role = Role::kOperator,
-          std::chrono::milliseconds timeout = GcmClient::Options().timeout);
-  ~Session() override;
+  GcmSession(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
+             Role role = Role::kOperator,
+             std::chrono::milliseconds timeout = GcmClient::Options().timeout);
+  ~GcmSession() override;
 
   [[nodiscard]] CatalogueStore& store() { return store_; }
   [[nodiscard]] LinkState& link() { return link_; }
@@ -61,15 +64,15 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
   /// A call that has no answer yet.
-  struct OpenCall {
+  struct PendingCall {
     std::string process;
     std::chrono::steady_clock::time_point start;
     AnswerHandler handler;
   };
 
-  void hearSnapshot(const Catalogue& catalogue);
-  void hearChanges(const std::vector<CatalogueChange>& changes);
-  void hearLost(const Error& reason);
+  void onSnapshot(const Catalogue& catalogue);
+  void onChanges(const std::vector<CatalogueChange>& changes);
+  void onLinkLost(const Error& reason);
   void learnTypes();
   /// Adds the action to the list; the returned function takes its result from any thread.
   Finish begin(Action action);
@@ -78,14 +81,14 @@ class Session : public QObject, public SystemActions, public CommandCalls, publi
   /// Finishes a call. Ignores the answer to a call that was already given up.
   void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
   /// Gives up the calls to lost processes.
-  void giveUpCalls();
+  void failCallsToLostProcesses();
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 
   CatalogueStore store_;
   LinkState link_;
   ActivityModel activity_;
   UndoChoice undo_choice_;
-  std::map<ActivityModel::Id, OpenCall> open_calls_;
+  std::map<ActivityModel::Id, PendingCall> pending_calls_;
   std::shared_ptr<GuiPoster> poster_;
   std::shared_ptr<GcmClient> client_;
   std::unique_ptr<LiveSignals> live_signals_;

@@ -1,4 +1,4 @@
-#include <gcm_console/command_line/session.h>
+#include <gcm_console/command_line/shell_session.h>
 #include <tendon/base/os/process.h>
 
 #include <utility>
@@ -23,19 +23,19 @@ tendon::Result<std::shared_ptr<tendon::GcmClient>> OpenClient(
       std::move(listener));
 }
 
-tendon::Result<std::shared_ptr<tendon::GcmClient>> Session::Client() {
+tendon::Result<std::shared_ptr<tendon::GcmClient>> ShellSession::Client() {
   if (client_) return client_;
   auto opened = OpenClient(settings_, "gcm shell");
   if (opened) client_ = *opened;
   return opened;
 }
 
-bool Session::Fits(const Settings& settings) const {
+bool ShellSession::Fits(const Settings& settings) const {
   return settings.gcm == settings_.gcm && settings.read_only == settings_.read_only &&
          settings.timeout == settings_.timeout && settings.network == settings_.network;
 }
 
-tendon::Catalogue Session::catalogue() {
+tendon::Catalogue ShellSession::catalogue() {
   const auto client = Client();
   return client ? (*client)->catalogue() : tendon::Catalogue();
 }

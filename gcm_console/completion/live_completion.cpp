@@ -1,5 +1,5 @@
 #include <gcm_console/command_line/argument_words.h>
-#include <gcm_console/completion/live_words.h>
+#include <gcm_console/completion/live_completion.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/life/parameters.h>
 #include <tendon/gcm/lookup.h>
@@ -80,8 +80,8 @@ std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string
 
 }  // namespace
 
-std::vector<std::string> LiveWords::Of(GcmClient& client, WordKind kind,
-                                       const std::vector<std::string>& before) {
+std::vector<std::string> LiveCompletion::Of(GcmClient& client, WordKind kind,
+                                            const std::vector<std::string>& before) {
   deadline_ = Clock::now() + patience_;
   switch (kind) {
     case WordKind::kClass:
@@ -97,13 +97,13 @@ std::vector<std::string> LiveWords::Of(GcmClient& client, WordKind kind,
   }
 }
 
-const Classes* LiveWords::ClassesOf(GcmClient& client, const std::string& process) {
+const Classes* LiveCompletion::ClassesOf(GcmClient& client, const std::string& process) {
   const std::uint64_t instance = InstanceOf(client.catalogue(), process);
   return Ask(classes_[process], instance, deadline_,
              [&](auto handler) { client.GetClasses(process, std::move(handler)); });
 }
 
-std::vector<std::string> LiveWords::OfAllProcesses(GcmClient& client, WordKind kind) {
+std::vector<std::string> LiveCompletion::OfAllProcesses(GcmClient& client, WordKind kind) {
   std::set<std::string> all;
   const tendon::Catalogue catalogue = client.catalogue();
   for (const auto& [name, entry] : catalogue.processes()) {
@@ -116,8 +116,8 @@ std::vector<std::string> LiveWords::OfAllProcesses(GcmClient& client, WordKind k
   return {all.begin(), all.end()};
 }
 
-std::vector<std::string> LiveWords::OfComponent(GcmClient& client, WordKind kind,
-                                                const std::vector<std::string>& before) {
+std::vector<std::string> LiveCompletion::OfComponent(GcmClient& client, WordKind kind,
+                                                     const std::vector<std::string>& before) {
   if (before.empty()) return {};
   const auto path = tendon::ParsePath(before[0]);
   if (!path || path->component.empty()) return {};
@@ -138,8 +138,8 @@ std::vector<std::string> LiveWords::OfComponent(GcmClient& client, WordKind kind
   return names;
 }
 
-std::vector<std::string> LiveWords::OfCommand(GcmClient& client,
-                                              const std::vector<std::string>& before) {
+std::vector<std::string> LiveCompletion::OfCommand(GcmClient& client,
+                                                   const std::vector<std::string>& before) {
   if (before.empty()) return {};
   const auto path = tendon::ParsePath(before[0]);
   if (!path) return {};

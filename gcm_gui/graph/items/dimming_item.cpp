@@ -1,4 +1,4 @@
-#include <gcm_gui/graph/items/veil_item.h>
+#include <gcm_gui/graph/items/dimming_item.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -12,26 +12,26 @@ constexpr double kMostOpaque = 0.68;
 
 }  // namespace
 
-VeilItem::VeilItem() {
-  setZValue(kVeil);
+DimmingItem::DimmingItem() {
+  setZValue(kDimming);
   setAcceptedMouseButtons(Qt::NoButton);
   setFlag(ItemUsesExtendedStyleOption);
   setVisible(false);
 }
 
-void VeilItem::cover(const QRectF& rect) {
+void DimmingItem::cover(const QRectF& rect) {
   if (rect == rect_) return;
   prepareGeometryChange();
   rect_ = rect;
 }
 
-void VeilItem::setStrength(double strength) {
+void DimmingItem::setStrength(double strength) {
   strength_ = strength;
   setVisible(strength > 0);
   update();
 }
 
-void VeilItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
+void DimmingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   painter->fillRect(option->exposedRect,
                     Theme::instance().color(Token::kCanvas, kMostOpaque * strength_));
 }

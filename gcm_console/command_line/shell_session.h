@@ -9,9 +9,9 @@ namespace console {
 
 /// The state that lasts from one command line to the next, in the shell and in the window's
 /// console: the default settings and one link to the GCM.
-class Session {
+class ShellSession {
  public:
-  explicit Session(Settings settings) : settings_(std::move(settings)) {
+  explicit ShellSession(Settings settings) : settings_(std::move(settings)) {
     settings_.in_session = true;
   }
 

@@ -1,6 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/session/session.h>
+#include <gcm_gui/session/gcm_session.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
@@ -45,31 +45,31 @@ Action ActionOf(const message::HistoryEntry& step) {
 
 }  // namespace
 
-class Session::Listener final : public GcmListener {
+class GcmSession::Listener final : public GcmListener {
  public:
-  Listener(Session& session, std::shared_ptr<GuiPoster> poster)
+  Listener(GcmSession& session, std::shared_ptr<GuiPoster> poster)
       : session_(session), poster_(std::move(poster)) {}
 
   void OnSnapshot(const Catalogue& catalogue) override {
-    poster_->post([this, catalogue] { session_.hearSnapshot(catalogue); });
+    poster_->post([this, catalogue] { session_.onSnapshot(catalogue); });
   }
   void OnChanges(const std::vector<CatalogueChange>& changes) override {
-    poster_->post([this, changes] { session_.hearChanges(changes); });
+    poster_->post([this, changes] { session_.onChanges(changes); });
   }
   void OnGcmLost(const Error& reason) override {
-    poster_->post([this, reason] { session_.hearLost(reason); });
+    poster_->post([this, reason] { session_.onLinkLost(reason); });
   }
   void OnLog(const LogBatch& batch) override {
     poster_->post([this, batch] { Q_EMIT session_.reports_->logArrived(batch); });
   }
 
  private:
-  Session& session_;  // used only in the session's thread, while the session lives
+  GcmSession& session_;  // used only in the session's thread, while the session lives
   std::shared_ptr<GuiPoster> poster_;
 };
 
-Session::Session(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
-                 Role role, std::chrono::milliseconds timeout)
+GcmSession::GcmSession(std::shared_ptr<Middleware> middleware, const std::string& address,
+                       bool hosted, Role role, std::chrono::milliseconds timeout)
     : undo_choice_(NameOfThisWindow()), poster_(std::make_shared<GuiPoster>(this)) {
   link_.setAddress(ToQString(address), hosted);
   GcmClient::Options options;
@@ -82,10 +82,10 @@ Session::Session(std::shared_ptr<Middleware> middleware, const std::string& addr
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, poster_);
   plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
-  connect(&link_, &LinkState::wantedAnew, this, [this] { client_->Resync(); });
+  connect(&link_, &LinkState::resyncRequested, this, [this] { client_->Resync(); });
 }
 
-Session::~Session() {
+GcmSession::~GcmSession() {
   poster_->detach();
   plans_.reset();
   live_signals_.reset();
@@ -93,16 +93,16 @@ Session::~Session() {
   client_.reset();
 }
 
-void Session::hearSnapshot(const Catalogue& catalogue) {
+void GcmSession::onSnapshot(const Catalogue& catalogue) {
   store_.replace(catalogue);
-  giveUpCalls();
+  failCallsToLostProcesses();
   link_.setConnected();
   learnTypes();
 }
 
-void Session::hearChanges(const std::vector<CatalogueChange>& changes) {
+void GcmSession::onChanges(const std::vector<CatalogueChange>& changes) {
   store_.apply(changes);
-  giveUpCalls();
+  failCallsToLostProcesses();
   const auto is_component = [](const CatalogueChange& change) {
     return change.kind == CatalogueChange::Kind::kComponent;
   };
@@ -110,15 +110,17 @@ void Session::hearChanges(const std::vector<CatalogueChange>& changes) {
 }
 
 /// Learns types in advance, so that mismatches can be explained when the user asks.
-void Session::learnTypes() {
+void GcmSession::learnTypes() {
   client_->LearnConflictingTypes([this, poster = poster_](const auto& /*as far as they answer*/) {
     poster->post([this] { Q_EMIT store_.typesLearned(); });
   });
 }
 
-void Session::hearLost(const Error& reason) { link_.setUnreachable(ToQString(reason.message)); }
+void GcmSession::onLinkLost(const Error& reason) {
+  link_.setUnreachable(ToQString(reason.message));
+}
 
-Session::Finish Session::begin(Action action) {
+GcmSession::Finish GcmSession::begin(Action action) {
   const ActivityModel::Id id = activity_.begin(std::move(action));
   const auto start = std::chrono::steady_clock::now();
   return [this, poster = poster_, id, start](const std::optional<Error>& refusal) {
@@ -127,7 +129,7 @@ Session::Finish Session::begin(Action action) {
   };
 }
 
-void Session::finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal) {
+void GcmSession::finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal) {
   QString text;
   if (refusal) {
     text = refusal->message.empty() ? ToQString(tendon::ToString(refusal->code))
@@ -136,7 +138,7 @@ void Session::finish(ActivityModel::Id id, double seconds, const std::optional<E
   activity_.finish(id, seconds, text);
 }
 
-void Session::connectInterfaces(const InterfaceName& required, const InterfaceName& provided) {
+void GcmSession::connectInterfaces(const InterfaceName& required, const InterfaceName& provided) {
   Action action;
   action.verb = Action::Verb::kConnect;
   action.required = required;
@@ -146,7 +148,7 @@ void Session::connectInterfaces(const InterfaceName& required, const InterfaceNa
   });
 }
 
-void Session::connectOrReplace(const InterfaceName& required, const InterfaceName& provided) {
+void GcmSession::connectOrReplace(const InterfaceName& required, const InterfaceName& provided) {
   if (store_.catalogue().FindConnection(required) == nullptr) {
     return connectInterfaces(required, provided);
   }
@@ -160,7 +162,7 @@ void Session::connectOrReplace(const InterfaceName& required, const InterfaceNam
       WhenConnected::kReplace);
 }
 
-void Session::disconnectInterface(const InterfaceName& required) {
+void GcmSession::disconnectInterface(const InterfaceName& required) {
   Action action;
   action.verb = Action::Verb::kDisconnect;
   action.required = required;
@@ -169,7 +171,7 @@ void Session::disconnectInterface(const InterfaceName& required) {
   });
 }
 
-void Session::undo() {
+void GcmSession::undo() {
   Action action;
   action.verb = Action::Verb::kUndo;
   const ActivityModel::Id id = activity_.begin(std::move(action));
@@ -185,19 +187,19 @@ void Session::undo() {
   });
 }
 
-void Session::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
-                       std::uint64_t step) {
-  const auto heard = [this, poster = poster_, id, start](const auto& result) {
+void GcmSession::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
+                          std::uint64_t step) {
+  const auto on_answer = [this, poster = poster_, id, start](const auto& result) {
     poster->post([this, id, start, result] {
       finish(id, SecondsSince(start), ErrorOf(result));
       if (!result.ok()) return;
       activity_.markUndone(id, ActionOf(*result));
     });
   };
-  client_->Undo(heard, step);
+  client_->Undo(on_answer, step);
 }
 
-void Session::forget(const std::string& process) {
+void GcmSession::forget(const std::string& process) {
   Action action;
   action.verb = Action::Verb::kForget;
   action.process = process;
@@ -206,7 +208,7 @@ void Session::forget(const std::string& process) {
   });
 }
 
-void Session::steer(LifeVerb verb, const std::string& process, const std::string& component) {
+void GcmSession::steer(LifeVerb verb, const std::string& process, const std::string& component) {
   Action action;
   action.verb = Action::Verb::kSteer;
   action.life = verb;
@@ -216,7 +218,7 @@ void Session::steer(LifeVerb verb, const std::string& process, const std::string
       [finish = begin(std::move(action))](const auto& result) { finish(ErrorOf(result)); });
 }
 
-void Session::setLogLevel(const std::string& process, LogLevel level) {
+void GcmSession::setLogLevel(const std::string& process, LogLevel level) {
   Action action;
   action.verb = Action::Verb::kLogLevel;
   action.process = process;
@@ -226,43 +228,43 @@ void Session::setLogLevel(const std::string& process, LogLevel level) {
   });
 }
 
-void Session::findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) {
+void GcmSession::findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) {
   client_->GetSchema(process, type, [poster = poster_, handler](const auto& schema) {
     poster->post([handler, schema] { handler(schema); });
   });
 }
 
-void Session::callCommand(const std::string& path, const std::string& argument,
-                          AnswerHandler handler) {
+void GcmSession::callCommand(const std::string& path, const std::string& argument,
+                             AnswerHandler handler) {
   Action action;
   action.verb = Action::Verb::kCall;
   action.command = ToQString(path);
   action.argument = ToQString(argument);
   const ActivityModel::Id id = activity_.begin(std::move(action));
-  open_calls_[id] = {path.substr(0, path.find('/')), std::chrono::steady_clock::now(),
-                     std::move(handler)};
+  pending_calls_[id] = {path.substr(0, path.find('/')), std::chrono::steady_clock::now(),
+                        std::move(handler)};
   client_->Call(path, argument, [this, poster = poster_, id](const auto& answer) {
     poster->post([this, id, answer] { finishCall(id, answer); });
   });
 }
 
-void Session::readValue(const std::string& path, ValueHandler handler) {
+void GcmSession::readValue(const std::string& path, ValueHandler handler) {
   client_->Call(path, {}, [poster = poster_, handler](const auto& value) {
     poster->post([handler, value] { handler(value); });
   });
 }
 
-void Session::finishCall(ActivityModel::Id id, const Result<std::string>& answer) {
-  const auto call = open_calls_.extract(id);
+void GcmSession::finishCall(ActivityModel::Id id, const Result<std::string>& answer) {
+  const auto call = pending_calls_.extract(id);
   if (call.empty()) return;
   const double seconds = SecondsSince(call.mapped().start);
   finish(id, seconds, ErrorOf(answer));
   call.mapped().handler(answer, seconds);
 }
 
-void Session::giveUpCalls() {
+void GcmSession::failCallsToLostProcesses() {
   std::vector<std::pair<ActivityModel::Id, Error>> lost;
-  for (const auto& [id, call] : open_calls_) {
+  for (const auto& [id, call] : pending_calls_) {
     const ProcessEntry* entry = store_.catalogue().FindProcess(call.process);
     if (entry == nullptr || entry->process.state != ProcessState::kLost) continue;
     const std::string reason =
@@ -277,12 +279,12 @@ void Session::giveUpCalls() {
   for (const auto& [id, error] : lost) finishCall(id, error);
 }
 
-void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
+void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   const Catalogue& catalogue = store_.catalogue();
   const Result<Diagnosis> diagnosis = Diagnose(catalogue, wire);
   if (!diagnosis) return poster_->post([handler, diagnosis] { handler(diagnosis); });
-  const auto tell = [this, poster = poster_, handler](Diagnosis complete,
-                                                      const Result<ConnectionCounts>& served) {
+  const auto report = [this, poster = poster_, handler](Diagnosis complete,
+                                                        const Result<ConnectionCounts>& served) {
     poster->post([this, handler, complete, served]() mutable {
       AddActivity(complete, store_.catalogue());
       if (complete.failure) AddRemnants(complete, store_.catalogue(), served);
@@ -292,13 +294,13 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   if (diagnosis->failure) {
     const auto* provider = catalogue.FindProcess(wire.provided.process);
     const auto present = provider != nullptr ? RequirePresent(provider->process) : Result<void>();
-    if (diagnosis->is_connected) return tell(*diagnosis, ConnectionCounts());
-    if (!present) return tell(*diagnosis, present.error());
+    if (diagnosis->is_connected) return report(*diagnosis, ConnectionCounts());
+    if (!present) return report(*diagnosis, present.error());
     return client_->GetProviderCounts(
-        wire, [tell, diagnosis](const auto& served) { tell(*diagnosis, served); });
+        wire, [report, diagnosis](const auto& served) { report(*diagnosis, served); });
   }
   const auto start = std::chrono::steady_clock::now();
-  const auto heard = [tell, diagnosis, start](const auto& answer) {
+  const auto on_answer = [report, diagnosis, start](const auto& answer) {
     const auto end = std::chrono::steady_clock::now();
     auto complete = *diagnosis;
     const bool answers = answer.ok() || answer.error().code == ErrorCode::kNotFound;
@@ -306,10 +308,10 @@ void Session::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                  answers ? Result<std::chrono::microseconds>(
                                std::chrono::duration_cast<std::chrono::microseconds>(end - start))
                          : Result<std::chrono::microseconds>(answer.error()));
-    tell(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
+    report(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
   };
   // A request that the process itself answers, without a thread of the component.
-  client_->GetFill(wire.provided.process, wire.provided.component, heard);
+  client_->GetFill(wire.provided.process, wire.provided.component, on_answer);
 }
 
 }  // namespace tendon::gui

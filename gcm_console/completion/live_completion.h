@@ -25,10 +25,10 @@ struct CachedAnswer {
 /// Words that only the processes know: parameters and their values, arguments of commands, classes,
 /// plug-ins. Returns cached words at once and refreshes them in the background; a reply that is too
 /// late for one call is used in the next. For one thread.
-class LiveWords {
+class LiveCompletion {
  public:
   /// `patience` is the total time that one call may wait.
-  explicit LiveWords(std::chrono::milliseconds patience) : patience_(patience) {}
+  explicit LiveCompletion(std::chrono::milliseconds patience) : patience_(patience) {}
 
   /// The words of a kind that is not a path, after the verb's arguments `before` (complete paths).
   std::vector<std::string> Of(tendon::GcmClient& client, WordKind kind,
