@@ -2699,7 +2699,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     </message>
     <message>
         <source>The name of an axis must be one line without control characters</source>
-        <translation>Der Name einer Achse ist eine Zeile aus Zeichen</translation>
+        <translation>Der Name einer Achse muss eine Zeile ohne Steuerzeichen sein</translation>
     </message>
     <message>
         <source>Apply</source>

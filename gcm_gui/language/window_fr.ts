@@ -2699,7 +2699,7 @@ Possède %1 des commandes et événements requis.</translation>
     </message>
     <message>
         <source>The name of an axis must be one line without control characters</source>
-        <translation>Le nom d&apos;un axe est une ligne de lettres</translation>
+        <translation>Le nom d&apos;un axe doit tenir sur une ligne, sans caractères de contrôle</translation>
     </message>
     <message>
         <source>Apply</source>

@@ -536,7 +536,10 @@ def violations(root):
 
 
 def main():
-    found = list(violations(sys.argv[1]))
+    root = Path(sys.argv[1])
+    found = [f"{page}:1: there is no such page; the tables of the folders belong there"
+             for page in (FOLDER_PAGE, TEST_PAGE) if not (root / page).is_file()]
+    found += violations(root)
     for violation in found:
         print(violation)
     print(f"{len(found)} violations of the architecture" if found else "The tree keeps its architecture.")

@@ -69,7 +69,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},  // process/telemetry/
     {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},
     {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
-    {0x31f, "pass over a step", Role::kOperator, Audit::kAll},
+    {0x31f, "skip a step", Role::kOperator, Audit::kAll},
     // process/log/log_messages.h, gcm/gcm_messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},
     {0x341, "set a log level", Role::kOperator, Audit::kAll},

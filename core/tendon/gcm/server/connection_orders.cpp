@@ -96,13 +96,14 @@ void ConnectionOrders::Connect(const message::Wire& wire, WhenConnected when_con
   const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
   const bool is_other = now != nullptr && now->provided != wire.provided;
   if (when_connected == WhenConnected::kReplace && is_other) {
-    return Exchange(wire, who, [locked = locked_, wire, who, done](const auto& replaced) {
-      if (!replaced) return done(replaced.error());
-      locked([&](ConnectionOrders& orders) {
-        orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
-                      replaced->made, done);
-      });
-    });
+    return Exchange(
+        wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& replaced) {
+          if (!replaced) return done(replaced.error());
+          locked([&](ConnectionOrders& orders) {
+            orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
+                          replaced->made, done);
+          });
+        });
   }
   Make(wire, [locked = locked_, wire, who, done = std::move(done)](const auto& made) {
     if (!made) return done(made);
@@ -188,7 +189,7 @@ void ConnectionOrders::PassOver(const message::StepSelection& which, const std::
     return Answer(std::move(done), Result<message::HistoryEntry>(error));
   }
   parts_.deferred.Add(
-      [text = who + " passes over " + WholeText(*step)] { Log(LogLevel::kInfo, "gcm", text); });
+      [text = who + " skips " + WholeText(*step)] { Log(LogLevel::kInfo, "gcm", text); });
   step->passed_over = true;
   parts_.history.MarkPassedOver(step->id, [step = *step, done = std::move(done)] { done(step); });
 }

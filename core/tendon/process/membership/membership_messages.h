@@ -124,6 +124,7 @@ inline constexpr auto tendon::kPayload<tendon::message::Wire> =
     tendon::Describe("tendon.Wire", tendon::Field{"required", &tendon::message::Wire::required},
                      tendon::Field{"provided", &tendon::message::Wire::provided});
 
+/// Its schema keeps the name "tendon.Wiring", which is part of the fingerprint that peers compare.
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::ConnectionPlan> =
     tendon::Describe("tendon.Wiring", tendon::Field{"wire", &tendon::message::ConnectionPlan::wire},

@@ -69,11 +69,11 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// finds no mistake.
   void ExpectHonestCommands();
   /// Expects that one subscription has received every row of one ledger. Rows may be lost only if
-  /// MayExpireLeases(), and then each loss must be counted.
+  /// MayExpireLeases() or under a sanitizer, and then each loss must be counted.
   void ExpectNoRowLost() const;
   void ExpectNeverLost(const std::string& process) const;
-  /// True if a lease may have expired although nothing is wrong: the machine ran no thread for too
-  /// long, which is printed, or a sanitizer slows the programs.
+  /// True, and printed, if this machine ran no thread for so long that leases may have expired
+  /// without a fault.
   [[nodiscard]] bool MayExpireLeases() const;
   /// Prints the one line of a test: the injected fault, and the findings of the checkers.
   static void Tell(const std::string& line);
