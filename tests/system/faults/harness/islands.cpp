@@ -1,6 +1,7 @@
 #include "system/faults/harness/islands.h"
 
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "system/faults/harness/size.h"
@@ -14,14 +15,18 @@ constexpr const char* kMacHere = "02:00:00:00:77:01";
 constexpr const char* kMacThere = "02:00:00:00:77:02";
 constexpr const char* kMacOfNobody = "02:00:00:00:77:99";
 
-/// Whether the process has a namespace of its own by now.
-bool IsApart(const Program& program, const std::string& kind, const std::string& other) {
-  std::error_code ignored;
-  const auto of = [&](const std::string& process) {
-    return fs::read_symlink("/proc/" + process + "/ns/" + kind, ignored);
-  };
-  const auto its = of(std::to_string(program.pid()));
-  return !its.empty() && its != of(other);
+/// True once the keeper has its namespaces and its user is mapped there: it then runs sleep. Before
+/// that, a program that enters the namespace would lose its rights.
+bool IsReady(const Program& keeper) {
+  std::ifstream file("/proc/" + std::to_string(keeper.pid()) + "/comm");
+  std::string name;
+  return std::getline(file, name) && name == "sleep";
+}
+
+/// Returns false if the keeper has ended instead.
+bool EventuallyReady(Program& keeper) {
+  const auto has_ended = [&] { return keeper.Wait(std::chrono::seconds(0)).has_value(); };
+  return Eventually([&] { return IsReady(keeper) || has_ended(); }) && !has_ended();
 }
 
 /// Does nothing but keep a namespace alive.
@@ -44,20 +49,17 @@ void Islands::Begin() {
   }
   if (!ok()) return;
   here_ = std::make_unique<Program>(Keeper("-Urn"));
-  const bool is_here = Eventually(
-      [&] { return here_->Wait(std::chrono::seconds(0)) || IsApart(*here_, "net", "self"); });
-  if (!is_here || here_->Wait(std::chrono::seconds(0))) {
+  if (!EventuallyReady(*here_)) {
     reason_ = "no user namespace: " + here_->err();
     return;
   }
   Program::Words words = In(*here_);
   for (const std::string& word : Keeper("-n")) words.push_back(word);
   there_ = std::make_unique<Program>(words);
-  const std::string first = std::to_string(here_->pid());
-  Eventually([&] {
-    return there_->Wait(std::chrono::seconds(0)) ||
-           (IsApart(*there_, "net", first) && IsApart(*there_, "net", "self"));
-  });
+  if (!EventuallyReady(*there_)) {
+    reason_ = "no second namespace: " + there_->err();
+    return;
+  }
   const Outcome cable =
       Do(Here(), std::string("PATH=$PATH:/usr/sbin:/sbin; ip link add v0 address ") + kMacHere +
                      " type veth peer name v1 address " + kMacThere + " netns " +
