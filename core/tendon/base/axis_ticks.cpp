@@ -166,9 +166,9 @@ std::vector<AxisTick<Integer>> TicksOfOneStep(const AxisSpan<Integer>& span, int
 
 AxisSpan<double> WidenedReals(double low, double high) {
   const double size = std::max(std::abs(low), std::abs(high));
-  const bool is_at_rest = size < kNothing || high / 2 - low / 2 < size / 2 * kRounding;
+  const bool is_at_rest = size < kLargestZero || high / 2 - low / 2 < size / 2 * kRounding;
   if (!is_at_rest) return {.low = low, .high = high};
-  if (size < kNothing) return {.low = -1, .high = 1};
+  if (size < kLargestZero) return {.low = -1, .high = 1};
   const double middle = low / 2 + high / 2;
   const double half = size * kAir;
   return {.low = std::max(middle - half, -kLargest), .high = std::min(middle + half, kLargest)};

@@ -33,7 +33,7 @@ concept AxisNumber = std::same_as<Number, double> || std::same_as<Number, std::i
     std::same_as<Number, std::uint64_t>;
 
 /// Values below this size are rounding errors of 0.
-inline constexpr double kNothing = 1e-12;
+inline constexpr double kLargestZero = 1e-12;
 /// Values that differ by less than this part of their size differ only by rounding.
 inline constexpr double kRounding = 5e-14;
 
