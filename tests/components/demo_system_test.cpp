@@ -47,7 +47,7 @@ class DemoSystem : public testing::Test {
   LocalManager manager_;
 };
 
-TEST_F(DemoSystem, ItsConnectionsFit) {
+TEST_F(DemoSystem, AllConnectionsCanBeMade) {
   ASSERT_FALSE(system_["connections"].empty());
   for (const auto& connection : system_["connections"]) {
     const auto made = Connect(connection["required"], connection["provided"]);
@@ -55,7 +55,7 @@ TEST_F(DemoSystem, ItsConnectionsFit) {
   }
 }
 
-TEST_F(DemoSystem, TheFirstClickConnectsTheTeleoperation) {
+TEST_F(DemoSystem, TeleoperationConnectsToTheArm) {
   for (const auto& connection : system_["connections"]) {
     EXPECT_NE(connection["required"], "desk/teleoperation/Robot");
   }
@@ -65,14 +65,14 @@ TEST_F(DemoSystem, TheFirstClickConnectsTheTeleoperation) {
   EXPECT_TRUE(made) << made.error().message;
 }
 
-TEST_F(DemoSystem, ARefusalCanBeSeen) {
+TEST_F(DemoSystem, ConnectingToTheOldArmIsIncompatible) {
   const auto made = Connect("desk/teleoperation/Robot", "desk/old_arm/Control");
 
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::kIncompatible);
 }
 
-TEST_F(DemoSystem, AllOfItStarts) {
+TEST_F(DemoSystem, AllComponentsStart) {
   EXPECT_TRUE(manager_.StartAll());
 
   for (const auto& component : manager_.components()) {

@@ -18,7 +18,7 @@ class PluginTest : public testing::TestWithParam<Plugin> {
   ComponentLoader loader_{{Built("lib/tendon/components")}};
 };
 
-TEST_P(PluginTest, IsLoadedAndMakesAComponentOfItsClass) {
+TEST_P(PluginTest, CreatesAComponentOfItsClass) {
   const auto component = loader_.Create(GetParam().library, GetParam().class_name, "one", "");
 
   ASSERT_TRUE(component) << component.error().message;
@@ -26,7 +26,7 @@ TEST_P(PluginTest, IsLoadedAndMakesAComponentOfItsClass) {
   EXPECT_GT((*component)->period(), 0.0);
 }
 
-TEST_P(PluginTest, RefusesAConfigurationThatItDoesNotKnow) {
+TEST_P(PluginTest, RejectsAnUnknownConfigurationField) {
   const auto component =
       loader_.Create(GetParam().library, GetParam().class_name, "one", R"({"colour": "red"})");
 
@@ -44,13 +44,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Plugin{"teleoperation", "Teleoperation"}),
     [](const auto& test) { return test.param.library + test.param.class_name; });
 
-TEST(SimulatedArmPlugin, TakesAConfigurationThatNamesWhatDiffersFromTheDefaults) {
+TEST(SimulatedArmPlugin, AcceptsAPartialConfiguration) {
   ComponentLoader loader({Built("lib/tendon/components")});
 
   EXPECT_TRUE(loader.Create("simulated_arm", "SimulatedArm", "arm", R"({"noise": 0.001})"));
 }
 
-TEST(SimulatedArmPlugin, SaysWhatIsWrongWithItsConfiguration) {
+TEST(SimulatedArmPlugin, ReportsConfigurationErrors) {
   ComponentLoader loader({Built("lib/tendon/components")});
 
   const auto refusal = [&loader](const std::string& configuration) {

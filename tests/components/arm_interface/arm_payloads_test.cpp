@@ -13,7 +13,7 @@ std::string UnitOf(const char* path) {
   return field ? field->unit : field.error().message;
 }
 
-TEST(ArmPayloads, CarryTheirUnits) {
+TEST(ArmPayloads, DescribeTheirUnits) {
   EXPECT_EQ(UnitOf<JointState>(".position[6]"), "rad");
   EXPECT_EQ(UnitOf<JointState>(".velocity[0]"), "rad/s");
   EXPECT_EQ(UnitOf<JointGoal>(".position[3]"), "rad");
@@ -21,14 +21,14 @@ TEST(ArmPayloads, CarryTheirUnits) {
   EXPECT_EQ(UnitOf<LimitFault>(".position"), "rad");
 }
 
-TEST(ArmPayloads, ALinkIsWrittenByItsName) {
+TEST(ArmPayloads, JsonWritesLinksByName) {
   EXPECT_EQ(tendon::ToJson(LinkId::kFlange), "\"flange\"");
   const auto link = tendon::FromJson<LinkId>("\"link_4\"");
   ASSERT_TRUE(link);
   EXPECT_EQ(*link, LinkId::kLink4);
 }
 
-TEST(ArmPayloads, ALinkThatNoArmHasDoesNotDecode) {
+TEST(ArmPayloads, AnUnknownLinkDoesNotDecode) {
   std::vector<std::byte> body;
   tendon::Encode(std::int32_t{9}, body);
   LinkId link = LinkId::kBase;

@@ -33,7 +33,7 @@ struct Watched {
   Stepped<ArmSupervisor>& supervisor = manager.Add<Stepped<ArmSupervisor>>("supervisor");
 };
 
-TEST(ArmSupervisor, SeesNothingUntilItIsConnected) {
+TEST(ArmSupervisor, ReadsZerosUntilConnected) {
   Watched watched;
 
   watched.Run(5);
@@ -41,7 +41,7 @@ TEST(ArmSupervisor, SeesNothingUntilItIsConnected) {
   EXPECT_EQ(watched.supervisor.Read<Activity>("Activity").energy, 0.0);
 }
 
-TEST(ArmSupervisor, SeesHowMuchTheArmMoves) {
+TEST(ArmSupervisor, MeasuresTheMotionOfTheArm) {
   Watched watched;
   watched.Connect();
   JointVector posture = kReadyPosture;
@@ -55,7 +55,7 @@ TEST(ArmSupervisor, SeesHowMuchTheArmMoves) {
   EXPECT_NEAR(activity.energy, 0.5 * 1.2 * activity.speed * activity.speed, 0.01);
 }
 
-TEST(ArmSupervisor, SeesWhereTheFlangeIs) {
+TEST(ArmSupervisor, ReadsTheFlangePose) {
   Watched watched;
   watched.Connect();
 

@@ -48,7 +48,7 @@ TEST_F(CounterTest, CountsOnceACycle) {
   EXPECT_EQ(Value(), static_cast<std::int64_t>(counter_.tables().front()->next_tick()));
 }
 
-TEST_F(CounterTest, CountsInTheStepsThatOthersSet) {
+TEST_F(CounterTest, UsesTheStepSetByAClient) {
   auto& hand = manager_.Add<Hand>("hand");
   ASSERT_TRUE(manager_.Connect({"hand", "Counter"}, {"counter", "Control"}));
   ASSERT_TRUE(manager_.StartAll());
@@ -61,7 +61,7 @@ TEST_F(CounterTest, CountsInTheStepsThatOthersSet) {
   EXPECT_TRUE(EventuallyTrue([&] { return Value() == 0; }));
 }
 
-TEST_F(CounterTest, IsResetByItsClientAtAThousand) {
+TEST_F(CounterTest, ClientResetsTheCounterAtAThousand) {
   auto& client = manager_.Add<CounterClient>("client");
   ASSERT_TRUE(manager_.Connect({"client", "Counter"}, {"counter", "Control"}));
   ASSERT_TRUE(manager_.StartAll());
@@ -72,7 +72,7 @@ TEST_F(CounterTest, IsResetByItsClientAtAThousand) {
   EXPECT_LT(Value(), cycles - 500);
 }
 
-TEST_F(CounterTest, AClientWithoutACounterWaitsForOne) {
+TEST_F(CounterTest, AnUnconnectedClientStaysActive) {
   auto& client = manager_.Add<CounterClient>("client");
   ASSERT_TRUE(manager_.StartAll());
 

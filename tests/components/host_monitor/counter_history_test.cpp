@@ -32,7 +32,7 @@ TEST(CounterHistory, HasNoRatesWithoutTwoSamples) {
   EXPECT_EQ(history.network().sent, 0.0);
 }
 
-TEST(CounterHistory, DividesByTheTimeThatReallyPassed) {
+TEST(CounterHistory, DividesByTheElapsedTime) {
   CounterHistory history;
   history.Add(SampleAt(0ms, 100));
   history.Add(SampleAt(250ms, 110));
@@ -44,7 +44,7 @@ TEST(CounterHistory, DividesByTheTimeThatReallyPassed) {
   EXPECT_DOUBLE_EQ(history.network().loopback, 160.0);
 }
 
-TEST(CounterHistory, TheLoadIsThePartThatWasBusy) {
+TEST(CounterHistory, LoadIsTheBusyShare) {
   CounterHistory history;
   history.Add(SampleAt(0ms, 100));
   history.Add(SampleAt(50ms, 110));
@@ -54,7 +54,7 @@ TEST(CounterHistory, TheLoadIsThePartThatWasBusy) {
   EXPECT_DOUBLE_EQ(LoadOf(history).cores[1], 100.0);
 }
 
-TEST(CounterHistory, LooksBackOneSecond) {
+TEST(CounterHistory, AveragesOverOneSecond) {
   CounterHistory history;
   std::uint64_t count = 0;
   for (int i = 0; i <= 40; ++i) history.Add(SampleAt(i * 50ms, count += i <= 20 ? 100 : 1));
@@ -71,7 +71,7 @@ TEST(CounterHistory, BridgesALongGap) {
   EXPECT_DOUBLE_EQ(history.disk().read, 10.0);
 }
 
-TEST(CounterHistory, ACounterThatGoesBackwardsHasNoRate) {
+TEST(CounterHistory, ADecreasingCounterHasNoRate) {
   CounterHistory history;
   history.Add(SampleAt(0ms, 100));
   history.Add(SampleAt(50ms, 10));
@@ -81,7 +81,7 @@ TEST(CounterHistory, ACounterThatGoesBackwardsHasNoRate) {
   EXPECT_EQ(history.network().loopback, 0.0);
 }
 
-TEST(CounterHistory, CoresThatComeAndGoDoNoHarm) {
+TEST(CounterHistory, HandlesAChangingNumberOfCores) {
   CounterHistory history;
   CounterSample one_core = SampleAt(0ms, 100);
   one_core.cpu.cores.resize(1);

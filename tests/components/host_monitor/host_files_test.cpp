@@ -18,9 +18,9 @@ std::vector<std::string> Names(const Temperatures& temperatures) {
   return names;
 }
 
-TEST(ReadText, AFileThatIsNotThereIsEmpty) { EXPECT_EQ(ReadText("/nowhere/at/all"), ""); }
+TEST(ReadText, AMissingFileIsEmpty) { EXPECT_EQ(ReadText("/nowhere/at/all"), ""); }
 
-TEST(Thermometers, AMachineMayHaveNone) {
+TEST(Thermometers, AreEmptyWithoutSensors) {
   const FakeHost host;
 
   EXPECT_TRUE(Thermometers(host.root()).empty());
@@ -48,7 +48,7 @@ TEST(Thermometers, AreFoundInZonesAndChipsByTheirNames) {
   EXPECT_EQ(temperatures.sensors[2].value, 38.5);
 }
 
-TEST(Thermometers, OnesThatGiveNoTemperatureAreLeftOut) {
+TEST(Thermometers, SkipSensorsWithoutATemperature) {
   FakeHost host;
   host.Write("sys/class/thermal/thermal_zone0/type", "broken\n");
   host.Write("sys/class/thermal/thermal_zone0/temp", "-274000\n");
@@ -57,7 +57,7 @@ TEST(Thermometers, OnesThatGiveNoTemperatureAreLeftOut) {
   EXPECT_TRUE(Thermometers(host.root()).empty());
 }
 
-TEST(Thermometers, OneThatGoesAwayGivesNoNumberAndKeepsItsPlace) {
+TEST(Thermometers, ARemovedSensorReadsNanAndKeepsItsPlace) {
   FakeHost host;
   host.Write("sys/class/thermal/thermal_zone0/temp", "41000\n");
   host.Write("sys/class/thermal/thermal_zone1/temp", "42000\n");
@@ -72,7 +72,7 @@ TEST(Thermometers, OneThatGoesAwayGivesNoNumberAndKeepsItsPlace) {
   EXPECT_EQ(temperatures.sensors[1].value, 42.0);
 }
 
-TEST(Thermometers, ALongNameIsCut) {
+TEST(Thermometers, TruncateALongName) {
   FakeHost host;
   host.Write("sys/class/thermal/thermal_zone0/type", std::string(5000, 'x'));
   host.Write("sys/class/thermal/thermal_zone0/temp", "41000\n");

@@ -14,7 +14,7 @@ namespace {
 using tendon_test::FakeHost;
 using tendon_test::Stepped;
 
-TEST(HostMonitor, RecordsWhatTheFilesSay) {
+TEST(HostMonitor, RecordsValuesFromTheSystemFiles) {
   FakeHost host;
   host.Write("proc/stat", "cpu 10 0 10 80\ncpu0 10 0 10 80\n");
   host.Write("proc/meminfo", "MemTotal: 2097152 kB\nMemAvailable: 1048576 kB\n");
@@ -37,7 +37,7 @@ TEST(HostMonitor, RecordsWhatTheFilesSay) {
   EXPECT_EQ(temperatures.sensors[0].value, 36.6);
 }
 
-TEST(HostMonitor, AMachineThatSaysNothingIsAllZeros) {
+TEST(HostMonitor, RecordsZerosWithoutSystemFiles) {
   const FakeHost host;
   tendon::LocalManager manager;
   auto& monitor = manager.Add<Stepped<HostMonitor>>("host_monitor", host.root());
@@ -51,7 +51,7 @@ TEST(HostMonitor, AMachineThatSaysNothingIsAllZeros) {
   EXPECT_EQ(monitor.tables().front()->Find("Temperatures"), nullptr);
 }
 
-TEST(HostMonitor, CoresThatAppearLaterDoNotMakeItsRowsOverflow) {
+TEST(HostMonitor, IgnoresCoresThatAppearLater) {
   FakeHost host;
   host.Write("proc/stat", "cpu 1 0 0 1\ncpu0 1 0 0 1\n");
   tendon::LocalManager manager;
@@ -64,7 +64,7 @@ TEST(HostMonitor, CoresThatAppearLaterDoNotMakeItsRowsOverflow) {
   EXPECT_EQ(monitor.tables().front()->Find("Cpu")->absent(), 0U);
 }
 
-TEST(HostMonitor, SeesThisMachine) {
+TEST(HostMonitor, ReadsTheRealMachine) {
   if (!std::filesystem::exists("/proc/stat")) GTEST_SKIP() << "no Linux";
   tendon::LocalManager manager;
   auto& monitor = manager.Add<HostMonitor>("host_monitor");

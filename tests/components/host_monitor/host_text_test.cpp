@@ -15,7 +15,7 @@ constexpr std::string_view kStat =
     "ctxt 2018523\n"
     "btime 1700000000\n";
 
-TEST(ParseCpu, CountsAllButIdleAndWaitingAsBusy) {
+TEST(ParseCpu, CountsAllTimeExceptIdleAndIoWaitAsBusy) {
   const CpuCounters counters = ParseCpu(kStat);
 
   EXPECT_EQ(counters.total.busy, 65184U + 10 + 20229 + 454 + 260);
@@ -31,14 +31,14 @@ TEST(ParseCpu, DoesNotCountGuestsTwice) {
   EXPECT_EQ(counters.total.all, 550U);
 }
 
-TEST(ParseCpu, AnOldKernelHasFewerColumns) {
+TEST(ParseCpu, AcceptsTheFewerColumnsOfOldKernels) {
   const CpuCounters counters = ParseCpu("cpu 100 20 30 400\n");
 
   EXPECT_EQ(counters.total.busy, 150U);
   EXPECT_EQ(counters.total.all, 550U);
 }
 
-TEST(ParseCpu, ACoreThatIsSwitchedOffKeepsItsPlace) {
+TEST(ParseCpu, AnOfflineCoreKeepsItsIndex) {
   const CpuCounters counters = ParseCpu("cpu 1 0 0 1\ncpu0 1 0 0 1\ncpu3 9 0 0 1\n");
 
   ASSERT_EQ(counters.cores.size(), 4U);
@@ -46,11 +46,11 @@ TEST(ParseCpu, ACoreThatIsSwitchedOffKeepsItsPlace) {
   EXPECT_EQ(counters.cores[3].busy, 9U);
 }
 
-TEST(ParseCpu, AnAbsurdCoreIsPassedOver) {
+TEST(ParseCpu, IgnoresAnAbsurdCoreNumber) {
   EXPECT_TRUE(ParseCpu("cpu4000000000 1 2 3 4\ncpux 1 2 3 4\ncpu-1 1 1 1 1\n").cores.empty());
 }
 
-TEST(ParseMemory, UsedIsWhatIsNotAvailable) {
+TEST(ParseMemory, UsedIsTotalMinusAvailable) {
   const Memory memory = ParseMemory(
       "MemTotal:       24684084 kB\n"
       "MemFree:        23571432 kB\n"
@@ -65,7 +65,7 @@ TEST(ParseMemory, UsedIsWhatIsNotAvailable) {
   EXPECT_DOUBLE_EQ(memory.swap, 1024.0);
 }
 
-TEST(ParseMemory, AnOldKernelDoesNotSayWhatIsAvailable) {
+TEST(ParseMemory, EstimatesAvailableMemoryOnOldKernels) {
   const Memory memory = ParseMemory(
       "MemTotal: 1048576 kB\nMemFree: 524288 kB\nBuffers: 102400 kB\nCached: 102400 kB\n");
 
@@ -94,7 +94,7 @@ TEST(ParseDisks, AddsWholeDisksOnly) {
   EXPECT_EQ(disks.written, (4000U + 300 + 20) * 512);
 }
 
-TEST(ParseDisks, ADiskWhoseNameEndsInADigitIsNoPartition) {
+TEST(ParseDisks, CountsDisksWhoseNameEndsInADigit) {
   const DiskCounters disks = ParseDisks(
       "179 0 mmcblk0 1 0 10 0 1 0 1 0\n"
       "179 8 mmcblk01 1 0 20 0 1 0 2 0\n"
@@ -103,7 +103,7 @@ TEST(ParseDisks, ADiskWhoseNameEndsInADigitIsNoPartition) {
   EXPECT_EQ(disks.read, 30U * 512);
 }
 
-TEST(ParseNetwork, AddsWhatLeadsOutAndTellsTheLoopbackApart) {
+TEST(ParseNetwork, AddsPhysicalInterfacesAndKeepsLoopbackSeparate) {
   const NetworkCounters network = ParseNetwork(
       "Inter-|   Receive                                                |  Transmit\n"
       " face |bytes    packets errs drop fifo frame compressed multicast|bytes    packets errs\n"
@@ -118,12 +118,12 @@ TEST(ParseNetwork, AddsWhatLeadsOutAndTellsTheLoopbackApart) {
   EXPECT_EQ(network.loopback, 203467U);
 }
 
-TEST(ParseTemperature, IsInThousandths) {
+TEST(ParseTemperature, ReadsThousandthsOfADegree) {
   EXPECT_EQ(ParseTemperature("45250\n"), 45.25);
   EXPECT_EQ(ParseTemperature("-5000"), -5.0);
 }
 
-TEST(ParseTemperature, WhatIsNoTemperatureGivesNone) {
+TEST(ParseTemperature, RejectsTextThatIsNoTemperature) {
   EXPECT_EQ(ParseTemperature(""), std::nullopt);
   EXPECT_EQ(ParseTemperature("N/A\n"), std::nullopt);
   EXPECT_EQ(ParseTemperature("12x\n"), std::nullopt);
@@ -132,14 +132,14 @@ TEST(ParseTemperature, WhatIsNoTemperatureGivesNone) {
   EXPECT_EQ(ParseTemperature("99999999999999999999999\n"), std::nullopt);
 }
 
-TEST(HostText, AnEmptyTextIsNothing) {
+TEST(HostText, AnEmptyTextGivesNoCounters) {
   EXPECT_EQ(ParseCpu("").total.all, 0U);
   EXPECT_EQ(ParseMemory("").total, 0.0);
   EXPECT_EQ(ParseDisks("").read, 0U);
   EXPECT_EQ(ParseNetwork("").received, 0U);
 }
 
-TEST(HostText, DamagedTextDoesNoHarm) {
+TEST(HostText, ParsersSurviveRandomText) {
   std::mt19937 random(3);
   const std::string_view alphabet = "cpu0 sda:lo\n\t\r-99999999999999999999999MemTotal: eth";
   std::uniform_int_distribution<std::size_t> letter(0, alphabet.size() - 1);
@@ -155,7 +155,7 @@ TEST(HostText, DamagedTextDoesNoHarm) {
   }
 }
 
-TEST(HostText, ATextCutOffAnywhereDoesNoHarm) {
+TEST(HostText, ParsersSurviveTruncatedText) {
   for (std::size_t size = 0; size <= kStat.size(); ++size) {
     EXPECT_LE(ParseCpu(kStat.substr(0, size)).cores.size(), 2U);
   }

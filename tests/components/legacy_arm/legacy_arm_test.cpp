@@ -49,7 +49,7 @@ struct Pair {
   LegacyClient& client = manager.Add<LegacyClient>("client");
 };
 
-TEST(LegacyArm, ATeleoperationIsRefusedWithEveryReason) {
+TEST(LegacyArm, RefusesATeleoperationWithEveryReason) {
   tendon::LocalManager manager;
   manager.Add<LegacyArm>("old_arm");
   manager.Add<arm::Teleoperation>("teleoperation");
@@ -88,7 +88,7 @@ TEST(LegacyArm, MovesAtConstantSpeedInDegrees) {
   EXPECT_NEAR(pair.Joints().velocity[0], 0.0, 1e-9);
 }
 
-TEST(LegacyArm, IsNeverFasterThanItCan) {
+TEST(LegacyArm, RespectsItsVelocityLimit) {
   Pair pair;
 
   EXPECT_TRUE(pair.client.move_to({.position = {90.0}, .duration = 0.0}));
@@ -97,7 +97,7 @@ TEST(LegacyArm, IsNeverFasterThanItCan) {
   EXPECT_NEAR(pair.Joints().velocity[0], 60.0, 1e-6);
 }
 
-TEST(LegacyArm, StopsWhereItIs) {
+TEST(LegacyArm, StopHoldsTheCurrentPosition) {
   Pair pair;
   EXPECT_TRUE(pair.client.move_to({.position = {90.0}, .duration = 2.0}));
   pair.arm.Cycle(50);
@@ -108,7 +108,7 @@ TEST(LegacyArm, StopsWhereItIs) {
   EXPECT_NEAR(pair.Joints().position[0], 22.5, 1e-6);
 }
 
-TEST(LegacyArm, CutsAGoalAtItsLimitAndSaysSo) {
+TEST(LegacyArm, ClampsAGoalAtTheLimitAndRaisesAFault) {
   Pair pair;
 
   EXPECT_TRUE(pair.client.move_to({.position = {0.0, 0.0, 500.0}, .duration = 1.0}));

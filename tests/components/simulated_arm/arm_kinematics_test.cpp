@@ -36,7 +36,7 @@ TEST(ArmKinematics, AtZeroTheHandPointsDownFromTheOutstretchedArm) {
   EXPECT_NEAR(std::abs(flange.orientation.x), 1.0, 1e-9);  // half a turn about x
 }
 
-TEST(ArmKinematics, TheReadyPostureIsThatOfAPanda) {
+TEST(ArmKinematics, ReadyPostureMatchesThePandaArm) {
   const Pose flange = PoseOf(kReadyPosture, LinkId::kFlange);
 
   ExpectPosition(flange, 0.306891, 0.0, 0.590282);
@@ -54,7 +54,7 @@ TEST(ArmKinematics, AgreesWithTheProductOfMatricesForAnOddPosture) {
   EXPECT_NEAR(AxisX(flange)[2], 0.471283, 1e-6);
 }
 
-TEST(ArmKinematics, AJointMovesOnlyTheLinksBehindIt) {
+TEST(ArmKinematics, AJointMovesOnlyDistalLinks) {
   JointVector turned = kReadyPosture;
   turned[3] += 0.5;
 

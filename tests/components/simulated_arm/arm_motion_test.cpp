@@ -57,7 +57,7 @@ struct WatchedArm {
 
 constexpr JointVector kPosture{0.8, -0.2, 0.3, -1.6, -0.4, 1.9, 0.1};
 
-TEST(ArmMotion, RestsAtHomeAtFirst) {
+TEST(ArmMotion, StartsAtRestAtHome) {
   WatchedArm arm;
 
   arm.Run(0.5);
@@ -67,7 +67,7 @@ TEST(ArmMotion, RestsAtHomeAtFirst) {
   EXPECT_EQ(arm.goals, 0);
 }
 
-TEST(ArmMotion, ReachesAGoalInItsTimeAndSaysSoOnce) {
+TEST(ArmMotion, ReachesAGoalInTimeAndReportsItOnce) {
   WatchedArm arm;
 
   ASSERT_TRUE(arm.motion.MoveTo({kPosture, 2.0}));
@@ -82,7 +82,7 @@ TEST(ArmMotion, ReachesAGoalInItsTimeAndSaysSoOnce) {
   EXPECT_LT(arm.speed(), 1e-4);
 }
 
-TEST(ArmMotion, TakesLongerWhereTheLimitsAskForIt) {
+TEST(ArmMotion, ExtendsTheDurationToKeepTheLimits) {
   WatchedArm arm;
 
   ASSERT_TRUE(arm.motion.MoveTo({kPosture, 0.0}));
@@ -129,7 +129,7 @@ TEST(ArmMotion, TheJerkOfAMotionIsBounded) {
   EXPECT_GT(jerk, 0.0);
 }
 
-TEST(ArmMotion, KeepsItsLimitsWhateverItIsTold) {
+TEST(ArmMotion, KeepsItsLimitsForRandomGoalsAndStops) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> position(-4.0, 4.0);
   std::uniform_real_distribution<double> duration(0.0, 1.5);
@@ -157,7 +157,7 @@ TEST(ArmMotion, AGoalMayBeReplacedInTheMiddleOfTheMotion) {
   EXPECT_LT(arm.DistanceTo(kReadyPosture), 1e-3);
 }
 
-TEST(ArmMotion, AGoalBeyondTheRangeEndsAtTheLimitWhichIsToldOnce) {
+TEST(ArmMotion, AnUnreachableGoalEndsAtTheLimitAndReportsItOnce) {
   WatchedArm arm;
   JointVector posture = kReadyPosture;
   posture[2] = 5.0;
@@ -171,7 +171,7 @@ TEST(ArmMotion, AGoalBeyondTheRangeEndsAtTheLimitWhichIsToldOnce) {
   EXPECT_LT(arm.speed(), 1e-3);
 }
 
-TEST(ArmMotion, StopHaltsItSoonAndGivesTheGoalUp) {
+TEST(ArmMotion, StopHaltsQuicklyAndCancelsTheGoal) {
   WatchedArm arm;
   ASSERT_TRUE(arm.motion.MoveTo({kPosture, 1.5}));
   arm.Run(0.75);
@@ -189,7 +189,7 @@ TEST(ArmMotion, StopHaltsItSoonAndGivesTheGoalUp) {
   EXPECT_EQ(arm.goals, 0);
 }
 
-TEST(ArmMotion, AGoalThatMakesNoSenseChangesNothing) {
+TEST(ArmMotion, RejectsInvalidGoals) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   WatchedArm arm;

@@ -17,7 +17,7 @@ void Follow(const JointPath& path, Visitor visit) {
   for (int i = 0; i <= steps; ++i) visit(i * kSample, path.At(i * kSample));
 }
 
-TEST(JointPath, BeginsWithTheMotionOfTheJoint) {
+TEST(JointPath, StartsFromTheCurrentMotionOfTheJoint) {
   const JointPoint start{0.3, -0.7, 1.9};
 
   const JointPoint begin = JointPath::MoveTo(start, 1.0, 2.0, kLimits).At(0.0);
@@ -52,7 +52,7 @@ TEST(JointPath, VelocityAndAccelerationAreTheDerivatives) {
   }
 }
 
-TEST(JointPath, FromRestItIsMinimumJerk) {
+TEST(JointPath, IsMinimumJerkWhenStartingFromRest) {
   // 10 s^3 - 15 s^4 + 6 s^5 is 0.10352 at a quarter and 0.5 in the middle; its velocity there is
   // 15/8 of the mean.
   const JointPath path = JointPath::MoveTo({0.0, 0.0, 0.0}, 2.0, 4.0, kLimits);
@@ -62,7 +62,7 @@ TEST(JointPath, FromRestItIsMinimumJerk) {
   EXPECT_NEAR(path.At(2.0).velocity, 15.0 / 8.0 * 0.5, 1e-12);
 }
 
-TEST(JointPath, FromRestTheJerkIsBounded) {
+TEST(JointPath, BoundsTheJerkWhenStartingFromRest) {
   // Minimum jerk has its greatest at both ends: 60 distance / duration^3.
   const JointPath path = JointPath::MoveTo({0.0, 0.0, 0.0}, 2.0, 2.0, kLimits);
   double jerk = 0.0;
@@ -77,7 +77,7 @@ TEST(JointPath, FromRestTheJerkIsBounded) {
   EXPECT_GT(jerk, 60.0 * 2.0 / 8.0 * 0.9);
 }
 
-TEST(JointPath, MuchTimeDoesNotMakeAMovingJointSwingOut) {
+TEST(JointPath, ALongDurationDoesNotMakeAMovingJointOvershoot) {
   const JointPath path = JointPath::MoveTo({0.0, 1.5, 0.0}, 0.5, 30.0, kLimits);
   double furthest = 0.0;
 
@@ -100,11 +100,11 @@ TEST(JointPath, LengthenedKeepsVelocityAndAccelerationWithinTheLimits) {
   }
 }
 
-TEST(JointPath, LengthenedLeavesATimeThatIsEnough) {
+TEST(JointPath, LengthenedKeepsASufficientDuration) {
   EXPECT_EQ(JointPath::Lengthened({}, 1.0, 5.0, kLimits), 5.0);
 }
 
-TEST(JointPath, AStopComesToRestWithoutTurningRound) {
+TEST(JointPath, StopDoesNotReverseTheMotion) {
   const JointPath path = JointPath::Stop({0.0, -1.6, 0.0}, kLimits);
 
   Follow(path, [&](double time, const JointPoint& point) {
@@ -116,7 +116,7 @@ TEST(JointPath, AStopComesToRestWithoutTurningRound) {
   EXPECT_LE(path.duration(), 2.0 * 1.6 / kLimits.acceleration);
 }
 
-TEST(JointPath, ARestingJointStopsWhereItIs) {
+TEST(JointPath, StoppingAJointAtRestKeepsItsPosition) {
   EXPECT_EQ(JointPath::Stop({0.7, 0.0, 0.0}, kLimits).At(0.02).position, 0.7);
   EXPECT_EQ(JointPath(0.7).At(0.0).position, 0.7);
 }

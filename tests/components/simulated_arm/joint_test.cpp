@@ -29,7 +29,7 @@ int Drive(Joint& joint, double position, int steps) {
   return entered;
 }
 
-TEST(Joint, GoesToItsReferenceWithoutSwingingOver) {
+TEST(Joint, ReachesTheReferenceWithoutOvershoot) {
   Joint joint(kNarrow, kBandwidth, 0.0);
   double furthest = 0.0;
 
@@ -42,7 +42,7 @@ TEST(Joint, GoesToItsReferenceWithoutSwingingOver) {
   EXPECT_LE(furthest, 0.001 + 1e-6);
 }
 
-TEST(Joint, KeepsAllLimitsWhateverTheReferenceDoes) {
+TEST(Joint, KeepsAllLimitsForRandomReferences) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-30.0, 30.0);
   std::uniform_int_distribution<int> steps(1, 700);
@@ -57,7 +57,7 @@ TEST(Joint, KeepsAllLimitsWhateverTheReferenceDoes) {
   }
 }
 
-TEST(Joint, IsNotStoppedByItsEndsAtOnce) {
+TEST(Joint, BrakesBeforeItReachesTheLimit) {
   // The invariant behind the test above: the brakes suffice, so the position is never cut.
   Joint joint(kNarrow, kBandwidth, -1.0);
 
@@ -71,14 +71,14 @@ TEST(Joint, IsNotStoppedByItsEndsAtOnce) {
   EXPECT_NEAR(joint.point().velocity, 0.0, 1e-6);
 }
 
-TEST(Joint, TellsOnceThatItHasComeToALimit) {
+TEST(Joint, ReportsReachingALimitOnce) {
   Joint joint(kNarrow, kBandwidth, 0.0);
 
   EXPECT_EQ(Drive(joint, 5.0, 4000), 1);
   EXPECT_EQ(Drive(joint, 5.0, 4000), 0);
 }
 
-TEST(Joint, TellsAgainOnlyAfterItHasLeftTheLimit) {
+TEST(Joint, ReportsALimitAgainOnlyAfterLeavingIt) {
   Joint joint(kNarrow, kBandwidth, 0.0);
   Drive(joint, 5.0, 4000);
 
@@ -89,13 +89,13 @@ TEST(Joint, TellsAgainOnlyAfterItHasLeftTheLimit) {
   EXPECT_EQ(Drive(joint, -5.0, 4000), 1);
 }
 
-TEST(Joint, BeginningAtALimitIsNoEvent) {
+TEST(Joint, StartingAtALimitIsNotReported) {
   Joint joint(kNarrow, kBandwidth, kNarrow.lower);
 
   EXPECT_EQ(Drive(joint, -5.0, 100), 0);
 }
 
-TEST(Joint, RestsAtOnceWhereItIs) {
+TEST(Joint, RestStopsTheJointAtItsPosition) {
   Joint joint(kNarrow, kBandwidth, 0.0);
   Drive(joint, 1.0, 200);
   const double position = joint.point().position;

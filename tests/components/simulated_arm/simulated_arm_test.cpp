@@ -62,7 +62,7 @@ TEST_F(SimulatedArmTest, MovesToAGoalAndRaisesGoalReachedOnce) {
   EXPECT_TRUE(client_.faults.empty());
 }
 
-TEST_F(SimulatedArmTest, RecordsTheGoalItIsGoingTo) {
+TEST_F(SimulatedArmTest, RecordsTheCurrentGoal) {
   EXPECT_TRUE(client_.move_to({kGoal, 4.0}));
   arm_.Cycle();
 
@@ -83,7 +83,7 @@ TEST_F(SimulatedArmTest, RaisesLimitExceededOnceWithTheJointAndItsPosition) {
   EXPECT_EQ(client_.goals_reached, 0);
 }
 
-TEST_F(SimulatedArmTest, StopHaltsIt) {
+TEST_F(SimulatedArmTest, StopHaltsTheArm) {
   EXPECT_TRUE(client_.move_to({kGoal, 1.0}));
   arm_.Cycle(500);
   ASSERT_GT(std::abs(Joints().velocity[0]), 0.1);
@@ -96,7 +96,7 @@ TEST_F(SimulatedArmTest, StopHaltsIt) {
   EXPECT_EQ(client_.goals_reached, 0);
 }
 
-TEST_F(SimulatedArmTest, CountsGoalsThatMakeNoSense) {
+TEST_F(SimulatedArmTest, CountsInvalidGoalsAsRefused) {
   EXPECT_TRUE(client_.move_to({kGoal, std::nan("")}));
   arm_.Cycle(10);
 
@@ -104,7 +104,7 @@ TEST_F(SimulatedArmTest, CountsGoalsThatMakeNoSense) {
   EXPECT_EQ(Joints().position, kReadyPosture);
 }
 
-TEST_F(SimulatedArmTest, TellsWhereItsLinksAre) {
+TEST_F(SimulatedArmTest, ReportsLinkPoses) {
   arm_.Cycle();
   Pose pose;
 
@@ -130,14 +130,14 @@ TEST_F(SimulatedArmTest, ACycleAllocatesNothing) {
   EXPECT_EQ(client_.faults.size(), 1U);
 }
 
-TEST_F(SimulatedArmTest, WhatSetsItInMotionSaysSo) {
+TEST_F(SimulatedArmTest, MotionCommandsAreMarkedAsHazards) {
   for (const auto& command : arm_.FindProvided("Control")->description().commands) {
     EXPECT_EQ(command.hazard, command.name.starts_with("Move") ? "motion" : "") << command.name;
     EXPECT_EQ(command.expires_after, command.name == "MoveAt" ? 0.1 : 0.0) << command.name;
   }
 }
 
-TEST_F(SimulatedArmTest, HoldsWhereItIsWhenItIsResumed) {
+TEST_F(SimulatedArmTest, HoldsItsPositionWhenResumed) {
   EXPECT_TRUE(client_.move_to({kGoal, 3.0}));
   arm_.Cycle(1000);
   const JointVector on_the_way = Joints().position;
@@ -167,7 +167,7 @@ TEST_F(SimulatedArmTest, MovesAtAVelocityWithoutAJerk) {
   EXPECT_LE(greatest, 0.3 * ArmConfiguration().acceleration[0]);
 }
 
-TEST_F(SimulatedArmTest, AVelocityThatIsRefusedEndsTheOneBefore) {
+TEST_F(SimulatedArmTest, AnInvalidVelocityStopsTheMotion) {
   JointVector velocity{};
   velocity[0] = 0.5;
   JointVector wrong = velocity;
@@ -185,7 +185,7 @@ TEST_F(SimulatedArmTest, AVelocityThatIsRefusedEndsTheOneBefore) {
   EXPECT_NEAR(Joints().velocity[0], 0.0, 1e-6);
 }
 
-TEST_F(SimulatedArmTest, AVelocityThatIsNotRenewedEnds) {
+TEST_F(SimulatedArmTest, AVelocityExpiresIfItIsNotRenewed) {
   JointVector velocity{};
   velocity[0] = 0.5;
 
@@ -198,7 +198,7 @@ TEST_F(SimulatedArmTest, AVelocityThatIsNotRenewedEnds) {
   EXPECT_TRUE(came_to_rest);
 }
 
-TEST_F(SimulatedArmTest, AVelocityThatExpiresEndsNoGoalThatCameBehindIt) {
+TEST_F(SimulatedArmTest, AnExpiredVelocityDoesNotCancelALaterGoal) {
   JointVector velocity{};
   velocity[0] = 0.1;
   EXPECT_TRUE(client_.move_at({velocity}));
@@ -214,7 +214,7 @@ TEST_F(SimulatedArmTest, AVelocityThatExpiresEndsNoGoalThatCameBehindIt) {
   EXPECT_EQ(client_.goals_reached, 1);
 }
 
-TEST_F(SimulatedArmTest, AVelocityThatIsNoNumberChangesNothing) {
+TEST_F(SimulatedArmTest, RejectsAVelocityThatIsNotANumber) {
   JointVector velocity{};
   velocity[3] = std::nan("");
 
@@ -235,7 +235,7 @@ class NoisyArm : public SteppedArm {
   }
 };
 
-TEST_F(NoisyArm, MeasuresItsPositionWithNoiseButStandsStill) {
+TEST_F(NoisyArm, MeasuresPositionWithNoiseWhileAtRest) {
   double sum = 0.0;
   double squares = 0.0;
   constexpr int kSamples = 4000;
@@ -258,7 +258,7 @@ std::string RefusalOf(const ArmConfiguration& configuration) {
 
 TEST(SimulatedArmConfiguration, TheDefaultsAreAccepted) { EXPECT_EQ(RefusalOf({}), ""); }
 
-TEST(SimulatedArmConfiguration, NumbersThatMakeNoSenseAreNamed) {
+TEST(SimulatedArmConfiguration, ReportsInvalidNumbers) {
   ArmConfiguration crossed;
   crossed.lower[3] = 1.0;
   ArmConfiguration outside;
@@ -278,7 +278,7 @@ TEST(SimulatedArmConfiguration, NumbersThatMakeNoSenseAreNamed) {
   EXPECT_EQ(RefusalOf(blurred), "configuration of 'arm': noise is nan, expected 0 to 1 rad");
 }
 
-TEST(SimulatedArmThread, RunsAtItsPaceAndBeginsAtRestAfterARestart) {
+TEST(SimulatedArmThread, RunsInRealTimeAndRestartsAtRest) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<SimulatedArm>("arm");
   auto& client = manager.Add<ArmClient>("client");

@@ -71,7 +71,7 @@ TEST(Teleoperation, DoesNothingUntilItIsConnected) {
   EXPECT_EQ(pair.worst(), 0.0);
 }
 
-TEST(Teleoperation, SetsOutFromWhereTheArmIs) {
+TEST(Teleoperation, StartsFromThePositionOfTheArm) {
   SteppedPair pair;
   pair.Run(1.0);
   pair.Connect();
@@ -164,7 +164,7 @@ SteppedTrio::Peak GentleFrom(const JointVector& posture) {
   return trio.PeakWithin(kLong);
 }
 
-TEST(Teleoperation, LeadsAnotherArmFromWhereThatIs) {
+TEST(Teleoperation, StartsFromThePositionOfAnotherArm) {
   SteppedTrio trio;
   trio.Lead("other");
   const auto gentle_there = trio.PeakWithin(kLong);
@@ -177,7 +177,7 @@ TEST(Teleoperation, LeadsAnotherArmFromWhereThatIs) {
   ExpectNoLeap(again, gentle_there);
 }
 
-TEST(Teleoperation, ResumedLeadsFromWhereTheArmIsByThen) {
+TEST(Teleoperation, ResumesFromTheCurrentPositionOfTheArm) {
   SteppedTrio trio;
   trio.Lead("arm");
   (void)trio.PeakWithin(kLong);
@@ -193,7 +193,7 @@ TEST(Teleoperation, ResumedLeadsFromWhereTheArmIsByThen) {
   ExpectNoLeap(trio.PeakWithin(kLong), gentle);
 }
 
-TEST(Teleoperation, AnArmThatRestsIsLedAnewWhenItGoesOn) {
+TEST(Teleoperation, RestartsGentlyWhenASuspendedArmResumes) {
   SteppedTrio trio;
   trio.Lead("arm");
   (void)trio.PeakWithin(kLong);
@@ -216,7 +216,7 @@ TEST(Teleoperation, SetsTheArmInMotionWithinHalfASecond) {
   EXPECT_GT(pair.speed(), 0.02);
 }
 
-TEST(Teleoperation, LeadsTheArmWithoutAJump) {
+TEST(Teleoperation, DrivesTheArmWithoutAJump) {
   SteppedPair pair;
   pair.Connect();
   JointVector before = kReadyPosture;
@@ -233,7 +233,7 @@ TEST(Teleoperation, LeadsTheArmWithoutAJump) {
   EXPECT_EQ(pair.limits(), 0U);
 }
 
-TEST(Teleoperation, OnTheTourTheArmIsCloseBehind) {
+TEST(Teleoperation, TheArmFollowsTheTourClosely) {
   SteppedPair pair;
   pair.Connect();
   pair.Run(4.0);
@@ -254,7 +254,7 @@ TEST(Teleoperation, OnTheTourTheArmIsCloseBehind) {
   EXPECT_GT(most[1] - least[1], 0.8);
 }
 
-TEST(Teleoperation, TurnsRoundWhereTheArmMeetsALimit) {
+TEST(Teleoperation, ReversesWhenTheArmMeetsALimit) {
   ArmConfiguration narrow;
   narrow.upper[0] = 0.6;
   SteppedPair pair(narrow);
@@ -271,7 +271,7 @@ TEST(Teleoperation, TurnsRoundWhereTheArmMeetsALimit) {
   EXPECT_LE(pair.position()[0], 0.6);
 }
 
-TEST(Teleoperation, SeveralLimitsAtATimeAreOneTurn) {
+TEST(Teleoperation, SeveralLimitsAtOnceCauseOneReversal) {
   ArmConfiguration narrow;
   narrow.upper[0] = 0.6;
   narrow.lower[6] = 0.4;
@@ -291,7 +291,7 @@ TEST(Teleoperation, SeveralLimitsAtATimeAreOneTurn) {
   EXPECT_GT(moved, 2.0);  // it never got stuck between them
 }
 
-TEST(Teleoperation, WaitsForAnArmThatIsHeldBack) {
+TEST(Teleoperation, WaitsForASlowArm) {
   ArmConfiguration slow;
   slow.velocity.fill(0.1);
   SteppedPair pair(slow);
@@ -300,7 +300,7 @@ TEST(Teleoperation, WaitsForAnArmThatIsHeldBack) {
   pair.Run(20.0, [&] { EXPECT_LT(pair.worst(), 0.4); });
 }
 
-TEST(Teleoperation, AnArmThatIsDisconnectedComesToRest) {
+TEST(Teleoperation, ADisconnectedArmComesToRest) {
   SteppedPair pair;
   pair.Connect();
   pair.Run(5.0);
@@ -315,7 +315,7 @@ TEST(Teleoperation, AnArmThatIsDisconnectedComesToRest) {
   EXPECT_EQ(pair.position(), at_rest);
 }
 
-TEST(Teleoperation, ConnectedAgainItSetsOutFromThere) {
+TEST(Teleoperation, ReconnectsFromThePositionOfTheArm) {
   SteppedPair pair;
   pair.Connect();
   pair.Run(7.0);
@@ -346,7 +346,7 @@ TEST(Teleoperation, ACycleAllocatesNothing) {
   }
 }
 
-TEST(Teleoperation, RefusesAConfigurationThatMakesNoSense) {
+TEST(Teleoperation, RejectsAnInvalidConfiguration) {
   using tendon::ConfigurationError;
   EXPECT_THROW(Teleoperation("teleoperation", {.period = 0.1, .amplitude = 1.0}),
                ConfigurationError);
@@ -358,7 +358,7 @@ TEST(Teleoperation, RefusesAConfigurationThatMakesNoSense) {
             "configuration of 'teleoperation': amplitude is 4.000000, expected 0 to 3");
 }
 
-TEST(TeleoperationThread, DrivesAnArmAndStopsItWhenItIsStopped) {
+TEST(TeleoperationThread, StoppingItStopsTheArm) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<SimulatedArm>("arm");
   auto& teleoperation = manager.Add<Teleoperation>("teleoperation");

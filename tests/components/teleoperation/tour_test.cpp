@@ -55,7 +55,7 @@ TEST(Tour, IsSlowEnoughForAnArm) {
   }
 }
 
-TEST(Tour, IsClosed) {
+TEST(Tour, EndsWhereItStarts) {
   const Tour tour(kTourTime, 1.0);
 
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
@@ -72,7 +72,7 @@ TEST(Tour, TheJointsMoveDifferently) {
   EXPECT_LT(std::abs(Correlation(1, 3)), 0.9);
 }
 
-TEST(Tour, AnAmplitudeOfZeroIsOnePosture) {
+TEST(Tour, AnAmplitudeOfZeroGivesOnePosture) {
   const Tour tour(kTourTime, 0.0);
 
   EXPECT_EQ(tour.At(0.0), tour.At(4.2));
