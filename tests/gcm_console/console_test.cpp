@@ -39,7 +39,7 @@ TEST_F(ConsoleTest, ListsAndShowsTheSystem) {
   EXPECT_EQ(document["processes"].size(), 2U);
 }
 
-TEST_F(ConsoleTest, ConnectsSetsTheArmInMotionAndDisconnects) {
+TEST_F(ConsoleTest, ConnectsMovesTheArmAndDisconnects) {
   const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"});
   EXPECT_EQ(connected.exit_code, program::kOk) << connected.err;
   EXPECT_THAT(connected.out, HasSubstr("desk/teleoperation/Robot -> robot/arm/Control  "));
@@ -56,7 +56,7 @@ TEST_F(ConsoleTest, ConnectsSetsTheArmInMotionAndDisconnects) {
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
 }
 
-TEST_F(ConsoleTest, UndoTakesAConnectBack) {
+TEST_F(ConsoleTest, UndoRevertsAConnect) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
 
   const Outcome undone = Gcm({"undo"});
@@ -81,7 +81,7 @@ class ReplaceTest : public ConsoleTest {
   std::unique_ptr<Program> spare;
 };
 
-TEST_F(ReplaceTest, ReplacesAConnectionInOneStepThatOneUndoTakesBack) {
+TEST_F(ReplaceTest, OneUndoRevertsAReplace) {
   const Outcome replaced = Gcm({"connect", teleoperation, "robot/arm/Control", "--replace"});
   EXPECT_EQ(replaced.exit_code, program::kOk) << replaced.err;
   EXPECT_TRUE(EventuallySays({"ls", "desk/teleoperation"}, "-> robot/arm/Control\n"));
@@ -105,7 +105,7 @@ TEST_F(ReplaceTest, AMistypedProcessReplacesNothing) {
   EXPECT_THAT(Gcm({"ls", "desk/teleoperation"}).out, HasSubstr("-> spare/arm/Control\n"));
 }
 
-TEST_F(ReplaceTest, AnUndoKeepsAConnectionThatWorksFromAProcessThatIsGone) {
+TEST_F(ReplaceTest, UndoKeepsTheNewConnectionIfTheOldServerIsLost) {
   ASSERT_EQ(Gcm({"connect", teleoperation, "robot/arm/Control", "--replace"}).exit_code,
             program::kOk);
   spare->Signal(SIGKILL);
@@ -118,7 +118,7 @@ TEST_F(ReplaceTest, AnUndoKeepsAConnectionThatWorksFromAProcessThatIsGone) {
   EXPECT_THAT(Gcm({"ls", "desk/teleoperation"}).out, HasSubstr("-> robot/arm/Control\n"));
 }
 
-TEST_F(ConsoleTest, AConnectToAProcessThatIsNotThereWaitsForIt) {
+TEST_F(ConsoleTest, AConnectToALostProcessIsPending) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
 
@@ -130,7 +130,7 @@ TEST_F(ConsoleTest, AConnectToAProcessThatIsNotThereWaitsForIt) {
               testing::StartsWith("desk/teleoperation/Robot -> robot/arm/Control  pending: "));
 }
 
-TEST_F(ConsoleTest, AConnectToAProcessThatNobodyHasSeenWaitsAndSaysSo) {
+TEST_F(ConsoleTest, AConnectToAnUnknownProcessIsPendingWithAWarning) {
   const std::string why =
       "gcm: no process 'robbot'; did you mean 'robot'? the connection waits for it; cancel it: gcm "
       "disconnect desk/teleoperation/Robot\n";
@@ -145,7 +145,7 @@ TEST_F(ConsoleTest, AConnectToAProcessThatNobodyHasSeenWaitsAndSaysSo) {
   EXPECT_THAT(explained.out, HasSubstr("  1 BAD no process 'robbot'; did you mean 'robot'?\n"));
 }
 
-TEST_F(ConsoleTest, SaysEverywhereInWhatTwoTypesOfOneNameDiffer) {
+TEST_F(ConsoleTest, ReportsTheDifferenceBetweenTwoTypesOfOneName) {
   const Program::Words ends = {"desk/teleoperation/Robot", "desk/old_arm/Control"};
   const std::string difference = " needed, ";
 
@@ -223,7 +223,7 @@ TEST_F(ConsoleTest, WatchAtARatePrintsOneRowOfEachPeriod) {
   }
 }
 
-TEST_F(ConsoleTest, WatchMakesItsRemarksWhereItIsTold) {
+TEST_F(ConsoleTest, WatchWritesItsSummaryToTheGivenStream) {
   const Outcome folder = RunProgram({"/bin/sh", "-c", "printf %s \"$XDG_RUNTIME_DIR\""});
   setenv("XDG_RUNTIME_DIR", folder.out.c_str(), 1);  // of the programs, where the cookie is
   std::ostringstream out;
@@ -240,7 +240,7 @@ TEST_F(ConsoleTest, WatchMakesItsRemarksWhereItIsTold) {
   EXPECT_THAT(err.str(), HasSubstr("gcm: 3 rows, "));
 }
 
-TEST_F(ConsoleTest, WatchPrintsWhateverAPathNames) {
+TEST_F(ConsoleTest, WatchPrintsArraysAndWholeColumns) {
   const Outcome array = Gcm({"watch", "robot/arm/state.Joints.position", "--count", "1"});
   EXPECT_EQ(array.exit_code, program::kOk) << array.err;
   EXPECT_THAT(array.err, HasSubstr("gcm: 1 row, "));
@@ -265,7 +265,7 @@ std::istringstream LinesOf(const Program& program) {
   return std::istringstream(out.substr(0, out.rfind('\n') + 1));
 }
 
-TEST_F(ConsoleTest, WatchPrintsEachTablesRowsOfAllColumnsThatFit) {
+TEST_F(ConsoleTest, WatchPrintsAllMatchingColumnsOfSeveralTables) {
   const std::string arm = "robot/arm/state.Joints.position[0]";
   const std::string flange = "desk/supervisor/state.Flange";
   Program watch({Binary("gcm"), "--gcm", address, "watch", "robot/*/state.Joints.position[0]", arm,
@@ -299,7 +299,7 @@ TEST_F(ConsoleTest, WatchPrintsEachTablesRowsOfAllColumnsThatFit) {
       << lines.err();
 }
 
-TEST_F(ConsoleTest, WatchLeavesOutWhereAGlobFindsNoSuchPart) {
+TEST_F(ConsoleTest, WatchSkipsMatchingColumnsWithoutTheField) {
   const Outcome some = Gcm({"--jsonl", "watch", "robot/*/state.*.position[0]", "--count", "2"});
   EXPECT_EQ(some.exit_code, program::kOk) << some.err;
   EXPECT_THAT(some.err, HasSubstr("gcm: robot/arm/state.Refused.position[0]: there is no field "
@@ -315,7 +315,7 @@ TEST_F(ConsoleTest, WatchLeavesOutWhereAGlobFindsNoSuchPart) {
   EXPECT_THAT(none.err, testing::EndsWith("gcm: no column that fits has that part\n"));
 }
 
-TEST_F(ConsoleTest, WatchSaysThatAStarIsForColumnsOnly) {
+TEST_F(ConsoleTest, WatchRejectsAGlobForFields) {
   const Outcome refused = Gcm({"watch", "robot/arm/state.Joints.*"});
 
   EXPECT_EQ(refused.exit_code, program::kUsage);
@@ -324,7 +324,7 @@ TEST_F(ConsoleTest, WatchSaysThatAStarIsForColumnsOnly) {
             "the part, or take all of it: robot/arm/state.Joints\n");
 }
 
-TEST_F(ConsoleTest, WatchSaysThatAGlobFitsNoColumn) {
+TEST_F(ConsoleTest, WatchReportsAGlobWithoutMatches) {
   const Outcome none = Gcm({"watch", "robot/*/state.Jonts"});
 
   EXPECT_EQ(none.exit_code, program::kNotFound);
@@ -332,7 +332,7 @@ TEST_F(ConsoleTest, WatchSaysThatAGlobFitsNoColumn) {
             "gcm: no column fits 'robot/*/state.Jonts'; list them with: gcm ls -R --type state\n");
 }
 
-TEST_F(ConsoleTest, CandidatesAreTheInterfacesThatFitAndThoseThatNearlyDo) {
+TEST_F(ConsoleTest, CandidatesListsCompatibleAndNearlyCompatibleInterfaces) {
   const Outcome listed = Gcm({"candidates", "desk/teleoperation/Robot"});
   EXPECT_EQ(listed.exit_code, program::kOk) << listed.err;
   EXPECT_THAT(listed.out, testing::StartsWith("robot/arm/Control\tyes\t"));
@@ -346,7 +346,7 @@ TEST_F(ConsoleTest, CandidatesAreTheInterfacesThatFitAndThoseThatNearlyDo) {
   EXPECT_EQ(document["candidates"][0]["fits"], true);
 }
 
-TEST_F(ConsoleTest, ExplainGoesThroughSevenSteps) {
+TEST_F(ConsoleTest, ExplainChecksSevenSteps) {
   const Outcome good = Gcm({"explain", "desk/supervisor/Robot"});
   EXPECT_EQ(good.exit_code, program::kOk) << good.out;
   EXPECT_THAT(good.out, testing::StartsWith("desk/supervisor/Robot -> robot/arm/Control\n"));
@@ -371,7 +371,7 @@ TEST_F(ConsoleTest, ExplainGoesThroughSevenSteps) {
   EXPECT_EQ(Gcm({"explain", "desk/supervisor/Robt"}).exit_code, program::kNotFound);
 }
 
-TEST_F(ConsoleTest, AnInterruptedWatchSummarisesAndSaysSo) {
+TEST_F(ConsoleTest, AnInterruptedWatchPrintsItsSummary) {
   Program watch({Binary("gcm"), "--gcm", address, "watch", "robot/arm/state.Joints"});
   ASSERT_TRUE(EventuallyTrue([&] { return !watch.out().empty(); })) << watch.err();
 
@@ -383,7 +383,7 @@ TEST_F(ConsoleTest, AnInterruptedWatchSummarisesAndSaysSo) {
   EXPECT_THAT(watch.err(), HasSubstr("gcm: " + tendon::Counted(rows, "row", "rows") + ", "));
 }
 
-TEST_F(ConsoleTest, RefusalsHaveOneSentenceAndTheirExitCode) {
+TEST_F(ConsoleTest, RefusalsHaveAMessageAndAnExitCode) {
   struct Case {
     Program::Words words;
     int exit_code;
@@ -424,7 +424,7 @@ TEST_F(ConsoleTest, RefusalsHaveOneSentenceAndTheirExitCode) {
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
 }
 
-TEST_F(ConsoleTest, AskingAsAViewerShowsEverythingAndChangesNothing) {
+TEST_F(ConsoleTest, AReadOnlyConsoleShowsAllAndChangesNothing) {
   EXPECT_THAT(Gcm({"--read-only", "ls"}).out, HasSubstr("robot\talive"));
   EXPECT_EQ(Gcm({"--read-only", "watch", "robot/arm/state.Joints", "--count", "1"}).exit_code,
             program::kOk);
@@ -448,7 +448,7 @@ TEST_F(ConsoleTest, AskingAsAViewerShowsEverythingAndChangesNothing) {
   EXPECT_TRUE(says(*gcm, "): undo: refused")) << gcm->err();
 }
 
-TEST_F(ConsoleTest, AProcessThatDiesIsLostAndComesBack) {
+TEST_F(ConsoleTest, AKilledProcessIsLostUntilItRestarts) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
 

@@ -20,14 +20,14 @@ std::string MistakeIn(const std::string& expression) {
   return parsed ? "" : parsed.error().message;
 }
 
-TEST(Expression, FindsAPartInUpperOrLowerCase) {
+TEST(Expression, FindsASubstringIgnoringCase) {
   EXPECT_TRUE(Finds("oin", "Joints"));
   EXPECT_TRUE(Finds("JOINTS", "joints"));
   EXPECT_FALSE(Finds("oinn", "Joints"));
   EXPECT_TRUE(Finds("x*", ""));
 }
 
-TEST(Expression, LooksAtBothEnds) {
+TEST(Expression, AnchorsMatchBothEnds) {
   EXPECT_TRUE(Finds("^arm$", "arm"));
   EXPECT_FALSE(Finds("^arm", "the arm"));
   EXPECT_FALSE(Finds("arm$", "armed"));
@@ -35,7 +35,7 @@ TEST(Expression, LooksAtBothEnds) {
   EXPECT_FALSE(Finds("^$", "a"));
 }
 
-TEST(Expression, RepeatsWhatStandsBefore) {
+TEST(Expression, SupportsRepetition) {
   EXPECT_TRUE(Finds("^ab*c$", "ac"));
   EXPECT_TRUE(Finds("^ab*c$", "abbbc"));
   EXPECT_FALSE(Finds("^ab+c$", "ac"));
@@ -46,7 +46,7 @@ TEST(Expression, RepeatsWhatStandsBefore) {
   EXPECT_FALSE(Finds("^(ab)+$", "ababa"));
 }
 
-TEST(Expression, ChoosesAmongSeveral) {
+TEST(Expression, SupportsAlternatives) {
   EXPECT_TRUE(Finds("^(get|set|move)To$", "MoveTo"));
   EXPECT_FALSE(Finds("^(get|set|move)To$", "StopTo"));
   EXPECT_TRUE(Finds("^(a|b*)c$", "bbc"));
@@ -54,7 +54,7 @@ TEST(Expression, ChoosesAmongSeveral) {
   EXPECT_TRUE(Finds("a|b", "xb"));
 }
 
-TEST(Expression, HasSetsOfLetters) {
+TEST(Expression, SupportsCharacterClasses) {
   EXPECT_TRUE(Finds("^[a-c_]+$", "AbC_"));
   EXPECT_FALSE(Finds("^[a-c_]+$", "abd"));
   EXPECT_TRUE(Finds("^[^/.]+$", "arm"));
@@ -66,7 +66,7 @@ TEST(Expression, HasSetsOfLetters) {
   EXPECT_FALSE(Finds("a\\.c", "abc"));
 }
 
-TEST(Expression, WhatIsWrongIsSaidWithItsPart) {
+TEST(Expression, ReportsAMistakeWithItsPlace) {
   const std::string expected = "; expected an expression such as Get|Set";
   EXPECT_EQ(MistakeIn(""), "an empty expression matches everything");
   EXPECT_EQ(MistakeIn("a(b"), "missing ) at 'a(b'" + expected);
@@ -79,7 +79,7 @@ TEST(Expression, WhatIsWrongIsSaidWithItsPart) {
 }
 
 // Those that try one way after the other would take longer than the universe has been there.
-TEST(Expression, TheKnownKillersTakeNoTime) {
+TEST(Expression, CatastrophicPatternsMatchQuickly) {
   const std::string many(2000, 'a');
   EXPECT_FALSE(Finds("^(a+)+$", many + "!"));
   EXPECT_FALSE(Finds("^(a|a)*$", many + "!"));
@@ -104,14 +104,14 @@ bool Finds(const std::string& word, const CatalogueItem& item) {
   return term && term->Fits(item);
 }
 
-TEST(FindTerm, IsAPartOfThePathOrAllOfIt) {
+TEST(FindTerm, MatchesASubstringOrAGlobOfThePath) {
   EXPECT_TRUE(Finds("moveto", kGoal));
   EXPECT_TRUE(Finds("robot/**", kGoal));
   EXPECT_FALSE(Finds("arm*", kGoal));
   EXPECT_FALSE(Finds("robots", kGoal));
 }
 
-TEST(FindTerm, OfATypeIsWhatItIsOrWhatItCarries) {
+TEST(FindTerm, TypeMatchesTheKindOrThePayload) {
   EXPECT_TRUE(Finds("type:command", kGoal));
   EXPECT_TRUE(Finds("type:cmd", kGoal));
   EXPECT_TRUE(Finds("type:jointgoal", kGoal));
@@ -122,7 +122,7 @@ TEST(FindTerm, OfATypeIsWhatItIsOrWhatItCarries) {
   EXPECT_FALSE(Finds("type:prov", kRobot));
 }
 
-TEST(FindTerm, OfAQuestionAndItsAnswerEachTypeIsFound) {
+TEST(FindTerm, TypeMatchesArgumentAndResult) {
   const CatalogueItem pose{.path = "robot/arm/Control.GetLinkPose",
                            .kind = "command",
                            .type = "arm.LinkId -> geometry_msgs.Pose"};
@@ -132,7 +132,7 @@ TEST(FindTerm, OfAQuestionAndItsAnswerEachTypeIsFound) {
   EXPECT_FALSE(Finds("type:arm.*Pose", pose));
 }
 
-TEST(FindTerm, LooksAtStateHostAndProcess) {
+TEST(FindTerm, MatchesStateHostAndProcess) {
   EXPECT_TRUE(Finds("state:active", kRobot));
   EXPECT_FALSE(Finds("state:active", kGoal));
   EXPECT_TRUE(Finds("host:lab", kGoal));
@@ -140,7 +140,7 @@ TEST(FindTerm, LooksAtStateHostAndProcess) {
   EXPECT_FALSE(Finds("proc:robot", kRobot));  // that is the interface
 }
 
-TEST(FindTerm, AnExclamationMarkTurnsItAround) {
+TEST(FindTerm, AnExclamationMarkNegates) {
   EXPECT_FALSE(Finds("!moveto", kGoal));
   EXPECT_TRUE(Finds("!moveto", kRobot));
   EXPECT_FALSE(Finds("state:!active", kRobot));
@@ -148,7 +148,7 @@ TEST(FindTerm, AnExclamationMarkTurnsItAround) {
   EXPECT_TRUE(Finds("!state:!active", kRobot));
 }
 
-TEST(FindTerm, BetweenSlashesIsARegularExpression) {
+TEST(FindTerm, SlashesEncloseARegularExpression) {
   EXPECT_TRUE(Finds("/arm.*\\.(get|move)To$/", kGoal));
   EXPECT_FALSE(Finds("/^arm/", kGoal));
   EXPECT_FALSE(Finds("!/MoveTo/", kGoal));
@@ -158,14 +158,14 @@ TEST(FindTerm, BetweenSlashesIsARegularExpression) {
   EXPECT_TRUE(Finds("/[:t]el/", kRobot));  // no key
 }
 
-TEST(FindTerm, AnExpressionThatIsNoneIsRefused) {
+TEST(FindTerm, RejectsABadExpression) {
   const auto term = FindTerm::Parse("!type:/a(b/");
   ASSERT_FALSE(term);
   EXPECT_EQ(term.error().message,
             "'!type:/a(b/': missing ) at 'a(b'; expected an expression such as Get|Set");
 }
 
-TEST(FindTerm, AKeyThatThereIsNotIsNamed) {
+TEST(FindTerm, RejectsAnUnknownKey) {
   const auto term = FindTerm::Parse("tipe:x");
   ASSERT_FALSE(term);
   EXPECT_EQ(term.error().message,

@@ -39,7 +39,7 @@ class PathTargetTest : public testing::Test {
   tendon::Catalogue catalogue_;
 };
 
-TEST_F(PathTargetTest, GoesAsDeepAsThePath) {
+TEST_F(PathTargetTest, FindsTheTargetAtEachDepth) {
   EXPECT_EQ(FindTarget(catalogue_, "robot")->component, nullptr);
   EXPECT_EQ(FindTarget(catalogue_, "robot/arm")->component->name, "arm");
   EXPECT_EQ(FindTarget(catalogue_, "robot/arm/Control")->provided->name, "Control");
@@ -48,14 +48,14 @@ TEST_F(PathTargetTest, GoesAsDeepAsThePath) {
   EXPECT_EQ(FindTarget(catalogue_, "robot/teleoperation/Robot.MoveTo")->noun, "function");
 }
 
-TEST_F(PathTargetTest, TypesAreShownWhereSomethingGoesInOrOut) {
+TEST_F(PathTargetTest, ShowsTypesOfArgumentAndResult) {
   EXPECT_EQ(Types("robot/arm/Control.Stop"), "");
   EXPECT_EQ(Types("robot/arm/Control.MoveTo"), "float64[7]");
   EXPECT_EQ(Types("robot/arm/Control.GetJoints"), "float64[7]");
   EXPECT_EQ(Types("robot/arm/Control.Scale"), "float64 -> float64[7]");
 }
 
-TEST_F(PathTargetTest, NothingIsNoTypeWhateverItIsCalled) {
+TEST_F(PathTargetTest, ShowsNoTypeForNone) {
   tendon::MemberDescription stop{
       .name = "Stop",
       .signature = tendon::SignatureOf<tendon::None, tendon::None>(tendon::CommandKind::kVoid),
@@ -64,7 +64,7 @@ TEST_F(PathTargetTest, NothingIsNoTypeWhateverItIsCalled) {
   EXPECT_EQ(TypesOf(stop), "");
 }
 
-TEST_F(PathTargetTest, WhatIsMissingIsNamedWithWhatIsNear) {
+TEST_F(PathTargetTest, SuggestsSimilarNamesForMissingOnes) {
   EXPECT_EQ(ErrorOf("robt").message, "no process 'robt'; did you mean 'robot'?");
   EXPECT_EQ(ErrorOf("robot/arn").message, "no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_EQ(ErrorOf("robot/arm/Contrl").message,

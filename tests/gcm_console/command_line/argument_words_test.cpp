@@ -22,7 +22,7 @@ std::string Told(const Schema& schema, const ArgumentList& words) {
   return argument ? *argument : argument.error().message;
 }
 
-TEST(ArgumentWords, AreTheFieldsInTheirOrderOrByName) {
+TEST(ArgumentWords, NameFieldsByOrderOrByName) {
   const std::string whole = R"({"text":"hi there","tone":"high","loud":true})";
   EXPECT_EQ(Told(SayingSchema(), {"hi there", "high", "true"}), whole);
   EXPECT_EQ(Told(SayingSchema(), {"loud=true", "\"hi there\"", "tone=\"high\""}),
@@ -30,7 +30,7 @@ TEST(ArgumentWords, AreTheFieldsInTheirOrderOrByName) {
   EXPECT_EQ(Told(SayingSchema(), {whole}), whole);
 }
 
-TEST(ArgumentWords, OfWhatIsNoStructureThereIsOne) {
+TEST(ArgumentWords, AScalarTakesOneWord) {
   EXPECT_EQ(Told(Schema(Schema::Kind::kInt32), {"-3"}), "-3");
   EXPECT_EQ(Told(SayingSchema().fields()[1].schema, {"low"}), "\"low\"");
   EXPECT_EQ(Told(Schema::Sequence(Schema(Schema::Kind::kFloat64)), {"[1.5, 2]"}), "[1.5,2]");
@@ -41,7 +41,7 @@ TEST(ArgumentWords, OfWhatIsNoStructureThereIsOne) {
             "digits");
 }
 
-TEST(ArgumentWords, ANumberIsWhatIsWrittenOrARefusal) {
+TEST(ArgumentWords, NumbersAreExactOrRejected) {
   const Schema real(Schema::Kind::kFloat64);
   const Schema integer(Schema::Kind::kInt64);
   const std::string begin = "hall/crier/Voice.Say: the argument: ";
@@ -70,7 +70,7 @@ TEST(ArgumentWords, ANumberIsWhatIsWrittenOrARefusal) {
   EXPECT_EQ(Told(integer, {"1.5"}), begin + "expected int64, got '1.5'; write a whole number");
 }
 
-TEST(ArgumentWords, AListIsJudgedAsItIsTyped) {
+TEST(ArgumentWords, ListsAreCheckedAsTyped) {
   const Schema integers = Schema::Sequence(Schema(Schema::Kind::kInt32));
   const Schema words = Schema::Structure(
       "hall.Words", {{.name = "a", .unit = "", .schema = Schema(Schema::Kind::kFloat64)}});
@@ -81,7 +81,7 @@ TEST(ArgumentWords, AListIsJudgedAsItIsTyped) {
   EXPECT_THAT(Told(inner, {R"(of={"a":1,"a":2})"}), testing::HasSubstr("key 'a' occurs twice"));
 }
 
-TEST(ArgumentWords, MistakesNameTheFieldsThatThereAre) {
+TEST(ArgumentWords, MistakesListTheFields) {
   const std::string begin = "hall/crier/Voice.Say: ";
   const std::string fields = "hall.Saying has text, tone, loud";
   EXPECT_EQ(Told(SayingSchema(), {"hi", "high"}), begin + "loud is missing: " + fields);
@@ -95,7 +95,7 @@ TEST(ArgumentWords, MistakesNameTheFieldsThatThereAre) {
             R"({"text":"a=1","tone":"high","loud":false})");
 }
 
-TEST(ArgumentWords, BehindSomeAreTheFieldsAndValuesThatAreLeft) {
+TEST(ArgumentWords, NextWordsAreTheRemainingFieldsAndValues) {
   EXPECT_EQ(NextWords(SayingSchema(), {}), (ArgumentList{"text=", "tone=", "tone=low", "tone=high",
                                                          "loud=", "loud=false", "loud=true"}));
   EXPECT_EQ(NextWords(SayingSchema(), {"hi", "loud=true"}),

@@ -55,7 +55,7 @@ TEST_F(HelpTest, NoLineIsWiderThanTheTerminal) {
   }
 }
 
-TEST_F(HelpTest, TheExitCodesAreThoseOfTheProgram) {
+TEST_F(HelpTest, ListsAllExitCodes) {
   const std::string topic = Typed({"help", "exit-codes"}).out;
 
   for (const int code : {program::kOk, program::kRefused, program::kUsage, program::kUnreachable,
@@ -65,7 +65,7 @@ TEST_F(HelpTest, TheExitCodesAreThoseOfTheProgram) {
   }
 }
 
-TEST_F(HelpTest, TopicsExplainWhatIsNoVerb) {
+TEST_F(HelpTest, TopicsExplainMoreThanVerbs) {
   EXPECT_THAT(Typed({"help", "paths"}).out, HasSubstr("robot/arm/state.Joints.position[0]"));
   EXPECT_THAT(Typed({"help", "output"}).out, HasSubstr("--no-header"));
   const Outcome unknown = Typed({"help", "pahts"});
@@ -74,7 +74,7 @@ TEST_F(HelpTest, TopicsExplainWhatIsNoVerb) {
             "gcm: no verb or topic 'pahts'; did you mean 'paths'? gcm help lists them\n");
 }
 
-TEST_F(HelpTest, TheVersionIsToldToPeopleAndPrograms) {
+TEST_F(HelpTest, PrintsTheVersionAsTextAndJson) {
   EXPECT_THAT(Typed({"--version"}).out, testing::StartsWith("gcm 0."));
   EXPECT_THAT(Typed({"version"}).out, HasSubstr(", protocol "));
   const auto document = nlohmann::json::parse(Typed({"version", "--json"}).out);
@@ -82,7 +82,7 @@ TEST_F(HelpTest, TheVersionIsToldToPeopleAndPrograms) {
   EXPECT_GT(document["protocol"], 0);
 }
 
-TEST_F(HelpTest, TheManualHasAPageOfEachVerbThatManReads) {
+TEST_F(HelpTest, TheManualHasAPageForEachVerb) {
   ASSERT_EQ(Typed({"help", "--manual", home.path().string()}).exit_code, program::kOk);
 
   for (const std::string& verb : Verbs()) {
@@ -97,7 +97,7 @@ TEST_F(HelpTest, TheManualHasAPageOfEachVerbThatManReads) {
   EXPECT_EQ(read.err, "");
 }
 
-TEST_F(HelpTest, ATimeOutMayHaveAUnit) {
+TEST_F(HelpTest, ATimeoutMayHaveAUnit) {
   for (const char* good : {"50", "50ms", "0.05s"}) {
     EXPECT_EQ(Typed({"--timeout", good, "ls"}).exit_code, program::kUnreachable) << good;
   }
@@ -106,7 +106,7 @@ TEST_F(HelpTest, ATimeOutMayHaveAUnit) {
                         "got '5parsec'"));
 }
 
-TEST_F(HelpTest, AWordThatIsNoAddressIsRefused) {
+TEST_F(HelpTest, RejectsAWordThatIsNoAddress) {
   const Outcome outcome = Typed({"--gcm", "nonsense", "ls"});
 
   EXPECT_EQ(outcome.exit_code, program::kUsage);

@@ -44,7 +44,7 @@ class LiveCompletionTest : public SystemFixture {
   std::unique_ptr<Terminal> shell;
 };
 
-TEST_F(LiveCompletionTest, OfCallAreTheFieldsAndTheNamesOfValues) {
+TEST_F(LiveCompletionTest, CallCompletesFieldsAndEnumNames) {
   EXPECT_TRUE(Says("call hall/crier/Voice.Sing hi\t", "\r\n\"high\"\r\n")) << shell->seen();
   EXPECT_TRUE(Says("call hall/crier/Voice.Repeat te\t'a b' to\th\tlo\tt\t",
                    R"({"text":"a b","tone":"high","loud":true})"))
@@ -54,7 +54,7 @@ TEST_F(LiveCompletionTest, OfCallAreTheFieldsAndTheNamesOfValues) {
   EXPECT_TRUE(shell->Shows("\r\ntone=")) << shell->seen();
 }
 
-TEST_F(LiveCompletionTest, OfSetAreTheValuesOfTheParameter) {
+TEST_F(LiveCompletionTest, SetCompletesParameterValues) {
   ASSERT_EQ(Gcm({"stop", "hall/crier"}).exit_code, program::kOk);
 
   EXPECT_TRUE(Says("set hall/crier to\th\t--dry-run", R"(would be set from "middle" to "high")"))
@@ -62,7 +62,7 @@ TEST_F(LiveCompletionTest, OfSetAreTheValuesOfTheParameter) {
   EXPECT_TRUE(Says("set hall/crier vol\t\t--dry-run", "volume\tis 0.5 already")) << shell->seen();
 }
 
-TEST_F(LiveCompletionTest, ClassesAndPlugInsAreThoseOfTheProcesses) {
+TEST_F(LiveCompletionTest, CompletesClassesAndPluginsOfTheProcesses) {
   EXPECT_TRUE(Says("create Cr\thall/herald --dry-run", "hall/herald\twould be created"))
       << shell->seen();
   EXPECT_TRUE(Says("load coun\t--dry-run", "hall counter\twould be loaded")) << shell->seen();
@@ -71,14 +71,14 @@ TEST_F(LiveCompletionTest, ClassesAndPlugInsAreThoseOfTheProcesses) {
       << shell->seen();
 }
 
-TEST_F(LiveCompletionTest, AProcessThatDoesNotAnswerHoldsUpNobody) {
+TEST_F(LiveCompletionTest, ASilentProcessDoesNotBlockCompletion) {
   hall->Signal(SIGSTOP);
   shell->Type("load coun\t\x03");
   EXPECT_TRUE(shell->Shows("^C\r\ngcm> ")) << shell->seen();
   hall->Signal(SIGCONT);
 }
 
-TEST_F(LiveCompletionTest, WhatWasHeardOnceIsKnownWithoutTheProcess) {
+TEST_F(LiveCompletionTest, CompletesFromTheCacheWithoutTheProcess) {
   ASSERT_TRUE(Says("load coun\t--dry-run", "hall counter\twould be loaded")) << shell->seen();
 
   hall->Signal(SIGSTOP);
@@ -88,7 +88,7 @@ TEST_F(LiveCompletionTest, WhatWasHeardOnceIsKnownWithoutTheProcess) {
   hall->Signal(SIGCONT);
 }
 
-TEST_F(LiveCompletionTest, CtrlRFindsWhatWasTypedBefore) {
+TEST_F(LiveCompletionTest, CtrlRSearchesTheHistory) {
   for (const char* line : {"ls hall/crier\r", "version\r", "help paths\r"}) {
     shell->Type(line);
     ASSERT_TRUE(shell->Shows("\r\ngcm> ")) << shell->seen();

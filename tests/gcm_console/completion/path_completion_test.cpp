@@ -27,7 +27,7 @@ class WholePathTest : public testing::Test {
   tendon::Catalogue catalogue_;
 };
 
-TEST_F(WholePathTest, ANameIsKnownByItsBeginningWhereNoOtherBeginsSo) {
+TEST_F(WholePathTest, ExpandsAnUnambiguousPrefix) {
   EXPECT_EQ(WholePath(catalogue_, WordKind::kProcess, "r"), "robot");
   EXPECT_EQ(WholePath(catalogue_, WordKind::kComponent, "r/t"), "robot/tele");
   EXPECT_EQ(WholePath(catalogue_, WordKind::kRequired, "r/t/R"), "robot/tele/Robot");
@@ -35,7 +35,7 @@ TEST_F(WholePathTest, ANameIsKnownByItsBeginningWhereNoOtherBeginsSo) {
   EXPECT_EQ(WholePath(catalogue_, WordKind::kCommand, "r/arm2/C.St"), "robot/arm2/Control.Stop");
 }
 
-TEST_F(WholePathTest, AWholeNameIsNoBeginning) {
+TEST_F(WholePathTest, AnExactNameWinsOverLongerNames) {
   EXPECT_EQ(WholePath(catalogue_, WordKind::kProvided, "r/arm/C"), "robot/arm/Control");
   EXPECT_EQ(WholePath(catalogue_, WordKind::kComponent, "r/a"), "r/a");  // arm, arm2
 }
@@ -47,7 +47,7 @@ TEST_F(WholePathTest, FieldsOfAMemberStayAsTheyAre) {
             "robot/arm/Control.GetJoints.x[0].y");
 }
 
-TEST_F(WholePathTest, WhatIsNothingOrAPatternStaysAsItIs) {
+TEST_F(WholePathTest, KeepsUnknownNamesAndPatterns) {
   for (const std::string path : {"x", "r/x", "r/*", "**", "", "r//", "/", "r/arm/C.M.", "r/"}) {
     const std::string whole = WholePath(catalogue_, WordKind::kPath, path);
     if (path == "r/arm/C.M.") {
@@ -58,7 +58,7 @@ TEST_F(WholePathTest, WhatIsNothingOrAPatternStaysAsItIs) {
   }
 }
 
-TEST_F(WholePathTest, APathFromTheTopIsMeantWhereNothingIsCalledSoBelow) {
+TEST_F(WholePathTest, UsesTheTopLevelIfNoLocalNameMatches) {
   EXPECT_EQ(PathFrom(catalogue_, "robot", "arm/Control"), "robot/arm/Control");
   EXPECT_EQ(PathFrom(catalogue_, "robot", "robot/arm/Control.Stop"), "robot/arm/Control.Stop");
   EXPECT_EQ(PathFrom(catalogue_, "robot/arm", "desk/"), "desk");

@@ -29,7 +29,7 @@ class CompletionFiles : public SystemFixture {
   }
 };
 
-TEST_F(CompletionFiles, BashLoadsItsOwn) {
+TEST_F(CompletionFiles, BashLoadsItsFile) {
   if (!IsInstalled("bash")) GTEST_SKIP() << "bash is not installed: its file was not tried";
 
   const Outcome registered =
@@ -70,7 +70,7 @@ TEST_F(CompletionFiles, FishCompletesAWord) {
   EXPECT_THAT(completed("gcm watch --c"), HasSubstr("--count\t"));
 }
 
-TEST_F(CompletionFiles, EveryLongNameOfAnOptionIsOffered) {
+TEST_F(CompletionFiles, OfferEveryLongOption) {
   const auto names = [&](const Program::Words& words) {
     std::string all;
     std::istringstream lines(Typed(words).out);
@@ -83,7 +83,7 @@ TEST_F(CompletionFiles, EveryLongNameOfAnOptionIsOffered) {
   EXPECT_THAT(names({"complete", "undo", "--"}), HasSubstr("--json --jsonl "));
 }
 
-TEST_F(CompletionFiles, AShellThatIsNoneIsRefused) {
+TEST_F(CompletionFiles, AnUnknownShellIsRejected) {
   const Outcome outcome = Typed({"completion", "tcsh"});
 
   EXPECT_EQ(outcome.exit_code, program::kUsage);

@@ -59,7 +59,7 @@ TEST(CurveFeed, DrawsTheNumberOfAPath) {
   EXPECT_EQ(feed.curves()[0].samples[0].value, tendon::NumericValue(0.75));
 }
 
-TEST(CurveFeed, DrawsAllNumbersOfAPathThatHasSeveral) {
+TEST(CurveFeed, DrawsAllNumbersOfAnArray) {
   CurveFeed feed = FeedOf({Joints("")});
   Subscribe(feed);
   Send(feed, 1s, {0.5, 0.75});
@@ -77,7 +77,7 @@ TEST(CurveFeed, KeepsTheLastSeconds) {
   EXPECT_NEAR(feed.curves()[0].samples.back().time, 25.0, 1e-6);
 }
 
-TEST(CurveFeed, BeginsAnewWhenTheSourceWasStartedAnew) {
+TEST(CurveFeed, RestartsWhenTheSourceRestarts) {
   CurveFeed feed = FeedOf({Joints("[0]")});
   Subscribe(feed);
   Send(feed, 100000s, {0.5, 0.0});
@@ -87,7 +87,7 @@ TEST(CurveFeed, BeginsAnewWhenTheSourceWasStartedAnew) {
   EXPECT_EQ(feed.curves()[0].samples[0].time, 1.0);
 }
 
-TEST(CurveFeed, LeavesOutWhatAGlobHasFoundAndIsNoNumber) {
+TEST(CurveFeed, SkipsGlobMatchesThatAreNotNumbers) {
   CurveFeed feed = FeedOf({Joints("[0]", true), Note(true)});
   Subscribe(feed);
 
@@ -97,7 +97,7 @@ TEST(CurveFeed, LeavesOutWhatAGlobHasFoundAndIsNoNumber) {
   EXPECT_FALSE(feed.is_empty());
 }
 
-TEST(CurveFeed, OfNothingButTextsIsEmpty) {
+TEST(CurveFeed, IsEmptyIfAllColumnsAreText) {
   CurveFeed feed = FeedOf({Note(true)});
   EXPECT_FALSE(feed.is_empty()) << "it is not known yet";
 
@@ -106,7 +106,7 @@ TEST(CurveFeed, OfNothingButTextsIsEmpty) {
   EXPECT_TRUE(feed.is_empty());
 }
 
-TEST(CurveFeed, WhoNamesATextHasMadeAMistake) {
+TEST(CurveFeed, RejectsATextColumnNamedByPath) {
   CurveFeed feed = FeedOf({Joints("[0]"), Note(false)});
   Subscribe(feed);
 
@@ -114,7 +114,7 @@ TEST(CurveFeed, WhoNamesATextHasMadeAMistake) {
   EXPECT_THAT(feed.mistake()->message, HasSubstr("robot/arm/state.Note: '' is string, not one"));
 }
 
-TEST(CurveFeed, SaysWhyNothingComesUntilItComesAgain) {
+TEST(CurveFeed, NotesTheReasonWhileTheSourceIsStale) {
   CurveFeed feed = FeedOf({Joints("")});
   Subscribe(feed);
   feed.OnStale({tendon::ErrorCode::kUnreachable, "robot is gone"});
@@ -125,7 +125,7 @@ TEST(CurveFeed, SaysWhyNothingComesUntilItComesAgain) {
   EXPECT_THAT(feed.notes(), IsEmpty());
 }
 
-TEST(CurveFeed, DrawsNoMoreThanCanBeTold) {
+TEST(CurveFeed, LimitsTheNumberOfCurves) {
   CurveFeed feed = FeedOf({Joints("")});
   feed.OnSubscribed({tendon::SchemaOf<std::array<double, 100>>(), tendon::SchemaOf<std::string>()});
 

@@ -29,7 +29,7 @@ class EventInboxTest : public testing::Test {
   const std::string fell = "hall/crier/Voice.Fell";
 };
 
-TEST_F(EventInboxTest, ALossIsBeforeNewerEventsAndAfterOlderOnes) {
+TEST_F(EventInboxTest, ALossKeepsItsPlaceBetweenEvents) {
   Raise(0);
   sink->OnEventsLost(0, 2);
   sink->OnEventsLost(1, 1);
@@ -48,7 +48,7 @@ TEST_F(EventInboxTest, ALossIsBeforeNewerEventsAndAfterOlderOnes) {
   EXPECT_EQ(inbox->Take().lost.by_path, Lost());
 }
 
-TEST_F(EventInboxTest, WhatFindsNoRoomIsLostBeforeTheOldestEventThatIsLeft) {
+TEST_F(EventInboxTest, DroppedEventsCountAsLostBeforeTheOldestKept) {
   constexpr std::uint64_t kTooMany = 5;
   const std::uint64_t room =
       std::min(kMostWaiting.elements, kMostWaiting.bytes / sizeof(EventInbox::Events::Entry));

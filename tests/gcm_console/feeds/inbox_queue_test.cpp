@@ -31,7 +31,7 @@ TEST(InboxQueue, KeepsALossBetweenTheElementsAroundIt) {
   EXPECT_EQ(numbers.TakeLost(), 0U);
 }
 
-TEST(InboxQueue, CountsDroppedElementsBeforeTheOldestThatIsLeft) {
+TEST(InboxQueue, CountsDroppedElementsBeforeTheOldestKept) {
   Numbers numbers({.elements = 2, .bytes = 100});
   Push(numbers, 1);
   numbers.AddLost(10);
@@ -42,7 +42,7 @@ TEST(InboxQueue, CountsDroppedElementsBeforeTheOldestThatIsLeft) {
   EXPECT_EQ(Take(numbers), (std::vector<std::pair<int, std::uint64_t>>{{3, 12}, {4, 0}}));
 }
 
-TEST(InboxQueue, TheLossAfterTheLastElementIsTakenOnceAndNotBeforeIt) {
+TEST(InboxQueue, TakesTheTrailingLossOnceAfterTheLastElement) {
   Numbers numbers;
   Push(numbers, 1);
   numbers.AddLost(3);

@@ -30,7 +30,7 @@ void EndAll(QueryThrottle& throttle, const Names& names) {
   for (const InterfaceName& name : names) throttle.End(name);
 }
 
-TEST(QueryThrottle, EachIsAskedOnceASecond) {
+TEST(QueryThrottle, QueriesEachConnectionOncePerSecond) {
   QueryThrottle throttle;
   const Names all = NamesOf(2, 2);
 
@@ -40,7 +40,7 @@ TEST(QueryThrottle, EachIsAskedOnceASecond) {
   EXPECT_EQ(throttle.Begin(all, kStart + QueryThrottle::kBetween), all);
 }
 
-TEST(QueryThrottle, WhoGoesAndComesBackIsNotAskedSooner) {
+TEST(QueryThrottle, AReturningConnectionIsNotQueriedSooner) {
   QueryThrottle throttle;
   const Names all = NamesOf(1, 1);
   int asked = 0;
@@ -55,7 +55,7 @@ TEST(QueryThrottle, WhoGoesAndComesBackIsNotAskedSooner) {
   EXPECT_EQ(asked, 3);
 }
 
-TEST(QueryThrottle, QuestionsAboutWhoHasGoneCountUntilTheyAreAnswered) {
+TEST(QueryThrottle, QueriesOfGoneConnectionsCountUntilAnswered) {
   QueryThrottle throttle;
   const Names all = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
   const Names first(all.begin(), all.begin() + QueryThrottle::kMostOfOne);
@@ -70,7 +70,7 @@ TEST(QueryThrottle, QuestionsAboutWhoHasGoneCountUntilTheyAreAnswered) {
   EXPECT_EQ(throttle.Begin(others, later).size(), 1U);
 }
 
-TEST(QueryThrottle, AProcessThatDoesNotAnswerHoldsUpNoOther) {
+TEST(QueryThrottle, ASilentProcessDelaysNoOther) {
   QueryThrottle throttle;
   const Names silent = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
   ASSERT_EQ(throttle.Begin(silent, kStart).size(), QueryThrottle::kMostOfOne);
@@ -80,7 +80,7 @@ TEST(QueryThrottle, AProcessThatDoesNotAnswerHoldsUpNoOther) {
   EXPECT_EQ(throttle.Begin(all, kStart + QueryThrottle::kBetween), Names{all.back()});
 }
 
-TEST(QueryThrottle, AllHaveTheirTurnThoughTheyAreMore) {
+TEST(QueryThrottle, QueriesAllInTurnBeyondTheLimit) {
   QueryThrottle throttle;
   const Names all = NamesOf(20, 5);
 

@@ -36,7 +36,7 @@ class RowInboxTest : public testing::Test {
   }
 };
 
-TEST_F(RowInboxTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
+TEST_F(RowInboxTest, RestCountsWaitingRowsAndAllLosses) {
   RowInbox printer({Column()});
   Begin(printer);
   Hear(printer, {1, 2}, 0, 3);
@@ -53,7 +53,7 @@ TEST_F(RowInboxTest, TheRestIsWhatWaitsWithItsLossesAndThoseBehindIt) {
   EXPECT_FALSE(printer.has_more());
 }
 
-TEST_F(RowInboxTest, WhoWantsTheNewestAloneDoesNotMissTheOneThatWaits) {
+TEST_F(RowInboxTest, NewestDeliveryCountsNoWaitingRowAsLost) {
   RowInbox printer({Column()}, RowDelivery::kNewest);
   Begin(printer);
   Hear(printer, {1, 2, 3}, 0, 0);

@@ -73,7 +73,7 @@ TEST(CurvePicture, LabelsOfACounterAreAllDifferent) {
               ElementsAre("9000000004", "9000000003", "9000000002", "9000000001", "9000000000"));
 }
 
-TEST(CurvePicture, SaysAllOfTheNewestValue) {
+TEST(CurvePicture, PrintsTheNewestValueExactly) {
   constexpr std::uint64_t kOdd = (std::uint64_t{1} << 53U) + 1;
   EXPECT_THAT(PictureOfOne(CurveOf(Schema(Schema::Kind::kUint64), std::vector{kOdd - 1, kOdd})),
               HasSubstr("a/b/state.X = 9007199254740993\n"));
@@ -83,7 +83,7 @@ TEST(CurvePicture, SaysAllOfTheNewestValue) {
               HasSubstr("a/b/state.X = inf\n"));
 }
 
-TEST(CurvePicture, OfStatesHasTheirNames) {
+TEST(CurvePicture, LabelsStatesByName) {
   const Schema mode = Schema::Enum("test.Mode", {{"fault", -3}, {"idle", 0}, {"moving", 7}});
   const std::string picture = PictureOfOne(CurveOf(mode, std::vector<std::int32_t>{0, 7, -3, 0}));
 
@@ -117,7 +117,7 @@ TEST(CurvePicture, FloatsAreLines) {
   }
 }
 
-TEST(CurvePicture, WhatIsNoNumberIsAGap) {
+TEST(CurvePicture, DrawsNanAsAGap) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const auto dots = [](const std::vector<double>& values) {
     std::size_t count = 0;
@@ -131,7 +131,7 @@ TEST(CurvePicture, WhatIsNoNumberIsAGap) {
   EXPECT_LT(dots({1, none, 1}), dots({1, 1, 1}) / 4);
 }
 
-TEST(CurvePicture, NoiseAtRestHasNoLabelsOfNoise) {
+TEST(CurvePicture, DoesNotScaleToNoiseAtRest) {
   EXPECT_THAT(LabelsIn(PictureOfOne(CurveOf(kReal, std::vector{5e-14, -2e-14, 3e-14}))),
               ElementsAre("1.0", "0.5", "0.0", "-0.5", "-1.0"));
 }

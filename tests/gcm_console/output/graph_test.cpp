@@ -114,7 +114,7 @@ void ExpectRoomForAll(const Diagram& diagram) {
   }
 }
 
-TEST(DiagramOf, NothingIsCutOffOrBehindAnother) {
+TEST(DiagramOf, NodesDoNotOverlapAndFitInside) {
   const Diagram diagram = DiagramOf(Chain(4).catalogue());
 
   ASSERT_EQ(diagram.processes.size(), 4U);
@@ -140,7 +140,7 @@ console::Places InALine(const Diagram& diagram) {
   return places;
 }
 
-TEST(DiagramOf, EverythingStandsAsItIsShownElsewhere) {
+TEST(DiagramOf, KeepsTheGivenArrangement) {
   const Chain chain(3);
   const console::Places shown = InALine(DiagramOf(chain.catalogue()));
 
@@ -157,7 +157,7 @@ TEST(DiagramOf, EverythingStandsAsItIsShownElsewhere) {
   }
 }
 
-TEST(DiagramOf, WhatIsShownAtABorderPullsNothingFarApart) {
+TEST(DiagramOf, FramesTighterThanNeededKeepTheDiagramSmall) {
   const Chain chain(2);
   console::Places shown = InALine(DiagramOf(chain.catalogue()));
   const Diagram usual = DiagramOf(chain.catalogue(), shown);
@@ -173,7 +173,7 @@ TEST(DiagramOf, WhatIsShownAtABorderPullsNothingFarApart) {
   EXPECT_LE(diagram.size.height, 5 * usual.size.height);
 }
 
-TEST(DiagramOf, WhereSomethingIsNotShownElsewhereItStandsInColumns) {
+TEST(DiagramOf, FallsBackToColumnsIfAPlaceIsMissing) {
   const Chain chain(2);
   const Diagram columns = DiagramOf(chain.catalogue());
   console::Places shown = InALine(columns);
@@ -184,7 +184,7 @@ TEST(DiagramOf, WhereSomethingIsNotShownElsewhereItStandsInColumns) {
   EXPECT_EQ(diagram.nodes.back().rect, columns.nodes.back().rect);
 }
 
-TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
+TEST(PrintDot, WritesPositionsAlikeInAllLocales) {
   const Chain chain(1);
   Diagram diagram;
   diagram.size = {400, 300.5};
@@ -205,7 +205,7 @@ TEST(PrintDot, WhatIsArrangedHasItsPlaceInEveryLanguage) {
                                    "pos=\"98.500000,178.500000\"]"));
 }
 
-TEST(PrintDot, WhatIsNotArrangedHasNoPlace) {
+TEST(PrintDot, WritesNoPositionsWithoutAnArrangement) {
   const Chain chain(2);
   std::ostringstream plain;
   console::PrintDot(chain.catalogue(), plain);
@@ -219,12 +219,12 @@ TEST(DiagramOf, AClientIsRightOfItsProvider) {
   for (const auto& wire : diagram.wires) EXPECT_LT(wire.from_x, wire.to_x) << wire.title;
 }
 
-TEST(DiagramOf, TablesAreLeftOut) {
+TEST(DiagramOf, OmitsStateTables) {
   const Diagram diagram = DiagramOf(Chain(1).catalogue());
   for (const DiagramNode& node : diagram.nodes) EXPECT_EQ(node.ports.size(), 2U) << node.path;
 }
 
-TEST(PrintSvg, EscapesWhatXmlKeepsForItself) {
+TEST(PrintSvg, EscapesXmlCharacters) {
   std::ostringstream out;
   PrintSvg(DiagramOf(Chain(2).catalogue()), out);
 
@@ -233,7 +233,7 @@ TEST(PrintSvg, EscapesWhatXmlKeepsForItself) {
   EXPECT_THAT(out.str(), HasSubstr("(failed): it is &quot;&lt;broken&gt;&quot;"));
 }
 
-TEST(PrintSvg, AnEmptySystemIsAPictureToo) {
+TEST(PrintSvg, DrawsAnEmptySystem) {
   std::ostringstream out;
   PrintSvg(DiagramOf(tendon::Catalogue()), out);
 
@@ -243,7 +243,7 @@ TEST(PrintSvg, AnEmptySystemIsAPictureToo) {
 
 using GraphTest = DemoFixture;
 
-TEST_F(GraphTest, DrawsWhatRuns) {
+TEST_F(GraphTest, DrawsTheRunningSystem) {
   const Outcome drawn = Gcm({"graph", "--svg"});
 
   EXPECT_EQ(drawn.exit_code, program::kOk) << drawn.err;
@@ -261,7 +261,7 @@ TEST_F(GraphTest, DrawsWhatRuns) {
   EXPECT_THAT(Gcm({"graph", "--svg"}).out, HasSubstr(">was active · SimulatedArm</text>"));
 }
 
-TEST_F(GraphTest, IsOneThingAtATime) {
+TEST_F(GraphTest, AcceptsOneFormatOnly) {
   for (const Program::Words& words : {Program::Words{"graph", "--svg", "--dot"},
                                       {"graph", "--svg", "--text"},
                                       {"graph", "--dot", "--text"}}) {

@@ -22,7 +22,7 @@ class OddTerminalTest : public DemoFixture {
   }
 };
 
-TEST_F(OddTerminalTest, OneThatSaysNothingOrIsDumbGetsLinesAndNoPicture) {
+TEST_F(OddTerminalTest, ADumbTerminalGetsPlainLines) {
   for (const char* variables : {"-u TERM", "TERM=dumb", "TERM="}) {
     Terminal top(Command(variables, "top --sort name"));
     EXPECT_EQ(top.program().Wait(), program::kOk) << top.seen();
@@ -36,7 +36,7 @@ TEST_F(OddTerminalTest, OneThatSaysNothingOrIsDumbGetsLinesAndNoPicture) {
   }
 }
 
-TEST_F(OddTerminalTest, TheShellWorksOnEach) {
+TEST_F(OddTerminalTest, TheShellWorksOnEachTerminal) {
   for (const char* variables : {"-u TERM", "TERM=dumb", "TERM=no-such-terminal"}) {
     Terminal shell(Command(variables, "shell"), Environment());
     ASSERT_TRUE(shell.Shows("gcm> ")) << variables << shell.seen();
@@ -66,7 +66,7 @@ TEST_F(OddTerminalTest, TwentyColumnsAreEnough) {
   EXPECT_EQ(shell.program().Wait(), program::kOk);
 }
 
-TEST_F(OddTerminalTest, LettersOfAnyLanguageCanBeTypedInAnyLocale) {
+TEST_F(OddTerminalTest, AcceptsUnicodeInputInAnyLocale) {
   for (const char* locale : {"C", "POSIX", "xx_YY.UTF-8", "de_DE.ISO-8859-1"}) {
     Terminal shell(Command("LC_ALL=" + std::string(locale), "shell"), Environment());
     ASSERT_TRUE(shell.Shows("gcm> "));

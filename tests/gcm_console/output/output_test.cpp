@@ -128,7 +128,7 @@ class OutputTest : public DemoFixture {
   std::size_t documents = 0;
 };
 
-TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
+TEST_F(OutputTest, EveryJsonDocumentMatchesItsSchema) {
   home.Write("extra.json",
              R"({"version": 1, "name": "more", "processes": [
                  {"name": "extra", "start": {}, "components": []}]})");
@@ -149,7 +149,7 @@ TEST_F(OutputTest, EveryDocumentFitsItsSchema) {
   EXPECT_EQ(schemas, documents);
 }
 
-TEST_F(OutputTest, WhatIsConnectedOnTrialOrByAGlobFitsItsSchema) {
+TEST_F(OutputTest, DryRunAndGlobDocumentsMatchTheirSchemas) {
   ExpectFits({"connect", "desk/teleoperation/Robot", "robot/arm/Control", "--dry-run"});
   ExpectFits({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
   ExpectFits({"connect", "--match", "desk/**", "robot/**"});
@@ -160,7 +160,7 @@ TEST_F(OutputTest, WhatIsConnectedOnTrialOrByAGlobFitsItsSchema) {
   ExpectFits({"disconnect", "desk/teleoperation/Robot", "--dry-run"});
 }
 
-TEST_F(OutputTest, TheFiguresOfConnectionsFitTheSchemaOfTop) {
+TEST_F(OutputTest, ConnectionFiguresMatchTheSchemaOfTop) {
   const Outcome top = Gcm({"--json", "top", "--connections"});
   ASSERT_EQ(top.exit_code, program::kOk) << top.err;
   const json value = json::parse(top.out, nullptr, false);
@@ -171,7 +171,7 @@ TEST_F(OutputTest, TheFiguresOfConnectionsFitTheSchemaOfTop) {
   EXPECT_FALSE(value.contains("tasks"));
 }
 
-TEST(MisfitOf, SaysWhereAValueIsWrong) {
+TEST(MisfitOf, NamesThePlaceOfAWrongValue) {
   const json schema = json::parse(R"({"type": "object", "required": ["a"], "properties":
       {"a": {"type": "array", "items": {"type": "string"}}}, "additionalProperties": false})");
   EXPECT_EQ(MisfitOf(json::parse(R"({"a": ["x"]})"), schema), "");

@@ -39,7 +39,7 @@ TEST(BrailleCanvas, ALineHasNoHoles) {
 
 using ScreenTest = DemoFixture;
 
-TEST_F(ScreenTest, TopIntoAPipeIsOneTable) {
+TEST_F(ScreenTest, TopPrintsOneTableIntoAPipe) {
   EXPECT_TRUE(EventuallyTrue([this] {
     const std::string out = Gcm({"top", "--sort", "rate"}).out;
     return out.starts_with("robot/arm\tactive\t") && out.find("robot/arm\tactive\t-") != 0;
@@ -82,7 +82,7 @@ TEST_F(ScreenTest, TopShowsConnectionsByAKey) {
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
 }
 
-TEST_F(ScreenTest, TopOfConnectionsHasWhatTheirProcessesCount) {
+TEST_F(ScreenTest, TopPrintsTheCountersOfConnections) {
   const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"});
   ASSERT_EQ(connected.exit_code, program::kOk) << connected.err;
   json connection;
@@ -103,7 +103,7 @@ TEST_F(ScreenTest, TopOfConnectionsHasWhatTheirProcessesCount) {
   EXPECT_EQ(Gcm({"top", "--connections", "--sort", "load"}).exit_code, program::kUsage);
 }
 
-TEST_F(ScreenTest, TopAlwaysShowsItsKeysAndFollowsTheSizeOfTheTerminal) {
+TEST_F(ScreenTest, TopShowsItsKeysAfterAResize) {
   Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
                     100);
   ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
@@ -122,7 +122,7 @@ TEST_F(ScreenTest, TopAlwaysShowsItsKeysAndFollowsTheSizeOfTheTerminal) {
 }
 
 /// Where there is a shell to come back to.
-TEST_F(ScreenTest, CtrlZGivesTheScreenBackUntilTheProgramGoesOn) {
+TEST_F(ScreenTest, CtrlZRestoresTheScreenUntilResumed) {
   const std::string gcm_line = Binary("gcm") + " --gcm " + address + " --timeout " + kPatience;
   Terminal terminal("/bin/bash --norc --noprofile -i", {{"PS1", "at rest> "}}, 100);
   ASSERT_TRUE(terminal.Shows("at rest> "));
@@ -185,7 +185,7 @@ TEST_F(ScreenTest, PlotOnATerminalEndsWithAKeyOrAnInterrupt) {
   }
 }
 
-TEST_F(ScreenTest, TheDoctorFindsAllWellOrSaysWhatToDo) {
+TEST_F(ScreenTest, TheDoctorReportsHealthAndFixes) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code,
             program::kOk);
   Outcome well;
@@ -206,7 +206,7 @@ TEST_F(ScreenTest, TheDoctorFindsAllWellOrSaysWhatToDo) {
   EXPECT_THAT(ill.out, HasSubstr("fix: gcm explain desk/supervisor/Robot"));
 }
 
-TEST_F(SystemFixture, TheDoctorSaysHowToStartAGcm) {
+TEST_F(SystemFixture, TheDoctorExplainsHowToStartAGcm) {
   const Outcome outcome =
       RunProgram({Binary("gcm"), "--gcm", address, "--timeout", "50", "doctor"});
 
@@ -216,7 +216,7 @@ TEST_F(SystemFixture, TheDoctorSaysHowToStartAGcm) {
   EXPECT_THAT(outcome.out, HasSubstr("ok   port    " + address + " is free: nobody listens there"));
 }
 
-TEST_F(SystemFixture, TheDoctorSaysWhoHoldsThePortOfTheGcm) {
+TEST_F(SystemFixture, TheDoctorNamesTheHolderOfTheGcmPort) {
   const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   sockaddr_in place{};
   place.sin_family = AF_INET;

@@ -26,7 +26,7 @@ TEST(Table, IsSeparatedByTabsForScripts) {
   EXPECT_EQ(Printed(0), "robot\talive\t127.0.0.1:41721\na-desk-of-mine\tlost\\x0a\t\n");
 }
 
-TEST(Table, BreaksItsRowsWhereTheTerminalEnds) {
+TEST(Table, WrapsRowsAtTheTerminalWidth) {
   EXPECT_EQ(Printed(30),
             "PROCESS         STATE\n"
             "    ADDRESS\n"
@@ -47,7 +47,7 @@ TEST(Table, AlignsNumbersAtTheRight) {
             "desk   12345  -\n");
 }
 
-TEST(Table, ColoursTakeNoRoomAndTitlesMayBeLeftOut) {
+TEST(Table, ColoursHaveNoWidthAndTitlesAreOptional) {
   Table table({"STATE", "NAME"});
   table.Add({"lost", "robot"});
   std::ostringstream out;
@@ -55,7 +55,7 @@ TEST(Table, ColoursTakeNoRoomAndTitlesMayBeLeftOut) {
   EXPECT_EQ(out.str(), "\x1b[31mlost\x1b[0m   robot\n");
 }
 
-TEST(Table, IsColouredInAPipeWhereThatIsWanted) {
+TEST(Table, IsColouredInAPipeOnRequest) {
   Table table({"STATE", "NAME"});
   table.Add({"lost", "robot"});
   std::ostringstream out;

@@ -16,18 +16,18 @@ Commands Of(const std::string& line) {
   return all;
 }
 
-TEST(CommandParser, StandBetweenBlanks) {
+TEST(CommandParser, SplitsWordsAtBlanks) {
   EXPECT_EQ(Of(""), Commands{});
   EXPECT_EQ(Of("  ls \t robot/arm "), (Commands{{"ls", "robot/arm"}}));
 }
 
-TEST(CommandParser, ASemicolonEndsACommandAndANumberSignTheLine) {
+TEST(CommandParser, ASemicolonEndsACommandAndAHashStartsAComment) {
   EXPECT_EQ(Of("cd robot; ls ;; tree # all; of it"), (Commands{{"cd", "robot"}, {"ls"}, {"tree"}}));
   EXPECT_EQ(Of("# nothing"), Commands{});
   EXPECT_EQ(Of("find a#b"), (Commands{{"find", "a#b"}}));
 }
 
-TEST(CommandParser, AnAmpersandLeavesACommandBehind) {
+TEST(CommandParser, AnAmpersandMarksABackgroundCommand) {
   const std::vector<Command> expected = {{{"watch", "a/b/c.d"}, true}, {{"ls"}, false}};
   for (const char* line : {"watch a/b/c.d & ls", "watch a/b/c.d& & ls", "watch a/b/c.d &ls;"}) {
     const auto commands = ParseCommands(line);
@@ -37,7 +37,7 @@ TEST(CommandParser, AnAmpersandLeavesACommandBehind) {
   EXPECT_EQ(Of("find 'a & b' c\\&d"), (Commands{{"find", "a & b", "c&d"}}));
 }
 
-TEST(CommandParser, TheProgramsNameBeforeAVerbIsPassedOver) {
+TEST(CommandParser, IgnoresTheProgramNameBeforeAVerb) {
   EXPECT_EQ(Of("gcm ls robot; gcm tree & gcm"), (Commands{{"ls", "robot"}, {"tree"}, {"gcm"}}));
   EXPECT_EQ(Of("find gcm"), (Commands{{"find", "gcm"}}));
   EXPECT_EQ(ParsePartialCommand("gcm sho").words, Words{"sho"});
@@ -47,7 +47,7 @@ TEST(CommandParser, TheProgramsNameBeforeAVerbIsPassedOver) {
   EXPECT_EQ(ParsePartialCommand("gcm").words, Words{"gcm"});
 }
 
-TEST(CommandParser, QuotesKeepTogetherWhatBelongsTogether) {
+TEST(CommandParser, QuotesAndBackslashesKeepWordsTogether) {
   EXPECT_EQ(Of(R"(find 'a; b' "c \" d" e\ f '')"),
             (Commands{{"find", "a; b", "c \" d", "e f", ""}}));
 }
@@ -60,13 +60,13 @@ TEST(CommandParser, JsonNeedsNoQuotes) {
   EXPECT_EQ(Of("watch state.Joints[0]"), (Commands{{"watch", "state.Joints[0]"}}));
 }
 
-TEST(CommandParser, WhatHasNoEndIsRefused) {
+TEST(CommandParser, RejectsUnclosedQuotesAndBrackets) {
   EXPECT_EQ(ParseCommands("ls 'a b").error().message, "the quote in column 4 is not closed");
   EXPECT_EQ(ParseCommands("call a {\"b\": [1").error().message,
             "the bracket in column 8 is not closed");
 }
 
-TEST(CommandParser, OfALineThatIsBeingTypedTheLastIsOpen) {
+TEST(CommandParser, APartialLineEndsWithAnOpenWord) {
   EXPECT_EQ(ParsePartialCommand("").words, (Words{""}));
   EXPECT_EQ(ParsePartialCommand("ls").words, (Words{"ls"}));
   EXPECT_EQ(ParsePartialCommand("ls ").words, (Words{"ls", ""}));
@@ -77,7 +77,7 @@ TEST(CommandParser, OfALineThatIsBeingTypedTheLastIsOpen) {
   EXPECT_EQ(ParsePartialCommand("save my\\ ").words, (Words{"save", "my "}));
 }
 
-TEST(CommandParser, QuotedTheyAreReadAsTheyWere) {
+TEST(CommandParser, QuotedWordsParseBackUnchanged) {
   for (const char* word :
        {"lab.json", "my lab; 'new'.json", "#1", "a#1", "a&b", "[old]", "a\\b\"c", "ä b"}) {
     EXPECT_EQ(Of("save " + QuoteWord(word)), (Commands{{"save", word}})) << word;
@@ -86,7 +86,7 @@ TEST(CommandParser, QuotedTheyAreReadAsTheyWere) {
   EXPECT_EQ(QuoteWord("my lab"), "my\\ lab");
 }
 
-TEST(ResolvedPath, BeginsWhereTheShellIs) {
+TEST(ResolvedPath, StartsAtTheCurrentPathOfTheShell) {
   EXPECT_EQ(ResolvedPath("robot/arm", "state.Joints"), "robot/arm/state.Joints");
   EXPECT_EQ(ResolvedPath("robot/arm/state", "Joints.position[0]"),
             "robot/arm/state.Joints.position[0]");

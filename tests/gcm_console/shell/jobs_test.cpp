@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(JobLines, AreWholeAndThoseWithoutRoomAreCounted) {
+TEST(JobLines, AreWholeLinesAndCountDroppedOnes) {
   console::JobLines lines;
   console::JobStream buffer(lines);
   std::ostream out(&buffer);
@@ -50,7 +50,7 @@ class JobsTest : public DemoFixture {
   std::unique_ptr<Terminal> shell;
 };
 
-TEST_F(JobsTest, TheirLinesStandAboveWhatIsTyped) {
+TEST_F(JobsTest, OutputAppearsAboveTheTypedLine) {
   shell->Type(std::string(kWatch) + " &\r");
   ASSERT_TRUE(shell->Shows("gcm: in the background: 1  " + std::string(kWatch))) << shell->seen();
   ASSERT_TRUE(shell->Shows("\t0\r\n")) << shell->seen();
@@ -62,7 +62,7 @@ TEST_F(JobsTest, TheirLinesStandAboveWhatIsTyped) {
   EXPECT_TRUE(shell->Shows("\t0\r\ngcm> ")) << shell->seen();
 }
 
-TEST_F(JobsTest, TheyAreListedAndEnded) {
+TEST_F(JobsTest, JobsCanBeListedAndEnded) {
   shell->Type(std::string(kWatch) + " & events robot/arm/Control &\r");
   ASSERT_TRUE(shell->Shows("\t0\r\n")) << shell->seen();
   ASSERT_TRUE(shell->Shows("gcm: listening to ")) << shell->seen();
@@ -85,7 +85,7 @@ TEST_F(JobsTest, TheyAreListedAndEnded) {
   EXPECT_TRUE(shell->Shows("jobs\r\ngcm> ")) << shell->seen();
 }
 
-TEST_F(JobsTest, TheyEndByThemselvesOrWithTheShell) {
+TEST_F(JobsTest, JobsEndByThemselvesOrWithTheShell) {
   shell->Type(std::string(kWatch) + " --count 2 &\r");
   EXPECT_TRUE(shell->Shows("gcm: ended: 1  watch ")) << shell->seen();
   shell->Type(std::string(kWatch) + " &\r");
@@ -96,7 +96,7 @@ TEST_F(JobsTest, TheyEndByThemselvesOrWithTheShell) {
   EXPECT_EQ(shell->program().Wait(), program::kOk);
 }
 
-TEST_F(JobsTest, AnInterruptIsForWhatIsInFrontOfThem) {
+TEST_F(JobsTest, AnInterruptEndsOnlyTheForegroundCommand) {
   shell->Type(std::string(kWatch) + " &\r");
   ASSERT_TRUE(shell->Shows("\t0\r\ngcm> ")) << shell->seen();
   shell->Type("events robot/arm/Control\r");
@@ -108,7 +108,7 @@ TEST_F(JobsTest, AnInterruptIsForWhatIsInFrontOfThem) {
   EXPECT_TRUE(shell->Shows("\t0\r\ngcm> ")) << shell->seen();
 }
 
-TEST_F(JobsTest, WhatDoesNotLastIsRefusedAndSoAreTheyWithoutAPrompt) {
+TEST_F(JobsTest, OnlyLongRunningVerbsAtAPromptCanBeJobs) {
   shell->Type("ls &\r");
   EXPECT_TRUE(
       shell->Shows("gcm: only watch, events, hz and log can run in the background, but 'ls' "

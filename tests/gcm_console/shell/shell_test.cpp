@@ -43,7 +43,7 @@ class ShellTest : public DemoFixture {
   }
 };
 
-TEST_F(ShellTest, TakesVerbsAndGoesThroughTheSystem) {
+TEST_F(ShellTest, RunsVerbsAndChangesThePath) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> ")) << terminal.seen();
 
@@ -64,7 +64,7 @@ TEST_F(ShellTest, TakesVerbsAndGoesThroughTheSystem) {
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
 }
 
-TEST_F(ShellTest, WhoTypesMayShortenNamesAndIsToldWhatIsMeant) {
+TEST_F(ShellTest, ExpandsShortenedNamesAndPrintsThem) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
   terminal.Type("status\r");  // until the catalogue is here
@@ -83,7 +83,7 @@ TEST_F(ShellTest, WhoTypesMayShortenNamesAndIsToldWhatIsMeant) {
   EXPECT_TRUE(terminal.Shows("no process 'd'")) << terminal.seen();
 }
 
-TEST_F(ShellTest, AScriptNamesAllInFull) {
+TEST_F(ShellTest, AScriptNeedsFullNames) {
   EXPECT_THAT(Script("get r/a/s.J.position[0]\n").err, HasSubstr("no process 'r'"));
 }
 
@@ -104,7 +104,7 @@ TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
   EXPECT_TRUE(terminal.Shows("/desk/teleoperation/")) << terminal.seen();
 }
 
-TEST_F(ShellTest, AnInterruptAtThePromptForgetsTheLine) {
+TEST_F(ShellTest, AnInterruptAtThePromptDiscardsTheLine) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
 
@@ -117,7 +117,7 @@ TEST_F(ShellTest, AnInterruptAtThePromptForgetsTheLine) {
   EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
 }
 
-TEST_F(ShellTest, ATerminationAtThePromptEndsIt) {
+TEST_F(ShellTest, SigtermAtThePromptEndsTheShell) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
 
@@ -138,21 +138,21 @@ TEST_F(ShellTest, AfterAnInterruptAScriptRunsNothingMore) {
   EXPECT_THAT(terminal.seen(), testing::Not(HasSubstr("with a problem")));
 }
 
-TEST_F(ShellTest, AScriptThatRunsItselfIsStopped) {
+TEST_F(ShellTest, ARecursiveScriptIsStopped) {
   const Outcome outcome = Script("run " + (home.path() / "test.gcm").string() + "\n");
 
   EXPECT_NE(outcome.exit_code, program::kOk);
   EXPECT_THAT(outcome.err, HasSubstr("does a script run itself?"));
 }
 
-TEST_F(ShellTest, PathsMayBeginAtTheTopWithoutGoingAnywhereFirst) {
+TEST_F(ShellTest, AcceptsAbsolutePathsAtTheTop) {
   const Outcome outcome = Script("ls /desk\n");
 
   EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("teleoperation"));
 }
 
-TEST_F(ShellTest, RemembersWhatWasTypedInEarlierShells) {
+TEST_F(ShellTest, KeepsAHistoryAcrossShells) {
   {
     Terminal terminal(Command(), Environment());
     ASSERT_TRUE(terminal.Shows("gcm> "));
@@ -230,7 +230,7 @@ TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
   EXPECT_THAT(seen, HasSubstr("protocol"));
 }
 
-TEST_F(ShellTest, InAShellThereIsNoOther) {
+TEST_F(ShellTest, RefusesAShellInAShell) {
   const Outcome outcome = RunProgram(
       {"/bin/sh", "-c", "printf 'shell\\nversion\\nshell' | " + Command()}, Environment());
 
@@ -241,7 +241,7 @@ TEST_F(ShellTest, InAShellThereIsNoOther) {
             "gcm: this is already a shell; exit ends it\n");
 }
 
-TEST_F(ShellTest, LinesMayComeThroughAPipe) {
+TEST_F(ShellTest, ReadsCommandsFromAPipe) {
   const Outcome outcome = RunProgram(
       {"/bin/sh", "-c", "printf 'cd robot\\nls\\nls nobody' | " + Command()}, Environment());
 
@@ -250,7 +250,7 @@ TEST_F(ShellTest, LinesMayComeThroughAPipe) {
   EXPECT_EQ(outcome.exit_code, program::kNotFound);
 }
 
-TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessToldOtherwise) {
+TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessKeepGoing) {
   const std::string text = "cd desk # where\n\nls nobody; ls old_arm\nls old_arm\n";
 
   const Outcome stopped = Script(text);
@@ -264,14 +264,14 @@ TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessToldOtherwise) {
   EXPECT_EQ(went_on.exit_code, program::kNotFound);  // of the first that failed
 }
 
-TEST_F(ShellTest, AScriptThatCannotBeReadIsASentence) {
+TEST_F(ShellTest, ReportsAnUnreadableScript) {
   EXPECT_THAT(Gcm({"run", home.path().string()}).err, HasSubstr("is a folder"));
   const Outcome missing = Gcm({"run", "nowhere.gcm"});
   EXPECT_EQ(missing.exit_code, program::kNotFound);
   EXPECT_EQ(missing.err, "gcm: cannot read nowhere.gcm: there is no such file\n");
 }
 
-TEST_F(ShellTest, InputThatCannotBeReadToItsEndIsNoSuccess) {
+TEST_F(ShellTest, UnreadableInputFails) {
   const std::string folder = home.path().string();
   EXPECT_EQ(Shell("shell < " + folder).exit_code, program::kUsage);
   EXPECT_EQ(Shell("run - < " + folder).err,
@@ -286,11 +286,11 @@ TEST_F(ShellTest, InputThatCannotBeReadToItsEndIsNoSuccess) {
   EXPECT_EQ(Shell("call robot/arm/Control.MoveTo - < " + folder).exit_code, program::kUsage);
 }
 
-TEST_F(ShellTest, ALastLineWithoutItsEndIsALineToo) {
+TEST_F(ShellTest, RunsALastLineWithoutANewline) {
   EXPECT_THAT(Script("version\nversion").out, testing::MatchesRegex("gcm [^\n]*\ngcm [^\n]*\n"));
 }
 
-TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
+TEST_F(ShellTest, BashCompletesWithThePrintedFile) {
   const auto completed_line = [&](const std::string& line, const std::string& words, int index) {
     const std::string script = "PATH=" + Built("bin") +
                                ":$PATH; source <(gcm completion bash); compopt() { :; }; "
@@ -326,7 +326,7 @@ TEST_F(ShellTest, BashCompletesWithTheFileThatGcmPrints) {
   EXPECT_EQ(completed("gcm events robot/arm/C", 2), "robot/arm/Control\nrobot/arm/Control.\n");
 }
 
-TEST_F(ShellTest, CompletionAsksTheGcmThatTheLineNames) {
+TEST_F(ShellTest, CompletionUsesTheGcmOfTheCommandLine) {
   const auto completed = [&](const Program::Words& options) {
     Program::Words words = {Binary("gcm"), "complete"};
     words.insert(words.end(), options.begin(), options.end());
@@ -342,7 +342,7 @@ TEST_F(ShellTest, CompletionAsksTheGcmThatTheLineNames) {
   EXPECT_EQ(completed({"--gcm=" + address, "--certificate", "nowhere.crt", "--ca=nowhere"}), "");
 }
 
-TEST_F(ShellTest, TwoShellsKeepWhatWasTypedInEach) {
+TEST_F(ShellTest, TwoShellsShareOneHistory) {
   {
     Terminal first(Command(), Environment());
     Terminal second(Command(), Environment());
@@ -366,7 +366,7 @@ TEST_F(ShellTest, TwoShellsKeepWhatWasTypedInEach) {
   EXPECT_TRUE(third.Shows("first of all")) << third.seen();
 }
 
-TEST_F(ShellTest, TabQuotesWhatWouldBeSeveralWords) {
+TEST_F(ShellTest, TabQuotesNamesWithBlanks) {
   home.Write("my lab; new.json", R"({"version": 1, "name": "lab", "processes": []})");
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));

@@ -28,7 +28,7 @@ class DryRunTest : public DemoFixture {
   }
 };
 
-TEST_F(DryRunTest, AnUndoSaysWhatItWouldTakeBack) {
+TEST_F(DryRunTest, UndoListsTheStepsItWouldRevert) {
   ExpectRefusal({"undo", "--dry-run"}, program::kRefused, "there is nothing to undo");
   ASSERT_EQ(Gcm({"stop", "robot/host_monitor"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
@@ -47,7 +47,7 @@ TEST_F(DryRunTest, AnUndoSaysWhatItWouldTakeBack) {
   ExpectRefusal({"undo", "--step", "1", "--dry-run"}, program::kRefused, "is not the newest");
 }
 
-TEST_F(DryRunTest, AnUndoThatWouldBeRefusedIsRefusedInTheSameWords) {
+TEST_F(DryRunTest, UndoGivesTheSameRefusal) {
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   desk->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\tlost"));
@@ -61,7 +61,7 @@ TEST_F(DryRunTest, AnUndoThatWouldBeRefusedIsRefusedInTheSameWords) {
   EXPECT_EQ(dry.err, Gcm({"undo"}).err);
 }
 
-TEST_F(DryRunTest, ACallIsCheckedUpToItsArgument) {
+TEST_F(DryRunTest, CallChecksTheArgument) {
   const std::string move = "robot/arm/Control.MoveTo";
   const std::string goal = R"({"position": [0.1, 0, 0, -1, 0, 1, 0], "duration": 0.2})";
 
@@ -74,21 +74,21 @@ TEST_F(DryRunTest, ACallIsCheckedUpToItsArgument) {
   EXPECT_EQ(json::parse(Gcm({"call", move, goal, "--dry-run", "--json"}).out)["dry_run"], true);
 }
 
-TEST_F(DryRunTest, AProcessOfSomebodyElseWouldNotBeEnded) {
+TEST_F(DryRunTest, KillRefusesAProcessNotStartedByTheGcm) {
   for (const Program::Words& words :
        {Program::Words{"kill", "robot"}, {"kill", "robot", "--dry-run"}}) {
     ExpectRefusal(words, program::kRefused, "process 'robot' was not started by this GCM");
   }
 }
 
-TEST_F(DryRunTest, ALevelOfTheLogIsNotSet) {
+TEST_F(DryRunTest, LogLevelIsNotSet) {
   EXPECT_EQ(Gcm({"log-level", "robot", "debug", "--dry-run"}).out,
             "robot  would log debug and above\n");
   ExpectRefusal({"log-level", "robt", "debug", "--dry-run"}, program::kNotFound,
                 "did you mean 'robot'?");
 }
 
-TEST_F(DryRunTest, WhatAProcessCouldNotMakeIsRefused) {
+TEST_F(DryRunTest, RefusesUnknownClassesAndPlugins) {
   ExpectRefusal({"load", "nope", "--in", "robot", "--dry-run"}, program::kNotFound,
                 "no plug-in 'nope'");
   EXPECT_EQ(Gcm({"load", "counter", "--in", "robot", "--dry-run"}).exit_code, program::kOk);
@@ -102,7 +102,7 @@ TEST_F(DryRunTest, WhatAProcessCouldNotMakeIsRefused) {
             "robot/new\twould be created\n");
 }
 
-TEST_F(DryRunTest, AConfigurationIsCheckedByItsClass) {
+TEST_F(DryRunTest, ChecksAConfigurationAgainstItsClass) {
   const std::string bad = R"({"nois": 1})";
   const std::string good = R"({"noise": 0.001})";
 
@@ -121,7 +121,7 @@ TEST_F(DryRunTest, AConfigurationIsCheckedByItsClass) {
             "robot/arm\twould be configured\n");
 }
 
-TEST_F(DryRunTest, AViewerIsDeniedAsByTheOrderItself) {
+TEST_F(DryRunTest, DeniesAViewerLikeTheRealCommand) {
   const std::vector<Program::Words> orders = {
       {"stop", "robot/arm"},
       {"forget", "robot"},

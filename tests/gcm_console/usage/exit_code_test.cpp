@@ -13,7 +13,7 @@ using testing::HasSubstr;
 /// How `gcm` ends where it is not the command line that is wrong, but what runs.
 class ExitCodeTest : public DemoFixture {};
 
-TEST_F(ExitCodeTest, ACallThatIsNotAnsweredInTimeHasACodeOfItsOwn) {
+TEST_F(ExitCodeTest, ATimedOutCallHasItsOwnExitCode) {
   Outcome called;
 
   // On a machine that stands still, the GCM itself may answer too late, or take the process for
@@ -32,7 +32,7 @@ TEST_F(ExitCodeTest, ACallThatIsNotAnsweredInTimeHasACodeOfItsOwn) {
   EXPECT_THAT(called.err, testing::StartsWith("gcm: "));
 }
 
-TEST_F(ExitCodeTest, WhatIsSaidOfALostProcessIsNoLackOfAGcm) {
+TEST_F(ExitCodeTest, ALostProcessDiffersFromAnUnreachableGcm) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
 
@@ -62,7 +62,7 @@ class WrongAddressTest : public DemoFixture {
   std::unique_ptr<Program> far;
 };
 
-TEST_F(WrongAddressTest, DoctorSaysThatItDoesNotAnswerThere) {
+TEST_F(WrongAddressTest, DoctorReportsTheUnreachableAddress) {
   const Outcome doctor = Gcm({"doctor"});
 
   EXPECT_EQ(doctor.exit_code, program::kRefused);
@@ -74,7 +74,7 @@ TEST_F(WrongAddressTest, DoctorSaysThatItDoesNotAnswerThere) {
                   "-    plug-in far simulated_arm .*, as the process has reported last"));
 }
 
-TEST_F(WrongAddressTest, ExplainSaysTheSameBeforeAndAfterItIsConnected) {
+TEST_F(WrongAddressTest, ExplainIsTheSameBeforeAndAfterAConnect) {
   const Program::Words words = {"explain", "desk/teleoperation/Robot", "far/arm/Control"};
   const Outcome before = Gcm(words);
   Gcm({"connect", "desk/teleoperation/Robot", "far/arm/Control"});
@@ -88,7 +88,7 @@ TEST_F(WrongAddressTest, ExplainSaysTheSameBeforeAndAfterItIsConnected) {
   }
 }
 
-TEST_F(WrongAddressTest, NothingThatIsAskedOfItLooksLikeALackOfAGcm) {
+TEST_F(WrongAddressTest, RequestsDoNotReportAnUnreachableGcm) {
   for (const Program::Words& words : {Program::Words{"get", "far/arm/state.Joints"},
                                       {"call", "far/arm/Control.Stop"},
                                       {"show", "far/arm/Control.MoveTo"}}) {

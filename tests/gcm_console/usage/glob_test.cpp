@@ -23,7 +23,7 @@ class GlobTest : public DemoFixture {
   }
 };
 
-TEST_F(GlobTest, LsListsWhatFits) {
+TEST_F(GlobTest, LsListsMatches) {
   const std::string parts = Gcm({"ls", "robot/*"}).out;
   EXPECT_THAT(parts, HasSubstr("robot/arm\tcomponent\t"));
   EXPECT_THAT(parts, HasSubstr("robot/host_monitor\tcomponent\t"));
@@ -37,7 +37,7 @@ TEST_F(GlobTest, LsListsWhatFits) {
               "nothing fits 'nobody/*'; gcm ls -R lists all names");
 }
 
-TEST_F(GlobTest, ShowTellsOfEachUnderItsPath) {
+TEST_F(GlobTest, ShowPrintsEachMatchUnderItsPath) {
   const Outcome shown = Gcm({"show", "desk/*/Robot"});
 
   EXPECT_EQ(shown.exit_code, program::kOk) << shown.err;
@@ -47,7 +47,7 @@ TEST_F(GlobTest, ShowTellsOfEachUnderItsPath) {
   ExpectError({"show", "desk/*/Robt"}, program::kNotFound, "nothing fits 'desk/*/Robt'");
 }
 
-TEST_F(GlobTest, GetReadsEachWithItsPath) {
+TEST_F(GlobTest, GetPrintsEachMatchWithItsPath) {
   const Outcome joint = Gcm({"get", "robot/*/state.Joints.position[0]"});
   EXPECT_EQ(joint.exit_code, program::kOk) << joint.err;
   EXPECT_THAT(joint.out, testing::StartsWith("robot/arm/state.Joints.position[0]\t"));
@@ -62,7 +62,7 @@ TEST_F(GlobTest, GetReadsEachWithItsPath) {
   ExpectError({"get", "nobody/*/state.Joints"}, program::kNotFound, "no column fits");
 }
 
-TEST_F(GlobTest, DisconnectEndsAllThatFit) {
+TEST_F(GlobTest, DisconnectEndsAllMatches) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
   EXPECT_EQ(Gcm({"disconnect", "desk/*/Robot", "--dry-run"}).out,
             "desk/supervisor/Robot -> robot/arm/Control\twould be disconnected\n"
@@ -86,7 +86,7 @@ TEST_F(GlobTest, DisconnectEndsAllThatFit) {
               "no interface that 'desk/*/Robot' matches is connected");
 }
 
-TEST_F(GlobTest, LogLevelIsSetInAllThatFit) {
+TEST_F(GlobTest, LogLevelIsSetInAllMatches) {
   EXPECT_EQ(Gcm({"log-level", "*", "info", "--dry-run"}).out,
             "desk\twould be set to log info and above\n"
             "robot\twould be set to log info and above\n");
@@ -94,7 +94,7 @@ TEST_F(GlobTest, LogLevelIsSetInAllThatFit) {
   ExpectError({"log-level", "x*", "info"}, program::kNotFound, "no available process fits 'x*'");
 }
 
-TEST_F(GlobTest, WhatTakesOneNameSaysHowToSeeThem) {
+TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
   const std::vector<Program::Words> lines = {
       {"hz", "robot/*"},   {"candidates", "robot/*"},       {"explain", "robot/*"},
       {"call", "robot/*"}, {"explain", "a/b/C", "robot/*"}, {"classes", "robot/*"}};

@@ -33,7 +33,7 @@ class MisuseTest : public DemoFixture {
   }
 };
 
-TEST_F(MisuseTest, OfThingsThatAreNotThere) {
+TEST_F(MisuseTest, ExplainsUnknownNames) {
   ExpectSentences({
       {{"hz", "robot/arm/state.Jonts"}, program::kNotFound, "did you mean 'Joints'?"},
       {{"hz", "robot/arm/Control"}, program::kNotFound, "is not a column of a state table"},
@@ -69,7 +69,7 @@ TEST_F(MisuseTest, OfThingsThatAreNotThere) {
   });
 }
 
-TEST_F(MisuseTest, OfFilesThatAreNone) {
+TEST_F(MisuseTest, ExplainsUnusableFiles) {
   const std::string folder = home.path().string();
   const std::string pipe = folder + "/pipe";
   const std::string torn = folder + "/torn.json";

@@ -26,7 +26,7 @@ void ExpectOneSentence(const Outcome& outcome, int exit_code, const std::string&
   EXPECT_EQ(outcome.out, "");
 }
 
-TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
+TEST_F(UsageTest, ExplainsAMistypedCommandLine) {
   struct Case {
     Program::Words words;
     std::string sentence;
@@ -77,7 +77,7 @@ TEST_F(UsageTest, AMistypedCommandLineSaysWhatIsWrongAndWhereHelpIs) {
   }
 }
 
-TEST_F(UsageTest, AWordThatIsNoNumberIsToldWhatToWrite) {
+TEST_F(UsageTest, ExplainsHowToWriteANumber) {
   struct Case {
     Program::Words words;
     std::string sentence;
@@ -105,7 +105,7 @@ TEST_F(UsageTest, AWordThatIsNoNumberIsToldWhatToWrite) {
   }
 }
 
-TEST_F(UsageTest, HelpIsHadInEveryWay) {
+TEST_F(UsageTest, AllFormsOfHelpWork) {
   for (const Program::Words& words : {Program::Words{"--help"}, {"help"}, {"-h"}}) {
     const Outcome help = Typed(words);
     EXPECT_EQ(help.exit_code, program::kOk);
@@ -163,7 +163,7 @@ std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folde
 const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve", "fan-out",    "doctor",
                                           "shell",  "run",  "help",  "completion", "version"};
 
-TEST_F(UsageTest, WithoutAGcmEveryVerbSaysHowToStartOne) {
+TEST_F(UsageTest, EveryVerbExplainsHowToStartAGcm) {
   const auto lines = LinesThatNeedAGcm(home.path().string());
   for (const console::Verb& verb : console::AllVerbs()) {
     const auto line = lines.find(verb.name);
@@ -177,7 +177,7 @@ TEST_F(UsageTest, WithoutAGcmEveryVerbSaysHowToStartOne) {
   }
 }
 
-TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
+TEST_F(UsageTest, ASecondGcmOnOnePortNamesTheFirst) {
   StartGcm();
 
   ExpectOneSentence(Typed({"serve"}), program::kRefused,
@@ -185,20 +185,20 @@ TEST_F(UsageTest, ASecondGcmOnOnePortIsToldWhoHasIt) {
                         " (gcm); use the running GCM, or give --gcm another port");
 }
 
-TEST_F(UsageTest, AFanOutOnAPortThatIsTakenIsToldWhoHasIt) {
+TEST_F(UsageTest, AFanOutOnATakenPortNamesItsHolder) {
   StartGcm();
 
   ExpectOneSentence(Typed({"fan-out", "--listen", address}), program::kRefused,
                     address + " is in use by pid " + std::to_string(gcm->pid()) + " (gcm)");
 }
 
-TEST_F(UsageTest, OnePortForTwoPurposesIsRefused) {
+TEST_F(UsageTest, RejectsOnePortForGcmAndFanOut) {
   ExpectOneSentence(Typed({"serve", "--fan-out", "localhost:" + port}), program::kUsage,
                     "--fan-out and --gcm are both " + address +
                         ", but two programs cannot share a port; give --fan-out another one");
 }
 
-TEST_F(UsageTest, AHistoryThatCannotBeKeptIsSaidAtTheStart) {
+TEST_F(UsageTest, ServeWarnsIfItCannotKeepAHistory) {
   const Program served({Binary("gcm"), "--gcm", address, "serve"},
                        {{"XDG_STATE_HOME", "/proc/nowhere"}});
 
@@ -210,7 +210,7 @@ TEST_F(UsageTest, AHistoryThatCannotBeKeptIsSaidAtTheStart) {
   EXPECT_TRUE(EventuallyTrue([&] { return served.out().starts_with("GCM at "); }));
 }
 
-TEST_F(UsageTest, RunningAsRootIsSaid) {
+TEST_F(UsageTest, WarnsWhenRunningAsRoot) {
   if (!tendon::os::RunsAsRoot()) GTEST_SKIP() << "only root can try: its warning was not seen";
 
   StartGcm();
@@ -218,7 +218,7 @@ TEST_F(UsageTest, RunningAsRootIsSaid) {
   EXPECT_THAT(gcm->err(), HasSubstr("runs as root, which a GCM does not need"));
 }
 
-TEST_F(UsageTest, AnAddressThatIsNoneIsRefused) {
+TEST_F(UsageTest, RejectsABadAddress) {
   for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:65536", "127.0.0.1:-1", "127.0.0.1:0"}) {
     ExpectOneSentence(Typed({"--gcm", bad, "ls"}), program::kUsage, "expected 1..65535");
   }
@@ -231,25 +231,25 @@ TEST_F(UsageTest, AnAddressThatIsNoneIsRefused) {
   ExpectOneSentence(Typed({"--gcm", ":10705", "ls"}), program::kUsage, "expected a host");
 }
 
-TEST_F(UsageTest, AHostAloneMeansTheUsualPort) {
+TEST_F(UsageTest, AHostWithoutAPortUsesTheDefaultPort) {
   ExpectOneSentence(Typed({"--gcm", "192.0.2.1", "ls"}), program::kDenied, "host '192.0.2.1'");
   ExpectOneSentence(Typed({"--gcm", "[::2]", "ls"}), program::kDenied, "host '::2'");
 }
 
-TEST_F(UsageTest, AnAddressOffThisMachineNeedsInsecure) {
+TEST_F(UsageTest, ARemoteAddressNeedsInsecure) {
   for (const char* verb : {"ls", "serve"}) {
     ExpectOneSentence(Typed({"--gcm", "192.0.2.1:10705", verb}), program::kDenied, "--insecure");
   }
 }
 
-TEST_F(UsageTest, ACookieThatCannotBeKeptIsASentence) {
+TEST_F(UsageTest, ReportsACookieThatCannotBeWritten) {
   const Outcome outcome = RunProgram({Binary("gcm"), "--gcm", address, "serve"},
                                      {{"XDG_RUNTIME_DIR", "/proc/nowhere"}});
 
   ExpectOneSentence(outcome, program::kDenied, "/proc/nowhere");
 }
 
-TEST_F(UsageTest, OutputThatCannotBeWrittenIsAFailure) {
+TEST_F(UsageTest, FailsWhenOutputCannotBeWritten) {
   StartGcm();
 
   for (const char* words : {"ls --json > /dev/full", "tree --json >&-", "--help >/dev/full"}) {
@@ -257,7 +257,7 @@ TEST_F(UsageTest, OutputThatCannotBeWrittenIsAFailure) {
   }
 }
 
-TEST_F(UsageTest, AReaderThatHasEnoughEndsItWithoutANoise) {
+TEST_F(UsageTest, AClosedPipeEndsItSilently) {
   StartGcm();
 
   const std::string list = Binary("gcm") + " --gcm " + address + " ls --json";
@@ -268,7 +268,7 @@ TEST_F(UsageTest, AReaderThatHasEnoughEndsItWithoutANoise) {
   EXPECT_EQ(outcome.err, "1\n");
 }
 
-TEST_F(UsageTest, StreamsThatWereClosedHarmNobody) {
+TEST_F(UsageTest, RunsWithClosedStandardStreams) {
   StartGcm();
 
   const Outcome outcome = Shell("ls --json 2>&- <&-");

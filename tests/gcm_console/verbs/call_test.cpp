@@ -28,7 +28,7 @@ class CallTest : public SystemFixture {
   std::unique_ptr<Program> hall;
 };
 
-TEST_F(CallTest, TheFieldsOfAnArgumentMayBeWords) {
+TEST_F(CallTest, AcceptsArgumentFieldsAsWords) {
   const std::string same = "{\"text\":\"hi there\",\"tone\":\"high\",\"loud\":true}\n";
 
   EXPECT_EQ(Gcm({"call", kRepeat, "hi there", "high", "true"}).out, same);
@@ -38,7 +38,7 @@ TEST_F(CallTest, TheFieldsOfAnArgumentMayBeWords) {
   EXPECT_EQ(Gcm({"call", "hall/crier/Voice.Sing", "\"low\""}).out, "\"low\"\n");
 }
 
-TEST_F(CallTest, JsonMayComeFromStandardInput) {
+TEST_F(CallTest, ReadsJsonFromStandardInput) {
   const std::string words = std::string("call ") + kRepeat + " --json -";
   const Outcome outcome =
       RunProgram({"/bin/sh", "-c",
@@ -50,7 +50,7 @@ TEST_F(CallTest, JsonMayComeFromStandardInput) {
   EXPECT_THAT(outcome.out, HasSubstr("\"tone\": \"low\""));
 }
 
-TEST_F(CallTest, WordsThatFitNoFieldAreRefusedBeforeTheCall) {
+TEST_F(CallTest, RejectsWordsThatMatchNoFieldBeforeTheCall) {
   ExpectUsage({"call", kRepeat, "hi"}, "tone is missing: hall.Saying has text, tone, loud");
   ExpectUsage({"call", kRepeat, "hi", "high", "true", "7"}, "'7' is one word too many");
   ExpectUsage({"call", kRepeat, "hi", "tune=high"}, "no field 'tune'; did you mean 'tone'?");
@@ -62,14 +62,14 @@ TEST_F(CallTest, WordsThatFitNoFieldAreRefusedBeforeTheCall) {
 }
 
 /// Brackets and a sign in front are of the word, not of the command line.
-TEST_F(CallTest, ATextIsWhatIsTyped) {
+TEST_F(CallTest, PassesTextFieldsUnchanged) {
   for (const std::string text : {"[abc]", "[a, b]", "[1,2]", "-inf", "hi ", " hi", "[abc] "}) {
     EXPECT_EQ(Gcm({"call", kRepeat, text, "high", "true"}).out,
               "{\"text\":\"" + text + "\",\"tone\":\"high\",\"loud\":true}\n");
   }
 }
 
-TEST_F(CallTest, TheShellTakesThemToo) {
+TEST_F(CallTest, TheShellAcceptsArgumentWords) {
   const Outcome outcome =
       RunProgram({"/bin/sh", "-c",
                   std::string(R"(printf 'call )") + kRepeat + R"( text="hi" low loud=true' | )" +

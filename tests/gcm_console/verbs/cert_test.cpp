@@ -48,7 +48,7 @@ class CertTest : public testing::Test {
   const std::string robot = out + "/robot.crt";
 };
 
-TEST_F(CertTest, MakesACaAndACertificateThatIsGood) {
+TEST_F(CertTest, CreatesACaAndAValidCertificate) {
   const Outcome made = Cert({"init"});
   EXPECT_EQ(made.exit_code, program::kOk) << made.err;
   EXPECT_THAT(made.out, testing::StartsWith("CA in " + ca.string() + ", valid until 20"));
@@ -62,7 +62,7 @@ TEST_F(CertTest, MakesACaAndACertificateThatIsGood) {
   EXPECT_THAT(checked.out, HasSubstr("key\t" + out + "/anna.key\n"));
 }
 
-TEST_F(CertTest, ADryRunSaysWhatWouldBeMadeAndMakesNothing) {
+TEST_F(CertTest, ADryRunListsFilesAndCreatesNone) {
   EXPECT_EQ(Cert({"init", "--dry-run"}).out, "CA would be made in " + ca.string() + "\n");
   EXPECT_EQ(json::parse(Cert({"init", "--dry-run", "--json"}).out)["dry_run"], true);
   EXPECT_FALSE(fs::exists(ca));
@@ -88,7 +88,7 @@ TEST_F(CertTest, ADryRunSaysWhatWouldBeMadeAndMakesNothing) {
   ExpectRefused({"revoke", "anna", "--dry-run"}, program::kRefused, "already revoked");
 }
 
-TEST_F(CertTest, SaysItInJson) {
+TEST_F(CertTest, PrintsJson) {
   const json made = json::parse(Cert({"init", "--json"}).out);
   EXPECT_EQ(made["schema"], 1);
   EXPECT_EQ(made["folder"], ca.string());
@@ -110,7 +110,7 @@ TEST_F(CertTest, SaysItInJson) {
   EXPECT_EQ(revoked["list"], (ca / "crl.pem").string());
 }
 
-TEST_F(CertTest, WarnsOfOneThatExpiresSoon) {
+TEST_F(CertTest, WarnsOfACertificateThatExpiresSoon) {
   Must({"init"});
   Must({"issue", "guest", "--role", "viewer", "--days", "3", "--out", out});
 
@@ -121,7 +121,7 @@ TEST_F(CertTest, WarnsOfOneThatExpiresSoon) {
   EXPECT_THAT(checked.err, HasSubstr("issue another with gcm cert issue"));
 }
 
-TEST_F(CertTest, RefusesARevokedOne) {
+TEST_F(CertTest, RejectsARevokedCertificate) {
   MakeRobot();
   const Outcome revoked = Cert({"revoke", "robot"});
   EXPECT_EQ(revoked.exit_code, program::kOk) << revoked.err;
@@ -133,7 +133,7 @@ TEST_F(CertTest, RefusesARevokedOne) {
   ExpectRefused({"revoke", "robbi"}, program::kNotFound, "no certificate to 'robbi'");
 }
 
-TEST_F(CertTest, ChecksWithACopyOfWhatIsPublic) {
+TEST_F(CertTest, ChecksWithThePublicFilesOnly) {
   MakeRobot();
   const fs::path copy = home.path() / "copy";
   fs::create_directory(copy);
@@ -146,7 +146,7 @@ TEST_F(CertTest, ChecksWithACopyOfWhatIsPublic) {
                 program::kNotFound, "ca.key");
 }
 
-TEST_F(CertTest, RefusesAKeyThatOthersCanRead) {
+TEST_F(CertTest, RejectsAKeyFileReadableByOthers) {
   MakeRobot();
   fs::permissions(out + "/robot.key", fs::perms(0644));
 
@@ -154,7 +154,7 @@ TEST_F(CertTest, RefusesAKeyThatOthersCanRead) {
                 "can be read by others (mode 0644): chmod 600 " + out + "/robot.key");
 }
 
-TEST_F(CertTest, SaysWhatIsWrongWithACommandLine) {
+TEST_F(CertTest, ExplainsCommandLineMistakes) {
   ExpectRefused({}, program::kUsage, "a verb is missing; gcm cert --help tells more");
   ExpectRefused({"isue"}, program::kUsage,
                 "no verb 'isue'; did you mean 'issue'? gcm cert --help lists them");
@@ -230,7 +230,7 @@ class CertOracleTest : public CertTest {
   }
 };
 
-TEST_F(CertOracleTest, OpensslVerifiesWhatWeIssue) {
+TEST_F(CertOracleTest, OpensslVerifiesIssuedCertificates) {
   Must({"issue", "anna", "--role", "viewer", "--out", out});
 
   EXPECT_EQ(Verify(robot, "sslserver").exit_code, 0) << Verify(robot, "sslserver").err;
@@ -239,7 +239,7 @@ TEST_F(CertOracleTest, OpensslVerifiesWhatWeIssue) {
   EXPECT_NE(Verify(out + "/anna.crt", "sslserver").exit_code, 0);
 }
 
-TEST_F(CertOracleTest, OpensslReadsTheSameInIt) {
+TEST_F(CertOracleTest, OpensslReadsTheSameFields) {
   const Outcome text = OpenSsl({"x509", "-in", robot, "-noout", "-subject", "-serial", "-ext",
                                 "subjectAltName", "-nameopt", "RFC2253"});
 
@@ -249,7 +249,7 @@ TEST_F(CertOracleTest, OpensslReadsTheSameInIt) {
   EXPECT_THAT(text.out, HasSubstr("serial=" + checked["serial"].get<std::string>()));
 }
 
-TEST_F(CertOracleTest, OpensslFindsTheRevokedOneInOurList) {
+TEST_F(CertOracleTest, OpensslSeesTheRevocation) {
   Must({"revoke", "robot"});
 
   const Outcome verified = Verify(robot, "sslclient");
@@ -258,7 +258,7 @@ TEST_F(CertOracleTest, OpensslFindsTheRevokedOneInOurList) {
   EXPECT_THAT(verified.err, HasSubstr("certificate revoked"));
 }
 
-TEST_F(CertOracleTest, ACertificateThatOpensslMadeWithTheCasKeyIsGoodWithOneRoleAlone) {
+TEST_F(CertOracleTest, AcceptsOpensslCertificatesWithExactlyOneRole) {
   Make("/O=Tendon/OU=operator/CN=eve");
   Must({"check", out + "/made.crt"});
 
@@ -273,7 +273,7 @@ TEST_F(CertOracleTest, ACertificateThatOpensslMadeWithTheCasKeyIsGoodWithOneRole
   ExpectRefused({"check", out + "/made.crt"}, program::kDenied, "certificate name 'e ve' has ' '");
 }
 
-TEST_F(CertOracleTest, ACertificateThatSignedItselfIsRefused) {
+TEST_F(CertOracleTest, RejectsASelfSignedCertificate) {
   const std::string made = out + "/made.crt";
   ASSERT_EQ(OpenSsl({"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", out + "/made.key",
                      "-subj", "/CN=robot/OU=operator", "-out", made})

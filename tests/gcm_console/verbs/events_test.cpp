@@ -109,7 +109,7 @@ class EventsTest : public SystemFixture {
   std::unique_ptr<Program> hall;
 };
 
-TEST_F(EventsTest, PrintsThoseOfAnInterfaceAsTheyAreRaised) {
+TEST_F(EventsTest, PrintsEventsOfAnInterfaceAsTheyAreRaised) {
   const auto events = Listen({"hall/crier/Voice", "--count", "4"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 
@@ -127,7 +127,7 @@ TEST_F(EventsTest, PrintsThoseOfAnInterfaceAsTheyAreRaised) {
   EXPECT_THAT(events->err(), HasSubstr("gcm: 4 events, 0 lost\n"));
 }
 
-TEST_F(EventsTest, PatternsChooseAndAViewerMayListen) {
+TEST_F(EventsTest, PatternsSelectEventsAndViewersMayListen) {
   const auto one = Listen({"hall/crier/Voice.Fell", "--count", "1", "--json", "--read-only"});
   const auto some = Listen({"**.Cri*", "--count", "1", "--jsonl"});
   ASSERT_TRUE(EventuallyListens(*one)) << one->err();
@@ -148,7 +148,7 @@ TEST_F(EventsTest, PatternsChooseAndAViewerMayListen) {
   EXPECT_EQ(cried["value"], 1);
 }
 
-TEST_F(EventsTest, TheTimeIsWhenItWasRaisedHoweverLateItArrives) {
+TEST_F(EventsTest, PrintsTheTimeOfRaisingEvenForLateEvents) {
   const auto late = Listen({"hall/crier/Voice.Fell", "--count", "1", "--json"});
   ASSERT_TRUE(EventuallyListens(*late)) << late->err();
   const auto shell = OpenShell();
@@ -177,7 +177,7 @@ TEST_F(EventsTest, TheTimeIsWhenItWasRaisedHoweverLateItArrives) {
   EXPECT_EQ(MisfitOf(fell, schema), "");
 }
 
-TEST_F(EventsTest, EndsWithASummaryWhenItIsInterrupted) {
+TEST_F(EventsTest, PrintsASummaryWhenInterrupted) {
   const auto events = Listen({"hall/crier/*"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
   Call("Fall");
@@ -189,7 +189,7 @@ TEST_F(EventsTest, EndsWithASummaryWhenItIsInterrupted) {
   EXPECT_THAT(events->err(), HasSubstr("gcm: 1 event, 0 lost\n"));
 }
 
-TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
+TEST_F(EventsTest, AResumedListenerReportsItsPauseAndReconnects) {
   if (!ClosesSilentLinks()) GTEST_SKIP() << "this build is without Ice: a stop costs no link";
   Program events({Binary("gcm"), "--gcm", address, "--timeout", "1s", "events", "hall/**"});
   ASSERT_TRUE(EventuallyListens(events)) << events.err();
@@ -210,7 +210,7 @@ TEST_F(EventsTest, OneThatWasStoppedSaysThatItWasAwayAndThatTheGcmIsThere) {
   EXPECT_EQ(events.Wait(), program::kInterrupted);
 }
 
-TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
+TEST_F(EventsTest, ReportsTheLossAndReturnOfTheGcm) {
   const auto events = Listen({"hall/crier/Voice"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 
@@ -226,13 +226,13 @@ TEST_F(EventsTest, AGcmThatEndedAndIsBackIsSaidToBeBoth) {
   EXPECT_EQ(events->Wait(), program::kInterrupted);
 }
 
-TEST_F(EventsTest, ForEndsItToo) {
+TEST_F(EventsTest, ForLimitsTheDuration) {
   const auto events = Listen({"hall/crier/Voice", "--for", "1ms"});
   EXPECT_EQ(events->Wait(), program::kOk) << events->err();
   EXPECT_THAT(events->err(), HasSubstr("gcm: 0 events, 0 lost\n"));
 }
 
-TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {
+TEST_F(EventsTest, CountsEventsLostToAFullQueue) {
   constexpr int kTimes = 5000;
   const auto events = Listen({"hall/crier/Voice"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
@@ -250,7 +250,7 @@ TEST_F(EventsTest, WhatFindsNoRoomIsCounted) {
                                        std::to_string(lost()) + " lost\n"));
 }
 
-TEST_F(EventsTest, OneThatIsStoppedHoldsUpNobodyAndKnowsWhatItHasMissed) {
+TEST_F(EventsTest, AStoppedListenerDelaysNoOtherAndCountsItsLosses) {
   constexpr int kTimes = 5000;
   constexpr int kCries = 5;
   const auto stopped = Listen({"hall/crier/Voice.Cried"});
@@ -273,7 +273,7 @@ TEST_F(EventsTest, OneThatIsStoppedHoldsUpNobodyAndKnowsWhatItHasMissed) {
   EXPECT_TRUE(EventuallyTrue([&] { return known() == kCries * kTimes; })) << known();
 }
 
-TEST_F(EventsTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
+TEST_F(EventsTest, ContinuesAfterARestartOfGcmAndProcess) {
   const auto events = Listen({"hall/crier/Voice"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
   const auto raised = [&](std::size_t times) {
@@ -302,7 +302,7 @@ TEST_F(EventsTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
   EXPECT_EQ(events->Wait(), program::kInterrupted);
 }
 
-TEST_F(EventsTest, NoReconnectEndsItInstead) {
+TEST_F(EventsTest, NoReconnectEndsWhenTheProcessIsLost) {
   const auto events = Listen({"hall/crier/Voice", "--no-reconnect"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 
@@ -312,7 +312,7 @@ TEST_F(EventsTest, NoReconnectEndsItInstead) {
   EXPECT_THAT(events->err(), HasSubstr("gcm: process 'hall' was lost"));
 }
 
-TEST_F(EventsTest, NoReconnectTellsThatTheGcmIsGoneByItsExitCode) {
+TEST_F(EventsTest, NoReconnectExitsAsUnreachableWhenTheGcmIsLost) {
   const auto events = Listen({"hall/crier/Voice", "--no-reconnect"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 
@@ -325,7 +325,7 @@ TEST_F(EventsTest, NoReconnectTellsThatTheGcmIsGoneByItsExitCode) {
   EXPECT_TRUE(tells(lines.back())) << events->err();
 }
 
-TEST_F(EventsTest, AComponentThatComesLaterIsHeard) {
+TEST_F(EventsTest, ListensToComponentsCreatedLater) {
   const auto events = Listen({"hall/*/Voice"});
   ASSERT_TRUE(EventuallyListens(*events)) << events->err();
 

@@ -87,7 +87,7 @@ class FloodTest : public SystemFixture {
   int reader = -1;
 };
 
-TEST_F(FloodTest, AViewerWhoseOutputNobodyReadsHasABound) {
+TEST_F(FloodTest, AViewerWithBlockedOutputUsesBoundedMemory) {
   const auto watch = Begin("--json watch room/camera/state.Image");
   ASSERT_TRUE(EventuallyTrue([&] { return !ReadSome().empty(); })) << watch->err();
 
@@ -99,7 +99,7 @@ TEST_F(FloodTest, AViewerWhoseOutputNobodyReadsHasABound) {
   EXPECT_THAT(watch->err(), ContainsRegex("gcm: [0-9]+ rows?, [1-9][0-9]* lost \\("));
 }
 
-TEST_F(FloodTest, SigtermEndsAViewerThatIsStuck) {
+TEST_F(FloodTest, SigtermEndsAViewerWithBlockedOutput) {
   const auto watch = Begin("watch room/camera/state.Image");
   ASSERT_TRUE(EventuallyTrue([&] { return !ReadSome().empty(); })) << watch->err();
   ASSERT_TRUE(EventuallyMoreRows(3));
@@ -109,7 +109,7 @@ TEST_F(FloodTest, SigtermEndsAViewerThatIsStuck) {
   EXPECT_EQ(watch->Wait(), program::kInterrupted);
 }
 
-TEST_F(FloodTest, WhatALateViewerHasMissedIsARecordOfItsOwnAndAddsUp) {
+TEST_F(FloodTest, LostRowsAreSeparateRecordsAndAddUp) {
   const auto watch = Begin("--json watch room/camera/state.Image --count 8");
   std::string all;
   ASSERT_TRUE(EventuallyTrue([&] {
@@ -153,7 +153,7 @@ TEST_F(FloodTest, WhatALateViewerHasMissedIsARecordOfItsOwnAndAddsUp) {
   EXPECT_THAT(watch->err(), HasSubstr("gcm: 8 rows, " + std::to_string(lost) + " lost"));
 }
 
-TEST_F(FloodTest, ThatItLosesRowsIsSaidBesideAsItGoesOn) {
+TEST_F(FloodTest, ReportsLostRowsOnStandardErrorWhileRunning) {
   const auto watch = Begin("watch room/camera/state.Image");
   ASSERT_TRUE(EventuallyTrue([&] { return !ReadSome().empty(); })) << watch->err();
   ASSERT_TRUE(EventuallyMoreRows(30));
@@ -168,7 +168,7 @@ TEST_F(FloodTest, ThatItLosesRowsIsSaidBesideAsItGoesOn) {
   EXPECT_EQ(watch->Wait(), program::kInterrupted);
 }
 
-TEST_F(FloodTest, WhoWantsTheNewestAloneLosesNothing) {
+TEST_F(FloodTest, LatestCountsNoLosses) {
   const auto watch = Begin("--json watch room/camera/state.Image --latest");
   ASSERT_TRUE(EventuallyTrue([&] { return !ReadSome().empty(); })) << watch->err();
   ASSERT_TRUE(EventuallyMoreRows(kMoreThanFits));

@@ -69,7 +69,7 @@ class HealthTest : public SystemFixture {
   std::unique_ptr<Program> idle;
 };
 
-TEST_F(HealthTest, WhoWorksMoreUsesMore) {
+TEST_F(HealthTest, ABusyProcessReportsMoreCpuThanAnIdleOne) {
   ASSERT_TRUE(EventuallyTells("busy")) << busy->err().substr(0, 1000);
   ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
 
@@ -88,7 +88,7 @@ TEST_F(HealthTest, WhoWorksMoreUsesMore) {
   EXPECT_GE(working["age_s"], 0.0);
 }
 
-TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
+TEST_F(HealthTest, EachVerbThatShowsProcessesShowsHealth) {
   ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
 
   EXPECT_TRUE(EventuallySays({"ls", "-l"}, "idle\tprocess\t\talive\tcpu "));
@@ -111,7 +111,7 @@ TEST_F(HealthTest, IsShownByEachVerbThatShowsProcesses) {
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
 }
 
-TEST_F(HealthTest, WhoHasLeftIsNoFaultAndWhoIsLostIsOne) {
+TEST_F(HealthTest, ALostProcessIsAFaultAndALeftOneIsNot) {
   ASSERT_TRUE(EventuallySays({"ls"}, "idle\talive"));
 
   idle->Signal(SIGTERM);
@@ -123,7 +123,7 @@ TEST_F(HealthTest, WhoHasLeftIsNoFaultAndWhoIsLostIsOne) {
   EXPECT_TRUE(EventuallyMatches({"doctor"}, "BAD  process idle +lost: "));
 }
 
-TEST_F(HealthTest, OfWhoIsGoneNothingIsTold) {
+TEST_F(HealthTest, ALostProcessHasNoHealth) {
   ASSERT_TRUE(EventuallyTells("idle")) << idle->err();
 
   idle->Signal(SIGKILL);
@@ -133,7 +133,7 @@ TEST_F(HealthTest, OfWhoIsGoneNothingIsTold) {
   EXPECT_THAT(Gcm({"show", "idle"}).out, HasSubstr("cpu\t-\nmemory\t-\nclock\t-\n"));
 }
 
-TEST(HealthText, SaysWhatIsKnown) {
+TEST(HealthText, ShowsDashesForUnknownValues) {
   using tendon::message::ProcessHealth;
   const ProcessHealth known{.cpu = 1.254,
                             .memory = 35'750'000,
@@ -151,7 +151,7 @@ TEST(HealthText, SaysWhatIsKnown) {
   }
 }
 
-TEST(HealthText, IsOfAProcessThatIsAliveAndHasToldLately) {
+TEST(HealthText, FindsOnlyRecentHealthOfALiveProcess) {
   using tendon::ProcessState;
   tendon::message::SystemHealth system{{{.process = "robot", .instance = 7}}};
   tendon::ProcessDescription robot{.name = "robot", .instance = 7};

@@ -34,7 +34,7 @@ class LifeVerbsTest : public SystemFixture {
   std::unique_ptr<Program> robot;
 };
 
-TEST_F(LifeVerbsTest, AComponentIsLoadedMadeStartedStoppedAndRemoved) {
+TEST_F(LifeVerbsTest, VerbsDriveAComponentThroughItsLifecycle) {
   EXPECT_EQ(Gcm({"load", "simulated_arm"}).out, "robot simulated_arm\tloaded\n");
   EXPECT_THAT(Gcm({"classes"}).out,
               HasSubstr("SimulatedArm\tsimulated_arm\tarm.ArmConfiguration\t"));
@@ -54,7 +54,7 @@ TEST_F(LifeVerbsTest, AComponentIsLoadedMadeStartedStoppedAndRemoved) {
   EXPECT_THAT(Gcm({"tree"}).out, testing::Not(HasSubstr("arm")));
 }
 
-TEST_F(LifeVerbsTest, AGlobIsForAllThatHaveAUseForIt) {
+TEST_F(LifeVerbsTest, AGlobSkipsComponentsInOtherStates) {
   Create({"one", "two", "three"});
   ASSERT_EQ(Gcm({"start", "robot/one"}).exit_code, program::kOk);
 
@@ -68,7 +68,7 @@ TEST_F(LifeVerbsTest, AGlobIsForAllThatHaveAUseForIt) {
   EXPECT_EQ(Gcm({"rm", "**"}).exit_code, program::kNotFound);
 }
 
-TEST_F(LifeVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
+TEST_F(LifeVerbsTest, ADryRunReportsChangesAndMakesNone) {
   Create({"one", "two"});
   ASSERT_EQ(Gcm({"start", "robot/one"}).exit_code, program::kOk);
 
@@ -84,7 +84,7 @@ TEST_F(LifeVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
   EXPECT_THAT(Gcm({"ls", "robot"}).out, HasSubstr("one\tactive"));
 }
 
-TEST_F(LifeVerbsTest, WhatIsDoneInPartHasACodeOfItsOwn) {
+TEST_F(LifeVerbsTest, APartialSuccessHasItsOwnExitCode) {
   Create({"one", "two"});
   ASSERT_EQ(Gcm({"start", "robot/one"}).exit_code, program::kOk);
 
@@ -98,7 +98,7 @@ TEST_F(LifeVerbsTest, WhatIsDoneInPartHasACodeOfItsOwn) {
   EXPECT_THAT(results[1]["reason"], HasSubstr("there is nothing to stop"));
 }
 
-TEST_F(LifeVerbsTest, APersonAtATerminalIsAskedBeforeAGlobChangesSeveral) {
+TEST_F(LifeVerbsTest, AsksForConfirmationAtATerminalBeforeAGlob) {
   Create({"one", "two"});
   const auto type = [this](const std::string& words, const std::string& answer) {
     const std::string gcm_words =
@@ -118,7 +118,7 @@ TEST_F(LifeVerbsTest, APersonAtATerminalIsAskedBeforeAGlobChangesSeveral) {
   EXPECT_THAT(Gcm({"ls", "robot"}).out, testing::Not(HasSubstr("active")));
 }
 
-TEST_F(LifeVerbsTest, WhatIsWrongIsSaidInASentence) {
+TEST_F(LifeVerbsTest, ExplainsMistakes) {
   const std::string file = (home.path() / "arm.json").string();
   std::ofstream(file) << R"({"nois": 0.5})";
 
@@ -142,7 +142,7 @@ TEST_F(LifeVerbsTest, WhatIsWrongIsSaidInASentence) {
             "gcm: there are several processes: name one of desk, robot\n");
 }
 
-TEST_F(LifeVerbsTest, AConfigurationComesFromARegularFileOrNotAtAll) {
+TEST_F(LifeVerbsTest, ReadsAConfigurationOnlyFromARegularFile) {
   Create({"one"});
   const std::string pipe = (home.path() / "pipe.json").string();
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // nobody writes to it: who opens it waits for ever
@@ -162,7 +162,7 @@ TEST_F(LifeVerbsTest, AConfigurationComesFromARegularFileOrNotAtAll) {
   }
 }
 
-TEST_F(LifeVerbsTest, UndoTakesStepsBackAcrossARestartOfTheGcm) {
+TEST_F(LifeVerbsTest, UndoWorksAfterARestartOfTheGcm) {
   Create({"one"});
   ASSERT_EQ(Gcm({"start", "robot/one"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"rm", "robot/one"}).exit_code, program::kOk);

@@ -26,7 +26,7 @@ class LogTest : public SystemFixture {
   }
 };
 
-TEST_F(LogTest, ShowsWhatTheProcessesHaveLogged) {
+TEST_F(LogTest, ShowsTheLogOfAllProcesses) {
   const auto robot = StartLcm("robot", demo);
   ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\trobot\truns 2 components")) << robot->err();
   ASSERT_TRUE(EventuallySays({"log"}, "\tinfo\tgcm\tprocess 'robot' is available"));
@@ -83,7 +83,7 @@ TEST_F(LogTest, FollowsWhileProcessesAndGcmsComeAndGo) {
   EXPECT_EQ(follow->Wait(), program::kInterrupted);
 }
 
-TEST_F(LogTest, SurvivesOneThatSaysAHundredThousandLinesASecond) {
+TEST_F(LogTest, SurvivesALogFlood) {
   const auto chatter = StartOne("hall", "chatterbox", "Chatterbox", "chatterbox");
   ASSERT_TRUE(EventuallySays({"log", "--from", "hall/chatterbox"}, "suppressed "))
       << chatter->err().substr(0, 1000);
@@ -97,7 +97,7 @@ TEST_F(LogTest, SurvivesOneThatSaysAHundredThousandLinesASecond) {
   EXPECT_TRUE(EventuallySays({"ls"}, "hall\talive"));
 }
 
-TEST_F(LogTest, LevelsAreSetFromAfar) {
+TEST_F(LogTest, SetsLogLevelsRemotely) {
   const auto chatter = StartOne("hall", "chatterbox", "Chatterbox", "chatterbox");
   const Program::Words log = {"log", "--from", "hall/chatterbox"};
   ASSERT_TRUE(EventuallySays(log, "another thing"));
@@ -117,7 +117,7 @@ TEST_F(LogTest, LevelsAreSetFromAfar) {
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm(log).out != silent; }));
 }
 
-TEST_F(LogTest, RefusalsSayWhatToDo) {
+TEST_F(LogTest, ExplainsRefusals) {
   const auto robot = StartLcm("robot", demo);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive"));
 

@@ -31,7 +31,7 @@ TEST(ExpiryText, HasFourDigitsInMillisecondsBelowASecond) {
 
 using LookTest = DemoFixture;
 
-TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
+TEST_F(LookTest, StatusShowsProcessesConnectionsAndProblems) {
   const Outcome well = Gcm({"status"});
   EXPECT_EQ(well.exit_code, program::kOk);
   EXPECT_THAT(well.out, HasSubstr("process\trobot\talive\tcomponents: 2 active\n"));
@@ -54,7 +54,7 @@ TEST_F(LookTest, StatusIsOneScreenOfWhatThereIsAndWhatIsWrong) {
                              "desk/supervisor/Robot is pending for "));
 }
 
-TEST_F(LookTest, AComponentThatLacksWhatItNeedsIsSaidToWait) {
+TEST_F(LookTest, AComponentWithAnUnconnectedInterfaceIsShownAsWaiting) {
   const std::string path = "desk/teleoperation";
   EXPECT_THAT(Gcm({"ls", "desk"}).out,
               HasSubstr("teleoperation\tactive\tTeleoperation\t0.02\twaiting for Robot\n"));
@@ -79,7 +79,7 @@ TEST_F(LookTest, AComponentThatLacksWhatItNeedsIsSaidToWait) {
             json::parse(R"([{"required": "Robot", "reason": "not connected"}])"));
 }
 
-TEST_F(LookTest, AComponentWhosePeerIsGoneWaitsWithTheReason) {
+TEST_F(LookTest, AComponentWithALostPeerIsShownAsWaitingWithAReason) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
 
@@ -87,7 +87,7 @@ TEST_F(LookTest, AComponentWhosePeerIsGoneWaitsWithTheReason) {
   EXPECT_THAT(Gcm({"doctor"}).out, HasSubstr("fix: gcm explain desk/supervisor/Robot"));
 }
 
-TEST_F(LookTest, NobodyWaitsOnceAllIsConnected) {
+TEST_F(LookTest, NoComponentWaitsWhenAllAreConnected) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code,
             program::kOk);
 
@@ -96,7 +96,7 @@ TEST_F(LookTest, NobodyWaitsOnceAllIsConnected) {
   EXPECT_EQ(Gcm({"doctor"}).exit_code, program::kOk);
 }
 
-TEST_F(LookTest, StatusAsksAProcessAboutSomeConnectionsAndKnowsTheOthersByTheGcm) {
+TEST_F(LookTest, StatusLimitsItsQueriesToOneProcess) {
   const auto is_told = [](const std::string& out) {
     std::size_t count = 0;
     for (std::size_t at = 0; (at = out.find(" is pending for ", at)) != out.npos; ++at) ++count;
@@ -119,12 +119,12 @@ TEST_F(LookTest, StatusAsksAProcessAboutSomeConnectionsAndKnowsTheOthersByTheGcm
   EXPECT_TRUE(EventuallyTrue(asks_no_more));
 }
 
-TEST_F(LookTest, APipeIsColouredWhereThatIsWanted) {
+TEST_F(LookTest, ColorAlwaysColoursAPipe) {
   EXPECT_THAT(Gcm({"--color", "always", "ls"}).out, HasSubstr("robot\t\x1b[32malive\x1b[0m\t"));
   EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\talive\t"));
 }
 
-TEST_F(LookTest, FindsByPartPatternTypeStateAndHost) {
+TEST_F(LookTest, FindsByNamePatternTypeStateAndHost) {
   EXPECT_THAT(Gcm({"find", "joints"}).out, HasSubstr("robot/arm/state.Joints\tcolumn\t"));
   EXPECT_EQ(Gcm({"find", "robot/*/Control.Stop"}).out, "robot/arm/Control.Stop\tcommand\t\t\t\n");
   EXPECT_THAT(Gcm({"find", "type:arm.JointGoal"}).out,
@@ -141,7 +141,7 @@ TEST_F(LookTest, FindsByPartPatternTypeStateAndHost) {
   EXPECT_THAT(unknown.err, HasSubstr("there is no 'tipe:'; did you mean 'type'?"));
 }
 
-TEST_F(LookTest, ListsDeeperLongerAndOfSomeKindsOnly) {
+TEST_F(LookTest, ListsRecursivelyInDetailAndByKind) {
   const std::string deep = Gcm({"ls", "-R", "robot"}).out;
   EXPECT_THAT(deep, HasSubstr("robot/arm\tcomponent\tSimulatedArm\tactive\t\n"));
   EXPECT_THAT(deep, HasSubstr("robot/arm/Control.MoveTo\tcommand\tarm.JointGoal\t\t\n"));
@@ -161,7 +161,7 @@ TEST_F(LookTest, ListsDeeperLongerAndOfSomeKindsOnly) {
   EXPECT_GT(count, 2);
 }
 
-TEST_F(LookTest, TheGraphIsTextOrForGraphviz) {
+TEST_F(LookTest, GraphPrintsTextDotOrJson) {
   EXPECT_THAT(Gcm({"graph"}).out, HasSubstr("desk/supervisor\n  Robot  -> robot/arm/Control\n"));
   const std::string dot = Gcm({"graph", "--dot"}).out;
   EXPECT_THAT(dot, StartsWith("digraph system {\n"));
@@ -169,7 +169,7 @@ TEST_F(LookTest, TheGraphIsTextOrForGraphviz) {
   EXPECT_EQ(json::parse(Gcm({"graph", "--json"}).out)["connections"][0]["state"], "active");
 }
 
-TEST_F(LookTest, TheRateOfATableIsMeasuredByItsOwnClock) {
+TEST_F(LookTest, HzMeasuresTheRateByTheTablesClock) {
   const Outcome measured = Gcm({"--json", "hz", "robot/arm/state", "--count", "2"});
 
   ASSERT_EQ(measured.exit_code, program::kOk) << measured.err;
@@ -185,7 +185,7 @@ TEST_F(LookTest, TheRateOfATableIsMeasuredByItsOwnClock) {
   EXPECT_FALSE(std::getline(lines, line));
 }
 
-TEST_F(LookTest, ATerminalGetsTitlesAndColoursUnlessTheyAreNotWanted) {
+TEST_F(LookTest, ATerminalGetsTitlesAndColoursUnlessDisabled) {
   const auto shown = [&](const std::string& words, const std::string& end,
                          const std::map<std::string, std::string>& environment = {}) {
     Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words,
@@ -206,7 +206,7 @@ TEST_F(LookTest, ATerminalGetsTitlesAndColoursUnlessTheyAreNotWanted) {
   }
 }
 
-TEST_F(LookTest, OfACommandItShowsWhatGoesInAndHowItIsCalled) {
+TEST_F(LookTest, ShowPrintsTheArgumentAndAnExampleCall) {
   const Outcome shown = Gcm({"show", "robot/arm/Control.MoveTo"});
 
   EXPECT_EQ(shown.exit_code, program::kOk) << shown.err;
@@ -221,7 +221,7 @@ TEST_F(LookTest, OfACommandItShowsWhatGoesInAndHowItIsCalled) {
   EXPECT_EQ(called.exit_code, program::kOk) << called.err << argument;
 }
 
-TEST_F(LookTest, OfATaskItShowsHowItKeepsItsTime) {
+TEST_F(LookTest, ShowPrintsTheTimingOfATask) {
   std::string shown;
   ASSERT_TRUE(EventuallyTrue([&] {
     shown = Gcm({"show", "robot/arm"}).out;
@@ -234,11 +234,11 @@ TEST_F(LookTest, OfATaskItShowsHowItKeepsItsTime) {
   EXPECT_THAT(Gcm({"show", "robot"}).out, testing::Not(HasSubstr("rate\t")));
 }
 
-TEST_F(LookTest, VerboseSaysWhomItAsks) {
+TEST_F(LookTest, VerboseNamesTheGcmItAsks) {
   EXPECT_THAT(Gcm({"-v", "ls"}).err, StartsWith("gcm: GCM at " + address + " answered within "));
 }
 
-TEST_F(LookTest, SmallMistakesGetSentencesThatHelp) {
+TEST_F(LookTest, ExplainsCommonMistakes) {
   EXPECT_EQ(Gcm({"connect", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
             "gcm: robot/arm/Control is a provided interface, but the required interface comes "
             "first; run: "

@@ -87,7 +87,7 @@ class PluginAgeTest : public SystemFixture {
   std::unique_ptr<Program> robot;
 };
 
-TEST_F(PluginAgeTest, AnOverwrittenFileChangesNothingOfWhatRuns) {
+TEST_F(PluginAgeTest, OverwritingAPluginDoesNotChangeRunningCode) {
   StartOld();
 
   OverwriteInPlace();
@@ -101,7 +101,7 @@ TEST_F(PluginAgeTest, AnOverwrittenFileChangesNothingOfWhatRuns) {
   EXPECT_EQ(robot->Wait(std::chrono::seconds(0)), std::nullopt);
 }
 
-TEST_F(PluginAgeTest, EachVerbTellsThatTheFileWasWrittenAgain) {
+TEST_F(PluginAgeTest, EachVerbWarnsOfARewrittenPluginFile) {
   StartOld();
   const std::string of = file.string() + " of 20";
   const std::string old = "gcm: process 'robot' runs " + of;
@@ -134,7 +134,7 @@ TEST_F(PluginAgeTest, EachVerbTellsThatTheFileWasWrittenAgain) {
   EXPECT_THAT(status.err, HasSubstr("see gcm doctor"));
 }
 
-TEST_F(PluginAgeTest, DoctorTellsItAlsoOfAProcessThatItCannotReach) {
+TEST_F(PluginAgeTest, DoctorWarnsAlsoForAnUnreachableProcess) {
   StartRobot({"--advertise", "127.0.0.1:9"});
   ASSERT_EQ(Create("old").exit_code, program::kOk);
   OverwriteInPlace();
@@ -148,7 +148,7 @@ TEST_F(PluginAgeTest, DoctorTellsItAlsoOfAProcessThatItCannotReach) {
                                 HasSubstr("fix: restart the process to use it")));
 }
 
-TEST_F(PluginAgeTest, WhatAnOrderHasSeenFirstIsShownToo) {
+TEST_F(PluginAgeTest, ShowReportsAChangeThatAnotherVerbFound) {
   StartOld();
   OverwriteInPlace();
 
@@ -157,7 +157,7 @@ TEST_F(PluginAgeTest, WhatAnOrderHasSeenFirstIsShownToo) {
   EXPECT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
 }
 
-TEST_F(PluginAgeTest, DocumentsTellItToo) {
+TEST_F(PluginAgeTest, JsonReportsAChangedPlugin) {
   StartOld();
   Replace();
   ASSERT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
@@ -173,7 +173,7 @@ TEST_F(PluginAgeTest, DocumentsTellItToo) {
   EXPECT_NE(shown["process"]["plugins"][0]["written_now"], "");
 }
 
-TEST_F(PluginAgeTest, APlanJudgesByWhatTheProcessWouldRun) {
+TEST_F(PluginAgeTest, APlanChecksTheLoadedCodeNotTheFile) {
   StartOld();
   Replace();
   const auto write = [&](const std::string& class_name) {
@@ -201,7 +201,7 @@ TEST_F(PluginAgeTest, APlanJudgesByWhatTheProcessWouldRun) {
   EXPECT_EQ(RowsOf("new", 1), 200U);
 }
 
-TEST_F(PluginAgeTest, AFileOfTheSameBytesIsTheSame) {
+TEST_F(PluginAgeTest, AFileWithTheSameBytesIsUnchanged) {
   StartOld();
   fs::copy_file(kBuilt / "1" / "ageing.so", folder / "next");
   fs::rename(folder / "next", file);
@@ -210,7 +210,7 @@ TEST_F(PluginAgeTest, AFileOfTheSameBytesIsTheSame) {
   EXPECT_THAT(Gcm({"status"}).err, HasSubstr("all is well"));
 }
 
-TEST_F(PluginAgeTest, AFileThatIsGoneIsTold) {
+TEST_F(PluginAgeTest, ReportsAMissingPluginFile) {
   StartOld();
   fs::remove(file);
 
@@ -221,7 +221,7 @@ TEST_F(PluginAgeTest, AFileThatIsGoneIsTold) {
   EXPECT_THAT(Gcm({"load", "ageing"}).err, Not(HasSubstr("gone")));
 }
 
-TEST_F(PluginAgeTest, AProcessThatIsStartedAnewRunsTheNewCode) {
+TEST_F(PluginAgeTest, ARestartedProcessRunsTheNewCode) {
   StartOld();
   Replace();
   robot->Signal(SIGTERM);
@@ -279,7 +279,7 @@ class PluginCopyTest : public PluginAgeTest {
   std::map<std::string, std::string> environment;
 };
 
-TEST_F(PluginCopyTest, RunsUnderItsOwnNameAndGoesWithItsProcess) {
+TEST_F(PluginCopyTest, TheCopyKeepsItsNameAndEndsWithTheProcess) {
   StartRobot();
   ASSERT_EQ(Copies().size(), 1U);
   EXPECT_EQ(Copies()[0].filename(), "ageing.so");
@@ -291,7 +291,7 @@ TEST_F(PluginCopyTest, RunsUnderItsOwnNameAndGoesWithItsProcess) {
   EXPECT_TRUE(fs::is_empty(copies));
 }
 
-TEST_F(PluginCopyTest, OfAKilledProcessGoesWithTheNext) {
+TEST_F(PluginCopyTest, TheNextProcessRemovesTheCopyOfAKilledOne) {
   StartRobot();
   const fs::path left = Copies().at(0);
   robot->Signal(SIGKILL);
@@ -304,7 +304,7 @@ TEST_F(PluginCopyTest, OfAKilledProcessGoesWithTheNext) {
   EXPECT_EQ(Copies().size(), 1U);
 }
 
-TEST_F(PluginCopyTest, IsInMemoryWhereThereIsNoFolderForIt) {
+TEST_F(PluginCopyTest, TheCopyIsInMemoryIfItsFolderCannotBeMade) {
   std::ofstream(copies) << "somebody's file";
   StartRobot();
   EXPECT_THAT(Maps(), AllOf(HasSubstr("memfd:ageing.so"), Not(HasSubstr(file.string()))));

@@ -69,7 +69,7 @@ TEST_P(RandomUndoTest, FiftyChangesAndFiftyUndosGiveTheFirstState) {
   EXPECT_TRUE(EventuallyTrue([&] { return Hash() == before; })) << Gcm({"tree"}).out;
 }
 
-TEST_F(UndoneSystemTest, ADisconnectFromWhatWasRemovedBeforeIsPendingAgain) {
+TEST_F(UndoneSystemTest, UndoingADisconnectFromARemovedComponentIsPending) {
   const std::string before = Hash();
   Must({"rm", "robot/arm"});
   ASSERT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "pending"));
@@ -83,7 +83,7 @@ TEST_F(UndoneSystemTest, ADisconnectFromWhatWasRemovedBeforeIsPendingAgain) {
   EXPECT_TRUE(EventuallyTrue([&] { return Hash() == before; })) << Gcm({"tree"}).out;
 }
 
-TEST_F(UndoneSystemTest, ARestartOfWhatRestsIsAStartThatCanBeTakenBack) {
+TEST_F(UndoneSystemTest, RestartingASuspendedComponentCanBeUndone) {
   Must({"suspend", "robot/host_monitor"});
   const std::string suspended = Hash();
   Must({"restart", "robot/host_monitor"});

@@ -45,7 +45,7 @@ class SavedSystemTest : public DemoFixture {
   }
 };
 
-TEST_F(SavedSystemTest, SavesWhatRunsAndFindsNoDifference) {
+TEST_F(SavedSystemTest, DiffFindsNoDifferenceAfterASave) {
   const Outcome saved = Gcm({"save", InHome("saved.json")});
 
   EXPECT_EQ(saved.exit_code, program::kOk) << saved.err;
@@ -59,7 +59,7 @@ TEST_F(SavedSystemTest, SavesWhatRunsAndFindsNoDifference) {
   EXPECT_EQ(file["processes"][1]["components"][0]["class"], "SimulatedArm");
 }
 
-TEST_F(SavedSystemTest, ASaveKeepsWhatTheFileAloneKnowsAndOverwritesNothingElse) {
+TEST_F(SavedSystemTest, ASaveKeepsExtraFieldsAndOverwritesNoOtherFile) {
   home.Write("lab.json", R"({"version": 1, "name": "lab", "comment": "of the lab", "processes": [
       {"name": "robot", "components": [{"name": "arm", "class": null}]}],
       "layout": {"robot/arm": [1, 2]}})");
@@ -78,7 +78,7 @@ TEST_F(SavedSystemTest, ASaveKeepsWhatTheFileAloneKnowsAndOverwritesNothingElse)
   EXPECT_EQ(home.Read("notes.txt"), "buy milk");
 }
 
-TEST_F(SavedSystemTest, ASaveKeepsProcessesThatAreNotThereAndSaysSo) {
+TEST_F(SavedSystemTest, ASaveKeepsLostProcessesWithAWarning) {
   const std::string file = Saved();
   std::filesystem::permissions(
       file, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
@@ -100,7 +100,7 @@ TEST_F(SavedSystemTest, ASaveKeepsProcessesThatAreNotThereAndSaysSo) {
   EXPECT_EQ(json::parse(Gcm({"save", file, "--json"}).out)["kept"].size(), 1U);
 }
 
-TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
+TEST_F(SavedSystemTest, AFailedApplyReportsTheRemainingSteps) {
   const std::string file = Saved();
   json wanted = json::parse(home.Read("saved.json"));
   wanted["processes"][1]["components"].push_back(
@@ -128,7 +128,7 @@ TEST_F(SavedSystemTest, AStepThatFailsIsSaidWithWhatIsLeft) {
             "not tried, because this failed: create robot/extra (Conter of legacy_arm)");
 }
 
-TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
+TEST_F(SavedSystemTest, ApplyRestoresConnectionsAndIsIdempotent) {
   const std::string file = Saved();
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
 
@@ -154,7 +154,7 @@ TEST_F(SavedSystemTest, AnApplyBringsConnectionsBackAndASecondOneDoesNothing) {
   EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);
 }
 
-TEST_F(SavedSystemTest, AnInterruptComesBetweenTwoSteps) {
+TEST_F(SavedSystemTest, AnInterruptStopsApplyBetweenTwoSteps) {
   constexpr int kMany = 200;
   json components = json::array();
   for (int i = 0; i < kMany; ++i) {
@@ -175,7 +175,7 @@ TEST_F(SavedSystemTest, AnInterruptComesBetweenTwoSteps) {
   EXPECT_THAT(apply.err(), HasSubstr(" 0 failed, "));
 }
 
-TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKilled) {
+TEST_F(SavedSystemTest, ApplyRestoresTheSystemAfterAllProcessesWereKilled) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
   const std::string file = Saved();
   const std::string before = Gcm({"tree"}).out;
@@ -206,7 +206,7 @@ TEST_F(SavedSystemTest, AllIsTheSameAgainInEmptyProcessesAfterEverythingWasKille
   EXPECT_EQ(ContentHash(), hash);
 }
 
-TEST_F(SavedSystemTest, AnApplySaysHowToTakeItBack) {
+TEST_F(SavedSystemTest, ApplyPrintsItsUndoCommand) {
   const std::string before = Gcm({"tree"}).out;
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
   ASSERT_EQ(Gcm({"stop", "robot/host_monitor"}).exit_code, 0);
@@ -224,7 +224,7 @@ TEST_F(SavedSystemTest, AnApplySaysHowToTakeItBack) {
   EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err, testing::Not(HasSubstr("undo it with")));
 }
 
-TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
+TEST_F(SavedSystemTest, RemovingARunningComponentNeedsConfirmation) {
   const std::string file = Saved();
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
 
@@ -242,7 +242,7 @@ TEST_F(SavedSystemTest, WhatRunsIsTakenAwayOnlyByWhoSaysYes) {
   ExpectSaysNothing({"diff", file});
 }
 
-TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {
+TEST_F(SavedSystemTest, ApplyReportsMissingProcessesAndNeedsKeepGoing) {
   const std::string file = Saved();
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   robot->Signal(SIGKILL);
@@ -262,7 +262,7 @@ TEST_F(SavedSystemTest, SaysWhatIsToBeStartedAndDoesTheRestOnlyWhenTold) {
   EXPECT_THAT(Gcm({"show", "desk/supervisor/Robot"}).out, HasSubstr("pending"));
 }
 
-TEST_F(SavedSystemTest, ThreadsAndWhatRunsAfterThemAreSavedAndRestored) {
+TEST_F(SavedSystemTest, ThreadOptionsAndRunsAfterAreSavedAndRestored) {
   const std::string file = Saved();
   json wanted = json::parse(home.Read("saved.json"));
   json& desk_parts = wanted["processes"][0]["components"];
@@ -291,7 +291,7 @@ TEST_F(SavedSystemTest, ThreadsAndWhatRunsAfterThemAreSavedAndRestored) {
   ExpectSaysNothing({"diff", file});
 }
 
-TEST_F(SavedSystemTest, JsonSaysTheSame) {
+TEST_F(SavedSystemTest, JsonMatchesTheText) {
   const std::string file = Saved();
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
 
@@ -308,7 +308,7 @@ TEST_F(SavedSystemTest, JsonSaysTheSame) {
   EXPECT_EQ(json::parse(Gcm({"save", file, "--json"}).out)["components"], 5);
 }
 
-TEST_F(SavedSystemTest, APlanEndsWithTheCodeOfWhatIsInItsWay) {
+TEST_F(SavedSystemTest, APlanExitsWithTheCodeOfItsObstacle) {
   json wanted =
       json::parse(Gcm({"save", InHome("ends.json")}).exit_code == 0 ? home.Read("ends.json")
                                                                     : std::string("{}"));
@@ -333,7 +333,7 @@ TEST_F(SavedSystemTest, APlanEndsWithTheCodeOfWhatIsInItsWay) {
   EXPECT_EQ(Gcm({"plan", InHome("both.json")}).exit_code, program::kRefused);
 }
 
-TEST_F(SavedSystemTest, ABadFileIsRefusedWithItsPlace) {
+TEST_F(SavedSystemTest, RejectsABadFileWithLineAndColumn) {
   home.Write("bad.json", R"({"version": 1, "name": "x", "processes": [{"name": "a",
  "components": [{"name": "b", "class": "C", "preiod": 1}]}]})");
   home.Write("future.json", R"({"version": 99})");
@@ -350,7 +350,7 @@ TEST_F(SavedSystemTest, ABadFileIsRefusedWithItsPlace) {
   }
 }
 
-TEST_F(SavedSystemTest, WhatAProcessCouldNotMakeIsSaidBeforeAnythingIsStoppedForIt) {
+TEST_F(SavedSystemTest, APlanFindsImpossibleComponentsBeforeStoppingAnything) {
   const std::string before = ContentHash();
   std::ifstream saved(Saved());
   const json good = json::parse(saved);
@@ -400,7 +400,7 @@ TEST_F(SavedSystemTest, ImportsAFileOfTheReferenceSystem) {
   EXPECT_EQ(json::parse(home.Read("new.json")), file);
 }
 
-TEST_F(SavedSystemTest, UndoTakesSeveralStepsBackAndHistoryTellsOfThem) {
+TEST_F(SavedSystemTest, UndoRevertsSeveralStepsAndHistoryListsThem) {
   const std::string teleoperation = "desk/teleoperation/Robot";
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"connect", teleoperation, "robot/arm/Control"}).exit_code, program::kOk);
@@ -427,7 +427,7 @@ TEST_F(SavedSystemTest, UndoTakesSeveralStepsBackAndHistoryTellsOfThem) {
   EXPECT_EQ(Gcm({"undo"}).err, "gcm: there is nothing to undo\n");
 }
 
-TEST_F(SavedSystemTest, StepsOfAnEarlierRunAreSaidAndPassedOver) {
+TEST_F(SavedSystemTest, UndoSkipsStepsOfAnEarlierRun) {
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   desk->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\tlost"));

@@ -44,7 +44,7 @@ class SetVerbTest : public SystemFixture {
   std::unique_ptr<Program> robot;
 };
 
-TEST_F(SetVerbTest, OneParameterIsChangedAndTheOthersStayAsTheyWereTold) {
+TEST_F(SetVerbTest, SetChangesOneParameterAndKeepsTheOthers) {
   EXPECT_EQ(Set({"bandwidth", "40"}).out, "robot/arm bandwidth\tset from 50 to 40\n");
   EXPECT_EQ(Told(), json::parse(R"({"noise": 0.001, "bandwidth": 40})"));
 
@@ -61,7 +61,7 @@ TEST_F(SetVerbTest, OneParameterIsChangedAndTheOthersStayAsTheyWereTold) {
   EXPECT_EQ(Told(), json::parse(R"({"noise": 0.001})"));
 }
 
-TEST_F(SetVerbTest, ANumberIsTheSameInEveryLanguageOfTheShell) {
+TEST_F(SetVerbTest, ReadsNumbersAlikeInAllLocales) {
   tendon::test::Locales locales;
   for (const std::string& name : tendon::test::Locales::Names()) {
     ASSERT_TRUE(locales.Use(name)) << "localedef did not make " << name;
@@ -93,7 +93,7 @@ TEST_F(SetVerbTest, ADryRunChecksEverythingAndChangesNothing) {
   EXPECT_EQ(Set({"noise", "loud", "--dry-run"}).exit_code, program::kUsage);
 }
 
-TEST_F(SetVerbTest, AnActiveComponentKeepsItsParametersAndSaysWhatToDo) {
+TEST_F(SetVerbTest, RefusesToConfigureAnActiveComponent) {
   ASSERT_EQ(Gcm({"start", "robot/arm"}).exit_code, program::kOk);
   const std::string refusal =
       "gcm: component 'arm' is active; stop it first to configure it again: gcm stop robot/arm\n";
@@ -108,7 +108,7 @@ TEST_F(SetVerbTest, AnActiveComponentKeepsItsParametersAndSaysWhatToDo) {
   EXPECT_EQ(Set({"noise", "0"}).exit_code, program::kOk);
 }
 
-TEST_F(SetVerbTest, WithoutAValueItTellsWhatThereIs) {
+TEST_F(SetVerbTest, ListsParametersWithoutAValue) {
   EXPECT_THAT(Set({}).out, HasSubstr("noise\t0.001\tfloat64\trad\t"));
   EXPECT_THAT(Set({}).out, HasSubstr("bandwidth\t50\tfloat64\trad/s\t"));
   EXPECT_EQ(Set({"noise"}).out,
@@ -122,7 +122,7 @@ TEST_F(SetVerbTest, WithoutAValueItTellsWhatThereIs) {
   EXPECT_EQ(told["parameters"].size(), 7U);
 }
 
-TEST_F(SetVerbTest, EachMistakeHasASentence) {
+TEST_F(SetVerbTest, ExplainsEachMistake) {
   struct Mistake {
     Program::Words words;
     std::string sentence;
@@ -157,7 +157,7 @@ TEST_F(SetVerbTest, EachMistakeHasASentence) {
   EXPECT_EQ(Gcm({"set", "robot/arm", "noise", "0", "--read-only"}).exit_code, program::kDenied);
 }
 
-TEST_F(SetVerbTest, OfManyAtOnceNoneLosesWhatAnotherHasSet) {
+TEST_F(SetVerbTest, ConcurrentSetsDoNotOverwriteEachOther) {
   std::vector<std::unique_ptr<Program>> persons;
   const std::vector<std::string> parameters{"bandwidth", "noise", "home[1]", "home[2]"};
   for (const std::string& parameter : parameters) {
@@ -187,7 +187,7 @@ TEST_F(SetVerbTest, OfManyAtOnceNoneLosesWhatAnotherHasSet) {
   EXPECT_GE(done, 1);
 }
 
-TEST_F(SetVerbTest, TheNamesOfParametersAreCompleted) {
+TEST_F(SetVerbTest, CompletesParameterNames) {
   const auto complete = [this](const std::string& word) {
     return RunProgram({Binary("gcm"), "complete", "--gcm", address, "set", "robot/arm", word}).out;
   };

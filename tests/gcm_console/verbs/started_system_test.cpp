@@ -75,7 +75,7 @@ class StartedSystemTest : public SystemFixture {
   }
 };
 
-TEST_F(StartedSystemTest, ANewFileSaysWhomTheGcmHasStarted) {
+TEST_F(StartedSystemTest, SaveRecordsProcessesThatTheGcmStarted) {
   Apply();
   const auto other =
       std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", "spare", "--gcm", address});
@@ -92,7 +92,7 @@ TEST_F(StartedSystemTest, ANewFileSaysWhomTheGcmHasStarted) {
   EXPECT_FALSE(saved["processes"][2].contains("start")) << "spare";
 }
 
-TEST_F(StartedSystemTest, AnApplyBringsAWholeSystemUpFromNothing) {
+TEST_F(StartedSystemTest, ApplyStartsAWholeSystem) {
   const Outcome planned = Gcm({"plan", File()});
   EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;
   EXPECT_EQ(planned.out,
@@ -121,7 +121,7 @@ TEST_F(StartedSystemTest, AnApplyBringsAWholeSystemUpFromNothing) {
   EXPECT_EQ(saved["processes"][1]["start"], (json{{"restart", "on-failure"}}));
 }
 
-TEST_F(StartedSystemTest, AProcessThatIsKilledComesBackAsItWas) {
+TEST_F(StartedSystemTest, AKilledProcessRestartsWithItsState) {
   Apply();
   ASSERT_EQ(Gcm({"start", "robot/ticks"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
@@ -137,7 +137,7 @@ TEST_F(StartedSystemTest, AProcessThatIsKilledComesBackAsItWas) {
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; })) << Gcm({"tree"}).out;
 }
 
-TEST_F(StartedSystemTest, AProcessThatIsToRestartNeverStaysEnded) {
+TEST_F(StartedSystemTest, AProcessWithRestartNeverIsNotRestarted) {
   Apply();
 
   Kill("desk");
@@ -147,7 +147,7 @@ TEST_F(StartedSystemTest, AProcessThatIsToRestartNeverStaysEnded) {
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
 }
 
-TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
+TEST_F(StartedSystemTest, KillEndsAProcessForGood) {
   Apply();
   EXPECT_EQ(Gcm({"kill", "robot", "--dry-run"}).out, "robot\twould be ended\n");
 
@@ -169,7 +169,7 @@ TEST_F(StartedSystemTest, AProcessThatIsToldToEndStaysEnded) {
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
 }
 
-TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
+TEST_F(StartedSystemTest, KillAndForgetByGlobNeedConfirmation) {
   Apply();
   const auto type = [this](const std::string& words, const std::string& answer) {
     const std::string line =
@@ -195,7 +195,7 @@ TEST_F(StartedSystemTest, AGlobEndsAndForgetsProcessesOnceAPersonHasAgreed) {
   EXPECT_EQ(Gcm({"ls"}).out, "");
 }
 
-TEST_F(StartedSystemTest, AGlobEndsOneThatHangsToo) {
+TEST_F(StartedSystemTest, KillByGlobEndsAHangingProcess) {
   Apply();
   Kill("robot", SIGSTOP);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
@@ -208,7 +208,7 @@ TEST_F(StartedSystemTest, AGlobEndsOneThatHangsToo) {
   EXPECT_EQ(Gcm({"forget", "robot"}).out, "robot\tforgotten\n");
 }
 
-TEST_F(StartedSystemTest, WhatTheGcmHasStartedRunsOnWithoutIt) {
+TEST_F(StartedSystemTest, StartedProcessesOutliveTheGcm) {
   Apply();
   const int robot = PidOf("robot");
   gcm->Signal(SIGTERM);
@@ -226,7 +226,7 @@ TEST_F(StartedSystemTest, WhatTheGcmHasStartedRunsOnWithoutIt) {
   EXPECT_THAT(refused.err, HasSubstr("by: kill " + std::to_string(robot)));
 }
 
-TEST_F(StartedSystemTest, UndoTakesAllBackUpToTheProcess) {
+TEST_F(StartedSystemTest, UndoRevertsAnApplyIncludingItsProcess) {
   json file = json::parse(home.Read("lab.json"));
   file["processes"].erase(1);
   file["connections"] = json::array();
@@ -242,7 +242,7 @@ TEST_F(StartedSystemTest, UndoTakesAllBackUpToTheProcess) {
   EXPECT_THAT(Gcm({"ls"}).out, HasSubstr("robot\tleft"));
 }
 
-TEST_F(StartedSystemTest, AProcessThatCannotBeStartedIsSaidWithItsLog) {
+TEST_F(StartedSystemTest, AFailedProcessStartNamesItsLog) {
   const auto other = std::make_unique<Program>(
       Program::Words{Binary("lcm"), "--name", "desk", "--gcm", address, "--timeout", kPatience});
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive"));

@@ -47,7 +47,7 @@ class StrictStartTest : public SystemFixture {
   std::unique_ptr<Program> desk;
 };
 
-TEST_F(StrictStartTest, AStartRefusesByNameWhereItIsAskedTo) {
+TEST_F(StrictStartTest, StrictStartNamesTheUnconnectedInterface) {
   StartEmpty();
   ASSERT_EQ(Gcm({"apply", File("", "constructed")}).exit_code, program::kOk);
   const std::string reason =
@@ -71,7 +71,7 @@ TEST_F(StrictStartTest, AStartRefusesByNameWhereItIsAskedTo) {
   EXPECT_EQ(Gcm({"start", "**", "--strict"}).exit_code, program::kOk);
 }
 
-TEST_F(StrictStartTest, APlanOfAStrictFileRefusesBeforeAnythingIsTouched) {
+TEST_F(StrictStartTest, APlanOfAStrictFileRefusesBeforeAnyChange) {
   StartEmpty();
   ASSERT_EQ(Gcm({"apply", File("", "constructed")}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"stop", "robot/arm"}).exit_code, program::kOk);
@@ -90,7 +90,7 @@ TEST_F(StrictStartTest, APlanOfAStrictFileRefusesBeforeAnythingIsTouched) {
   EXPECT_THAT(Gcm({"ls", "desk"}).out, HasSubstr("teleoperation\tactive\t"));
 }
 
-TEST_F(StrictStartTest, AProcessRefusesWhatThePlanCouldNotKnow) {
+TEST_F(StrictStartTest, AProcessRefusesAStrictStartThatThePlanAllowed) {
   StartEmpty();
 
   const Outcome applied = Gcm({"apply", File(R"("strict": true, )")});
@@ -102,7 +102,7 @@ TEST_F(StrictStartTest, AProcessRefusesWhatThePlanCouldNotKnow) {
   EXPECT_THAT(Gcm({"ls", "desk"}).out, HasSubstr("teleoperation\tconstructed\t"));
 }
 
-TEST_F(StrictStartTest, AnLcmKeepsToItsStrictFile) {
+TEST_F(StrictStartTest, AnLcmObeysItsStrictFile) {
   const std::string file = File(R"("strict": true, )");
   desk = StartLcm("desk", file);
   ASSERT_TRUE(EventuallyTrue([this] {
@@ -135,7 +135,7 @@ TEST_F(StrictStartTest, ASavedFileStaysStrict) {
   EXPECT_THAT(home.Read("system.json"), HasSubstr("\"strict\": true"));
 }
 
-TEST_F(StrictStartTest, AMistakeInTheFlagIsToldWithItsPlace) {
+TEST_F(StrictStartTest, ReportsABadStrictFlagWithItsPlace) {
   const Outcome refused = Gcm({"plan", File(R"("strict": "yes", )")});
 
   EXPECT_EQ(refused.exit_code, program::kUsage);

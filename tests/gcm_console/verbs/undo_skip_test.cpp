@@ -15,7 +15,7 @@ using testing::HasSubstr;
 /// `gcm undo` where the newest step cannot be taken back.
 class UndoSkipTest : public DemoFixture {};
 
-TEST_F(UndoSkipTest, EachSkipPassesOverOneStepOnly) {
+TEST_F(UndoSkipTest, EachSkipSkipsOneStep) {
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code, 0);
   ASSERT_EQ(Gcm({"disconnect", "desk/teleoperation/Robot"}).exit_code, program::kOk);
@@ -41,7 +41,7 @@ TEST_F(UndoSkipTest, EachSkipPassesOverOneStepOnly) {
   EXPECT_EQ(steps[0]["passed_over"], false);
 }
 
-TEST_F(UndoSkipTest, ADryRunSaysWhatWouldBePassedOverAndWhatUndone) {
+TEST_F(UndoSkipTest, ADryRunListsSkippedAndUndoneSteps) {
   ASSERT_EQ(Gcm({"stop", "robot/host_monitor"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
   desk->Signal(SIGKILL);

@@ -29,7 +29,7 @@ class UnhealthyTest : public SystemFixture {
   std::unique_ptr<Program> street;
 };
 
-TEST_F(UnhealthyTest, ItIsSaidWhatIsWrongUntilItIsNot) {
+TEST_F(UnhealthyTest, ReportsAFullMailboxUntilItRecovers) {
   Outcome ill;
   ASSERT_TRUE(EventuallyTrue([&] {
     ill = Gcm({"explain", kDesk});

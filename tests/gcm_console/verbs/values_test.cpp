@@ -95,7 +95,7 @@ TEST_F(ValuesTest, FloatsReadBackAsTheSameBits) {
   }
 }
 
-TEST_F(ValuesTest, WhatIsNoNumberHasOneForm) {
+TEST_F(ValuesTest, NanAndInfinityHaveOneForm) {
   EXPECT_EQ(Get("Edges.none"), "\"nan\"");
   EXPECT_EQ(Get("Edges.endless"), "\"-inf\"");
   const Outcome watched =
@@ -125,7 +125,7 @@ TEST_F(ValuesTest, StatesHaveTheirNamesInEveryRow) {
   EXPECT_THAT(modes, ElementsAre("fault", "idle", "moving"));
 }
 
-TEST_F(ValuesTest, WhatIsWrittenArrivesExactly) {
+TEST_F(ValuesTest, WritesIntegersExactly) {
   constexpr const char* kCount = "18446744073708503039";  // odd, and far beyond 2^53
   const Outcome called = Gcm({"call", "track/odometer/Control.SetCount", kCount});
   ASSERT_EQ(called.exit_code, program::kOk) << called.err;
@@ -135,7 +135,7 @@ TEST_F(ValuesTest, WhatIsWrittenArrivesExactly) {
   EXPECT_LT(count() - std::stoull(kCount), 1U << 20U);
 }
 
-TEST_F(ValuesTest, APlotNamesStatesAndSaysCountersWhole) {
+TEST_F(ValuesTest, APlotNamesStatesAndPrintsWholeCounters) {
   const Outcome plotted = Gcm({"plot", table + "Mode", table + "Ready", table + "Count",
                                table + "Edges.none", "--window", "2s", "--for", "3s"});
   ASSERT_EQ(plotted.exit_code, program::kOk) << plotted.err;

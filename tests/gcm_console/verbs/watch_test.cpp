@@ -49,7 +49,7 @@ class WatchTest : public SystemFixture {
   std::unique_ptr<Program> robot;
 };
 
-TEST_F(WatchTest, AStoppedOneMissesNoRowThatItDoesNotKnowOf) {
+TEST_F(WatchTest, AStoppedWatchCountsEveryLostRow) {
   // A thousand rows a second.
   const char* const rows_meanwhile =
       std::getenv("TENDON_FULL_FAULTS") == nullptr ? "5000" : "60000";
@@ -75,7 +75,7 @@ TEST_F(WatchTest, AStoppedOneMissesNoRowThatItDoesNotKnowOf) {
   EXPECT_EQ(printed + lost, LastTick(watch.out()) - FirstTick(watch.out()) + 1) << watch.err();
 }
 
-TEST_F(WatchTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
+TEST_F(WatchTest, ContinuesAfterARestartOfGcmAndProcess) {
   const auto watch = Watch();
   ASSERT_TRUE(GoesOn(*watch)) << watch->err();
 
@@ -98,7 +98,7 @@ TEST_F(WatchTest, GoesOnWhenTheGcmAndTheProcessWereStartedAnew) {
   EXPECT_EQ(watch->Wait(), program::kInterrupted);
 }
 
-TEST_F(WatchTest, NoReconnectEndsItWithTheGcm) {
+TEST_F(WatchTest, NoReconnectEndsWhenTheGcmIsLost) {
   const auto watch = Watch({"--no-reconnect"});
   ASSERT_TRUE(GoesOn(*watch)) << watch->err();
 
@@ -108,7 +108,7 @@ TEST_F(WatchTest, NoReconnectEndsItWithTheGcm) {
   EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows?, .*\ngcm: no GCM at "));
 }
 
-TEST_F(WatchTest, NoReconnectEndsItWithTheProcess) {
+TEST_F(WatchTest, NoReconnectEndsWhenTheProcessIsLost) {
   const auto watch = Watch({"--no-reconnect"});
   ASSERT_TRUE(GoesOn(*watch)) << watch->err();
 
@@ -118,7 +118,7 @@ TEST_F(WatchTest, NoReconnectEndsItWithTheProcess) {
   EXPECT_THAT(watch->err(), testing::ContainsRegex("gcm: [0-9]+ rows?, .*\ngcm: process 'robot'"));
 }
 
-TEST_F(WatchTest, ValuesOfASuspendedComponentAreToldAsOldUntilItRunsAgain) {
+TEST_F(WatchTest, MarksValuesOfASuspendedComponentAsOld) {
   const auto watch = Watch();
   ASSERT_TRUE(GoesOn(*watch)) << watch->err();
   EXPECT_EQ(Gcm({"get", column}).err, "");

@@ -16,7 +16,7 @@ class WireVerbsTest : public DemoFixture {};
 
 constexpr const char* kTeleoperation = "desk/teleoperation/Robot";
 
-TEST_F(WireVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
+TEST_F(WireVerbsTest, ADryRunReportsChangesAndMakesNone) {
   const Outcome connected = Gcm({"connect", kTeleoperation, "robot/arm/Control", "--dry-run"});
   EXPECT_EQ(connected.exit_code, program::kOk) << connected.err;
   EXPECT_EQ(connected.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
@@ -36,7 +36,7 @@ TEST_F(WireVerbsTest, ADryRunSaysWhatWouldBeAndDoesNothing) {
   EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));
 }
 
-TEST_F(WireVerbsTest, ADryRunSaysInWhatTheEndsDiffer) {
+TEST_F(WireVerbsTest, ADryRunReportsTheTypeDifference) {
   // The types are not waited for long: on a machine that stands still they may come too late.
   EXPECT_TRUE(EventuallyTrue([&] {
     const Outcome dry = Gcm({"connect", kTeleoperation, "desk/old_arm/Control", "--dry-run"});
@@ -44,7 +44,7 @@ TEST_F(WireVerbsTest, ADryRunSaysInWhatTheEndsDiffer) {
   }));
 }
 
-TEST_F(WireVerbsTest, AMatchConnectsWhatIsFreeWithWhatFits) {
+TEST_F(WireVerbsTest, MatchConnectsFreeCompatibleInterfaces) {
   const Outcome dry = Gcm({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
   EXPECT_EQ(dry.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
 
@@ -59,7 +59,7 @@ TEST_F(WireVerbsTest, AMatchConnectsWhatIsFreeWithWhatFits) {
   EXPECT_EQ(again.err, "gcm: all interfaces that 'desk/**' matches are connected\n");
 }
 
-TEST_F(WireVerbsTest, WhatCannotBeMatchedIsSaidAndTheRestIsDone) {
+TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   for (const std::string name : {"second", "third"}) {
     ASSERT_EQ(Gcm({"create", "SimulatedArm", name, "--in", "robot"}).exit_code, program::kOk);
   }
@@ -84,7 +84,7 @@ TEST_F(WireVerbsTest, WhatCannotBeMatchedIsSaidAndTheRestIsDone) {
             program::kUsage);
 }
 
-TEST_F(WireVerbsTest, AConnectionIsEndedByItsNumber) {
+TEST_F(WireVerbsTest, DisconnectsByConnectionNumber) {
   const json made =
       json::parse(Gcm({"--json", "connect", kTeleoperation, "robot/arm/Control"}).out);
   const std::string number = made["id"].dump();
@@ -97,7 +97,7 @@ TEST_F(WireVerbsTest, AConnectionIsEndedByItsNumber) {
   EXPECT_EQ(Gcm({"disconnect", "robot/" + number}).exit_code, program::kNotFound);
 }
 
-TEST_F(WireVerbsTest, ShowTellsHowAConnectionDoes) {
+TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "round trip\t"));
   const std::string shown = Gcm({"show", "desk/supervisor/Robot"}).out;
   EXPECT_THAT(shown, HasSubstr("stands for\t"));
