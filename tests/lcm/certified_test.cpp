@@ -56,7 +56,7 @@ class CertifiedPrograms : public SystemFixture {
   const std::map<std::string, std::string> environment_{{"XDG_STATE_HOME", home.path().string()}};
 };
 
-TEST_F(CertifiedPrograms, AnOperatorActsAndAViewerLooks) {
+TEST_F(CertifiedPrograms, AnOperatorMayCallAndAViewerMayNot) {
   const auto robot = Start("lcm", "robot", {"--name", "robot", "--system", demo});
   const Words stop{"call", "robot/arm/Control.Stop"};
   ASSERT_TRUE(EventuallyTrue([&] { return Run("gcm", "anna", stop).exit_code == program::kOk; }))
@@ -72,7 +72,7 @@ TEST_F(CertifiedPrograms, AnOperatorActsAndAViewerLooks) {
               HasSubstr("'vera (gcm call of " + tendon::os::UserAtHost() + ")' is a viewer here"));
 }
 
-TEST_F(CertifiedPrograms, WhoPosesAsAnotherDoesNotJoin) {
+TEST_F(CertifiedPrograms, AProcessCannotJoinUnderAnotherName) {
   const Outcome outcome = Run("lcm", "anna", {"--name", "robot", "--system", demo});
 
   EXPECT_EQ(outcome.exit_code, program::kDenied);
@@ -90,7 +90,7 @@ TEST_F(CertifiedPrograms, AGcmNeedsItsOwnCertificate) {
   EXPECT_THAT(outcome.err, HasSubstr("a GCM needs the certificate of a process 'gcm'"));
 }
 
-TEST_F(CertifiedPrograms, TheEnvironmentMaySayTheSame) {
+TEST_F(CertifiedPrograms, TheEnvironmentCanNameTheCertificate) {
   auto environment = environment_;
   environment["TENDON_CERTIFICATE"] = CertificateOf("vera");
   environment["TENDON_CA"] = (home.path() / "tendon" / "ca").string();
@@ -102,7 +102,7 @@ TEST_F(CertifiedPrograms, TheEnvironmentMaySayTheSame) {
   EXPECT_EQ(elsewhere.exit_code, program::kNotFound) << elsewhere.err;
 }
 
-TEST_F(CertifiedPrograms, WhatContradictsItselfIsRefused) {
+TEST_F(CertifiedPrograms, RejectsContradictoryOptions) {
   const auto plain = [this](const Words& words) {
     Words all{Binary("gcm"), "--gcm", address};
     all.insert(all.end(), words.begin(), words.end());

@@ -56,7 +56,7 @@ class LcmTest : public SystemFixture {
   }
 };
 
-TEST_F(LcmTest, WithoutAGcmItSaysSo) {
+TEST_F(LcmTest, ReportsAMissingGcm) {
   const Outcome outcome = RunProgram(
       {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "100", "--system", demo});
 
@@ -67,7 +67,7 @@ TEST_F(LcmTest, WithoutAGcmItSaysSo) {
   EXPECT_EQ(with_unit.exit_code, program::kUnreachable) << with_unit.err;
 }
 
-TEST_F(LcmTest, SaysWhichItIsAndFailsWhereThatCannotBeWritten) {
+TEST_F(LcmTest, PrintsItsVersionAndFailsOnAFullDisk) {
   const Outcome version = RunProgram({Binary("lcm"), "--version"});
   EXPECT_EQ(version.exit_code, program::kOk);
   EXPECT_EQ(version.out, "lcm " + tendon::OwnVersion().release + "\n");
@@ -77,7 +77,7 @@ TEST_F(LcmTest, SaysWhichItIsAndFailsWhereThatCannotBeWritten) {
   EXPECT_EQ(full.err, "lcm: cannot write the output: the disk is full, or the output is closed\n");
 }
 
-TEST_F(LcmTest, ASecondProcessOfOneNameIsToldWhoHasIt) {
+TEST_F(LcmTest, ASecondProcessOfOneNameIsRefusedWithTheHolder) {
   StartGcm();
   const auto first = StartLcm("robot", demo);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << first->err();
@@ -91,7 +91,7 @@ TEST_F(LcmTest, ASecondProcessOfOneNameIsToldWhoHasIt) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\talive"));
 }
 
-TEST_F(LcmTest, AMissingPluginIsNamedAndNothingJoins) {
+TEST_F(LcmTest, AMissingPluginPreventsJoining) {
   StartGcm();
   const std::string file = Write(R"({"version": 1, "name": "x", "processes": [{"name": "robot",
     "components": [{"name": "arm", "class": "SimulatedArm", "library": "simulated_arn"}]}]})");
@@ -103,7 +103,7 @@ TEST_F(LcmTest, AMissingPluginIsNamedAndNothingJoins) {
   EXPECT_THAT(Gcm({"ls"}).out, Not(HasSubstr("robot")));
 }
 
-TEST_F(LcmTest, AMissingClassIsNamed) {
+TEST_F(LcmTest, ReportsAMissingClass) {
   StartGcm();
   const std::string file = Write(R"({"version": 1, "name": "x", "processes": [{"name": "robot",
     "components": [{"name": "arm", "class": "SimulatedArn", "library": "simulated_arm"}]}]})");
@@ -114,14 +114,14 @@ TEST_F(LcmTest, AMissingClassIsNamed) {
   EXPECT_THAT(outcome.err, HasSubstr("did you mean 'SimulatedArm'?"));
 }
 
-TEST_F(LcmTest, AProcessThatTheFileDoesNotHaveIsRefused) {
+TEST_F(LcmTest, RejectsAProcessMissingInTheFile) {
   const Outcome outcome = Refused("robt", demo);
 
   EXPECT_EQ(outcome.exit_code, program::kNotFound);
   EXPECT_THAT(outcome.err, HasSubstr("has no process 'robt'; did you mean 'robot'?"));
 }
 
-TEST_F(LcmTest, EndsWhenToldAndSaysGoodBye) {
+TEST_F(LcmTest, SigtermEndsItAndItLeaves) {
   StartGcm();
   const auto lcm = StartLcm("robot", demo);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << lcm->err();
@@ -132,7 +132,7 @@ TEST_F(LcmTest, EndsWhenToldAndSaysGoodBye) {
   EXPECT_TRUE(EventuallySays({"ls"}, "robot\tleft"));
 }
 
-TEST_F(LcmTest, EndsWhenToldWithThreadsThatSleepAsLongAsTheyMay) {
+TEST_F(LcmTest, SigtermEndsItWithLongSleepingThreads) {
   StartGcm();
   const std::string system = Write(R"({"version": 1, "name": "idle", "processes": [
       {"name": "robot", "components": [
@@ -146,7 +146,7 @@ TEST_F(LcmTest, EndsWhenToldWithThreadsThatSleepAsLongAsTheyMay) {
   EXPECT_EQ(lcm->Wait(), program::kOk) << lcm->err();
 }
 
-TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
+TEST_F(LcmTest, SigtermEndsItWhileItStartsComponents) {
   StartGcm();
   const std::string gate = (home.path() / "gate").string();
   const std::string system = Write(R"({"version": 1, "name": "slow", "processes": [
@@ -166,7 +166,7 @@ TEST_F(LcmTest, EndsWhenToldWhileItStartsItsComponents) {
   EXPECT_EQ(lcm.Wait(), program::kOk) << lcm.err();
 }
 
-TEST_F(LcmTest, EndsAtOnceWhenToldWhileItLooksForTheGcm) {
+TEST_F(LcmTest, SigtermEndsItAtOnceWhileItSeeksTheGcm) {
   const HangingServer gcm_that_hangs;
   Program lcm(
       {Binary("lcm"), "--name", "robot", "--gcm", gcm_that_hangs.address(), "--timeout", "600000"});
@@ -178,7 +178,7 @@ TEST_F(LcmTest, EndsAtOnceWhenToldWhileItLooksForTheGcm) {
   EXPECT_EQ(lcm.err(), "");
 }
 
-TEST_F(LcmTest, AGcmThatHangsIsUnreachable) {
+TEST_F(LcmTest, AHangingGcmIsUnreachable) {
   const HangingServer gcm_that_hangs;
 
   const Outcome outcome = RunProgram(
@@ -189,7 +189,7 @@ TEST_F(LcmTest, AGcmThatHangsIsUnreachable) {
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST_F(LcmTest, AKilledProcessHasItsConnectionsAgainWithoutAFalseAlarm) {
+TEST_F(LcmTest, ARestartedProcessGetsItsConnectionsBack) {
   StartGcm();
   const auto robot = StartLcm("robot", demo);
   auto desk = StartLcm("desk", demo);

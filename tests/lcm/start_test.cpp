@@ -42,7 +42,7 @@ class LcmStart : public SystemFixture {
   const fs::path folder = home.path();
 };
 
-TEST_F(LcmStart, AMistypedCommandLine) {
+TEST_F(LcmStart, RejectsAMistypedCommandLine) {
   ExpectRefused({}, program::kUsage, "--name is missing; lcm --help tells more");
   ExpectRefused({"--nam", "robot"}, program::kUsage, "no option '--nam'; did you mean '--name'?");
   ExpectRefused({"--name", "robot", "--sytem", "x"}, program::kUsage,
@@ -52,7 +52,7 @@ TEST_F(LcmStart, AMistypedCommandLine) {
   ExpectRefused({"--name", "robot", "arm"}, program::kUsage, "'arm' is one word too many");
 }
 
-TEST_F(LcmStart, ABadName) {
+TEST_F(LcmStart, RejectsABadName) {
   StartGcm();
   ExpectRefused({"--name", "ro bot"}, program::kUsage, "process name 'ro bot' has ' ' at 3");
   ExpectRefused({"--name", ""}, program::kUsage, "process name is empty");
@@ -60,7 +60,7 @@ TEST_F(LcmStart, ABadName) {
   ExpectRefused({"--name", "\x1b[2J"}, program::kUsage, "process name '\\x1b[2J' has '\\x1b' at 1");
 }
 
-TEST_F(LcmStart, AnAddressThatCannotBeListenedAt) {
+TEST_F(LcmStart, RejectsAnUnusableListenAddress) {
   StartGcm();
   const std::string taken = "127.0.0.1:" + std::to_string(FreePort());
   const Program other({Binary("gcm"), "--gcm", taken, "serve"});
@@ -79,7 +79,7 @@ TEST_F(LcmStart, AnAddressThatCannotBeListenedAt) {
                 "port '0': expected 1..65535");
 }
 
-TEST_F(LcmStart, ABadAddressOfTheGcm) {
+TEST_F(LcmStart, RejectsABadGcmAddress) {
   ExpectRefused({"--name", "robot", "--gcm", "127.0.0.1:1"}, program::kUsage, "given 2 times");
   for (const char* bad : {"127.0.0.1:abc", "127.0.0.1:0", "127.0.0.1:65536", "127.0.0.1:-1"}) {
     const Outcome outcome = RunProgram({Binary("lcm"), "--name", "robot", "--gcm", bad});
@@ -90,7 +90,7 @@ TEST_F(LcmStart, ABadAddressOfTheGcm) {
   EXPECT_EQ(away.exit_code, program::kDenied) << away.err;
 }
 
-TEST_F(LcmStart, AFileThatIsNone) {
+TEST_F(LcmStart, RejectsAMissingOrSpecialFile) {
   ExpectFileRefused(folder / "none.json", "there is no such file", program::kNotFound);
   ExpectFileRefused(folder, "is a folder, not a file");
   ASSERT_EQ(mkfifo((folder / "fifo").c_str(), 0600), 0);
@@ -101,13 +101,13 @@ TEST_F(LcmStart, AFileThatIsNone) {
   ExpectFileRefused(folder / "a", "symbolic links");
 }
 
-TEST_F(LcmStart, AFileLargerThanAnySystem) {
+TEST_F(LcmStart, RejectsAnOversizedFile) {
   std::ofstream(folder / "large.json").put('{');
   fs::resize_file(folder / "large.json", std::uintmax_t{1} << 30U);  // sparse
   ExpectFileRefused(folder / "large.json", "is larger than 16 MB");
 }
 
-TEST_F(LcmStart, AFileThatIsNoJson) {
+TEST_F(LcmStart, RejectsInvalidJson) {
   ExpectTextRefused("", "is empty");
   ExpectTextRefused("\xef\xbb\xbf{}", "begins with a byte-order mark");
   ExpectTextRefused("{\"version\": 1,\n  \"name\": ,}", "line 2, column 11: unexpected ','");
@@ -118,7 +118,7 @@ TEST_F(LcmStart, AFileThatIsNoJson) {
   ExpectTextRefused("{\"version\": 1e999}", "line 1, column");
 }
 
-TEST_F(LcmStart, AFileThatSaysSomethingElse) {
+TEST_F(LcmStart, RejectsAnInvalidSystemFile) {
   const auto with = [](const std::string& processes) {
     return R"({"version": 1, "name": "x", "processes": )" + processes + "}";
   };
@@ -138,7 +138,7 @@ TEST_F(LcmStart, AFileThatSaysSomethingElse) {
       "line 2, column 53: processes[0].components[0].library: library '../../x.so' is a path");
 }
 
-TEST_F(LcmStart, WhatTheFileSaysOfAComponentThatCannotHaveIt) {
+TEST_F(LcmStart, RejectsInvalidComponentEntries) {
   const std::string file = folder / "system.json";
   const auto with = [&](const std::string& component) {
     std::ofstream(file) << R"({"version": 1, "name": "x", "processes": [{"name": "robot",
