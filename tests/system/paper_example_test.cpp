@@ -110,7 +110,7 @@ class PaperExample : public NetworkTest {
   Client& p2_c3 = p2->Add<Client>("C3", std::vector<std::string>{"r1"});
 };
 
-TEST_P(PaperExample, MakesProxiesForTheThreeRemoteConnectionsAlone) {
+TEST_P(PaperExample, CreatesProxiesOnlyForRemoteConnections) {
   EXPECT_THAT(Describe(p1->proxies()), ElementsAre("P2/C2: provided p1 provided p2 provided p2"));
   EXPECT_THAT(Describe(p2->proxies()),
               UnorderedElementsAre("P1/C1: required r1 required r2", "P1/C2: required r1"));
@@ -118,7 +118,7 @@ TEST_P(PaperExample, MakesProxiesForTheThreeRemoteConnectionsAlone) {
   EXPECT_EQ(p2->components().size(), 2U);
 }
 
-TEST_P(PaperExample, BringsEachCallAndEachEventOnce) {
+TEST_P(PaperExample, DeliversEachCallAndEventOnce) {
   const std::vector<Port*> ports{&p1_c1.ports[0], &p1_c1.ports[1], &p1_c2.ports[0],
                                  &p2_c3.ports[0]};
   std::vector<std::uint64_t> all;
@@ -142,7 +142,7 @@ TEST_P(PaperExample, BringsEachCallAndEachEventOnce) {
   for (const Port* port : ports) EXPECT_EQ(port->heard, order);
 }
 
-TEST_P(PaperExample, LeavesNoProxyBehind) {
+TEST_P(PaperExample, DisconnectingRemovesTheProxies) {
   ASSERT_TRUE(p1->Disconnect({"P1", "C1", "r2"}).ok());
   EXPECT_THAT(Describe(p1->proxies()), ElementsAre("P2/C2: provided p1 provided p2"));
   EXPECT_TRUE(EventuallyTrue([&] {

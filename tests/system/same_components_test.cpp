@@ -64,7 +64,7 @@ Outcome WorkInOneProcess() {
 
 class SameComponents : public NetworkTest {};
 
-TEST_P(SameComponents, DoTheSameInOneProcessAndInTwo) {
+TEST_P(SameComponents, BehaveAlikeInOneProcessAndInTwo) {
   const Outcome in_one = WorkInOneProcess();
 
   const auto robot = Start("robot");

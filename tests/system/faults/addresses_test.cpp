@@ -82,7 +82,7 @@ class Addresses : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Addresses, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-TEST_P(Addresses, OneThatListensEverywhereIsReachedWhereItReachedTheGcm) {
+TEST_P(Addresses, AWildcardListenerAdvertisesItsAddressTowardsTheGcm) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({"--listen", "0.0.0.0:0"}));
   StartDesk();
 
@@ -91,7 +91,7 @@ TEST_P(Addresses, OneThatListensEverywhereIsReachedWhereItReachedTheGcm) {
   EXPECT_THAT(robot_->err(), Not(HasSubstr("start it with")));
 }
 
-TEST_P(Addresses, AHostAloneIsAdvertisedWithThePortThatTheSystemChose) {
+TEST_P(Addresses, AnAdvertisedHostGetsTheEphemeralPort) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({"--listen", "0.0.0.0:0", "--advertise", Islands::kThere}));
   StartDesk();
 
@@ -99,7 +99,7 @@ TEST_P(Addresses, AHostAloneIsAdvertisedWithThePortThatTheSystemChose) {
   EXPECT_TRUE(EventuallyExecutesMore()) << robot_->err() << desk_->err();
 }
 
-TEST_P(Addresses, OneThatOnlyItsHostReachesSaysSoAndEverybodyKnows) {
+TEST_P(Addresses, AProcessReachableOnlyLocallyIsReportedEverywhere) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({}));
   StartDesk();
   const std::string remedy = "start it with --listen 10.77.0.2:0";
@@ -116,7 +116,7 @@ TEST_P(Addresses, OneThatOnlyItsHostReachesSaysSoAndEverybodyKnows) {
       AllOf(HasSubstr("(seen from host " + tendon::os::HostName() + ")"), HasSubstr("fix: ")));
 }
 
-TEST_P(Addresses, OneThatListensOnAnotherNetworkIsWarned) {
+TEST_P(Addresses, WarnsOfListeningOnAnotherNetwork) {
   ASSERT_NO_FATAL_FAILURE(DoThere("ip addr add 10.78.0.2/24 dev v1"));
   ASSERT_NO_FATAL_FAILURE(StartRobot({"--listen", "10.78.0.2:0"}));
 
@@ -128,7 +128,7 @@ TEST_P(Addresses, OneThatListensOnAnotherNetworkIsWarned) {
 }
 
 /// The robot is all right; it is the desk's host that does not know the way.
-TEST_P(Addresses, AMissingRouteIsTheFaultOfTheHostThatHasNone) {
+TEST_P(Addresses, AMissingRouteIsBlamedOnTheRightHost) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({"--listen", "0.0.0.0:0", "--advertise", "10.99.0.1"}));
   StartDesk();
   const std::string no_route =
@@ -146,7 +146,7 @@ TEST_P(Addresses, AMissingRouteIsTheFaultOfTheHostThatHasNone) {
                     HasSubstr("fix: give host " + tendon::os::HostName() + " a route to it")));
 }
 
-TEST_P(Addresses, AGcmToWhichThereIsNoRouteIsNotToBeStarted) {
+TEST_P(Addresses, AnUnroutableGcmGivesNoAdviceToStartOne) {
   Words command = islands_.Here();
   for (const std::string& word :
        {Built("bin/gcm"), std::string("--gcm"), std::string("10.99.0.1:10705"),
@@ -161,7 +161,7 @@ TEST_P(Addresses, AGcmToWhichThereIsNoRouteIsNotToBeStarted) {
   EXPECT_THAT(listing.err, AllOf(HasSubstr("has no route to"), Not(HasSubstr("start one with"))));
 }
 
-TEST_P(Addresses, WhoOpensLinksAloneIsNotWarnedOfAnOpenDoor) {
+TEST_P(Addresses, AClientIsNotWarnedAboutInsecure) {
   EXPECT_THAT(gcm_->err(), HasSubstr("--insecure: everybody who can reach"));
 
   const Outcome listing = Ask({"ls"});
@@ -170,7 +170,7 @@ TEST_P(Addresses, WhoOpensLinksAloneIsNotWarnedOfAnOpenDoor) {
   EXPECT_THAT(listing.err, Not(HasSubstr("--insecure")));
 }
 
-TEST_P(Addresses, APairThatWaitsIsNotConnectedAlready) {
+TEST_P(Addresses, APendingPairIsNotReportedAsConnected) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({}));  // which nobody reaches
   StartDesk();
   ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "it is pending"));

@@ -44,7 +44,7 @@ class BadLine : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, BadLine, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Rows 6 and 7.
-TEST_P(BadLine, WhenItIsCutEachSideWorksOnAloneAndTheyFindTogetherAgain) {
+TEST_P(BadLine, BothSidesWorkDuringACutAndReconnect) {
   ASSERT_NO_FATAL_FAILURE(ServeHere());
   robot_ = RunLcm(islands_.There(), Islands::kThere, "robot");
   auto mate = RunLcm(islands_.There(), Islands::kThere, "mate");
@@ -76,7 +76,7 @@ TEST_P(BadLine, WhenItIsCutEachSideWorksOnAloneAndTheyFindTogetherAgain) {
 }
 
 /// Row 8. All that the robot says and hears goes over a line that is slow and loses some.
-TEST_P(BadLine, WhenItIsSlowAndLosesSomeNobodyIsTakenForLost) {
+TEST_P(BadLine, ASlowLossyLineLosesNoProcess) {
   ASSERT_NO_FATAL_FAILURE(ServeHere());
   const std::string here = Islands::kHere;
   const auto run_proxy = [&](const std::string& port, const std::string& target) {

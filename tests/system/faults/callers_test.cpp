@@ -22,7 +22,7 @@ class Callers : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Callers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 13.
-TEST_P(Callers, KilledInTheMiddleOfACallLeaveNothingBehind) {
+TEST_P(Callers, KilledCallersLeakNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   constexpr int kWarmUp = 3;
   for (int i = 0; i < kWarmUp; ++i) ASSERT_NO_FATAL_FAILURE(KillOneInACall());

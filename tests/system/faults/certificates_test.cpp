@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Certificates, testing::ValuesIn(MiddlewaresUnderT
 
 /// Row 31: what whoever comes with such a certificate says, and what the GCM
 /// says of one who does not look at his own.
-TEST_P(Certificates, ThatAreNotGoodAreRefusedAndBothSidesSayWhoAndWhy) {
+TEST_P(Certificates, BothSidesReportARejectedCertificate) {
   ASSERT_NO_FATAL_FAILURE(Serve());
   const fs::path open_key = Issue(ProcessNamed("open"));
   fs::permissions(fs::path(open_key).replace_extension(".key"), fs::perms::others_read,
@@ -177,7 +177,7 @@ TEST_P(Certificates, ThatAreNotGoodAreRefusedAndBothSidesSayWhoAndWhy) {
 }
 
 /// Row 31: without a restart.
-TEST_P(Certificates, ARenewedOneIsShownByWhoListensAndByWhoOpens) {
+TEST_P(Certificates, ARenewedCertificateIsUsedWithoutARestart) {
   ASSERT_NO_FATAL_FAILURE(Serve());
   robot_ = Run("robot", Issue(ProcessNamed("robot")));
   ASSERT_TRUE(Eventually([this] { return IsListed("robot"); })) << robot_->err();

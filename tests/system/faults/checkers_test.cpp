@@ -34,36 +34,36 @@ class CommandChecker : public testing::Test {
   const tendon::test::Folder folder_;
 };
 
-TEST_F(CommandChecker, AcceptsWhatIsHonest) {
+TEST_F(CommandChecker, AcceptsHonestResults) {
   Given("1 given\n1 done\n2 given\n2 timeout\n3 given\n3 outcome unknown\n4 given\n5 given\n");
   Executed({1, 3, 5});
 
   EXPECT_THAT(Mistakes(), IsEmpty());
 }
 
-TEST_F(CommandChecker, SeesWhatWasDoneButNotExecuted) {
+TEST_F(CommandChecker, DetectsADoneCommandThatWasNotExecuted) {
   Given("1 given\n1 done\n");
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("executed 0 times")));
 }
 
-TEST_F(CommandChecker, SeesWhatWasRefusedButExecuted) {
+TEST_F(CommandChecker, DetectsARefusedCommandThatWasExecuted) {
   Given("1 given\n1 timeout\n");
   Executed({1});
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("executed 1 times")));
 }
 
-TEST_F(CommandChecker, SeesWhatWasExecutedTwice) {
+TEST_F(CommandChecker, DetectsACommandExecutedTwice) {
   Given("1 given\n1 done\n2 given\n");
   Executed({1, 2, 2, 1});
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("executed 2"), HasSubstr("executed 2")));
 }
 
-TEST_F(CommandChecker, SeesWhatNobodyGave) {
+TEST_F(CommandChecker, DetectsACommandThatWasNeverGiven) {
   Executed({9});
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("never given")));
 }
 
-TEST_F(CommandChecker, SeesDamage) {
+TEST_F(CommandChecker, DetectsDamage) {
   Given("1 given\n1 done\n");
   folder_.Write("executed-1", "7 1 12345\n");
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("damaged")));
@@ -92,22 +92,22 @@ TEST(StreamChecker, AcceptsAnUnbrokenStream) {
   EXPECT_EQ(verdict.ledgers, 1U);
 }
 
-TEST(StreamChecker, SeesWhatIsMissing) {
+TEST(StreamChecker, DetectsMissingRows) {
   EXPECT_EQ(Judge({MakeNumbered(7, 1), MakeNumbered(7, 5)}, {0, 1}).missing, 3U);
 }
 
-TEST(StreamChecker, SeesWhatComesTwiceOrGoesBack) {
+TEST(StreamChecker, DetectsRepeatedAndReorderedRows) {
   EXPECT_EQ(Judge({MakeNumbered(7, 5), MakeNumbered(7, 5)}, {0, 1}).repeated, 1U);
   EXPECT_EQ(Judge({MakeNumbered(7, 5), MakeNumbered(7, 4)}, {0, 1}).repeated, 1U);
   EXPECT_EQ(Judge({MakeNumbered(7, 5), MakeNumbered(7, 6)}, {1, 1}).repeated, 1U);
 }
 
-TEST(StreamChecker, SeesDamageAndAnotherSource) {
+TEST(StreamChecker, DetectsDamageAndAnotherSource) {
   EXPECT_EQ(Judge({{.source = 7, .number = 1, .check = 2}}, {0}).damaged, 1U);
   EXPECT_EQ(Judge({MakeNumbered(7, 5), MakeNumbered(8, 1)}, {0, 1}).ledgers, 2U);
 }
 
-TEST(ProcessWatch, SeesANameThatTwoHoldAtATime) {
+TEST(ProcessWatch, DetectsTwoHoldersOfOneName) {
   ProcessWatch watch;
   const auto see = [&](std::uint64_t instance, tendon::ProcessState state) {
     tendon::CatalogueChange change;

@@ -54,7 +54,7 @@ class Clock : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Clock, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 21.
-TEST_P(Clock, ThatJumpsOrRunsFastDisturbsNobody) {
+TEST_P(Clock, AJumpingOrFastClockDoesNotDisturbTheSystem) {
   using std::chrono::days;
   using std::chrono::hours;
   ASSERT_NO_FATAL_FAILURE(StartSystem());

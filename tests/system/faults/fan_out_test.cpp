@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Over, FanOutTest, testing::Values("ice"), NameOfMiddlew
 
 /// Sixteen watch one stream, which the process sends once; one of them stops. The others go on,
 /// nothing grows, and the one knows what it has missed.
-TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
+TEST_P(FanOutTest, AStoppedSubscriberHarmsNoOther) {
   std::vector<std::shared_ptr<StreamChecker>> streams;
   for (int i = 0; i < 15; ++i) {
     ASSERT_NO_FATAL_FAILURE(Watch(streams.emplace_back(std::make_shared<StreamChecker>())));
@@ -79,7 +79,7 @@ TEST_P(FanOutTest, OneOfSixteenThatStopsHarmsNobodyButItself) {
 }
 
 /// The broker is a program of Ice: what kills such is refused there, too, for want of memory.
-TEST_P(FanOutTest, TheMessagesThatKillProgramsOfIceDoNotKillTheBroker) {
+TEST_P(FanOutTest, TheBrokerSurvivesMalformedIceMessages) {
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
   ASSERT_TRUE(HasMemoryLimit(broker_->pid())) << "this machine would have no memory left";
@@ -103,7 +103,7 @@ TEST_P(FanOutTest, TheMessagesThatKillProgramsOfIceDoNotKillTheBroker) {
 }
 
 /// Without the broker, viewers are told that there are no rows, and get them directly.
-TEST_P(FanOutTest, WhereTheBrokerDiesRowsComeDirectly) {
+TEST_P(FanOutTest, RowsArriveDirectlyIfTheBrokerDies) {
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
   const std::uint64_t stale = stream_->verdict().stale.size();
@@ -123,7 +123,7 @@ TEST_P(FanOutTest, WhereTheBrokerDiesRowsComeDirectly) {
 }
 
 /// Who subscribes after it has returned hears by it again.
-TEST_P(FanOutTest, ABrokerThatReturnsIsUsedAgain) {
+TEST_P(FanOutTest, ARestartedBrokerIsUsedAgain) {
   const auto first = std::make_shared<StreamChecker>();
   ASSERT_NO_FATAL_FAILURE(Watch(first));
   ASSERT_TRUE(AllGetMore({first}, 100)) << robot_->err();

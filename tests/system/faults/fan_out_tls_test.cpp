@@ -61,7 +61,7 @@ class CertifiedFanOut : public FanOutTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, CertifiedFanOut, testing::Values("ice"), NameOfMiddleware);
 
-TEST_P(CertifiedFanOut, OneOfSixteenThatStopsHarmsNobodyButItself) {
+TEST_P(CertifiedFanOut, AStoppedSubscriberHarmsNoOther) {
   constexpr std::uint64_t kFew = 100;
   std::vector<std::shared_ptr<StreamChecker>> streams;
   for (int i = 0; i < 15; ++i) {
@@ -90,7 +90,7 @@ TEST_P(CertifiedFanOut, OneOfSixteenThatStopsHarmsNobodyButItself) {
 }
 
 /// Who may only look may hear topics, and make them, but the broker passes nothing of his on.
-TEST_P(CertifiedFanOut, AViewerIsNotHeard) {
+TEST_P(CertifiedFanOut, ABrokerDropsMessagesPublishedByAViewer) {
   const std::string topic = "lamps";
   const tendon_test::LogRecord log("fan-out");
   std::atomic<int> of_viewer = 0;

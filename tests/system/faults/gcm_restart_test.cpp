@@ -21,7 +21,7 @@ class GcmRestart : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, GcmRestart, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 1.
-TEST_P(GcmRestart, AGcmKilledAgainAndAgainUnderLoadCostsNoRowNoCommandAndNoEntry) {
+TEST_P(GcmRestart, RepeatedKillsUnderLoadLoseNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const tendon::Fingerprint before = Hash();
   const std::size_t unconnected = Lines("given", "not connected");
@@ -52,7 +52,7 @@ TEST_P(GcmRestart, AGcmKilledAgainAndAgainUnderLoadCostsNoRowNoCommandAndNoEntry
 }
 
 /// Row 2.
-TEST_P(GcmRestart, AGcmThatIsAwayForLongIsMissedInFewWords) {
+TEST_P(GcmRestart, ALongAbsenceLogsFewLines) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const tendon::Fingerprint before = Hash();
   const std::size_t snapshots = watch_->snapshots();
@@ -79,7 +79,7 @@ TEST_P(GcmRestart, AGcmThatIsAwayForLongIsMissedInFewWords) {
 }
 
 /// Row 20.
-TEST_P(GcmRestart, AHerdOfLcmsComesBackAndNobodyIsLostOnTheWay) {
+TEST_P(GcmRestart, ManyLcmsRejoinWithoutLosses) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const int count = Size(12, 100);
   std::vector<std::unique_ptr<Program>> herd;

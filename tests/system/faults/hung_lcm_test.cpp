@@ -41,7 +41,7 @@ class HungLcm : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, HungLcm, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 4.
-TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
+TEST_P(HungLcm, AStoppedLcmIsLostAndRejoins) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto rounds = static_cast<std::size_t>(Size(2, 20));
   long longest = 0;  // ms
@@ -77,7 +77,7 @@ TEST_P(HungLcm, OneThatIsStoppedIsLostAndFindsItsWayBack) {
 }
 
 /// Row 4: what was stopped for less than that is no member less.
-TEST_P(HungLcm, OneThatIsStoppedForAMomentLosesNothing) {
+TEST_P(HungLcm, ABrieflyStoppedLcmLosesNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
 
   for (int round = 0; round < Size(3, 30); ++round) {
@@ -93,7 +93,7 @@ TEST_P(HungLcm, OneThatIsStoppedForAMomentLosesNothing) {
 }
 
 /// Row 4: an order that was read late.
-TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
+TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGSTOP);
   ASSERT_TRUE(Eventually([&] { return HasStopped(robot_->pid()); }));
@@ -119,7 +119,7 @@ TEST_P(HungLcm, WhatItHasNotBegunInTimeItDoesNotDoOnceItIsAwake) {
 }
 
 /// Rows 1 and 4.
-TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsLeaveTheDeskAnswering) {
+TEST_P(HungLcm, AStoppedLcmAndGcmDoNotBlockOtherProcesses) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto middleware = NewMiddleware();
   const auto desk = Channel::Open(*middleware, AddressOf("desk"),
@@ -158,7 +158,7 @@ TEST_P(HungLcm, OneThatIsStoppedAndAGcmThatIsLeaveTheDeskAnswering) {
 }
 
 /// Row 4: fencing.
-TEST_P(HungLcm, OneWhoseNameWasTakenIsToldByWhomAndExecutesNothingAnyMore) {
+TEST_P(HungLcm, AReplacedLcmNamesItsSuccessorAndIsFenced) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGSTOP);
   ASSERT_TRUE(EventuallyIs("robot", ProcessState::kLost));

@@ -19,7 +19,7 @@ class LcmKill : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, LcmKill, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 3.
-TEST_P(LcmKill, AKilledLcmIsLostAndItsNameIsFreeAtOnceForTheNext) {
+TEST_P(LcmKill, AKilledLcmFreesItsNameAtOnce) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto rounds = static_cast<std::size_t>(Size(4, 50));
   long longest = 0;  // ms
@@ -52,7 +52,7 @@ TEST_P(LcmKill, AKilledLcmIsLostAndItsNameIsFreeAtOnceForTheNext) {
 }
 
 /// Rows 3 and 13, the other side: who gives the commands dies.
-TEST_P(LcmKill, AKilledClientLeavesNothingThatHindersTheNext) {
+TEST_P(LcmKill, AKilledClientDoesNotHinderTheNext) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint before = FootprintOf(robot_->pid());
   const int rounds = Size(4, 50);
@@ -72,7 +72,7 @@ TEST_P(LcmKill, AKilledClientLeavesNothingThatHindersTheNext) {
 }
 
 /// Row 32.
-TEST_P(LcmKill, AProgramThatAComponentHasStartedKeepsNoPort) {
+TEST_P(LcmKill, AChildProgramOfAComponentHoldsNoPort) {
   const std::string port = "127.0.0.1:" + std::to_string(FreePort());
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());

@@ -29,7 +29,7 @@ class Names : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Names, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 9.
-TEST_P(Names, OfManyLcmsOfOneNameAtTheSameInstantExactlyOneWins) {
+TEST_P(Names, ExactlyOneOfManySimultaneousLcmsGetsTheName) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   const int count = Size(8, 100);
@@ -56,7 +56,7 @@ TEST_P(Names, OfManyLcmsOfOneNameAtTheSameInstantExactlyOneWins) {
 }
 
 /// Row 9: the first is not disturbed.
-TEST_P(Names, WhoComesLaterDisturbsNobody) {
+TEST_P(Names, LateDuplicatesDoNotDisturbTheFirstLcm) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   Programs late;
   for (int i = 0; i < Size(4, 50); ++i) late.push_back(MakeLcm("robot"));
@@ -70,7 +70,7 @@ TEST_P(Names, WhoComesLaterDisturbsNobody) {
 }
 
 /// Row 10.
-TEST_P(Names, OfManyGcmsAtOneAddressAtTheSameInstantExactlyOneServes) {
+TEST_P(Names, ExactlyOneOfManySimultaneousGcmsServes) {
   Programs gcms;
   for (int i = 0; i < Size(6, 50); ++i) gcms.push_back(MakeGcm());
 
@@ -91,7 +91,7 @@ TEST_P(Names, OfManyGcmsAtOneAddressAtTheSameInstantExactlyOneServes) {
 }
 
 /// Row 10: the first is not disturbed.
-TEST_P(Names, ASecondGcmDisturbsNobody) {
+TEST_P(Names, ASecondGcmDoesNotDisturbTheFirst) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
 
   const auto second = MakeGcm();

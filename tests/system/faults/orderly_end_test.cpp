@@ -69,7 +69,7 @@ class OrderlyEnd : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, OrderlyEnd, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Transition T4.
-TEST_P(OrderlyEnd, BySignalsExecutesTheLastStopEachTime) {
+TEST_P(OrderlyEnd, ASignalExecutesTheLastStop) {
   const int rounds = Size(3, 30);
   long longest = 0;  // ms
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({}));
@@ -89,7 +89,7 @@ TEST_P(OrderlyEnd, BySignalsExecutesTheLastStopEachTime) {
 }
 
 /// Transition T4.
-TEST_P(OrderlyEnd, ExecutesTheLastStopBehindAFullQueueOfABusyServer) {
+TEST_P(OrderlyEnd, ExecutesTheLastStopDespiteAFullQueue) {
   const int rounds = Size(3, 30);
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.03, .floods = true}));
   ASSERT_NO_FATAL_FAILURE(StartGarage());
@@ -104,7 +104,7 @@ TEST_P(OrderlyEnd, ExecutesTheLastStopBehindAFullQueueOfABusyServer) {
 }
 
 /// Transition T4.
-TEST_P(OrderlyEnd, ByOrdersExecutesTheLastStopEachTime) {
+TEST_P(OrderlyEnd, AStopCommandExecutesTheLastStop) {
   const int rounds = Size(2, 30);
   int stops = 0;
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.005, .floods = true}));
@@ -128,7 +128,7 @@ TEST_P(OrderlyEnd, ByOrdersExecutesTheLastStopEachTime) {
 }
 
 /// Transition T4: clients first, whatever the order of their names.
-TEST_P(OrderlyEnd, OfBothProcessesByTheGcmEndsTheClientFirst) {
+TEST_P(OrderlyEnd, TheGcmEndsClientProcessesFirst) {
   const int rounds = Size(2, 30);
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({}, R"("start": {}, )"));
 
@@ -143,7 +143,7 @@ TEST_P(OrderlyEnd, OfBothProcessesByTheGcmEndsTheClientFirst) {
 }
 
 /// Transition T4: the same within one order, component by component.
-TEST_P(OrderlyEnd, OfAllComponentsStopsClientsFirst) {
+TEST_P(OrderlyEnd, StoppingAllStopsClientComponentsFirst) {
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.005, .floods = true}));
   ASSERT_NO_FATAL_FAILURE(StartGarage());
   ASSERT_NO_FATAL_FAILURE(StartCab());
@@ -154,7 +154,7 @@ TEST_P(OrderlyEnd, OfAllComponentsStopsClientsFirst) {
 }
 
 /// Transition T4 and row 33: peer and GCM hang.
-TEST_P(OrderlyEnd, OfAnLcmWaitsNoLongerForThoseThatHang) {
+TEST_P(OrderlyEnd, AnLcmDoesNotWaitLongForHangingPeers) {
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.0, .floods = true}));
   ASSERT_NO_FATAL_FAILURE(StartGarage());
   ASSERT_NO_FATAL_FAILURE(StartCab());
@@ -175,7 +175,7 @@ TEST_P(OrderlyEnd, OfAnLcmWaitsNoLongerForThoseThatHang) {
 }
 
 /// Transition T4, of what is shipped: goals of the teleoperation last 0.4 s, stops less.
-TEST_P(OrderlyEnd, OfTheTeleoperationLeavesTheArmAtRest) {
+TEST_P(OrderlyEnd, EndingTheTeleoperationLeavesTheArmAtRest) {
   home_.Write("system.json", R"({"version": 1, "name": "arms", "processes": [
       {"name": "robot", "components": [
         {"name": "arm", "class": "SimulatedArm", "library": "simulated_arm"}]},

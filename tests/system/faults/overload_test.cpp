@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(Over, Overload, testing::ValuesIn(Middlewares()), NameO
 
 /// Row 11: who reads slowly misses rows, and is told how many; the others miss none, and nothing
 /// grows where the rows come from.
-TEST_P(Overload, ASlowConsumerHarmsNobodyButItself) {
+TEST_P(Overload, ASlowConsumerHarmsNoOther) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   robot_ = MakeLcm("well");
@@ -159,7 +159,7 @@ TEST_P(Overload, ASlowConsumerHarmsNobodyButItself) {
 
 /// Row 29: one component that raves is cut short, and is told to have been; what its neighbour in
 /// the same process says arrives, all of it and soon.
-TEST_P(Overload, AStormOfRecordsDrownsNobodyElse) {
+TEST_P(Overload, ALogFloodHarmsNoOtherComponent) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
   const auto log = std::make_shared<LogWatch>();

@@ -29,7 +29,7 @@ class Payloads : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Payloads, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 14: whoever has edited his copy of a type is told what differs, and the others are served.
-TEST_P(Payloads, AnEditedTypeIsRefusedAtConnectAndTheFirstDifferenceIsNamed) {
+TEST_P(Payloads, ConnectNamesTheFirstDifferenceOfAnEditedType) {
   const std::map<std::string, std::string> differences{
       {"InFloats", "fx of faults.Force: float32 needed, float64 offered"},
       {"InPounds", "fx of faults.Force: float64 in lbf needed, float64 in N offered"},
@@ -68,7 +68,7 @@ TEST_P(Payloads, AnEditedTypeIsRefusedAtConnectAndTheFirstDifferenceIsNamed) {
 
 /// Row 18. A sequence of bytes is four bytes longer on the wire. What a sanitizer makes of the
 /// largest would not fit into a usual machine, nor the others into the time of a lease.
-TEST_P(Payloads, AGiantIsSentUpToTheLimitAndBeyondItRefusedWhereItWouldBeSent) {
+TEST_P(Payloads, SendsPayloadsUpToTheSizeLimitAndRefusesLargerOnes) {
   std::vector<std::size_t> taken{kMaxPayload / 10 * 9, kMaxPayload};
   std::vector<std::size_t> refused{kMaxPayload + kMaxPayload / 10'000, 10 * kMaxPayload};
   if (tendon::test::IsSanitized()) {

@@ -32,7 +32,7 @@ class Signals : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Signals, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 33.
-TEST_P(Signals, EndAnLcmInOrderAtEveryMoment) {
+TEST_P(Signals, EndAnLcmInOrderAtAnyTime) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGTERM);
   EXPECT_EQ(robot_->Wait(), 0);
@@ -51,7 +51,7 @@ TEST_P(Signals, EndAnLcmInOrderAtEveryMoment) {
 }
 
 /// Row 33.
-TEST_P(Signals, EndAGcmInOrderAtEveryMoment) {
+TEST_P(Signals, EndAGcmInOrderAtAnyTime) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   gcm_->Signal(SIGTERM);
   EXPECT_EQ(gcm_->Wait(), 0);
@@ -71,7 +71,7 @@ TEST_P(Signals, EndAGcmInOrderAtEveryMoment) {
 }
 
 /// Row 33: the first waits for a component that does not come to an end.
-TEST_P(Signals, ASecondOneEndsAnLcmAtOnce) {
+TEST_P(Signals, ASecondSignalEndsAnLcmAtOnce) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Program caller(Command("gcm", {"call", "robot/ledger/Control.Hold", "600000"}),
                        environment());

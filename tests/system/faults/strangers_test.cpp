@@ -125,7 +125,7 @@ class Strangers : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, Strangers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 16.
-TEST_P(Strangers, WhoSpeakAnotherLanguageAreTurnedAway) {
+TEST_P(Strangers, OtherProtocolsAreDisconnected) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
   std::vector<os::Socket> strangers;
@@ -142,7 +142,7 @@ TEST_P(Strangers, WhoSpeakAnotherLanguageAreTurnedAway) {
 }
 
 /// Row 16.
-TEST_P(Strangers, DamagedMessagesDisturbNobody) {
+TEST_P(Strangers, DamagedMessagesDoNotDisturbTheSystem) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const std::vector<Bytes> messages = Messages();
   std::mt19937 random(4711);
@@ -165,7 +165,7 @@ TEST_P(Strangers, DamagedMessagesDisturbNobody) {
 }
 
 /// Row 17.
-TEST_P(Strangers, TheMessagesThatKillProgramsOfIceKillNoneOfOurs) {
+TEST_P(Strangers, AllProgramsSurviveMalformedIceMessages) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
   for (const std::string& port : ports_) {
@@ -179,7 +179,7 @@ TEST_P(Strangers, TheMessagesThatKillProgramsOfIceKillNoneOfOurs) {
 }
 
 /// Row 15.
-TEST_P(Strangers, AnotherProtocolVersionIsRefusedInWords) {
+TEST_P(Strangers, AnotherProtocolVersionIsRefusedWithAReason) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const auto middleware = NewMiddleware();
   constexpr int kOurs = tendon::FrameHeader::kProtocolVersion;
@@ -204,7 +204,7 @@ TEST_P(Strangers, AnotherProtocolVersionIsRefusedInWords) {
 }
 
 /// Row 19.
-TEST_P(Strangers, AStormOfConnectionsIsServedAndTheIdleAreTurnedAway) {
+TEST_P(Strangers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const int count = Size(60, 500);
   std::vector<os::Socket> idle;
@@ -244,7 +244,7 @@ TEST_P(Strangers, AStormOfConnectionsIsServedAndTheIdleAreTurnedAway) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
+TEST_P(Strangers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const int used = static_cast<int>(FootprintOf(gcm_->pid()).descriptors);
   rlimit limit{};
@@ -274,7 +274,7 @@ TEST_P(Strangers, OutOfDescriptorsTheOldAreKeptAndNewOnesWait) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfThreadsTheOldAreKeptAndAnOrderIsRefused) {
+TEST_P(Strangers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   {
     const ThreadLimit of_gcm(gcm_->pid());
@@ -299,7 +299,7 @@ TEST_P(Strangers, OutOfThreadsTheOldAreKeptAndAnOrderIsRefused) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfMemoryTheOldAreKeptAndALargeMessageIsRefused) {
+TEST_P(Strangers, OutOfMemoryKeepsConnectionsAndRefusesALargeMessage) {
   if (tendon::test::IsSanitized()) {
     GTEST_SKIP() << "row 30: a sanitizer ends the process instead of throwing";
   }

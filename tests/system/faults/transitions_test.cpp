@@ -153,7 +153,7 @@ std::vector<std::string> SomeMiddlewares() {
 INSTANTIATE_TEST_SUITE_P(Over, Transitions, testing::ValuesIn(SomeMiddlewares()), NameOfMiddleware);
 
 /// T1.
-TEST_P(Transitions, AnotherArmIsLedFromWhereItStands) {
+TEST_P(Transitions, AnotherArmIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   const int rounds = Size(1, 30);
   for (int round = 0; GoesOn(round, rounds); ++round) {
@@ -179,7 +179,7 @@ TEST_P(Transitions, AnotherArmIsLedFromWhereItStands) {
 }
 
 /// T1: a new epoch.
-TEST_P(Transitions, AnArmThatWasStartedAnewIsLedFromWhereItStands) {
+TEST_P(Transitions, ARestartedArmIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
   for (int round = 0; GoesOn(round, 1); ++round) {
@@ -199,7 +199,7 @@ TEST_P(Transitions, AnArmThatWasStartedAnewIsLedFromWhereItStands) {
 }
 
 /// T2.
-TEST_P(Transitions, AClientThatIsResumedBeginsFromTheWorldAsItIs) {
+TEST_P(Transitions, AResumedClientStartsFromTheCurrentPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   for (int round = 0; GoesOn(round, Size(1, 30)); ++round) {
     SCOPED_TRACE(round);
@@ -218,7 +218,7 @@ TEST_P(Transitions, AClientThatIsResumedBeginsFromTheWorldAsItIs) {
 }
 
 /// T3.
-TEST_P(Transitions, AServerThatIsResumedDoesNotGoOnToItsOldGoal) {
+TEST_P(Transitions, AResumedServerDoesNotContinueToItsOldGoal) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   const json goal = {{"position", kElsewhere}, {"duration", 3.0}};
   ASSERT_NO_FATAL_FAILURE(Do({"call", "robot/arm/Control.MoveTo", goal.dump()}));
@@ -239,7 +239,7 @@ TEST_P(Transitions, AServerThatIsResumedDoesNotGoOnToItsOldGoal) {
 }
 
 /// T3, with who leads it: it is led anew.
-TEST_P(Transitions, AServerThatIsResumedIsLedFromWhereItStands) {
+TEST_P(Transitions, AResumedServerIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
   for (int round = 0; GoesOn(round, 1); ++round) {

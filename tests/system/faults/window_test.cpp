@@ -98,7 +98,7 @@ class WindowFault : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, WindowFault, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 28: killed.
-TEST_P(WindowFault, OneThatIsKilledIsMissedByNobodyAndTheNextShowsTheSame) {
+TEST_P(WindowFault, AKilledWindowHarmsNoOtherAndTheNextShowsAll) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint before = FootprintOf(robot_->pid());
   auto window = OpenWindow();
@@ -122,7 +122,7 @@ TEST_P(WindowFault, OneThatIsKilledIsMissedByNobodyAndTheNextShowsTheSame) {
 }
 
 /// Row 28: hung. It is given up like one that was killed, and heals once it is awake.
-TEST_P(WindowFault, OneThatHangsIsReleasedCostsNobodyAnythingAndHealsOnceItIsAwake) {
+TEST_P(WindowFault, AHangingWindowIsReleasedAndRecovers) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint alone = FootprintOf(robot_->pid());
   const auto window = OpenWindow();
