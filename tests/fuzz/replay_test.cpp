@@ -79,7 +79,7 @@ class Replay : public testing::TestWithParam<Target> {};
 INSTANTIATE_TEST_SUITE_P(, Replay, testing::ValuesIn(Targets().begin(), Targets().end()),
                          [](const auto& target) { return std::string(target.param.name); });
 
-TEST_P(Replay, TheCorpusBreaksNoPromise) {
+TEST_P(Replay, HandlesTheCorpus) {
   const auto corpus = Corpus(GetParam().name);
 
   for (const Body& body : corpus) GetParam().run(body);
@@ -87,7 +87,7 @@ TEST_P(Replay, TheCorpusBreaksNoPromise) {
   EXPECT_GE(corpus.size(), 5U);
 }
 
-TEST_P(Replay, WhatChanceMakesOfTheCorpusBreaksNoPromise) {
+TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
   constexpr int kRounds = 2500;
   constexpr std::size_t kMost = 4096;  // bytes
   const auto corpus = Corpus(GetParam().name);
@@ -104,7 +104,7 @@ TEST_P(Replay, WhatChanceMakesOfTheCorpusBreaksNoPromise) {
   }
 }
 
-TEST_P(Replay, EveryFileCutAtAnyByteBreaksNoPromise) {
+TEST_P(Replay, HandlesFilesTruncatedAtAnyByte) {
   constexpr std::size_t kMostCuts = 300;
   for (const Body& body : Corpus(GetParam().name)) {
     for (std::size_t size = 0; size < std::min(body.size(), kMostCuts); ++size) {

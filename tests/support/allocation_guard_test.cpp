@@ -16,7 +16,7 @@ struct alignas(256) Wide {
   std::array<char, 256> bytes;
 };
 
-TEST(AllocationGuard, FailsTheTestThatAllocates) {
+TEST(AllocationGuard, FailsATestThatAllocates) {
   EXPECT_NONFATAL_FAILURE(
       {
         const AllocationGuard guard;
@@ -26,7 +26,7 @@ TEST(AllocationGuard, FailsTheTestThatAllocates) {
       "allocations in this thread");
 }
 
-TEST(AllocationGuard, CountsArraysAndOverAlignedObjectsToo) {
+TEST(AllocationGuard, CountsArraysAndOverAlignedObjects) {
   EXPECT_NONFATAL_FAILURE(
       {
         const AllocationGuard guard;
@@ -37,7 +37,7 @@ TEST(AllocationGuard, CountsArraysAndOverAlignedObjectsToo) {
       "allocations in this thread");
 }
 
-TEST(AllocationGuard, CountsThoseThatReturnNullOnFailureToo) {
+TEST(AllocationGuard, CountsNothrowAllocations) {
   EXPECT_NONFATAL_FAILURE(
       {
         const AllocationGuard guard;

@@ -20,7 +20,7 @@ Outcome Shell(const std::string& script,
   return RunProgram({"/bin/sh", "-c", script}, environment);
 }
 
-TEST(Program, StateCacheAndSocketsAreNotTheUsers) {
+TEST(Program, DoesNotUseTheFoldersOfTheUser) {
   for (const std::string name : {"XDG_STATE_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}) {
     const Outcome told = Shell("printf %s \"$" + name + "\"; test -d \"$" + name + "\"");
 
@@ -31,19 +31,19 @@ TEST(Program, StateCacheAndSocketsAreNotTheUsers) {
   }
 }
 
-TEST(Program, TheProgramsOfATestMeetInOneFolder) {
+TEST(Program, ProgramsOfATestShareARuntimeFolder) {
   const std::string print = "printf %s \"$XDG_RUNTIME_DIR\"";
 
   EXPECT_EQ(Shell(print).out, Shell(print).out);
 }
 
-TEST(Program, TheEnvironmentThatIsGivenDecides) {
+TEST(Program, TheGivenEnvironmentWins) {
   EXPECT_EQ(Shell("printf %s \"$XDG_STATE_HOME\"", {{"XDG_STATE_HOME", "/here"}}).out, "/here");
 }
 
-TEST(Program, SaysWhichSignalEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
+TEST(Program, ReportsTheSignalThatEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
 
-TEST(Program, EndsWithTheTestThatRunsItHoweverThatDies) {
+TEST(Program, EndsWhenItsTestIsKilled) {
   const tendon::test::Folder folder;  // the programs cannot remove the files here
   int ends[2];                        // both the test and its program keep the other end open
   ASSERT_EQ(pipe(ends), 0);
@@ -65,14 +65,14 @@ TEST(Program, EndsWithTheTestThatRunsItHoweverThatDies) {
   close(ends[0]);
 }
 
-TEST(FreePort, IsNotGivenTwice) {
+TEST(FreePort, ReturnsEachPortOnce) {
   std::vector<int> ports(200);
   for (int& port : ports) port = FreePort();
 
   for (const int port : ports) EXPECT_EQ(std::count(ports.begin(), ports.end(), port), 1) << port;
 }
 
-TEST(Folder, IsGoneInTheEndWithAllThatIsInIt) {
+TEST(Folder, RemovesItselfWithItsContents) {
   std::filesystem::path path;
   {
     const tendon::test::Folder folder;

@@ -55,25 +55,25 @@ int StoreYLoadX(Shared& shared, bool fence) {
   return shared.x.load(kRelaxed);
 }
 
-TEST(Simulation, RelaxedStoresMayBeSeenLateByBoth) {
+TEST(Simulation, RelaxedStoresMayBecomeVisibleLate) {
   EXPECT_EQ(OutcomesOf([](Shared& s) { return StoreXLoadY(s, false); },
                        [](Shared& s) { return StoreYLoadX(s, false); }),
             (Outcomes{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
 }
 
-TEST(Simulation, FullFencesOnBothSidesForbidThat) {
+TEST(Simulation, FullFencesOnBothSidesForbidStoreBuffering) {
   EXPECT_EQ(OutcomesOf([](Shared& s) { return StoreXLoadY(s, true); },
                        [](Shared& s) { return StoreYLoadX(s, true); }),
             (Outcomes{{0, 1}, {1, 0}, {1, 1}}));
 }
 
-TEST(Simulation, AFenceOnOneSideAloneForbidsNothing) {
+TEST(Simulation, AFenceOnOneSideIsNotEnough) {
   EXPECT_EQ(OutcomesOf([](Shared& s) { return StoreXLoadY(s, true); },
                        [](Shared& s) { return StoreYLoadX(s, false); }),
             (Outcomes{{0, 0}, {0, 1}, {1, 0}, {1, 1}}));
 }
 
-TEST(Simulation, AProcessBarrierOnOneSideStandsForBoth) {
+TEST(Simulation, AProcessBarrierOnOneSideReplacesBothFences) {
   const auto heavy = [](Shared& shared) {
     shared.x.store(1, kRelaxed);
     SimulatedAtomics::ProcessBarrier();
@@ -83,7 +83,7 @@ TEST(Simulation, AProcessBarrierOnOneSideStandsForBoth) {
             (Outcomes{{0, 1}, {1, 0}, {1, 1}}));
 }
 
-TEST(Simulation, AThreadNeverSeesAnAtomicGoBack) {
+TEST(Simulation, AThreadNeverReadsAnOlderValue) {
   const auto store_twice = [](Shared& shared) {
     shared.x.store(1, kRelaxed);
     shared.x.store(2, kRelaxed);
@@ -140,7 +140,7 @@ TEST(Simulation, AWriteAfterAnothersReadIsARace) {
   EXPECT_THAT(report.failure, HasSubstr("races"));
 }
 
-TEST(Simulation, ThreadsThatAllWaitAreAFailure) {
+TEST(Simulation, ReportsADeadlock) {
   const Report report = Explore([](Scenario& scenario) {
     const auto word = std::make_shared<SimulatedAtomics::Atomic<std::uint32_t>>();
     scenario.Thread([=] { SimulatedAtomics::Sleep(*word, 0, {}); });
@@ -149,7 +149,7 @@ TEST(Simulation, ThreadsThatAllWaitAreAFailure) {
   EXPECT_THAT(report.failure, HasSubstr("every thread waits"));
 }
 
-TEST(Simulation, AFailureListsTheStepsThatLedToIt) {
+TEST(Simulation, AFailureListsItsSteps) {
   const Report report = Explore([](Scenario& scenario) {
     const auto shared = std::make_shared<Shared>();
     scenario.Thread([=] { shared->x.store(5, kRelaxed); });
