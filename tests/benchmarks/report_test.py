@@ -41,16 +41,16 @@ class Report(unittest.TestCase):
             if entry["ratio"] is not None and entry["gate"] is not None:
                 self.assertIn(entry["holds"], (True, False))
 
-    def test_only_the_cases_asked_for_run(self):
+    def test_only_the_requested_cases_run(self):
         _, report = entries("--only", "S4,Q1")
         self.assertEqual([entry["id"] for entry in report], ["Q1", "S4"])
 
-    def test_an_unknown_case_is_named_with_those_there_are(self):
+    def test_an_unknown_case_lists_the_known_ones(self):
         finished = run("--only", "S4,X9")
         self.assertEqual(finished.returncode, 2)
         self.assertIn("there is no case 'X9'; there are Q1, D1", finished.stderr)
 
-    def test_a_file_that_cannot_be_written_is_a_failure_before_anything_is_measured(self):
+    def test_an_unwritable_file_fails_before_measuring(self):
         for path in ("/no/such/folder/report.json", ""):
             finished = run("--only", "S1", "--json", path)
             self.assertEqual(finished.returncode, 1)
@@ -63,7 +63,7 @@ class Report(unittest.TestCase):
             self.skipTest("this kernel does not let a program watch its system calls")
         self.assertEqual(entry["ours"], 0)
 
-    def test_what_travels_between_processes_is_measured_with_its_floor(self):
+    def test_remote_cases_are_measured_with_their_floor(self):
         if "R1" not in IDS:
             self.skipTest("there is no Ice to compare with")
         _, report = entries("--only", "R1,R3,R7")

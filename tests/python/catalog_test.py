@@ -42,12 +42,12 @@ class Changes(unittest.TestCase):
         self.assertTrue(catalog.apply(change(16, "process_removed")))
         self.assertEqual(catalog.processes, {})
 
-    def test_a_new_instance_begins_with_nothing(self):
+    def test_a_new_instance_starts_empty(self):
         catalog = filled()
         self.assertTrue(catalog.apply(change(14, "process", processes=[{**ROBOT, "instance": 2}])))
         self.assertEqual(catalog.process("robot").components, {})
 
-    def test_that_do_not_follow_change_nothing(self):
+    def test_inapplicable_changes_are_rejected(self):
         catalog = filled()
         for step in (change(13, "process_removed"), change(15, "process_removed"),
                      change(14, "process_removed", process="desk"),
@@ -57,7 +57,7 @@ class Changes(unittest.TestCase):
                 self.assertFalse(catalog.apply(step))
                 self.assertEqual(catalog.revision, 13)
 
-    def test_a_copy_is_another(self):
+    def test_a_copy_is_independent(self):
         catalog = filled()
         copy = catalog.copy()
         self.assertTrue(copy.apply(change(14, "component_removed", component="arm")))
@@ -78,7 +78,7 @@ class Names(unittest.TestCase):
         self.assertEqual(column["signature"], {"kind": "read", "out": {"high": 1, "low": 2}})
         self.assertEqual(catalog.table(parse_path("robot/arm"))["name"], "state")
 
-    def test_what_is_missing_is_named_with_what_is_near(self):
+    def test_similar_names_are_suggested(self):
         catalog = filled()
         for path, sentence in {
                 "robbot/arm": "no process 'robbot'; did you mean 'robot'?",
@@ -96,7 +96,7 @@ class Names(unittest.TestCase):
                          "process/component/interface.member",
                          catalog.command, Path("robot", "arm"))
 
-    def test_a_process_that_is_gone_says_why(self):
+    def test_an_unavailable_process_is_reported_with_a_reason(self):
         catalog = filled()
         gone = {**ROBOT, "state": "lost", "reason": "killed"}
         self.assertTrue(catalog.apply(change(14, "process", processes=[gone])))
@@ -105,7 +105,7 @@ class Names(unittest.TestCase):
         self.assertTrue(catalog.apply(change(15, "process", processes=[{**ROBOT, "address": ""}])))
         self.assert_none(Unreachable, "process 'robot' does not listen", catalog.present, "robot")
 
-    def test_paths_are_read(self):
+    def test_paths_are_parsed(self):
         self.assertEqual(parse_path("robot/arm/state.Joints.position[0]"),
                          Path("robot", "arm", "state", "Joints", ".position[0]"))
         self.assertEqual(parse_path("robot"), Path("robot"))
@@ -128,7 +128,7 @@ class Names(unittest.TestCase):
         self.assert_none(NotFound, "there is no element [2]", select, value, ".position[2]")
         self.assert_none(NotFound, "there is no element [0]", select, value, ".name[0]")
 
-    def test_addresses_are_of_this_machine(self):
+    def test_only_local_addresses_are_accepted(self):
         self.assertEqual(str(parse_address("localhost:5")), "127.0.0.1:5")
         self.assertEqual(str(parse_address("[::1]:5")), "[::1]:5")
         self.assertEqual(gcm_address("127.0.0.1"), "127.0.0.1:10705")

@@ -82,7 +82,7 @@ class UnderTls(unittest.TestCase):
             with self.assertRaisesRegex(tendon.Denied, "operator"):
                 system.call("robot/arm/Control.Stop")
 
-    def test_the_files_may_be_those_of_the_environment(self):
+    def test_the_environment_names_the_certificate(self):
         os.environ["TENDON_CERTIFICATE"] = str(self.anna)
         try:
             with self.connect(None) as system:
@@ -90,19 +90,19 @@ class UnderTls(unittest.TestCase):
         finally:
             del os.environ["TENDON_CERTIFICATE"]
 
-    def test_one_without_a_certificate_is_not_let_in(self):
+    def test_connecting_without_a_certificate_fails(self):
         self.connect(self.anna).close()  # it is there
         with self.assertRaises(tendon.Error):
             tendon.connect(self.address, timeout=2)
 
-    def test_a_process_is_not_taken_for_the_gcm(self):
+    def test_a_process_is_not_accepted_as_the_gcm(self):
         with self.connect(self.anna) as system:
             system.wait_until(self.is_running, PATIENCE)
             robot, = (one for one in system.processes() if one["name"] == "robot")
         with self.assertRaisesRegex(tendon.Unreachable, "is 'robot', not 'gcm'"):
             tendon.connect(robot["address"], timeout=PATIENCE, certificate=self.anna)
 
-    def test_one_of_another_ca_is_not_trusted(self):
+    def test_the_gcm_of_another_ca_is_not_trusted(self):
         elsewhere = self.folder / "elsewhere"
         subprocess.run([PROGRAMS / "gcm", "cert", "init"], check=True, stdout=subprocess.DEVNULL,
                        env={**os.environ, "TENDON_CA": str(elsewhere)})
@@ -111,14 +111,14 @@ class UnderTls(unittest.TestCase):
             tendon.connect(self.address, timeout=PATIENCE, certificate=self.anna,
                            authority=elsewhere)
 
-    def test_what_is_revoked_is_not_let_in(self):
+    def test_the_gcm_rejects_a_revoked_certificate(self):
         eve = self.issue("eve", "--role", "operator")
         self.connect(eve).close()
         self.cert("revoke", "eve")
         with self.assertRaises(tendon.Unreachable):
             tendon.connect(self.address, timeout=PATIENCE, certificate=eve)
 
-    def test_files_that_cannot_be_used_are_named(self):
+    def test_unusable_files_are_reported(self):
         with self.assertRaisesRegex(tendon.NotFound, "there is no .*nobody.crt"):
             tendon.connect(self.address, certificate=self.folder / "nobody.crt")
         careless = self.issue("careless", "--role", "viewer")
@@ -134,7 +134,7 @@ class UnderTls(unittest.TestCase):
                 tendon.connect(self.address, certificate=careless)
             file.write_bytes(content)
 
-    def test_a_certificate_says_whose_it_is(self):
+    def test_a_certificate_names_its_holder(self):
         text = self.anna.read_text(encoding="ascii")
         self.assertEqual(holder_of(text), Shown("anna", "operator"))
         ca = self.folder / "tendon" / "ca" / "ca.crt"

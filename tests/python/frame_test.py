@@ -12,25 +12,25 @@ FRAME = write_frame(HEADER, b"body")
 
 
 class Frame(unittest.TestCase):
-    def test_has_the_bytes_of_the_protocol(self):
+    def test_matches_the_wire_format(self):
         self.assertEqual(FRAME, b"TNDN" + struct.pack("<HHQII", PROTOCOL_VERSION, 0x201, 5, 4, 9)
                          + b"body")
         self.assertEqual(read_frame(FRAME), (HEADER, b"body"))
 
-    def test_of_another_size_than_it_claims_is_none(self):
+    def test_a_wrong_size_or_magic_is_rejected(self):
         for frame in (b"", FRAME[:HEADER_SIZE - 1], FRAME[:-1], FRAME + b"\0",
                       b"TNDM" + FRAME[4:]):
             with self.subTest(frame=frame):
                 self.assertIsNone(read_frame(frame))
 
-    def test_claims_no_more_than_a_frame_may_have(self):
+    def test_an_oversized_claim_is_rejected(self):
         def claiming(size):
             return claimed_size(struct.pack("<IHHQII", MAGIC, 3, 1, 0, size, 0))
 
         self.assertEqual(claiming(MAX_PIECE_SIZE - HEADER_SIZE), MAX_PIECE_SIZE)
         self.assertIsNone(claiming(MAX_PIECE_SIZE - HEADER_SIZE + 1))
 
-    def test_of_a_stranger_is_small(self):
+    def test_an_unauthenticated_frame_has_a_small_limit(self):
         large = write_frame(HEADER, bytes(MAX_UNAUTHENTICATED_FRAME_SIZE))
         self.assertIsNone(read_frame(large, MAX_UNAUTHENTICATED_FRAME_SIZE))
         self.assertIsNotNone(read_frame(large))
@@ -43,12 +43,12 @@ def batch(*replies):
 
 
 class Replies(unittest.TestCase):
-    def test_come_in_order(self):
+    def test_are_read_in_order(self):
         self.assertEqual(read_replies(batch((7, 2, b"ab"), (2**64 - 1, 0, b""), (1, 1, b"c"))),
                          [(7, b"ab"), (2**64 - 1, b""), (1, b"c")])
         self.assertEqual(len(read_replies(batch((1, 0, b"")) * MAX_REPLIES)), MAX_REPLIES)
 
-    def test_that_are_malformed_are_refused(self):
+    def test_malformed_batches_are_rejected(self):
         whole = batch((7, 2, b"ab"), (8, 3, b"def"))
         too_many = batch((1, 0, b"")) * (MAX_REPLIES + 1)
         too_large = batch((1, MAX_REPLIES_SIZE, bytes(MAX_REPLIES_SIZE)))

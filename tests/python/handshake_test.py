@@ -53,7 +53,7 @@ class Handshake(unittest.TestCase):
         self.opener = Opener("test", ADDRESS, COOKIE)
         self.hello = self.opener.greet()
 
-    def test_both_ends_prove_that_they_know_the_cookie(self):
+    def test_both_ends_prove_the_cookie(self):
         opener = messages.decode("Greeting", self.hello.body)
         self.assertEqual((self.hello.type, opener["name"]), (MessageType.HELLO, "test"))
 
@@ -67,14 +67,14 @@ class Handshake(unittest.TestCase):
         self.assertTrue(self.opener.is_welcome)
         self.assertEqual(self.opener.peer["instance"], 42)
 
-    def test_one_who_does_not_know_the_cookie_learns_nothing(self):
+    def test_a_peer_without_the_cookie_is_denied(self):
         with self.assertRaisesRegex(Denied, "^gcm does not know 'test': both must run as the same"):
             self.opener.take(Header(MessageType.CHALLENGE), challenge_of(COOKIE + 1, self.hello))
         zeroes = messages.encode("Challenge", {"greeting": ACCEPTOR, "proof": bytes(32)})
         with self.assertRaises(Denied):
             self.opener.take(Header(MessageType.CHALLENGE), zeroes)
 
-    def test_under_tls_the_certificate_says_who_is_there(self):
+    def test_under_tls_the_certificate_identifies_the_peer(self):
         def answer(shown, wanted="gcm"):
             opener = Opener("test", ADDRESS, 0, shown, wanted)
             challenge = {"greeting": ACCEPTOR, "proof": bytes(32)}
@@ -92,18 +92,18 @@ class Handshake(unittest.TestCase):
             with self.subTest(words), self.assertRaisesRegex(kind, words):
                 answer(shown, wanted)
 
-    def test_each_has_a_nonce_and_an_instance_of_its_own(self):
+    def test_nonce_and_instance_are_unique(self):
         other = messages.decode("Greeting", Opener("test", ADDRESS, COOKIE).greet().body)
         mine = messages.decode("Greeting", self.hello.body)
         self.assertNotEqual(mine["nonce"], other["nonce"])
         self.assertNotEqual(mine["instance"], other["instance"])
 
-    def test_a_refusal_is_told_in_the_peers_words(self):
+    def test_a_refusal_raises_the_peers_message(self):
         refusal = messages.encode("Error", {"code": "NOT_FOUND", "message": "no room"})
         with self.assertRaisesRegex(NotFound, "^no room$"):
             self.opener.take(Header(MessageType.REFUSAL, version=99), refusal)
 
-    def test_another_version_says_who_must_be_updated(self):
+    def test_a_version_mismatch_names_the_outdated_program(self):
         newer, older = PROTOCOL_VERSION + 1, PROTOCOL_VERSION - 1
         for version, outdated in [(newer, "this program"), (older, ADDRESS)]:
             words = (f"^{ADDRESS} speaks protocol {version}, this program {PROTOCOL_VERSION}: "
@@ -111,7 +111,7 @@ class Handshake(unittest.TestCase):
             with self.subTest(version=version), self.assertRaisesRegex(Incompatible, words):
                 self.opener.take(Header(MessageType.CHALLENGE, version=version), b"")
 
-    def test_anything_else_is_refused(self):
+    def test_unexpected_messages_are_rejected(self):
         for header, body in [(Header(MessageType.WELCOME), b"\0"),
                              (Header(MessageType.CHALLENGE), b"nonsense")]:
             with self.subTest(header=header), self.assertRaises(Invalid):
@@ -140,23 +140,23 @@ class Cookie(unittest.TestCase):
         self.write("1f")
         self.assertEqual(loopback_cookie(), 0x1f)
 
-    def test_that_is_missing_says_what_to_do(self):
+    def test_a_missing_file_names_the_remedy(self):
         with self.assertRaisesRegex(Denied, "gcm serve$"):
             loopback_cookie()
 
-    def test_that_others_may_read_is_refused(self):
+    def test_a_file_readable_by_others_is_rejected(self):
         self.write("1f", mode=0o644)
         with self.assertRaisesRegex(Denied, "mode 0600"):
             loopback_cookie()
 
-    def test_behind_a_link_is_refused(self):
+    def test_a_symbolic_link_is_rejected(self):
         self.write("1f")
         self.file.rename(self.file.with_name("other"))
         self.file.symlink_to("other")
         with self.assertRaises(Denied):
             loopback_cookie()
 
-    def test_that_is_damaged_is_refused(self):
+    def test_a_damaged_file_is_rejected(self):
         for text in ("", "0", "no number", "1" * 17):
             self.write(text)
             with self.subTest(text=text), self.assertRaisesRegex(Invalid, "is damaged: remove it"):

@@ -117,7 +117,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
 
 
 class Parameters(unittest.TestCase):
-    def test_are_one_sequence_of_bytes(self):
+    def test_hold_one_byte_sequence(self):
         for size in (0, 1, 254, 255, 256, 70000):
             data = bytes(size)
             prefix = bytes([size]) if size < 255 else b"\xff" + size.to_bytes(4, "little")
@@ -125,7 +125,7 @@ class Parameters(unittest.TestCase):
             with self.subTest(size=size):
                 self.assertEqual(only_parameter(total + b"\1\1" + prefix + data), data)
 
-    def test_that_are_malformed_are_none(self):
+    def test_malformed_parameters_are_rejected(self):
         for parameters in [*NO_ICE, b"\x08\0\0\0\2\1\1a", b"\x08\0\0\0\1\2\1a",
                            b"\x09\0\0\0\1\1\1a", b"\x09\0\0\0\1\1\1ab"]:
             with self.subTest(parameters=parameters):
@@ -165,17 +165,17 @@ class OverIce(unittest.TestCase):
             self.assertEqual(link.request(ECHO, bytes(size), PATIENCE), bytes(size))
         self.assertEqual(self.acceptor.versions, {PROTOCOL_VERSION})
 
-    def test_a_peer_of_another_protocol_is_refused_in_words(self):
+    def test_another_protocol_version_is_rejected(self):
         self.acceptor.version = PROTOCOL_VERSION + 1
         with self.assertRaisesRegex(Incompatible, "speaks protocol .*: update this program$"):
             self.link()
         self.assertNotIn(MessageType.PROOF, self.acceptor.heard)
 
-    def test_a_refusal_is_raised_in_the_peers_words(self):
+    def test_a_refusal_raises_the_peers_message(self):
         with self.assertRaisesRegex(Failed, "^no$"):
             self.link().request(REFUSE, b"", PATIENCE)
 
-    def test_what_is_too_large_for_a_piece_goes_in_parts(self):
+    def test_large_frames_are_sent_in_parts(self):
         link = self.link()
         for _ in range(2):
             body = os.urandom(9 * MAX_PIECE_SIZE + 5)
@@ -183,19 +183,19 @@ class OverIce(unittest.TestCase):
         link.request(ECHO, b"", PATIENCE)  # after all that was told
         self.assertEqual(self.acceptor.taken, self.acceptor.told_taken)
 
-    def test_answers_may_come_together(self):
+    def test_batched_replies_are_accepted(self):
         link = self.link()
         others = [link.start(GATHER, b"", None) for _ in range(3)]
         self.assertEqual(link.request(GATHER, b"last", PATIENCE), b"last")
         self.assertEqual([asked.answer.result(0) for asked in others], [b""] * 3)
 
-    def test_no_answer_in_time_is_told_and_the_link_goes_on(self):
+    def test_a_timeout_keeps_the_link_open(self):
         link = self.link()
         with self.assertRaisesRegex(TimedOut, "^acceptor did not answer within 10 ms; outcome unk"):
             link.request(IGNORE, b"", 0.01)
         self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
 
-    def test_an_answer_is_read_before_what_follows_it_is_told(self):
+    def test_a_reply_is_handled_before_later_notices(self):
         told_before = []
         link = self.link()
         link.request(TELL, b"", PATIENCE, lambda body: told_before.append(list(self.notices)))
@@ -203,7 +203,7 @@ class OverIce(unittest.TestCase):
         self.assertEqual(told_before, [[]])
         self.assertEqual(self.notices, list(range(100)))
 
-    def test_who_waits_hears_that_the_peer_has_gone(self):
+    def test_a_lost_peer_ends_waiting_requests(self):
         link = self.link()
         with self.assertRaisesRegex(Unreachable, "acceptor did not answer: .*; outcome unknown"):
             link.request(HANG_UP, b"", PATIENCE)
@@ -212,7 +212,7 @@ class OverIce(unittest.TestCase):
         with self.assertRaises(Unreachable):
             link.request(ECHO, b"", PATIENCE)
 
-    def test_that_cannot_send_is_no_longer_open(self):
+    def test_a_send_error_closes_the_link(self):
         is_held, may_go_on = threading.Event(), threading.Event()
         self.addCleanup(may_go_on.set)
 
@@ -230,7 +230,7 @@ class OverIce(unittest.TestCase):
                 link.notify(IGNORE, 0)
         self.assertFalse(link.is_open)
 
-    def test_a_peer_that_sends_no_frames_is_cut_off(self):
+    def test_a_peer_that_sends_malformed_frames_is_disconnected(self):
         greeting = write_frame(Header(MessageType.WELCOME), b"\0")
         other_version = write_frame(Header(MessageType.REPLY, 2, 0, PROTOCOL_VERSION + 1), b"")
         no_part = write_frame(Header(MessageType.PART, 0, 1), b"nonsense" * 4)
@@ -240,38 +240,38 @@ class OverIce(unittest.TestCase):
             with self.subTest(nonsense=nonsense), self.assertRaises(Unreachable):
                 self.link().request(TALK_NONSENSE, nonsense, PATIENCE)
 
-    def test_malformed_messages_of_ice_are_survived(self):
+    def test_malformed_ice_messages_do_no_harm(self):
         for number in range(len(NO_ICE)):
             with self.subTest(number=number):
                 with contextlib.suppress(Unreachable):  # Ice itself refuses some
                     self.link().request(TALK_NO_ICE, bytes([number]), PATIENCE)
                 self.assertEqual(self.link().request(ECHO, b"hello", PATIENCE), b"hello")
 
-    def test_a_closed_link_is_closed_for_the_peer_too(self):
+    def test_closing_calls_the_close_handler(self):
         link = self.link()
         link.close()
         self.assertFalse(link.is_open)
         self.assertTrue(self.closed.wait(PATIENCE))
 
-    def test_one_who_does_not_know_the_cookie_gets_no_proof(self):
+    def test_a_peer_without_the_cookie_gets_no_proof(self):
         self.acceptor.cookie = COOKIE + 1
         with self.assertRaises(Denied):
             self.link()
         self.assertEqual(self.acceptor.heard, [MessageType.HELLO])
 
-    def test_one_who_proves_nothing_is_not_heard(self):
+    def test_a_peer_without_a_proof_is_rejected(self):
         self.acceptor.is_impostor = True
         with self.assertRaisesRegex(Invalid, "answered the Hello with something else"):
             self.link()
         self.assertTrue(self.closed.wait(PATIENCE))
         self.assertEqual(self.notices, [])
 
-    def test_one_who_says_nothing_is_given_up(self):
+    def test_a_silent_peer_times_out(self):
         self.acceptor.is_mute = True
         with self.assertRaisesRegex(TimedOut, "accepted the connection but did not|^no answer"):
             self.link(timeout=0.5)
 
-    def test_a_process_that_is_slow_holds_up_no_other(self):
+    def test_a_slow_process_does_not_block_others(self):
         self.acceptor.is_mute = True
         processes = Processes(self.network, "test", PATIENCE)
         stop = {"name": "Stop", "signature": {"kind": "void"}}
@@ -294,7 +294,7 @@ class OverIce(unittest.TestCase):
         self.network.close()
         slow.join(PATIENCE)
 
-    def test_nobody_there_is_told(self):
+    def test_a_refused_connection_is_reported(self):
         self.acceptor.communicator.destroy()
         with self.assertRaisesRegex(Unreachable, r"^nobody answers at .* \(Connection refused\)$"):
             self.link()

@@ -23,7 +23,7 @@ std::string ContentOf(const std::string& file) {
   return content.str();
 }
 
-TEST(PythonPackage, HasTheSchemasOfOurMessages) {
+TEST(PythonPackage, SchemasMatchTheMessages) {
   const std::string texts =
       TextsOf<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
               message::GetSchemas, message::Schemas, message::CallMember, message::CallMemberReply,
@@ -37,7 +37,7 @@ TEST(PythonPackage, HasTheSchemasOfOurMessages) {
       << ", and see whether the package still says what it should";
 }
 
-TEST(PythonPackage, SpeaksOurProtocol) {
+TEST(PythonPackage, ProtocolVersionMatches) {
   const std::string frame = ContentOf(TENDON_PYTHON_FRAME);
   const std::string line = "PROTOCOL_VERSION = " + std::to_string(FrameHeader::kProtocolVersion);
 

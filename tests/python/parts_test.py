@@ -20,7 +20,7 @@ def header_of(body_size):
 
 
 class Assembly(unittest.TestCase):
-    def test_frames_are_put_together_side_by_side(self):
+    def test_frames_are_assembled_side_by_side(self):
         assembly = PartAssembly()
         for part in PARTS[:-1]:
             self.assertIsNone(assembly.add(1, part))
@@ -29,7 +29,7 @@ class Assembly(unittest.TestCase):
             self.assertEqual(assembly.add(number, PARTS[-1]), (Header(0x201, 5), BODY))
         self.assertEqual(assembly.taken, 2 * len(FRAME))
 
-    def test_parts_may_have_any_size_from_the_least_on(self):
+    def test_parts_of_any_allowed_size_are_assembled(self):
         assembly = PartAssembly()
         self.assertIsNone(assembly.add(1, FRAME[:MAX_PART_SIZE]))
         end = MAX_PART_SIZE + LEAST_PART_SIZE
@@ -39,7 +39,7 @@ class Assembly(unittest.TestCase):
             whole = assembly.add(1, rest[start:start + MAX_PART_SIZE])
         self.assertEqual(whole, (Header(0x201, 5), BODY))
 
-    def test_what_is_no_part_is_refused(self):
+    def test_malformed_parts_are_rejected(self):
         for parts in ([b"nonsense" * PART_SIZE], [FRAME[:LEAST_PART_SIZE - 1]],
                       [FRAME[:MAX_PART_SIZE + 1]], [PARTS[0], b""], [*PARTS[:-1], PARTS[-1] + b"\0"],
                       [header_of(MAX_BODY_SIZE + 1) + bytes(PART_SIZE - HEADER_SIZE)]):
@@ -48,7 +48,7 @@ class Assembly(unittest.TestCase):
                 for part in parts:
                     assembly.add(1, part)
 
-    def test_no_more_is_kept_than_a_sender_lets_on_its_way(self):
+    def test_memory_is_limited_to_the_senders_window(self):
         assembly = PartAssembly()
         first = header_of(MAX_BODY_SIZE) + bytes(PART_SIZE - HEADER_SIZE)
         assembly.add(1, first)
@@ -66,7 +66,7 @@ class Sender(unittest.TestCase):
         taken = sum(len(frame) - HEADER_SIZE for frame in self.sent)
         self.sender.on_taken(messages.encode("PartsTaken", taken))
 
-    def test_what_is_sent_can_be_put_together(self):
+    def test_a_frame_is_sent_in_parts(self):
         for number in (1, 2):
             self.sent.clear()
             self.sender.send(FRAME, PATIENCE)
@@ -75,26 +75,26 @@ class Sender(unittest.TestCase):
             if number == 1:
                 self.take()
 
-    def test_no_more_is_sent_than_the_peer_takes(self):
+    def test_sending_stops_at_the_window(self):
         with self.assertRaisesRegex(TimedOut, "does not keep up"):
             self.sender.send(FRAME + bytes(2 * PARTS_AHEAD), 0.01)
         ahead = sum(len(frame) - HEADER_SIZE for frame in self.sent)
         self.assertLess(ahead, PARTS_AHEAD + PART_SIZE)
 
-    def test_goes_on_when_the_peer_has_taken(self):
+    def test_sending_continues_after_an_acknowledgement(self):
         sender = PartSender(lambda frame: (self.sent.append(frame), self.take()))
         self.sender = sender
         sender.send(FRAME + bytes(8 * PARTS_AHEAD), 0)
         self.assertGreater(len(self.sent), 8)
 
-    def test_who_waits_hears_of_the_end(self):
+    def test_closing_wakes_a_waiting_sender(self):
         thread = threading.Timer(0.01, lambda: self.sender.close(Unreachable("gone")))
         thread.start()
         with self.assertRaisesRegex(Unreachable, "^gone$"):
             self.sender.send(FRAME + bytes(2 * PARTS_AHEAD), PATIENCE)
         thread.join()
 
-    def test_a_peer_cannot_take_what_was_not_sent(self):
+    def test_false_acknowledgements_are_rejected(self):
         self.sender.send(FRAME, PATIENCE)
         self.take()
         for taken in (len(FRAME) + 1, len(FRAME) - 1):

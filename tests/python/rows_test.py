@@ -48,7 +48,7 @@ class Rows(unittest.TestCase):
     def hear(self, body, message_type=MessageType.ROWS, handle=7):
         self.feeds.on_notice(Header(message_type, handle=handle), body)
 
-    def test_come_in_order_with_their_values(self):
+    def test_arrive_in_order_with_their_values(self):
         self.hear(body_of(0, [(5, 100, 0.5, "one"), (6, -200, 1.5, "a longer one")]))
         self.hear(body_of(2, [(7, 300, 2.5, None)]))
 
@@ -58,13 +58,13 @@ class Rows(unittest.TestCase):
                          [(5, 100, 0.5, "one"), (6, -200, 1.5, "a longer one"),
                           (7, 300, 2.5, None)])
 
-    def test_that_were_lost_are_counted_by_where(self):
+    def test_lost_rows_are_counted_by_place(self):
         self.hear(body_of(0, [(1, 0, 0, "")], lost_table=3))
         self.hear(body_of(5, [(6, 0, 0, "")]))
 
         self.assertEqual((self.watch.lost_table, self.watch.lost_network), (3, 4))
 
-    def test_that_nobody_takes_are_dropped_and_counted(self):
+    def test_unread_rows_are_dropped_and_counted(self):
         def body(count):
             return body_of(count, [(count, 0, 0, "x" * (1 << 20))])
 
@@ -79,16 +79,16 @@ class Rows(unittest.TestCase):
         self.hear(body(40))
         self.assertEqual(next(self.watch).tick, 40)
 
-    def test_one_that_is_larger_than_all_that_may_wait_is_kept(self):
+    def test_a_row_larger_than_the_limit_is_kept(self):
         self.hear(body_of(0, [(1, 0, 0, "x" * (MOST_WAITING + 1))]))
         self.assertEqual(next(self.watch).tick, 1)
         self.assertEqual(self.watch.lost_viewer, 0)
 
-    def test_that_do_not_come_are_not_waited_for_forever(self):
+    def test_waiting_for_a_row_times_out(self):
         with self.assertRaisesRegex(TimedOut, "no row within 0.01 s"):
             next(self.watch)
 
-    def test_end_with_the_reason_after_the_last(self):
+    def test_the_watch_ends_with_a_reason_after_the_last_row(self):
         self.hear(body_of(0, [(1, 0, 0, "")]))
         self.hear(messages.encode("Error", {"code": "FAILED", "message": "removed"}),
                   MessageType.ROWS_ENDED)
@@ -98,12 +98,12 @@ class Rows(unittest.TestCase):
             with self.assertRaisesRegex(Failed, "^removed$"):
                 next(self.watch)
 
-    def test_of_others_are_not_heard(self):
+    def test_rows_of_other_watches_are_ignored(self):
         self.hear(body_of(0, [(1, 0, 0, "")]), handle=8)
         with self.assertRaises(TimedOut):
             next(self.watch)
 
-    def test_closing_tells_the_process_once(self):
+    def test_closing_unsubscribes_once(self):
         with self.watch:
             pass
         self.watch.close()
@@ -112,7 +112,7 @@ class Rows(unittest.TestCase):
         self.hear(body_of(0, [(1, 0, 0, "")]))
         self.assertIsNone(self.feed.take(0))
 
-    def test_closing_ends_the_wait_of_another_thread(self):
+    def test_closing_wakes_a_waiting_thread(self):
         endless = Watch(self.link, self.feeds, 7, self.feed, SCHEMAS, COLUMNS, None)
         is_waiting, rows = threading.Event(), []
 
@@ -131,11 +131,11 @@ class Rows(unittest.TestCase):
         self.assertFalse(thread.is_alive())
         self.assertEqual(rows, [1])
 
-    def test_a_watch_that_is_forgotten_is_closed(self):
+    def test_a_dropped_watch_is_closed(self):
         del self.watch
         self.assertEqual(self.link.notices, [(MessageType.UNSUBSCRIBE, 7)])
 
-    def test_a_field_of_a_column_is_enough(self):
+    def test_one_field_of_a_column_can_be_watched(self):
         schema = parse("struct t.T {\n  p: float64[2]\n}")
         columns = [Column("J.p[1]", 0, ".p[1]"), Column("J", 0, "")]
         watch = Watch(self.link, self.feeds, 7, self.feed, [schema], columns, 0.01)
@@ -146,14 +146,14 @@ class Rows(unittest.TestCase):
 class MalformedBatch(unittest.TestCase):
     BODY = body_of(0, [(5, 100, 0.5, "one"), (6, 200, 1.5, "two")])
 
-    def test_that_is_cut_off_is_refused(self):
+    def test_a_truncated_batch_is_rejected(self):
         for size in range(len(self.BODY)):
             with self.subTest(size=size), self.assertRaises(Invalid):
                 cells = list(Batch.open(self.BODY[:size]).cells())
                 for cell in (cells[0][2][1], cells[1][2][1]):
                     SCHEMAS[1].decode(cell)
 
-    def test_that_claims_too_much_is_refused(self):
+    def test_an_oversized_claim_is_rejected(self):
         for place, size in ((24, 4), (28, 4), (32, 4), (64, 4), (68, 4)):
             body = bytearray(self.BODY)
             body[place:place + size] = b"\xff" * size

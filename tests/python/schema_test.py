@@ -33,7 +33,7 @@ class Codec(unittest.TestCase):
             schema.encode(value)
         self.assertEqual(str(caught.exception), sentence)
 
-    def test_a_structure_has_the_bytes_of_cdr(self):
+    def test_a_structure_is_encoded_as_cdr(self):
         self.assertEqual(GOAL.encode(VALUE), BODY)
         self.assertEqual(GOAL.decode(BODY), VALUE)
 
@@ -76,36 +76,36 @@ class Codec(unittest.TestCase):
         self.assertEqual(Duration().decode(b"\xfe\xff\xff\xff\x00\x65\xcd\x1d"), -1.5)
         self.assertEqual(Duration().encode(0.1), struct.pack("<iI", 0, 100_000_000))
 
-    def test_what_has_nothing_to_say_is_one_byte(self):
+    def test_an_empty_structure_is_one_byte(self):
         nothing = Structure("tendon.None", ())
         self.assertEqual(nothing.encode(None), b"\0")
         self.assertIsNone(nothing.decode(b"\0"))
 
-    def test_bytes_are_bytes(self):
+    def test_uint8_sequences_are_bytes(self):
         self.assertEqual(List(Number("uint8")).encode(b"abc"), b"\x03\0\0\0abc")
         self.assertEqual(List(Number("uint8")).decode(b"\x03\0\0\0abc"), b"abc")
         self.assertEqual(List(Number("uint8")).encode([1, 2]), b"\x02\0\0\0\x01\x02")
 
-    def test_an_empty_sequence_aligns_nothing_behind_it(self):
+    def test_an_empty_sequence_adds_no_alignment(self):
         schema = Structure("t.T", (Field("a", List(Number("float64"))), Field("b", Number("int8"))))
         self.assertEqual(schema.encode({"a": [], "b": 5}), b"\0\0\0\0\x05")
         self.assertEqual(schema.decode(b"\0\0\0\0\x05"), {"a": [], "b": 5})
 
-    def test_padding_to_eight_may_follow_and_nothing_else(self):
+    def test_only_padding_to_eight_may_follow(self):
         self.assertEqual(Number("int8").decode(b"\x05" + bytes(7)), 5)
         with self.assertRaisesRegex(Invalid, "^these 9 bytes are not a valid int8: there is more "
                                              "data after its end$"):
             Number("int8").decode(b"\x05" + bytes(8))
 
-    def test_a_value_of_no_name_is_shown(self):
+    def test_an_unnamed_enum_value_is_a_number(self):
         self.assertEqual(MODE.decode(b"\x09\0\0\0"), 9)
 
-    def test_no_beginning_of_a_body_is_a_body(self):
+    def test_truncated_bodies_are_rejected(self):
         for size in range(len(BODY)):
             with self.subTest(size=size), self.assertRaises(Invalid):
                 GOAL.decode(BODY[:size])
 
-    def test_impossible_lengths_make_nothing(self):
+    def test_impossible_lengths_are_rejected(self):
         for element in (Number("float64"), String(), GOAL, List(Number("uint8"), 1 << 20)):
             for length in (2, 0x7fffffff, 0xffffffff):
                 with self.subTest(element=element.type_name), self.assertRaises(Invalid):
@@ -115,7 +115,7 @@ class Codec(unittest.TestCase):
         with self.assertRaises(Invalid):
             List(Number("float64"), 1 << 27).decode(bytes(16))
 
-    def test_malformed_values_are_refused(self):
+    def test_malformed_values_are_rejected(self):
         for schema, body in [
                 (Number("bool"), b"\x02"), (List(Number("bool")), b"\x02\0\0\0\x01\x02"),
                 (String(), b"\0\0\0\0"), (String(), b"\x02\0\0\0ab"),
@@ -136,7 +136,7 @@ class Codec(unittest.TestCase):
                 continue
             self.assertEqual(list(value), list(VALUE))
 
-    def test_mistakes_name_place_expectation_and_finding(self):
+    def test_errors_name_place_expectation_and_finding(self):
         self.assert_refused(GOAL, {**VALUE, "position": [1.0, "x"]},
                             "position[1]: expected a number (rad), got string 'x'")
         self.assert_refused(GOAL, {**VALUE, "position": [1.0]},
@@ -168,18 +168,18 @@ class Text(unittest.TestCase):
             parse(text)
         self.assertEqual(str(caught.exception), sentence)
 
-    def test_is_read_as_it_is_printed(self):
+    def test_a_printed_schema_parses_back(self):
         for text in (GOAL_TEXT, "float64", "int8[3][]", "string[]", "struct tendon.None {\n}",
                      "struct a.B {\n  c: struct d.E {\n    f: duration[2] in s\n  }[]\n}"):
             with self.subTest(text=text):
                 self.assertEqual(parse(text).text(), text)
         self.assertEqual(parse(GOAL_TEXT), GOAL)
 
-    def test_help_and_ranges_are_for_people(self):
+    def test_help_and_ranges_are_ignored(self):
         with_help = GOAL_TEXT.replace("  joint", "  # Which one: 0 }\n  @ 0 to 6\n  joint")
         self.assertEqual(parse(with_help), GOAL)
 
-    def test_mistakes_name_line_and_column(self):
+    def test_errors_name_line_and_column(self):
         self.assert_refused("struct a.B {\n  c: float65\n}",
                             "schema line 2 column 6: expected a type")
         self.assert_refused("float64[0]",
@@ -190,12 +190,12 @@ class Text(unittest.TestCase):
         self.assert_refused("enum a.B {\n}",
                             "schema line 2 column 2: an enum has at least one enumerator")
 
-    def test_every_beginning_of_a_text_is_refused(self):
+    def test_truncated_texts_are_rejected(self):
         for size in range(len(GOAL_TEXT)):
             with self.subTest(size=size), self.assertRaises(Invalid):
                 parse(GOAL_TEXT[:size])
 
-    def test_what_grows_without_bound_is_refused(self):
+    def test_oversized_schemas_are_rejected(self):
         for text, why in {
                 "int8" + "[]" * MAX_DEPTH: "more than 64 levels",
                 "struct a { a: " * (MAX_DEPTH + 1): "more than 64 levels",
@@ -205,7 +205,7 @@ class Text(unittest.TestCase):
             with self.subTest(text=text[:40]), self.assertRaisesRegex(Invalid, why):
                 parse(text)
 
-    def test_many_texts_are_told_apart_by_name(self):
+    def test_several_schemas_are_found_by_name(self):
         found = parse_all(GOAL_TEXT + "\nstruct tendon.None {\n}\n")
         self.assertEqual(found, {"arm.Goal": GOAL, "tendon.None": Structure("tendon.None", ())})
 

@@ -109,7 +109,7 @@ class InTheDemoSystem(unittest.TestCase):
         required = tendon.paths.parse_interface(ROBOT)
         return next((one for one in system.connections() if one["required"] == required), None)
 
-    def test_what_is_there_is_listed(self):
+    def test_processes_and_components_are_listed(self):
         robot = next(one for one in self.system.processes() if one["name"] == "robot")
         self.assertEqual(robot["state"], "alive")
         self.assertGreater(robot["pid"], 0)
@@ -141,7 +141,7 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertGreater(goal.tick, 0)
         self.assertIsNone(self.system.call("robot/arm/Control.Stop"))
 
-    def test_every_row_comes(self):
+    def test_every_row_arrives(self):
         with self.system.watch("robot/arm/state", timeout=PATIENCE) as watch:
             rows = [next(watch) for _ in range(500)]
             lost = watch.lost_table + watch.lost_network + watch.lost_viewer
@@ -154,13 +154,13 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertTrue(all(before.time < after.time for before, after in zip(rows, rows[1:])))
         self.assertLessEqual(gaps, lost)
 
-    def test_with_a_period_fewer_rows_come(self):
+    def test_a_period_limits_the_row_rate(self):
         with self.system.watch("robot/arm", ["Refused"], period=0.01, timeout=PATIENCE) as rows:
             stretches = [next(rows).time // 10_000_000 for _ in range(20)]
 
         self.assertEqual(stretches, sorted(set(stretches)))
 
-    def test_mistakes_are_told_in_sentences(self):
+    def test_mistakes_are_explained(self):
         for kind, sentence, function, *arguments in [
                 (tendon.NotFound, "no component 'robot/amr'; did you mean 'arm'?",
                  self.system.read, "robot/amr/state.Joints"),
@@ -198,7 +198,7 @@ class InTheDemoSystem(unittest.TestCase):
         with self.assertRaisesRegex(tendon.Incompatible, "old_arm"):
             self.system.connect(ROBOT, "desk/old_arm/Control")
 
-    def test_numbers_that_no_double_holds_are_exact(self):
+    def test_numbers_beyond_doubles_are_exact(self):
         file = pathlib.Path(self.place.folder.name) / "track.json"
         file.write_text(json.dumps(TRACK), encoding="utf-8")
         self.place.run("track", file)
@@ -227,7 +227,7 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertGreaterEqual(self.system.read("track/odometer/Control.GetCount"),
                                 2**64 - 2**20 - 1)
 
-    def test_a_process_that_is_killed_ends_what_it_sent_and_is_found_again(self):
+    def test_a_killed_process_ends_its_watches_and_is_found_again(self):
         file = pathlib.Path(self.place.folder.name) / "guest.json"
         file.write_text(json.dumps(GUEST), encoding="utf-8")
         guest = self.place.run("guest", file)
@@ -250,7 +250,7 @@ class InTheDemoSystem(unittest.TestCase):
         with self.system.watch("guest/host_monitor", timeout=PATIENCE) as rows:
             next(rows)
 
-    def test_data_flows_without_a_gcm_and_the_next_one_is_found(self):
+    def test_data_flows_without_a_gcm_and_a_new_one_is_found(self):
         with self.system.watch("robot/arm", ["Refused"], timeout=PATIENCE) as rows:
             next(rows)
             self.gcm.send_signal(signal.SIGKILL)
@@ -292,12 +292,12 @@ class InTheDemoSystem(unittest.TestCase):
         finally:
             os.environ["XDG_RUNTIME_DIR"] = str(folder)
 
-    def test_what_is_no_gcm_is_told(self):
+    def test_a_silent_server_is_unreachable(self):
         with socket.create_server(("127.0.0.1", 0)) as mute:
             with self.assertRaisesRegex(tendon.Unreachable, "^no GCM at "):
                 tendon.connect(f"127.0.0.1:{mute.getsockname()[1]}", timeout=0.2)
 
-    def test_the_examples_of_the_page_run(self):
+    def test_the_examples_of_the_readme_run(self):
         page = (ROOT / "resources/python/README.md").read_text(encoding="utf-8")
         examples = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
         self.assertTrue(examples)
@@ -310,7 +310,7 @@ class InTheDemoSystem(unittest.TestCase):
                 exec(patient, names)
             self.assertTrue(printed.getvalue() or "connect(" in example)
 
-    def test_a_closed_system_ends_what_is_watched(self):
+    def test_a_closed_system_ends_its_watches(self):
         with tendon.connect(self.place.address, timeout=PATIENCE) as system:
             rows = system.watch("robot/arm", timeout=PATIENCE)
             next(rows)
