@@ -22,7 +22,7 @@ Action Connecting() {
   return action;
 }
 
-TEST(ActivityModel, ShowsTheNewestActionFirstWithTheLineThatDoesTheSame) {
+TEST(ActivityModel, ShowsTheNewestActionFirstWithItsCommandLine) {
   ActivityModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   Action disconnecting;
@@ -36,7 +36,7 @@ TEST(ActivityModel, ShowsTheNewestActionFirstWithTheLineThatDoesTheSame) {
   EXPECT_EQ(model.command(1), "gcm connect desk/teleoperation/Robot robot/controller/Control");
 }
 
-TEST(ActivityModel, APlanHasTheLineOfItsFileAndNothingBeforeItCanBeUndoneAlone) {
+TEST(ActivityModel, NothingBeforeAPlanCanBeUndoneAlone) {
   ActivityModel model;
   model.finish(model.begin(Connecting()), 0.1, {});
   Action apply;
@@ -57,7 +57,7 @@ TEST(ActivityModel, APlanHasTheLineOfItsFileAndNothingBeforeItCanBeUndoneAlone) 
   EXPECT_EQ(model.command(0), "") << "what was before is in no file";
 }
 
-TEST(ActivityModel, OnlyTheNewestStepThatStandsCanBeUndone) {
+TEST(ActivityModel, OnlyTheNewestDoneStepCanBeUndone) {
   ActivityModel model;
   const auto first = model.begin(Connecting());
   EXPECT_FALSE(model.canUndo(0));  // still running
@@ -69,7 +69,7 @@ TEST(ActivityModel, OnlyTheNewestStepThatStandsCanBeUndone) {
   EXPECT_TRUE(model.canUndo(1));
 }
 
-TEST(ActivityModel, AnUndoneStepSaysSoAndTheOneBeforeCanBeUndone) {
+TEST(ActivityModel, MarksAnUndoneStepAndAllowsTheNextUndo) {
   ActivityModel model;
   Action other = Connecting();
   other.required.interface = "Other";
@@ -87,7 +87,7 @@ TEST(ActivityModel, AnUndoneStepSaysSoAndTheOneBeforeCanBeUndone) {
   EXPECT_EQ(model.action(0).required, kRobot);
 }
 
-TEST(ActivityModel, WhatWasOrderedOfAComponentIsAStepUnlessItWasARestart) {
+TEST(ActivityModel, LifecycleCommandsExceptRestartCanBeUndone) {
   ActivityModel model;
   Action stop;
   stop.verb = Action::Verb::kSteer;
@@ -110,7 +110,7 @@ TEST(ActivityModel, WhatWasOrderedOfAComponentIsAStepUnlessItWasARestart) {
   EXPECT_TRUE(model.action(1).undone);
 }
 
-TEST(ActivityModel, ARefusalStaysInItsRow) {
+TEST(ActivityModel, ShowsARefusalInItsRow) {
   ActivityModel model;
   QSignalSpy finished(&model, &ActivityModel::finished);
 
@@ -140,7 +140,7 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
   EXPECT_EQ(model.row(3).text, "desk/teleoperation waits for Robot: not connected");
 }
 
-TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
+TEST(ProblemsModel, ListsAWaitingComponentUntilConnectedOrStopped) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
   const auto texts = [&] {
@@ -166,7 +166,7 @@ TEST(ProblemsModel, AComponentWaitsUntilItIsConnectedOrRunsNoMore) {
   EXPECT_TRUE(texts().isEmpty());
 }
 
-TEST(ProblemsModel, AProcessRunsAnOlderPlugInThanItsFile) {
+TEST(ProblemsModel, ListsAPluginOlderThanItsFile) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
   ProcessDescription robot = system.catalogue().FindProcess("robot")->process;
@@ -186,7 +186,7 @@ TEST(ProblemsModel, AProcessRunsAnOlderPlugInThanItsFile) {
   EXPECT_TRUE(texts(PluginState::kGone).value(0).contains("; the file is missing"));
 }
 
-TEST(ProblemsModel, ListsAProcessThatIsNotReachedByAll) {
+TEST(ProblemsModel, ListsAProcessThatOthersCannotReach) {
   const std::string reason = "is reached at 127.0.0.1:43211 from its own host only";
   ProblemsModel model;
   SystemBuilder system;

@@ -27,14 +27,14 @@ class EventsModelTest : public ::testing::Test {
   QAbstractItemModelTester tester_{&model_};
 };
 
-TEST_F(EventsModelTest, TheNewestStandsFirstAndTheOldestMakesRoom) {
+TEST_F(EventsModelTest, ShowsTheNewestFirstAndDropsTheOldest) {
   model_.add({{1, "a/b/C.One", ""}, {2, "a/b/C.Two", ""}});
   model_.add({{3, "a/b/C.Three", ""}, {4, "a/b/C.Four", ""}});
 
   EXPECT_EQ(Shown(), (QStringList{"a/b/C.Four", "a/b/C.Three", "a/b/C.Two"}));
 }
 
-TEST_F(EventsModelTest, OnlyEventsOfThePartCount) {
+TEST_F(EventsModelTest, AcceptsOnlyEventsOfItsPart) {
   model_.setPart("a/b");
   model_.add({{1, "a/b/C.One", ""}, {2, "a/bad/C.Two", ""}});
   model_.addLost("a/bad/C.Two", 5);
@@ -44,7 +44,7 @@ TEST_F(EventsModelTest, OnlyEventsOfThePartCount) {
   EXPECT_EQ(model_.index(0).data(kTrailRole).toString(), "C");
 }
 
-TEST_F(EventsModelTest, WhatComesWhilePausedIsShownAfterwards) {
+TEST_F(EventsModelTest, EventsDuringAPauseAppearAfterIt) {
   model_.add({{1, "a/b/C.One", ""}});
   model_.setPaused(true);
   model_.add({{2, "a/b/C.Two", ""}});
@@ -56,7 +56,7 @@ TEST_F(EventsModelTest, WhatComesWhilePausedIsShownAfterwards) {
   EXPECT_EQ(Shown(), (QStringList{"a/b/C.Two", "a/b/C.One"}));
 }
 
-TEST_F(EventsModelTest, AFilterThatIsTakenAwayShowsAllAgain) {
+TEST_F(EventsModelTest, ClearingTheFilterShowsAll) {
   model_.add({{1, "a/b/C.One", "{\"joint\":3}"}, {2, "a/b/C.Two", ""}});
   model_.setWords({"joint"});
   EXPECT_EQ(Shown(), QStringList{"a/b/C.One"});
@@ -66,7 +66,7 @@ TEST_F(EventsModelTest, AFilterThatIsTakenAwayShowsAllAgain) {
   EXPECT_EQ(Shown().size(), 2);
 }
 
-TEST_F(EventsModelTest, TheRateIsThatOfTheLastTwoSeconds) {
+TEST_F(EventsModelTest, AveragesTheRateOverTwoSeconds) {
   model_.add({{kEventSecond, "a/b/C.One", ""}, {5 * kEventSecond, "a/b/C.One", ""}});
   model_.add({{6 * kEventSecond, "a/b/C.One", ""}});
 
@@ -74,7 +74,7 @@ TEST_F(EventsModelTest, TheRateIsThatOfTheLastTwoSeconds) {
   EXPECT_DOUBLE_EQ(model_.rate(9 * kEventSecond), 0.0);
 }
 
-TEST(EventList, ItsHeadCountsAnEventAsSoonAsItIsShown) {
+TEST(EventList, TheHeaderCountsEachShownEventAtOnce) {
   ScriptedReports reports;
   EventList list(reports);
   list.show("a/b");

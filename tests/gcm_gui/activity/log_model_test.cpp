@@ -30,7 +30,7 @@ class LogModelTest : public ::testing::Test {
   QAbstractItemModelTester filter_tester_{&filter_};
 };
 
-TEST_F(LogModelTest, ARecordNamesWhereItComesFrom) {
+TEST_F(LogModelTest, ARecordNamesItsSource) {
   Hear(LogLevel::kInfo, "robot", "joined");
   Hear(LogLevel::kWarning, "arm", "missed a cycle");
 
@@ -40,7 +40,7 @@ TEST_F(LogModelTest, ARecordNamesWhereItComesFrom) {
             "warning robot/arm: missed a cycle");
 }
 
-TEST_F(LogModelTest, TheOldestRecordsMakeRoom) {
+TEST_F(LogModelTest, DropsTheOldestRecords) {
   LogBatch batch;
   batch.records.resize(LogModel::kKept);
   model_.add(batch);
@@ -50,7 +50,7 @@ TEST_F(LogModelTest, TheOldestRecordsMakeRoom) {
   EXPECT_EQ(model_.index(model_.rowCount() - 1).data().toString(), "newest");
 }
 
-TEST_F(LogModelTest, WhatTheGcmCouldNotKeepIsCountedAsLost) {
+TEST_F(LogModelTest, CountsRecordsThatTheGcmDropped) {
   LogBatch batch;
   batch.lost = 7;
   model_.add(batch);
@@ -58,7 +58,7 @@ TEST_F(LogModelTest, WhatTheGcmCouldNotKeepIsCountedAsLost) {
   EXPECT_EQ(model_.lost(), 7U);
 }
 
-TEST_F(LogModelTest, ALevelHidesWhatIsBelowIt) {
+TEST_F(LogModelTest, ALevelHidesLowerRecords) {
   Hear(LogLevel::kDebug, "arm", "detail");
   Hear(LogLevel::kError, "arm", "broken");
 
@@ -67,7 +67,7 @@ TEST_F(LogModelTest, ALevelHidesWhatIsBelowIt) {
   EXPECT_EQ(Shown(), QStringList{"broken"});
 }
 
-TEST_F(LogModelTest, EveryWordMustBeInSourceOrText) {
+TEST_F(LogModelTest, TheFilterNeedsEveryWordInSourceOrText) {
   Hear(LogLevel::kInfo, "arm", "Joined the GCM");
   Hear(LogLevel::kInfo, "camera", "joined the arm");
 

@@ -41,7 +41,7 @@ class RedoStackTest : public ::testing::Test {
   RedoStack redo_{activity_, actions_};
 };
 
-TEST_F(RedoStackTest, WhatWasUndoneLastIsDoneAgainFirst) {
+TEST_F(RedoStackTest, RedoesTheLastUndoFirst) {
   Do(Connecting());
   Do(Disconnecting());
   Undo(Disconnecting());
@@ -58,7 +58,7 @@ TEST_F(RedoStackTest, WhatWasUndoneLastIsDoneAgainFirst) {
   EXPECT_EQ(Asked(), QStringList("disconnect desk/teleoperation/Robot"));
 }
 
-TEST_F(RedoStackTest, SomethingElseThatIsDoneEndsIt) {
+TEST_F(RedoStackTest, ANewActionClearsTheStack) {
   QSignalSpy notice(&redo_, &RedoStack::notice);
   Do(Connecting());
   Undo(Connecting());
@@ -70,7 +70,7 @@ TEST_F(RedoStackTest, SomethingElseThatIsDoneEndsIt) {
   EXPECT_EQ(notice.count(), 1);
 }
 
-TEST_F(RedoStackTest, AComponentIsNotStoppedByIt) {
+TEST_F(RedoStackTest, DoesNotRedoAStop) {
   QSignalSpy notice(&redo_, &RedoStack::notice);
   Action stop;
   stop.verb = Action::Verb::kSteer;

@@ -66,7 +66,7 @@ class CallPanelTest : public ::testing::Test {
   CallPanel panel_{calls_};
 };
 
-TEST_F(CallPanelTest, SaysWhatIsEntered) {
+TEST_F(CallPanelTest, CallsWithTheEnteredValues) {
   ShowMove();
   Enter("to", "0.5");
 
@@ -77,7 +77,7 @@ TEST_F(CallPanelTest, SaysWhatIsEntered) {
   EXPECT_EQ(Status(), "Calling…");
 }
 
-TEST_F(CallPanelTest, ItBeginsWithWhatTheMatchingReadSays) {
+TEST_F(CallPanelTest, StartsWithTheValueOfTheMatchingReadCommand) {
   panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
   ASSERT_EQ(calls_.read, QStringList{kGet});
@@ -90,7 +90,7 @@ TEST_F(CallPanelTest, ItBeginsWithWhatTheMatchingReadSays) {
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.25,"mode":"b"})"});
 }
 
-TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
+TEST_F(CallPanelTest, ALateReadDoesNotOverwriteInput) {
   panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
   Enter("to", "0.5");
@@ -101,7 +101,7 @@ TEST_F(CallPanelTest, WhatIsEnteredIsNotOverwrittenByALateRead) {
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.5,"mode":"a"})"});
 }
 
-TEST_F(CallPanelTest, NothingChangesUnderAHandThatPresses) {
+TEST_F(CallPanelTest, ALateReadDoesNotChangeTheFormWhilePressing) {
   panel_.setCareful(true);
   panel_.showCommand(kMove, CommandOf("Move", CommandKind::kWrite), {{.name = "Get"}});
   panel_.show();
@@ -115,7 +115,7 @@ TEST_F(CallPanelTest, NothingChangesUnderAHandThatPresses) {
   QTest::mouseRelease(&Button(), Qt::LeftButton);
 }
 
-TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {
+TEST_F(CallPanelTest, ShowsTheReplyOneFieldPerLine) {
   panel_.showCommand(kGet, CommandOf("Get", CommandKind::kRead));
   panel_.show();
   Click();
@@ -129,7 +129,7 @@ TEST_F(CallPanelTest, TheAnswerIsShownAFieldALine) {
   EXPECT_EQ(calls_.calls.size(), 2);
 }
 
-TEST_F(CallPanelTest, ARefusalIsToldInItsWords) {
+TEST_F(CallPanelTest, ShowsTheTextOfARefusal) {
   ShowStop();
   Click();
 
@@ -139,7 +139,7 @@ TEST_F(CallPanelTest, ARefusalIsToldInItsWords) {
   EXPECT_FALSE(Answer().isVisible());
 }
 
-TEST_F(CallPanelTest, WhatIsWrongIsSaidBeforeItIsCalled) {
+TEST_F(CallPanelTest, ReportsInvalidInputBeforeTheCall) {
   ShowMove();
 
   Enter("to", "1.5");
@@ -152,7 +152,7 @@ TEST_F(CallPanelTest, WhatIsWrongIsSaidBeforeItIsCalled) {
   EXPECT_EQ(Status(), "");
 }
 
-TEST_F(CallPanelTest, JsonAndFormAreTheSameValue) {
+TEST_F(CallPanelTest, JsonAndFormShowTheSameValue) {
   ShowMove();
   Enter("to", "0.25");
 
@@ -168,7 +168,7 @@ TEST_F(CallPanelTest, JsonAndFormAreTheSameValue) {
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.75,"mode":"b"})"});
 }
 
-TEST_F(CallPanelTest, JsonThatIsWrongIsNotLeftForAFormThatShowsOtherNumbers) {
+TEST_F(CallPanelTest, InvalidJsonCannotBeLeftForTheForm) {
   ShowMove();
   Link("call.asJson").click();
   auto& json = *panel_.findChild<QPlainTextEdit*>(QStringLiteral("call.json"));
@@ -184,7 +184,7 @@ TEST_F(CallPanelTest, JsonThatIsWrongIsNotLeftForAFormThatShowsOtherNumbers) {
   }
 }
 
-TEST_F(CallPanelTest, WhatWasSaidLastStandsThereAgain) {
+TEST_F(CallPanelTest, RestoresTheLastArgument) {
   ShowMove();
   Enter("to", "-0.5");
   Click();
@@ -195,7 +195,7 @@ TEST_F(CallPanelTest, WhatWasSaidLastStandsThereAgain) {
   EXPECT_EQ(panel_.findChild<QLineEdit*>(QStringLiteral("form.to"))->text(), "-0.5");
 }
 
-TEST_F(CallPanelTest, AnAnswerThatComesLateIsNotTakenForThatOfAnotherCommand) {
+TEST_F(CallPanelTest, IgnoresALateReplyOfAnotherCommand) {
   ShowMove();
   Click();
   const auto late = calls_.answer;
@@ -207,7 +207,7 @@ TEST_F(CallPanelTest, AnAnswerThatComesLateIsNotTakenForThatOfAnotherCommand) {
   EXPECT_TRUE(Button().isEnabled());
 }
 
-TEST_F(CallPanelTest, WithoutTheTypeNothingIsCalledAndItIsAskedForAgain) {
+TEST_F(CallPanelTest, CannotCallWithoutTheTypeAndCanRetry) {
   const Result<Schema> known = calls_.schema;
   calls_.schema = Error{ErrorCode::kTimeout, "no answer from robot in 2 s"};
   ShowMove();
@@ -222,7 +222,7 @@ TEST_F(CallPanelTest, WithoutTheTypeNothingIsCalledAndItIsAskedForAgain) {
   EXPECT_EQ(Status(), "");
 }
 
-TEST_F(CallPanelTest, ItIsCopiedAsTheLineOfATerminal) {
+TEST_F(CallPanelTest, CopiesTheCallAsACommandLine) {
   ShowMove();
   Enter("to", "0.5");
 
@@ -232,7 +232,7 @@ TEST_F(CallPanelTest, ItIsCopiedAsTheLineOfATerminal) {
             R"(gcm call robot/arm/Control.Move '{"to":0.5,"mode":"a"}')");
 }
 
-TEST_F(CallPanelTest, TheKeyCallsFromAnyField) {
+TEST_F(CallPanelTest, TheShortcutCallsFromAnyField) {
   ShowMove();
   auto* field = panel_.findChild<QLineEdit*>(QStringLiteral("form.to"));
   Activate();
@@ -244,7 +244,7 @@ TEST_F(CallPanelTest, TheKeyCallsFromAnyField) {
   EXPECT_EQ(calls_.calls.size(), 1);
 }
 
-TEST_F(CallPanelTest, WhatCanSetSomethingInMotionIsNotCalledByOneClick) {
+TEST_F(CallPanelTest, OneClickDoesNotCallAMotionCommand) {
   ShowStop();
   panel_.setCareful(true);
 
@@ -254,7 +254,7 @@ TEST_F(CallPanelTest, WhatCanSetSomethingInMotionIsNotCalledByOneClick) {
   EXPECT_TRUE(Status().contains("hold the button")) << Status().toStdString();
 }
 
-TEST_F(CallPanelTest, ItIsCalledByAButtonThatIsHeld) {
+TEST_F(CallPanelTest, HoldingTheButtonCallsAMotionCommand) {
   ShowStop();
   panel_.setCareful(true);
 
@@ -266,7 +266,7 @@ TEST_F(CallPanelTest, ItIsCalledByAButtonThatIsHeld) {
   EXPECT_EQ(calls_.calls.size(), 1);
 }
 
-TEST_F(CallPanelTest, AButtonThatIsHeldOnCallsOnce) {
+TEST_F(CallPanelTest, AHeldButtonCallsOnce) {
   ShowStop();
   panel_.setCareful(true);
   QTest::mousePress(&Button(), Qt::LeftButton);
@@ -280,7 +280,7 @@ TEST_F(CallPanelTest, AButtonThatIsHeldOnCallsOnce) {
   EXPECT_EQ(Status(), "Done in 1.000 ms") << "no second hold had begun";
 }
 
-TEST_F(CallPanelTest, AClickThatIsTakenBackCallsNothing) {
+TEST_F(CallPanelTest, ReleasingOutsideTheButtonCallsNothing) {
   ShowStop();
 
   QTest::mousePress(&Button(), Qt::LeftButton);
@@ -289,7 +289,7 @@ TEST_F(CallPanelTest, AClickThatIsTakenBackCallsNothing) {
   EXPECT_EQ(calls_.calls.size(), 0);
 }
 
-TEST_F(CallPanelTest, TheFirstKeyIsForgottenWithItsCommand) {
+TEST_F(CallPanelTest, ChangingTheCommandResetsTheFirstKeyPress) {
   ShowStop();
   Activate();
   panel_.setCareful(true);
@@ -301,7 +301,7 @@ TEST_F(CallPanelTest, TheFirstKeyIsForgottenWithItsCommand) {
   EXPECT_EQ(calls_.calls.size(), 0);
 }
 
-TEST_F(CallPanelTest, OrByTheKeyPressedTwice) {
+TEST_F(CallPanelTest, PressingTheShortcutTwiceCallsAMotionCommand) {
   ShowStop();
   Activate();
   panel_.setCareful(true);
@@ -313,7 +313,7 @@ TEST_F(CallPanelTest, OrByTheKeyPressedTwice) {
   EXPECT_EQ(calls_.calls.size(), 1);
 }
 
-TEST_F(CallPanelTest, OfAProcessThatIsGoneNothingIsCalled) {
+TEST_F(CallPanelTest, CannotCallAnUnavailableProcess) {
   ShowStop();
 
   panel_.setUnavailable("robot does not answer");
@@ -324,7 +324,7 @@ TEST_F(CallPanelTest, OfAProcessThatIsGoneNothingIsCalled) {
   EXPECT_TRUE(Button().isEnabled());
 }
 
-TEST_F(CallPanelTest, ItCanGoWhileACallIsUnderWay) {
+TEST_F(CallPanelTest, CanBeDestroyedDuringACall) {
   auto panel = std::make_unique<CallPanel>(calls_);
   panel->showCommand(kStop, CommandOf("Stop", CommandKind::kVoid));
   QTest::mouseClick(panel->findChild<QPushButton*>(QStringLiteral("call.call")), Qt::LeftButton);
@@ -335,7 +335,7 @@ TEST_F(CallPanelTest, ItCanGoWhileACallIsUnderWay) {
   calls_.answer(std::string(), 0);  // finds nobody
 }
 
-TEST_F(CallPanelTest, WhatEndsByItselfSaysWhen) {
+TEST_F(CallPanelTest, ShowsWhenACommandExpires) {
   MemberDescription command = CommandOf("MoveAt", CommandKind::kWrite);
   command.expires_after = 0.1;
   panel_.showCommand(QStringLiteral("robot/arm/Control.MoveAt"), command);

@@ -35,7 +35,7 @@ class FormDefaultsTest : public ::testing::Test {
   CallPanel panel_{calls_};
 };
 
-TEST_F(FormDefaultsTest, BeginsWhereTheArmIs) {
+TEST_F(FormDefaultsTest, StartsWithTheCurrentPosition) {
   Open();
   ASSERT_EQ(calls_.read, QStringList{"robot/arm/Control.GetJoints"});
 
@@ -47,7 +47,7 @@ TEST_F(FormDefaultsTest, BeginsWhereTheArmIs) {
   EXPECT_THAT(calls_.calls[0].toStdString(), testing::HasSubstr(R"("position":[0.1,-1.5])"));
 }
 
-TEST_F(FormDefaultsTest, SaysThatItsValuesAreNotThePresentOnes) {
+TEST_F(FormDefaultsTest, ReportsThatItsValuesAreNotCurrent) {
   Open();
 
   calls_.value(Error{ErrorCode::kTimeout, "no answer"});

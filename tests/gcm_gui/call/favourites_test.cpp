@@ -18,7 +18,7 @@ namespace {
 constexpr std::chrono::seconds kFavouritePatience{20};
 const Favourite kStopFavourite{"robot/controller/Control.Stop", ""};
 
-TEST(Favourites, TheyAreThereTheNextTime) {
+TEST(Favourites, PersistAcrossInstances) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/favourites.json");
   {
@@ -36,7 +36,7 @@ TEST(Favourites, TheyAreThereTheNextTime) {
   EXPECT_EQ(Favourites(file).all().size(), 1);
 }
 
-TEST(Favourites, ThatTheyCannotBeKeptIsSaid) {
+TEST(Favourites, ReportAFailedSave) {
   const QTemporaryDir folder;
   Favourites favourites(folder.path());  // which is no file
   QSignalSpy notice(&favourites, &Favourites::notice);
@@ -48,7 +48,7 @@ TEST(Favourites, ThatTheyCannotBeKeptIsSaid) {
   EXPECT_EQ(favourites.all().size(), 1);
 }
 
-TEST(Favourites, AButtonWaitsForItsComponent) {
+TEST(Favourites, AButtonIsDisabledWithoutItsComponent) {
   Favourites favourites{QString()};
   CatalogueStore store;
   ScriptedCalls calls;
@@ -72,7 +72,7 @@ TEST(Favourites, AButtonWaitsForItsComponent) {
   EXPECT_EQ(calls.calls, QStringList{"robot/tool/Grip.Open"});
 }
 
-TEST(HoldButton, WhatCanMoveHasToBeHeld) {
+TEST(HoldButton, MotionCommandsMustBeHeld) {
   HoldButton button("Go");
   button.setCareful(true);
   button.show();

@@ -81,7 +81,7 @@ class FormFuzzTest : public ::testing::TestWithParam<std::string> {
   QList<NumberField*> fields_;
 };
 
-TEST_P(FormFuzzTest, TheNumberThatIsWrittenOrARefusal) {
+TEST_P(FormFuzzTest, AcceptsTheExactNumberOrRejectsIt) {
   ASSERT_TRUE(locales_.Use(GetParam())) << "localedef did not make " << GetParam();
   QLocale::setDefault(QLocale(QString::fromStdString(GetParam())));
   test::RandomWords words(20);

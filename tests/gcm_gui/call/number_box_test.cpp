@@ -40,7 +40,7 @@ class NumberBoxTest : public ::testing::Test {
   QPushButton button_;
 };
 
-TEST_F(NumberBoxTest, TakesWhatIsTypedInEveryLocaleAlike) {
+TEST_F(NumberBoxTest, ReadsNumbersAlikeInAllLocales) {
   for (const char* locale : {"C", "en_US", "de_DE", "fr_FR"}) {
     QLocale::setDefault(QLocale(locale));
     NumberBox box(NumberBox::Numbers::kAll);
@@ -54,7 +54,7 @@ TEST_F(NumberBoxTest, TakesWhatIsTypedInEveryLocaleAlike) {
   EXPECT_EQ(rate_.value(), 0.25);
 }
 
-TEST_F(NumberBoxTest, KeepsWhatIsNoNumberAndSaysWhatToWrite) {
+TEST_F(NumberBoxTest, KeepsInvalidInputAndExplainsIt) {
   Type(rate_, "0,5");
   EXPECT_TRUE(rate_.text().startsWith("0,5"));
   EXPECT_EQ(rate_.refusal(), "write 0.5: use a point as the decimal sign");
@@ -68,7 +68,7 @@ TEST_F(NumberBoxTest, KeepsWhatIsNoNumberAndSaysWhatToWrite) {
   EXPECT_EQ(times_.value(), 12);
 }
 
-TEST_F(NumberBoxTest, DoesNotGoBackToTheFormerValueByItself) {
+TEST_F(NumberBoxTest, DoesNotRevertInvalidInput) {
   Type(rate_, "0,5");
   QTest::keyClick(&rate_, Qt::Key_Return);
   button_.setFocus();
@@ -78,7 +78,7 @@ TEST_F(NumberBoxTest, DoesNotGoBackToTheFormerValueByItself) {
   EXPECT_NE(rate_.refusal(), "");
 }
 
-TEST_F(NumberBoxTest, ASpecialValueIsNoMistake) {
+TEST_F(NumberBoxTest, AcceptsASpecialValue) {
   EXPECT_EQ(times_.text(), "until stopped");
   EXPECT_EQ(times_.refusal(), "");
 }

@@ -62,7 +62,7 @@ class NumberFieldTest : public ::testing::Test {
   ValueForm form_{schema_};
 };
 
-TEST_F(NumberFieldTest, APastedDecimalCommaIsRefusedThereAndLeavesTheNextFieldAlone) {
+TEST_F(NumberFieldTest, RejectsAPastedDecimalComma) {
   for (const QString comma : {"0,123", "0,1234"}) {
     Paste(Joint(0), comma);
 
@@ -76,7 +76,7 @@ TEST_F(NumberFieldTest, APastedDecimalCommaIsRefusedThereAndLeavesTheNextFieldAl
   EXPECT_EQ(Refusals("position"), "[0]: write 1234.5: use a point as the decimal sign");
 }
 
-TEST_F(NumberFieldTest, ATypedDecimalCommaStaysWhereItIsWhateverIsTakenBack) {
+TEST_F(NumberFieldTest, KeepsATypedDecimalCommaWhileEditing) {
   Type(Joint(1), "0,1234");
   QTest::keyClick(&Joint(1), Qt::Key_Backspace);
 
@@ -85,7 +85,7 @@ TEST_F(NumberFieldTest, ATypedDecimalCommaStaysWhereItIsWhateverIsTakenBack) {
   EXPECT_FALSE(IsCallable());
 }
 
-TEST_F(NumberFieldTest, AllFieldsThatAreWrongSaySo) {
+TEST_F(NumberFieldTest, EachInvalidFieldShowsItsError) {
   Type(Joint(0), "0,5");
   Type(Joint(2), "5deg");
   Type(Field("speed"), "9");
@@ -101,14 +101,14 @@ TEST_F(NumberFieldTest, AllFieldsThatAreWrongSaySo) {
   EXPECT_EQ(Refusals("position"), "[2]: write the number alone, in rad");
 }
 
-TEST_F(NumberFieldTest, AListFillsTheFieldsFromThereOn) {
+TEST_F(NumberFieldTest, APastedListFillsTheFollowingFields) {
   Paste(Joint(1), "[0.25,\t-1e-3]");
   EXPECT_EQ(form_.json(), R"({"position":[0,0.25,-0.001],"speed":0.5,"count":0})");
   Paste(Joint(0), "1;2;3");
   EXPECT_EQ(form_.json(), R"({"position":[1,2,3],"speed":0.5,"count":0})");
 }
 
-TEST_F(NumberFieldTest, AListThatDoesNotFitIsRefusedAsAWhole) {
+TEST_F(NumberFieldTest, RejectsAnUnfittingListAsAWhole) {
   const std::string before = form_.json();
   struct Case {
     QString text;
@@ -133,7 +133,7 @@ TEST_F(NumberFieldTest, AListThatDoesNotFitIsRefusedAsAWhole) {
   EXPECT_EQ(Refusals("speed"), "Nothing was pasted: expected one number, found 2");
 }
 
-TEST_F(NumberFieldTest, ThePointerPastesAndDropsInTheSameWay) {
+TEST_F(NumberFieldTest, TheContextMenuAndDropPasteLists) {
   QGuiApplication::clipboard()->setText("1 2 3");
   QMenu* menu = Joint(0).createStandardContextMenu();
   for (QAction* action : menu->actions()) {
@@ -151,14 +151,14 @@ TEST_F(NumberFieldTest, ThePointerPastesAndDropsInTheSameWay) {
   EXPECT_EQ(form_.json(), R"({"position":[4,5,6],"speed":0.5,"count":0})");
 }
 
-TEST_F(NumberFieldTest, WhatWasPastedIsTakenBackByItsKey) {
+TEST_F(NumberFieldTest, UndoRevertsAPasteInItsField) {
   Paste(Joint(0), "7 8 9");
   QTest::keySequence(&Joint(0), QKeySequence::Undo);
   EXPECT_EQ(Joint(0).text(), "0");
   EXPECT_EQ(Joint(1).text(), "8");
 }
 
-TEST_F(NumberFieldTest, ShowsTheFrontOfWhatIsTooLong) {
+TEST_F(NumberFieldTest, ShowsTheFrontOfALongNumber) {
   const QString longest = "-0.99999999999999891234";
   form_.setJson(R"({"position":[0.9999999999999989,-4.4e-323,0],"speed":1,"count":7})");
   Field("speed").setFocus();
@@ -179,7 +179,7 @@ TEST_F(NumberFieldTest, ShowsTheFrontOfWhatIsTooLong) {
   EXPECT_TRUE(Joint(2).shownText().startsWith("-0.9"));
 }
 
-TEST_F(NumberFieldTest, AKeyThatComesToAFieldShowsItsFront) {
+TEST_F(NumberFieldTest, TabbingToAFieldShowsItsFront) {
   form_.setJson(R"({"position":[0,0.9999999999999989,0]})");
   Joint(0).setFocus();
 
@@ -190,7 +190,7 @@ TEST_F(NumberFieldTest, AKeyThatComesToAFieldShowsItsFront) {
   EXPECT_EQ(Joint(1).cursorPosition(), 0);
 }
 
-TEST_F(NumberFieldTest, WhatIsDrawnWithoutFocusIsNotTheTail) {
+TEST_F(NumberFieldTest, AnUnfocusedFieldDoesNotDrawTheTail) {
   form_.setJson(R"({"position":[0.1111111111111777,0,0]})");
   Field("speed").setFocus();
   const QImage before = Joint(0).grab().toImage();

@@ -4,7 +4,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(PastedNumbers, AreTakenApartWhereThatCanBeMeantInOneWayOnly) {
+TEST(PastedNumbers, AreSplitAtUnambiguousSeparators) {
   const QStringList three{"0.1", "-2", "3e1"};
   for (const QString text :
        {"0.1 -2 3e1", "0.1\t-2\t3e1", "0.1\n-2\n3e1\n", "0.1\r\n-2\r\n3e1", "0.1;-2;3e1",
@@ -16,7 +16,7 @@ TEST(PastedNumbers, AreTakenApartWhereThatCanBeMeantInOneWayOnly) {
   }
 }
 
-TEST(PastedNumbers, WhatBelongsIntoOneFieldIsNoList) {
+TEST(PastedNumbers, ASingleValueIsNoList) {
   for (const QString text :
        {"0.5", " 0.5 ", "0,5", "1.234,5", "1,234,567", "1\u00a0234,5", "5deg", "fast", "", " "}) {
     EXPECT_FALSE(NumbersIn(text).is_list) << qPrintable(text);
@@ -24,14 +24,14 @@ TEST(PastedNumbers, WhatBelongsIntoOneFieldIsNoList) {
   EXPECT_EQ(NumbersIn("[0.5]").words, QStringList{"0.5"});
 }
 
-TEST(PastedNumbers, ACommaWithoutABlankStaysInItsNumber) {
+TEST(PastedNumbers, ACommaWithoutABlankBelongsToItsNumber) {
   EXPECT_EQ(NumbersIn("0,1 0,2").words, (QStringList{"0,1", "0,2"}));
   EXPECT_EQ(NumbersIn("0,1;0,2").words, (QStringList{"0,1", "0,2"}));
   EXPECT_EQ(NumbersIn("0,1, 0,2").words, (QStringList{"0,1", "0,2"}));
   EXPECT_EQ(NumbersIn("[0,1; 0,2]").words, (QStringList{"0,1", "0,2"}));
 }
 
-TEST(PastedNumbers, AListThatIsNotClearIsRefusedAsAWhole) {
+TEST(PastedNumbers, AnAmbiguousListIsRejectedAsAWhole) {
   for (const QString text : {"0.1,0.2,0.3", "1,2,3,4,5", "1\t\t3", "1;;3", "1;2;", "[]", "[1,,2]",
                              "1 234", "12 345 678", "1 234.5", "-1 234,5", "1 234.", "1 234.5; 0.2",
                              "0.1\t1 234.5", "[0.1, 1 234.5]", "1 234\u00a0567.5", "1 234'567"}) {

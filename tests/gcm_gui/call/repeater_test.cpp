@@ -21,7 +21,7 @@ class RepeaterTest : public ::testing::Test {
   QSignalSpy stopped_{&repeater_, &Repeater::stopped};
 };
 
-TEST_F(RepeaterTest, NoMoreThanOneCallIsUnderWay) {
+TEST_F(RepeaterTest, RunsOneCallAtATime) {
   repeater_.start("a/b/C.Set", "1", 100, 0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatPatience));
   EXPECT_EQ(calls_.calls, QStringList{"a/b/C.Set 1"});
@@ -31,7 +31,7 @@ TEST_F(RepeaterTest, NoMoreThanOneCallIsUnderWay) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
 }
 
-TEST_F(RepeaterTest, WhatIsStartedAgainWaitsForTheCallOfBefore) {
+TEST_F(RepeaterTest, ARestartWaitsForThePreviousCall) {
   repeater_.start("a/b/C.Set", "1", 100, 0);
   repeater_.stop();
   repeater_.start("a/b/C.Set", "2", 100, 0);
@@ -44,7 +44,7 @@ TEST_F(RepeaterTest, WhatIsStartedAgainWaitsForTheCallOfBefore) {
   EXPECT_EQ(calls_.calls.at(1), "a/b/C.Set 2");
 }
 
-TEST(RepeatRowTest, AClickCallsNothingThatMayMove) {
+TEST(RepeatRowTest, AClickDoesNotRepeatAMotionCommand) {
   ScriptedCalls calls;
   RepeatRow row(calls, [] { return std::string("1"); });
   row.setCommand("a/b/C.Move");
@@ -61,7 +61,7 @@ TEST(RepeatRowTest, AClickCallsNothingThatMayMove) {
   EXPECT_FALSE(row.repeater().isRunning());
 }
 
-TEST_F(RepeaterTest, ItEndsAfterSoManyCalls) {
+TEST_F(RepeaterTest, EndsAfterTheGivenNumberOfCalls) {
   repeater_.start("a/b/C.Set", "", 100, 2);
   calls_.answer(std::string(), 0.001);
   ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
@@ -73,7 +73,7 @@ TEST_F(RepeaterTest, ItEndsAfterSoManyCalls) {
   EXPECT_EQ(stopped_.size(), 1);
 }
 
-TEST_F(RepeaterTest, ARefusalEndsIt) {
+TEST_F(RepeaterTest, EndsOnARefusal) {
   repeater_.start("a/b/C.Set", "", 100, 0);
   calls_.answer(Error{ErrorCode::kFailed, "not now"}, 0.001);
 
@@ -81,7 +81,7 @@ TEST_F(RepeaterTest, ARefusalEndsIt) {
   EXPECT_EQ(stopped_.at(0).at(0).toString(), "not now");
 }
 
-TEST_F(RepeaterTest, AnAnswerAfterTheEndTellsNothing) {
+TEST_F(RepeaterTest, IgnoresAReplyAfterTheEnd) {
   repeater_.start("a/b/C.Set", "", 100, 0);
   repeater_.stop();
   calls_.answer(Error{ErrorCode::kFailed, "too late"}, 0.001);
@@ -90,7 +90,7 @@ TEST_F(RepeaterTest, AnAnswerAfterTheEndTellsNothing) {
   EXPECT_EQ(stopped_.at(0).at(0).toString(), "");
 }
 
-TEST(RepeatRowTest, SuggestsARateThatRenewsACommandThatExpires) {
+TEST(RepeatRowTest, SuggestsARateThatRenewsAnExpiringCommand) {
   ScriptedCalls calls;
   RepeatRow row(calls, [] { return std::string("1"); });
   const auto* rate = row.findChild<QDoubleSpinBox*>("call.rate");

@@ -60,14 +60,14 @@ class ValueFormTest : public ::testing::Test {
   ValueForm form_{schema_};
 };
 
-TEST_F(ValueFormTest, BeginsWithAValueThatIsAllowed) {
+TEST_F(ValueFormTest, StartsWithAValidValue) {
   EXPECT_EQ(form_.json(),
             R"({"position":[0,0,0,0,0],"speed":0.5,"count":0,"hold":false,"mode":"off","note":"",)"
             R"("after":0,"via":[],"frame":{"name":"","parent":0}})");
   EXPECT_TRUE(FromJson(schema_, form_.json()));
 }
 
-TEST_F(ValueFormTest, WhatIsEnteredIsItsValue) {
+TEST_F(ValueFormTest, ReturnsTheEnteredValues) {
   int edits = 0;
   QObject::connect(&form_, &ValueForm::edited, &form_, [&] { ++edits; });
 
@@ -88,7 +88,7 @@ TEST_F(ValueFormTest, WhatIsEnteredIsItsValue) {
   EXPECT_GE(edits, 7);
 }
 
-TEST_F(ValueFormTest, WhatIsNoNumberIsLeftToTheJudge) {
+TEST_F(ValueFormTest, PassesInvalidNumbersToTheParser) {
   Find<QLineEdit>("speed").setText(QStringLiteral("fast"));
 
   const auto body = FromJson(schema_, form_.json());
@@ -98,7 +98,7 @@ TEST_F(ValueFormTest, WhatIsNoNumberIsLeftToTheJudge) {
       << body.error().message;
 }
 
-TEST_F(ValueFormTest, ADecimalCommaThatIsTypedLeavesTheNextCellAlone) {
+TEST_F(ValueFormTest, ATypedDecimalCommaDoesNotChangeTheNextCell) {
   QLineEdit* cell = Cells("position")[1];
   Enter(*cell);
 
@@ -107,7 +107,7 @@ TEST_F(ValueFormTest, ADecimalCommaThatIsTypedLeavesTheNextCellAlone) {
   EXPECT_EQ(form_.json().substr(0, 30), R"({"position":[0,"0,5",0,0,0],"s)");
 }
 
-TEST_F(ValueFormTest, ShowsAValueThatItIsGiven) {
+TEST_F(ValueFormTest, ShowsAGivenValue) {
   const std::string json =
       R"({"position":[1,2,3,4,5.5],"speed":2.0,"count":7,"hold":true,"mode":"on","note":"a",)"
       R"("after":0.25,"via":[0.5],"frame":{"name":"b","parent":-3}})";
@@ -117,7 +117,7 @@ TEST_F(ValueFormTest, ShowsAValueThatItIsGiven) {
   EXPECT_EQ(form_.json(), json);
 }
 
-TEST_F(ValueFormTest, WhatDoesNotFitLeavesTheRestAsItWas) {
+TEST_F(ValueFormTest, UnfittingJsonChangesNothing) {
   const std::string before = form_.json();
 
   form_.setJson(R"({"position":7,"frame":[],"other":1})");
@@ -126,7 +126,7 @@ TEST_F(ValueFormTest, WhatDoesNotFitLeavesTheRestAsItWas) {
   EXPECT_EQ(form_.json(), before);
 }
 
-TEST_F(ValueFormTest, EveryFieldHasANameForThoseWhoCannotSeeIt) {
+TEST_F(ValueFormTest, EveryFieldHasAnAccessibleName) {
   for (const QLineEdit* line : form_.findChildren<QLineEdit*>()) {
     EXPECT_FALSE(line->accessibleName().isEmpty()) << line->objectName().toStdString();
   }
@@ -134,7 +134,7 @@ TEST_F(ValueFormTest, EveryFieldHasANameForThoseWhoCannotSeeIt) {
   EXPECT_EQ(Find<QLineEdit>("frame.parent").accessibleName(), "frame.parent");
 }
 
-TEST(ValueFormOfANumber, IsOneField) {
+TEST(ValueFormOfANumber, HasOneField) {
   ValueForm form{Schema(Schema::Kind::kFloat64)};
 
   form.findChild<QLineEdit*>(QStringLiteral("form.value"))->setText(QStringLiteral("2.5"));

@@ -65,7 +65,7 @@ class WheelTest : public ::testing::Test {
   QPushButton* button_;
 };
 
-TEST_F(WheelTest, OverAFieldWithoutFocusScrollsTheForm) {
+TEST_F(WheelTest, ScrollsTheFormOverAnUnfocusedField) {
   const QString before = Values();
   for (QWidget* const field : std::initializer_list<QWidget*>{choice_, typed_, number_}) {
     const int scrolled = Scrolled();
@@ -76,7 +76,7 @@ TEST_F(WheelTest, OverAFieldWithoutFocusScrollsTheForm) {
   }
 }
 
-TEST_F(WheelTest, OverTheFieldThatHasTheFocusTurnsIt) {
+TEST_F(WheelTest, ChangesAFocusedField) {
   number_->setFocus();
   Turn(*number_);
   EXPECT_EQ(number_->value(), 4);

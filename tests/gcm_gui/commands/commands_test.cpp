@@ -34,7 +34,7 @@ class CommandsTest : public WindowFixture {
   void OpenPalette() { QTest::keyClick(&window_, Qt::Key_K, Qt::ControlModifier); }
 };
 
-TEST_F(CommandsTest, AMenuIsOpenedAndChosenFromByMouse) {
+TEST_F(CommandsTest, TheMouseOpensAMenuAndChoosesAnEntry) {
   QAction* plot = bar().actions().at(1);
   QTest::mouseClick(&bar(), Qt::LeftButton, {}, bar().actionGeometry(plot).center());
   ASSERT_EQ(QApplication::activePopupWidget(), plot->menu());
@@ -54,7 +54,7 @@ TEST_F(CommandsTest, AMenuIsOpenedAndChosenFromByMouse) {
   EXPECT_FALSE((*pause)->isChecked());
 }
 
-TEST_F(CommandsTest, InASmallWindowAllMenusAndThePlotsNameAreStillThere) {
+TEST_F(CommandsTest, ASmallWindowShowsAllMenusAndThePlotName) {
   window_.resize(1024, 700);
   QCoreApplication::processEvents();
   ASSERT_LE(window_.width(), 1024);
@@ -66,7 +66,7 @@ TEST_F(CommandsTest, InASmallWindowAllMenusAndThePlotsNameAreStillThere) {
   EXPECT_GE(tabs->width(), tabs->tabRect(0).width());
 }
 
-TEST_F(CommandsTest, NoKeyIsGivenTwice) {
+TEST_F(CommandsTest, ShortcutsAreUnique) {
   QSet<QKeySequence> keys;
   for (const QAction* action : window_.actions()) {
     for (const QKeySequence& key : action->shortcuts()) {
@@ -77,7 +77,7 @@ TEST_F(CommandsTest, NoKeyIsGivenTwice) {
   EXPECT_GE(keys.size(), 12);
 }
 
-TEST_F(CommandsTest, ThePaletteListsAllCommandsAndRunsOneByEnter) {
+TEST_F(CommandsTest, ThePaletteListsCommandsAndEnterRunsOne) {
   OpenPalette();
   ASSERT_TRUE(palette().isVisible());
   EXPECT_TRUE(field().hasFocus());
@@ -91,7 +91,7 @@ TEST_F(CommandsTest, ThePaletteListsAllCommandsAndRunsOneByEnter) {
   EXPECT_FALSE(palette().isVisible());
 }
 
-TEST_F(CommandsTest, ThePaletteGoesToAThingByItsName) {
+TEST_F(CommandsTest, ThePaletteSelectsAnItemByName) {
   OpenPalette();
   QTest::keyClicks(&field(), "getwrench");
   EXPECT_EQ(firstRow(), "robot/controller/Force.GetWrench");
@@ -104,7 +104,7 @@ TEST_F(CommandsTest, ThePaletteGoesToAThingByItsName) {
       window_.catalogue().tree().visibleRows().contains("robot/force_sensor/Wrench.GetWrench"));
 }
 
-TEST_F(CommandsTest, WhatThePaletteFindsIsAProperModel) {
+TEST_F(CommandsTest, ThePaletteModelIsConsistent) {
   PaletteModel model(window_.actions(), window_.catalogueModel());
   const QAbstractItemModelTester tester(&model);
 
@@ -115,7 +115,7 @@ TEST_F(CommandsTest, WhatThePaletteFindsIsAProperModel) {
   EXPECT_GE(model.rowCount(), 12);
 }
 
-TEST_F(CommandsTest, ThePaletteForgivesLettersThatAreLeftOut) {
+TEST_F(CommandsTest, ThePaletteMatchesOmittedLetters) {
   OpenPalette();
   QTest::keyClicks(&field(), "psvw");
   EXPECT_EQ(firstRow(), "Pause view");
@@ -125,7 +125,7 @@ TEST_F(CommandsTest, ThePaletteForgivesLettersThatAreLeftOut) {
   EXPECT_EQ(firstRow(), "robot/force_sensor");
 }
 
-TEST_F(CommandsTest, WhatHasTheWordItselfLeavesNoRoomForWhatNearlyHasIt) {
+TEST_F(CommandsTest, ExactMatchesHideFuzzyOnes) {
   PaletteModel model(window_.actions(), window_.catalogueModel());
 
   model.find(QStringLiteral("arm"));
@@ -137,7 +137,7 @@ TEST_F(CommandsTest, WhatHasTheWordItselfLeavesNoRoomForWhatNearlyHasIt) {
   }
 }
 
-TEST_F(CommandsTest, ANameItselfComesBeforeWhatIsBelowIt) {
+TEST_F(CommandsTest, AnExactNameComesBeforeItsChildren) {
   OpenPalette();
   QTest::keyClicks(&field(), "arm");
 
@@ -160,7 +160,7 @@ TEST_F(CommandsTest, EscapeAndAClickElsewhereCloseThePalette) {
   EXPECT_FALSE(palette().isVisible());
 }
 
-TEST_F(CommandsTest, SavingAnEmptyPlotSaysThatThereIsNothing) {
+TEST_F(CommandsTest, SavingAnEmptyPlotGivesANotice) {
   QTest::keyClick(&window_, Qt::Key_E, Qt::ControlModifier);
 
   EXPECT_TRUE(window_.findChild<NoticeLine*>()->text().startsWith("There is nothing to save"));

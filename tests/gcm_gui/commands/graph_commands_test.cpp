@@ -62,7 +62,7 @@ TEST_F(GraphCommandsTest, MShowsAndHidesTheMap) {
   EXPECT_TRUE(map.isVisible());
 }
 
-TEST_F(GraphCommandsTest, TheGraphHasItsCommandsWhereTheMouseIs) {
+TEST_F(GraphCommandsTest, TheContextMenuSavesAPicture) {
   QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5},
                           window_.graph().viewport()->mapToGlobal(QPoint(5, 5)));
   QApplication::sendEvent(window_.graph().viewport(), &event);
@@ -82,7 +82,7 @@ TEST_F(GraphCommandsTest, TheGraphHasItsCommandsWhereTheMouseIs) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file + ".svg"); }, kPatience));
 }
 
-TEST_F(GraphCommandsTest, CtrlZTakesAMoveBackUntilSomethingElseIsDone) {
+TEST_F(GraphCommandsTest, CtrlZUndoesAMoveUntilAnotherAction) {
   GraphScene& scene = window_.graph().graph();
   const auto place = [&] { return scene.component("robot/arm")->sceneRect().topLeft(); };
   const QPointF before = place();
@@ -106,7 +106,7 @@ TEST_F(GraphCommandsTest, CtrlZTakesAMoveBackUntilSomethingElseIsDone) {
   EXPECT_EQ(place(), before);
 }
 
-TEST_F(GraphCommandsTest, WhereThingsWerePutIsInTheSystemFileAndComesBackFromIt) {
+TEST_F(GraphCommandsTest, TheSystemFileSavesAndRestoresPositions) {
   GraphScene& scene = window_.graph().graph();
   const auto place = [&] { return scene.component("robot/arm")->sceneRect().topLeft(); };
   const QPointF before = place();
@@ -127,7 +127,7 @@ TEST_F(GraphCommandsTest, WhereThingsWerePutIsInTheSystemFileAndComesBackFromIt)
   EXPECT_TRUE(QTest::qWaitFor([&] { return place() == QPointF(-120, 44); }, kPatience));
 }
 
-TEST_F(GraphCommandsTest, CtrlFLooksWhereTheFocusIs) {
+TEST_F(GraphCommandsTest, CtrlFSearchesTheFocusedView) {
   GraphSearch& search = window_.graphCommands().search();
   window_.graph().setFocus();
   QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
@@ -148,7 +148,7 @@ TEST_F(GraphCommandsTest, CtrlFLooksWhereTheFocusIs) {
   EXPECT_TRUE(search.field().hasFocus());
 }
 
-TEST_F(GraphCommandsTest, SvgAndDotAreThoseOfTheConsole) {
+TEST_F(GraphCommandsTest, SvgAndDotMatchTheConsole) {
   const QByteArray svg = Saved(InFolder("system.svg"));
   EXPECT_TRUE(svg.startsWith("<svg "));
   EXPECT_TRUE(svg.contains(">controller</text>"));
@@ -158,7 +158,7 @@ TEST_F(GraphCommandsTest, SvgAndDotAreThoseOfTheConsole) {
   EXPECT_TRUE(dot.contains(R"("robot/controller" -> "robot/arm" [label="Arm -> Drives"])"));
 }
 
-TEST_F(GraphCommandsTest, WhatWasPutSomewhereIsThereInSvgAndDot) {
+TEST_F(GraphCommandsTest, SvgAndDotUseMovedPositions) {
   GraphScene& scene = window_.graph().graph();
   const QByteArray before = Saved(InFolder("before.svg"));
   scene.nodePositions().move(
@@ -182,7 +182,7 @@ TEST_F(GraphCommandsTest, WhatWasPutSomewhereIsThereInSvgAndDot) {
   EXPECT_EQ(Saved(InFolder("again.svg")), before);
 }
 
-TEST_F(GraphCommandsTest, APngHasAllOfTheGraphHoweverLittleIsSeen) {
+TEST_F(GraphCommandsTest, APngContainsTheWholeGraph) {
   for (int step = 0; step < 6; ++step) QTest::keyClick(&window_.graph(), Qt::Key_Plus);
   const QRectF all = window_.graph().graph().contents();
 
@@ -194,7 +194,7 @@ TEST_F(GraphCommandsTest, APngHasAllOfTheGraphHoweverLittleIsSeen) {
   EXPECT_TRUE(image.save(PictureFile("graph-export")));
 }
 
-TEST_F(GraphCommandsTest, ThePictureCanBeCopied) {
+TEST_F(GraphCommandsTest, CopiesThePicture) {
   QApplication::clipboard()->clear();
 
   window_.findChild<QAction*>("Copy the picture of the graph")->trigger();
@@ -203,7 +203,7 @@ TEST_F(GraphCommandsTest, ThePictureCanBeCopied) {
       QTest::qWaitFor([] { return !QApplication::clipboard()->image().isNull(); }, kPatience));
 }
 
-TEST_F(GraphCommandsTest, WhatCannotBeSavedIsSaid) {
+TEST_F(GraphCommandsTest, ReportsAFailedSave) {
   exporter().save(InFolder("system.bmp"));
   EXPECT_TRUE(Said().contains("end its name with .svg, .png or .dot")) << Said().toStdString();
 

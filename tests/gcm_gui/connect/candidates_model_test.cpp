@@ -40,7 +40,7 @@ TEST_F(CandidatesModelTest, IsEmptyUntilAPortIsChosen) {
   EXPECT_EQ(model_.rowCount({}), 0);
 }
 
-TEST_F(CandidatesModelTest, WhatFitsStandsFirstWithTheDigitThatPicksIt) {
+TEST_F(CandidatesModelTest, ListsCompatibleInterfacesFirstWithTheirDigits) {
   mode_.start(kRobotPort);
 
   EXPECT_EQ(Name(0), "robot/controller/Control");
@@ -51,7 +51,7 @@ TEST_F(CandidatesModelTest, WhatFitsStandsFirstWithTheDigitThatPicksIt) {
   EXPECT_EQ(model_.rowCount(Row(0)), 0);
 }
 
-TEST_F(CandidatesModelTest, ANearMissHasItsReasonsBelowIt) {
+TEST_F(CandidatesModelTest, ListsReasonsBelowANearMiss) {
   mode_.start(kRobotPort);
 
   EXPECT_EQ(Name(1), "robot/arm/Drives");
@@ -62,7 +62,7 @@ TEST_F(CandidatesModelTest, ANearMissHasItsReasonsBelowIt) {
   EXPECT_EQ(model_.portOf(reason), kDrivesPort);
 }
 
-TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
+TEST_F(CandidatesModelTest, OnlyCountsUnrelatedInterfaces) {
   mode_.start(kRobotPort);
 
   const QModelIndex last = Row(model_.rowCount({}) - 1);
@@ -71,7 +71,7 @@ TEST_F(CandidatesModelTest, WhatHasNothingOfItIsOnlyCounted) {
   EXPECT_FALSE(model_.portOf(last).has_value());
 }
 
-TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
+TEST_F(CandidatesModelTest, LimitsTheListAndFindsTheRestByFilter) {
   const ComponentDescription arm = *system_.catalogue().FindComponent("robot", "controller");
   constexpr int kCount = 2 * static_cast<int>(CandidatesModel::kMostShown);
   for (int i = 0; i < kCount; ++i) {
@@ -89,7 +89,7 @@ TEST_F(CandidatesModelTest, OfVeryManyTheRestIsCountedAndFoundByTyping) {
   EXPECT_TRUE(model_.fits(Row(0)));
 }
 
-TEST_F(CandidatesModelTest, AFilterShowsTheOthersOneByOne) {
+TEST_F(CandidatesModelTest, AFilterListsUnrelatedInterfaces) {
   mode_.start(kRobotPort);
 
   model_.setFilter("wrench force");
@@ -98,7 +98,7 @@ TEST_F(CandidatesModelTest, AFilterShowsTheOthersOneByOne) {
   EXPECT_EQ(Name(0), "robot/force_sensor/Wrench");
 }
 
-TEST_F(CandidatesModelTest, WhatItIsConnectedToNowCannotBePicked) {
+TEST_F(CandidatesModelTest, TheCurrentPeerCannotBePicked) {
   mode_.start({Side::kRequired, {"robot", "controller", "Arm"}});
 
   EXPECT_EQ(Name(0), "robot/arm/Drives");

@@ -25,7 +25,7 @@ class ConnectModeTest : public ::testing::Test {
   ConnectMode mode_{store_, actions_};
 };
 
-TEST_F(ConnectModeTest, WhatFitsComesFirstAndIsNumbered) {
+TEST_F(ConnectModeTest, NumbersCompatibleCandidatesFirst) {
   ASSERT_TRUE(mode_.start({Side::kRequired, kRobot}));
 
   ASSERT_NE(mode_.best(), nullptr);
@@ -37,7 +37,7 @@ TEST_F(ConnectModeTest, WhatFitsComesFirstAndIsNumbered) {
   EXPECT_EQ(drives->number, 0);
 }
 
-TEST_F(ConnectModeTest, ALookAlikeSaysWhyItDoesNotFit) {
+TEST_F(ConnectModeTest, ExplainsWhyALookAlikeDoesNotFit) {
   mode_.start({Side::kRequired, kRobot});
 
   const Candidate* drives = mode_.bestLookAlike();
@@ -46,7 +46,7 @@ TEST_F(ConnectModeTest, ALookAlikeSaysWhyItDoesNotFit) {
   EXPECT_EQ(drives->reasons(), QStringList{"missing write command 'MoveTo' of arm.JointGoal"});
 }
 
-TEST_F(ConnectModeTest, InWhatTwoTypesOfOneNameDifferIsSaidAsSoonAsItIsKnown) {
+TEST_F(ConnectModeTest, ExplainsATypeDifferenceOnceTheTypesAreKnown) {
   const Schema radians = Schema::Structure("arm.Q", {{"q", "rad", Schema(Schema::Kind::kFloat64)}});
   const Schema degrees = Schema::Structure("arm.Q", {{"q", "deg", Schema(Schema::Kind::kFloat64)}});
   MemberDescription needed = Read("GetQ", "arm.Q");
@@ -70,7 +70,7 @@ TEST_F(ConnectModeTest, InWhatTwoTypesOfOneNameDifferIsSaidAsSoonAsItIsKnown) {
   EXPECT_TRUE(reason.contains("rad") && reason.contains("deg")) << qPrintable(reason);
 }
 
-TEST_F(ConnectModeTest, ADigitConnectsAndEndsTheMode) {
+TEST_F(ConnectModeTest, ADigitConnectsAndLeavesTheMode) {
   QSignalSpy picked(&mode_, &ConnectMode::picked);
   mode_.start({Side::kRequired, kRobot});
 
@@ -82,7 +82,7 @@ TEST_F(ConnectModeTest, ADigitConnectsAndEndsTheMode) {
   EXPECT_EQ(picked.count(), 1);
 }
 
-TEST_F(ConnectModeTest, StartsFromTheProvidedEndAsWell) {
+TEST_F(ConnectModeTest, StartsFromTheProvidedEnd) {
   mode_.start({Side::kProvided, kControl});
   mode_.pickBest();
 
@@ -90,7 +90,7 @@ TEST_F(ConnectModeTest, StartsFromTheProvidedEndAsWell) {
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
-TEST_F(ConnectModeTest, WhatIsConnectedCanBeConnectedToAnother) {
+TEST_F(ConnectModeTest, AConnectedInterfaceCanBeReconnected) {
   ComponentDescription spare = *system_.catalogue().FindComponent("robot", "arm");
   spare.name = "spare";
   system_.Component("robot", spare);
@@ -103,7 +103,7 @@ TEST_F(ConnectModeTest, WhatIsConnectedCanBeConnectedToAnother) {
   EXPECT_EQ(actions_.asked, QStringList{"connect robot/controller/Arm robot/spare/Drives"});
 }
 
-TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
+TEST_F(ConnectModeTest, TheCurrentPeerIsNoCandidate) {
   mode_.start({Side::kProvided, {"robot", "arm", "Drives"}});
 
   const Candidate* arm = mode_.find({Side::kRequired, {"robot", "controller", "Arm"}});
@@ -113,7 +113,7 @@ TEST_F(ConnectModeTest, ItsPresentEndIsNoCandidate) {
   EXPECT_EQ(arm->reasons(), QStringList{"is the current connection"});
 }
 
-TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
+TEST_F(ConnectModeTest, ListsConnectedInterfacesAfterFreeOnes) {
   ComponentDescription spare = *system_.catalogue().FindComponent("robot", "arm");
   spare.name = "spare";
   ComponentDescription free = *system_.catalogue().FindComponent("robot", "controller");
@@ -129,7 +129,7 @@ TEST_F(ConnectModeTest, WhatIsConnectedElsewhereCanBeTakenAfterAllThatIsFree) {
   EXPECT_EQ(actions_.asked, QStringList{"connect robot/controller/Arm robot/spare/Drives"});
 }
 
-TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
+TEST_F(ConnectModeTest, PickingAMismatchGivesTheReason) {
   QSignalSpy notice(&mode_, &ConnectMode::notice);
   QSignalSpy misfit(&mode_, &ConnectMode::mismatchPicked);
   const InterfaceName drives{"robot", "arm", "Drives"};
@@ -146,7 +146,7 @@ TEST_F(ConnectModeTest, PickingWhatDoesNotFitConnectsNothingAndSaysWhy) {
   EXPECT_EQ(misfit.front().back(), notice.front().front());
 }
 
-TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnectedOrDisconnected) {
+TEST_F(ConnectModeTest, EndsWhenItsPortIsRemovedOrReconnected) {
   mode_.start({Side::kRequired, kRobot});
   system_.Connect(kRobot, kControl);
   Show();
@@ -163,7 +163,7 @@ TEST_F(ConnectModeTest, EndsWhenTheChosenPortGoesOrIsConnectedOrDisconnected) {
   EXPECT_FALSE(mode_.active());
 }
 
-TEST_F(ConnectModeTest, FollowsTheCatalogueWhileItIsOn) {
+TEST_F(ConnectModeTest, FollowsCatalogueChanges) {
   mode_.start({Side::kRequired, kRobot});
   ComponentDescription other = *system_.catalogue().FindComponent("robot", "controller");
   other.name = "backup";
@@ -174,7 +174,7 @@ TEST_F(ConnectModeTest, FollowsTheCatalogueWhileItIsOn) {
   EXPECT_EQ(mode_.candidates()[1].number, 2);
 }
 
-TEST_F(ConnectModeTest, LostProvidersComeAfterThoseAlive) {
+TEST_F(ConnectModeTest, ListsLostProvidersLast) {
   ComponentDescription other = *system_.catalogue().FindComponent("robot", "controller");
   system_.Process("away").Component("away", other).Process("away", ProcessState::kLost, 1);
   Show();

@@ -33,7 +33,7 @@ class MatchCardTest : public ::testing::Test {
   MatchCard card_{window_, store_, actions_};
 };
 
-TEST_F(MatchCardTest, WhatIsClearIsCheckedAndConnectedAtOneGo) {
+TEST_F(MatchCardTest, ChecksUnambiguousPairsAndConnectsThemTogether) {
   system_.Disconnect(kView);
   store_.apply(system_.TakeChanges());
   card_.open({kTeleoperation, kView});
@@ -49,7 +49,7 @@ TEST_F(MatchCardTest, WhatIsClearIsCheckedAndConnectedAtOneGo) {
   EXPECT_FALSE(card_.isVisible());
 }
 
-TEST_F(MatchCardTest, WhatIsUncheckedStaysAsItIs) {
+TEST_F(MatchCardTest, UncheckedPairsAreNotConnected) {
   card_.open({kTeleoperation});
   QTest::keyClick(Box(kTeleoperation), Qt::Key_Space);
   EXPECT_FALSE(Connect().isEnabled());
@@ -60,7 +60,7 @@ TEST_F(MatchCardTest, WhatIsUncheckedStaysAsItIs) {
   EXPECT_TRUE(card_.isVisible());
 }
 
-TEST_F(MatchCardTest, WhatIsConnectedCannotBeChecked) {
+TEST_F(MatchCardTest, ConnectedPairsCannotBeChecked) {
   system_.Connect(kView, {"desk", "host_monitor", "state"});
   store_.apply(system_.TakeChanges());
 
@@ -70,7 +70,7 @@ TEST_F(MatchCardTest, WhatIsConnectedCannotBeChecked) {
   EXPECT_EQ(Connect().text(), "Connect 1");
 }
 
-TEST_F(MatchCardTest, OfSeveralThatAreEquallyGoodNoneIsChecked) {
+TEST_F(MatchCardTest, AmbiguousPairsAreNotChecked) {
   ComponentDescription twin = *system_.catalogue().FindComponent("robot", "controller");
   twin.name = "twin";
   system_.Component("robot", twin);

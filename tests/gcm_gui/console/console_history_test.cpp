@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds kHistoryPatience{20};
 
-TEST(ConsoleHistory, UpGoesBackAndDownComesToWhatWasTyped) {
+TEST(ConsoleHistory, UpAndDownWalkTheHistory) {
   ConsoleHistory history;
   history.add("ls");
   history.add("status");
@@ -26,7 +26,7 @@ TEST(ConsoleHistory, UpGoesBackAndDownComesToWhatWasTyped) {
   EXPECT_EQ(history.newer(), "wat");
 }
 
-TEST(ConsoleHistory, EmptyLinesAndRepetitionsAreNotKept) {
+TEST(ConsoleHistory, SkipsEmptyAndRepeatedLines) {
   ConsoleHistory history;
   history.add("ls");
   history.add("ls");
@@ -35,7 +35,7 @@ TEST(ConsoleHistory, EmptyLinesAndRepetitionsAreNotKept) {
   EXPECT_EQ(history.lines(), QStringList{"ls"});
 }
 
-TEST(ConsoleHistory, ASearchFindsTheNewestBeforeAPlace) {
+TEST(ConsoleHistory, ASearchFindsTheNewestEarlierLine) {
   ConsoleHistory history;
   for (const char* line : {"watch a", "ls", "watch b"}) history.add(line);
 
@@ -44,7 +44,7 @@ TEST(ConsoleHistory, ASearchFindsTheNewestBeforeAPlace) {
   EXPECT_EQ(history.find("plot", 99), -1);
 }
 
-TEST(ConsoleHistory, TheNextWindowKnowsWhatWasTyped) {
+TEST(ConsoleHistory, PersistsAcrossWindows) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/console");
   ConsoleHistory(file).add("ls größe");
@@ -53,7 +53,7 @@ TEST(ConsoleHistory, TheNextWindowKnowsWhatWasTyped) {
   EXPECT_EQ(ConsoleHistory(file).lines(), QStringList{"ls größe"});
 }
 
-TEST(ConsoleHistory, ThatItCannotBeKeptIsSaidOnceUntilItCanAgain) {
+TEST(ConsoleHistory, ReportsAFailedSaveOnce) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("console");
   ASSERT_TRUE(QDir().mkdir(file));  // in the way of the file

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kConsolePatience = 60'000;  // ms
 
-TEST(ConsoleRunner, ALineThatIsInterruptedBeforeItHasBegunEnds) {
+TEST(ConsoleRunner, ALineInterruptedBeforeItStartsEnds) {
   const test::Folder state;
   const program::NetworkOptions network;
   const auto gcm = GlobalManager::Start(

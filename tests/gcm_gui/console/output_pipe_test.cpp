@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(OutputPipe, OneWakeIsEnoughUntilItIsTaken) {
+TEST(OutputPipe, WakesTheReaderOnceUntilItReads) {
   int wakes = 0;
   OutputPipe pipe([&] { ++wakes; });
   PipeStream out(pipe, OutputPipe::Kind::kOut);
@@ -25,7 +25,7 @@ TEST(OutputPipe, OneWakeIsEnoughUntilItIsTaken) {
   EXPECT_TRUE(pipe.isEmpty());
 }
 
-TEST(OutputPipe, WhatIsLongIsTakenInPartsAndNothingIsLost) {
+TEST(OutputPipe, LongOutputIsReadInParts) {
   int wakes = 0;
   OutputPipe pipe([&] { ++wakes; });
   const std::string text(3 * OutputPipe::kMostTaken, 'x');
@@ -42,7 +42,7 @@ TEST(OutputPipe, WhatIsLongIsTakenInPartsAndNothingIsLost) {
   EXPECT_EQ(taken, text);
 }
 
-TEST(OutputPipe, AWriterWhoIsFarAheadWaitsForTheReader) {
+TEST(OutputPipe, AWriterFarAheadWaitsForTheReader) {
   OutputPipe pipe([] {});
   std::atomic<bool> is_done = false;
   std::thread writer([&] {
@@ -60,7 +60,7 @@ TEST(OutputPipe, AWriterWhoIsFarAheadWaitsForTheReader) {
   EXPECT_TRUE(is_done);
 }
 
-TEST(OutputPipe, WhoWaitsIsLetGoWhenItIsClosed) {
+TEST(OutputPipe, ClosingReleasesAWaitingWriter) {
   OutputPipe pipe([] {});
   ASSERT_TRUE(pipe.write(OutputPipe::Kind::kOut, std::string(OutputPipe::kMostWaiting, 'x')));
   PipeStream out(pipe, OutputPipe::Kind::kOut);

@@ -26,7 +26,7 @@ class WhyCardTest : public WindowFixture {
   void Answer() { checks_.diagnosis(Diagnose(store_.catalogue(), checks_.diagnosed.back())); }
 };
 
-TEST_F(WhyCardTest, ItOpensAtOnceAndSaysWhatItFindsWhenItIsFound) {
+TEST_F(WhyCardTest, OpensAtOnceAndShowsTheResultLater) {
   Ask();
 
   EXPECT_TRUE(card().isVisible());
@@ -39,7 +39,7 @@ TEST_F(WhyCardTest, ItOpensAtOnceAndSaysWhatItFindsWhenItIsFound) {
   EXPECT_EQ(Verdict(), "nothing prevents the connection");
 }
 
-TEST_F(WhyCardTest, RetryAsksForTheConnectionAndTheCardFollowsTheSystem) {
+TEST_F(WhyCardTest, RetryConnectsAndTheCardFollowsTheSystem) {
   Ask();
   Answer();
   QTest::mouseClick(card().findChild<QPushButton*>("why.retry"), Qt::LeftButton);
@@ -53,7 +53,7 @@ TEST_F(WhyCardTest, RetryAsksForTheConnectionAndTheCardFollowsTheSystem) {
   EXPECT_EQ(Verdict(), "fails at step 1 of 7");
 }
 
-TEST_F(WhyCardTest, AnAnswerForAnotherConnectionIsNotShown) {
+TEST_F(WhyCardTest, IgnoresAnAnswerForAnotherConnection) {
   Ask();
   const auto late = checks_.diagnosis;
   QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);
@@ -64,7 +64,7 @@ TEST_F(WhyCardTest, AnAnswerForAnotherConnectionIsNotShown) {
   EXPECT_FALSE(card().isVisible());
 }
 
-TEST_F(WhyCardTest, EveryButtonOfItHasAName) {
+TEST_F(WhyCardTest, EveryButtonHasAName) {
   Ask();
   Answer();
 

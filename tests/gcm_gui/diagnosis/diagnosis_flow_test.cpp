@@ -47,7 +47,7 @@ class DiagnosisFlowTest : public RealSystem {
   }
 };
 
-TEST_F(DiagnosisFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgain) {
+TEST_F(DiagnosisFlowTest, ARefusedConnectionStaysRedAndCanBeRetried) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("desk").Signal(SIGSTOP);
@@ -80,7 +80,7 @@ TEST_F(DiagnosisFlowTest, ARefusedConnectionStaysRedAndTellsWhyAndCanBeTriedAgai
   KeepPictures(window(), "why-connected");
 }
 
-TEST_F(DiagnosisFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
+TEST_F(DiagnosisFlowTest, APickedMismatchStaysRedAndIsExplained) {
   StartLcm("robot");
   StartLcm("desk");
 
@@ -100,7 +100,7 @@ TEST_F(DiagnosisFlowTest, WhatDoesNotFitStaysRedOncePickedAndIsExplained) {
   EXPECT_TRUE(Eventually([&] { return Look() == EdgeItem::Look::kActive; }));
 }
 
-TEST_F(DiagnosisFlowTest, TheReportHasTheStepsOfTheConsole) {
+TEST_F(DiagnosisFlowTest, TheReportMatchesTheConsole) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("robot").Signal(SIGSTOP);
@@ -126,7 +126,7 @@ TEST_F(DiagnosisFlowTest, TheReportHasTheStepsOfTheConsole) {
       << Text("why.verdict").toStdString();
 }
 
-TEST_F(DiagnosisFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
+TEST_F(DiagnosisFlowTest, TheKeyboardOpensTheSignatureComparison) {
   StartLcm("desk");
   window().selection().select(kSlavePath);
   window().graph().setFocus();
@@ -163,7 +163,7 @@ TEST_F(DiagnosisFlowTest, FromTheKeyboardTheSignaturesAreComparedSideBySide) {
   EXPECT_EQ(window().focusWidget(), &window().graph());
 }
 
-TEST_F(DiagnosisFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
+TEST_F(DiagnosisFlowTest, AProblemRowAndTheInspectorOpenTheCard) {
   StartLcm("robot");
   StartLcm("desk");
   lcm("desk").Signal(SIGSTOP);
@@ -185,7 +185,7 @@ TEST_F(DiagnosisFlowTest, TheRowOfTheProblemAndTheInspectorOpenItToo) {
   lcm("desk").Signal(SIGCONT);
 }
 
-TEST_F(DiagnosisFlowTest, SeveralInterfacesAreMatchedAndConnectedAtOneGo) {
+TEST_F(DiagnosisFlowTest, SeveralInterfacesAreMatchedAndConnectedTogether) {
   StartLcm("robot");
   StartLcm("desk");
   window().selection().setPaths({kSlavePath, "desk/supervisor/Robot"});

@@ -19,13 +19,13 @@ class WhyReportTest : public ::testing::Test {
   RefusedConnections refusals_;
 };
 
-TEST_F(WhyReportTest, TheVerdictNamesTheStepThatIsBad) {
+TEST_F(WhyReportTest, TheVerdictNamesTheFailedStep) {
   EXPECT_EQ(Report(kReported, kController).verdict(), "nothing prevents the connection");
   EXPECT_EQ(Report(kReported, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
   EXPECT_EQ(Report(kReported, {"vision", "camera", "Video"}).verdict(), "fails at step 1 of 7");
 }
 
-TEST_F(WhyReportTest, TheTextIsThatOfTheConsole) {
+TEST_F(WhyReportTest, TheTextMatchesTheConsole) {
   const QString text = Report(kReported, {"robot", "arm", "Drives"}).text();
 
   EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are available\n"))
@@ -34,13 +34,13 @@ TEST_F(WhyReportTest, TheTextIsThatOfTheConsole) {
   EXPECT_TRUE(text.contains("gcm explain desk/teleoperation/Robot robot/arm/Drives\n"));
 }
 
-TEST_F(WhyReportTest, OfAFixItsCommandIsCopied) {
+TEST_F(WhyReportTest, CopiesTheCommandOfAFix) {
   EXPECT_EQ(CommandOfFix("list the interfaces that fit: gcm candidates a/b/C"),
             "gcm candidates a/b/C");
   EXPECT_EQ(CommandOfFix("start it again"), "start it again");
 }
 
-TEST_F(WhyReportTest, AUserWhoAsksMeansWhatWasRefusedThenWhatIsConnectedThenTheBest) {
+TEST_F(WhyReportTest, PrefersTheRefusedThenTheConnectedThenTheBestProvider) {
   EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported), kController);
 
   system_.Connect(kReported, {"robot", "arm", "Drives"}, ConnectionState::kFailed);

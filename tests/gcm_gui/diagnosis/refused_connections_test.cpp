@@ -27,7 +27,7 @@ class RefusalsTest : public ::testing::Test {
   QSignalSpy changed_{&refusals_, &RefusedConnections::changed};
 };
 
-TEST_F(RefusalsTest, WhatWasRefusedIsKeptUntilItIsDoneAfterAll) {
+TEST_F(RefusalsTest, KeepsARefusalUntilTheConnectionIsMade) {
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
   ASSERT_NE(refusals_.find(kRequired), nullptr);
@@ -40,14 +40,14 @@ TEST_F(RefusalsTest, WhatWasRefusedIsKeptUntilItIsDoneAfterAll) {
   EXPECT_EQ(changed_.count(), 2);
 }
 
-TEST_F(RefusalsTest, ADisconnectThatIsRefusedRefusesNoConnection) {
+TEST_F(RefusalsTest, IgnoresARefusedDisconnect) {
   Finish(Action::Verb::kDisconnect, Action::Outcome::kRefused);
 
   EXPECT_TRUE(refusals_.all().empty());
   EXPECT_EQ(changed_.count(), 0);
 }
 
-TEST_F(RefusalsTest, SomebodyElsesConnectionAnswersIt) {
+TEST_F(RefusalsTest, AConnectionByAnotherProgramClearsARefusal) {
   SystemBuilder system = LookSystem(0);
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
@@ -60,7 +60,7 @@ TEST_F(RefusalsTest, SomebodyElsesConnectionAnswersIt) {
   EXPECT_EQ(refusals_.find(kRequired), nullptr);
 }
 
-TEST_F(RefusalsTest, ItGoesWithItsInterface) {
+TEST_F(RefusalsTest, ForgetsARefusalWithItsInterface) {
   SystemBuilder system = LookSystem(0);
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 

@@ -25,7 +25,7 @@ class SignatureDiffTest : public ::testing::Test {
   ProvidedDescription provided_;
 };
 
-TEST_F(SignatureDiffTest, EachNeededMemberStandsBesideWhatIsOffered) {
+TEST_F(SignatureDiffTest, PairsNeededMembersWithOfferedOnes) {
   const auto rows = SignatureDiff(required_, provided_);
 
   std::vector<Verdict> verdicts;
@@ -39,7 +39,7 @@ TEST_F(SignatureDiffTest, EachNeededMemberStandsBesideWhatIsOffered) {
   EXPECT_TRUE(rows[5].is_event);
 }
 
-TEST_F(SignatureDiffTest, WhatIsOptionalMayBeMissing) {
+TEST_F(SignatureDiffTest, OptionalMembersMayBeMissing) {
   required_.functions = {Void("Home")};
   required_.functions.front().optional = true;
   required_.event_handlers.clear();
@@ -51,7 +51,7 @@ TEST_F(SignatureDiffTest, WhatIsOptionalMayBeMissing) {
   EXPECT_FALSE(rows.front().is_bad());
 }
 
-TEST_F(SignatureDiffTest, AsABadRowExactlyWhatDoesNotFit) {
+TEST_F(SignatureDiffTest, MarksExactlyTheMismatchesAsBad) {
   const auto rows = SignatureDiff(required_, provided_);
 
   const auto bad =
@@ -59,7 +59,7 @@ TEST_F(SignatureDiffTest, AsABadRowExactlyWhatDoesNotFit) {
   EXPECT_EQ(static_cast<std::size_t>(bad), Compare(required_, provided_).mismatches.size());
 }
 
-TEST_F(SignatureDiffTest, TheModelSaysItInThreeColumns) {
+TEST_F(SignatureDiffTest, TheModelHasThreeColumns) {
   SignatureModel model;
   const QAbstractItemModelTester tester(&model);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::chrono::milliseconds kAMoment{20};
 constexpr std::chrono::minutes kLongForBackground{1};
 
-TEST(Background, TheEndWaitsForWhatWasAskedFor) {
+TEST(Background, TheDestructorWaitsForStartedTasks) {
   std::string done;
   {
     Background background("a test");
@@ -23,7 +23,7 @@ TEST(Background, TheEndWaitsForWhatWasAskedFor) {
   EXPECT_EQ(done, "ab");
 }
 
-TEST(Background, TheEndDoesNotWaitForEverAndSaysWhatIsLeftBehind) {
+TEST(Background, TheDestructorTimesOutWithAWarning) {
   const auto go = std::make_shared<std::promise<void>>();
   const auto end = std::make_shared<std::promise<void>>();
   std::promise<void> begun;

@@ -31,7 +31,7 @@ class FileReaderTest : public ::testing::Test {
   std::optional<Read> read_;
 };
 
-TEST_F(FileReaderTest, WhatIsInAFileComesLater) {
+TEST_F(FileReaderTest, ReadsAsynchronously) {
   const QString name = folder_.filePath("plots.json");
   QFile file(name);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write("{}") == 2);
@@ -46,7 +46,7 @@ TEST_F(FileReaderTest, WhatIsInAFileComesLater) {
   EXPECT_TRUE(read_->refusal.isEmpty());
 }
 
-TEST_F(FileReaderTest, WhyItCannotBeReadIsSaid) {
+TEST_F(FileReaderTest, ReportsAReadError) {
   FileReader reader;
 
   reader.read(folder_.filePath("none"), Keep());
@@ -57,7 +57,7 @@ TEST_F(FileReaderTest, WhyItCannotBeReadIsSaid) {
 }
 
 /// A pipe that nobody writes to is the slowest of disks.
-TEST_F(FileReaderTest, NobodyWaitsForAFileThatDoesNotAnswer) {
+TEST_F(FileReaderTest, ASlowFileDoesNotBlockTheCaller) {
   const QString pipe = folder_.filePath("pipe");
   ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
   FileReader reader;

@@ -44,7 +44,7 @@ class FileWriterTest : public ::testing::Test {
   std::promise<void> begun_;
 };
 
-TEST_F(FileWriterTest, WhoWritesGoesOnWhileTheDiskIsSlow) {
+TEST_F(FileWriterTest, ASlowDiskDoesNotBlockTheCaller) {
   FileWriter writer;
   writer.write(Path("a"), Stuck(), &context_, Hear());
 
@@ -57,7 +57,7 @@ TEST_F(FileWriterTest, WhoWritesGoesOnWhileTheDiskIsSlow) {
   EXPECT_EQ(Content(Path("a")), "late");
 }
 
-TEST_F(FileWriterTest, WhatWaitsIsWrittenOnceAsItWasAskedForLast) {
+TEST_F(FileWriterTest, WritesOnlyTheLastPendingContent) {
   FileWriter writer;
   writer.write(Path("a"), Stuck(), nullptr, {});
   int written = 0;  // in the thread of the writer, and read once it has told
@@ -77,7 +77,7 @@ TEST_F(FileWriterTest, WhatWaitsIsWrittenOnceAsItWasAskedForLast) {
   EXPECT_EQ(Content(Path("a")), "late");
 }
 
-TEST_F(FileWriterTest, ARefusalIsToldAndTheFileStaysAsItWas) {
+TEST_F(FileWriterTest, AFailedWriteIsReportedAndKeepsTheFile) {
   FileWriter writer;
   writer.write(Path("a"), "before", &context_, Hear());
   ASSERT_TRUE(HasHeard(1));
@@ -96,7 +96,7 @@ TEST_F(FileWriterTest, ARefusalIsToldAndTheFileStaysAsItWas) {
   EXPECT_EQ(Content(Path("a")), "before");
 }
 
-TEST_F(FileWriterTest, WhoIsGoneIsNotTold) {
+TEST_F(FileWriterTest, DoesNotNotifyADestroyedContext) {
   FileWriter writer;
   auto context = std::make_unique<QObject>();
   writer.write(Path("a"), Stuck(), context.get(), Hear());
@@ -108,7 +108,7 @@ TEST_F(FileWriterTest, WhoIsGoneIsNotTold) {
   EXPECT_EQ(Content(Path("a")), "late");
 }
 
-TEST_F(FileWriterTest, OnlyTheOwnerReadsWhatIsHis) {
+TEST_F(FileWriterTest, PrivateFilesAreReadableByTheOwnerOnly) {
   FileWriter writer;
   writer.write(Path("a"), "x", &context_, Hear(), FileWriter::Readers::kOwner);
 
@@ -117,7 +117,7 @@ TEST_F(FileWriterTest, OnlyTheOwnerReadsWhatIsHis) {
             QFile::Permissions());
 }
 
-TEST_F(FileWriterTest, TheEndWaitsForWhatIsStillToBeWritten) {
+TEST_F(FileWriterTest, TheDestructorWaitsForPendingWrites) {
   {
     FileWriter writer(nullptr, kLong);
     for (int i = 0; i < 20; ++i) writer.write(Path(QString::number(i)), "x", nullptr, {});
@@ -126,7 +126,7 @@ TEST_F(FileWriterTest, TheEndWaitsForWhatIsStillToBeWritten) {
   for (int i = 0; i < 20; ++i) EXPECT_EQ(Content(Path(QString::number(i))), "x") << i;
 }
 
-TEST_F(FileWriterTest, TheEndDoesNotWaitForEverAndSaysWhatWasNotWritten) {
+TEST_F(FileWriterTest, TheDestructorTimesOutAndListsUnwrittenFiles) {
   testing::internal::CaptureStderr();
   {
     FileWriter writer(nullptr, std::chrono::milliseconds(20));
@@ -144,7 +144,7 @@ TEST_F(FileWriterTest, TheEndDoesNotWaitForEverAndSaysWhatWasNotWritten) {
   EXPECT_TRUE(told_.isEmpty());
 }
 
-TEST_F(FileWriterTest, TheEndSaysWhatWasRefusedAndCouldNotBeToldAnyMore) {
+TEST_F(FileWriterTest, TheDestructorPrintsUnreportedErrors) {
   const auto is_said = [this](const std::string& said, const char* name) {
     return said.find(Path(name).toStdString() + " was not saved: ") != std::string::npos;
   };
@@ -164,7 +164,7 @@ TEST_F(FileWriterTest, TheEndSaysWhatWasRefusedAndCouldNotBeToldAnyMore) {
   EXPECT_EQ(told_.size(), 1);
 }
 
-TEST_F(FileWriterTest, WhatTakesLongToBeMadeHoldsUpNoSmallFile) {
+TEST_F(FileWriterTest, ASlowExportDoesNotDelaySmallFiles) {
   FileWriter::exports().write(Path("picture"), Stuck(), nullptr, {});
   FileWriter::instance().write(Path("small"), "x", nullptr, {});
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::seconds kUntilKept{20};  // bounds a test that fails
 
-TEST(SavedSettings, TheNextTimeTheyAreThere) {
+TEST(SavedSettings, PersistAcrossInstances) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/window.json");
   const QByteArray any("\x00\xff\n\"", 4);
@@ -34,7 +34,7 @@ TEST(SavedSettings, TheNextTimeTheyAreThere) {
   EXPECT_EQ(again.value("seen"), "yes");
 }
 
-TEST(SavedSettings, AFileOfSomethingElseHarmsNothing) {
+TEST(SavedSettings, IgnoreAForeignFile) {
   const QTemporaryDir folder;
   const QString name = folder.filePath("window.json");
   for (const char* content : {"", "[1]", "{\"values\": 3}", "{\"values\": {\"geometry\": [1]}}"}) {
@@ -47,7 +47,7 @@ TEST(SavedSettings, AFileOfSomethingElseHarmsNothing) {
   }
 }
 
-TEST(SavedSettings, ASlowDiskHoldsUpNobody) {
+TEST(SavedSettings, ASlowDiskDoesNotBlock) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("window.json");
   std::promise<void> go;
@@ -65,7 +65,7 @@ TEST(SavedSettings, ASlowDiskHoldsUpNobody) {
   EXPECT_EQ(SavedSettings(file).value("geometry"), "x");
 }
 
-TEST(SavedSettings, OfTwoProgramsEachKeepsWhatItHasSet) {
+TEST(SavedSettings, TwoProgramsKeepEachOthersSettings) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("window.json");
   SavedSettings first(file);
@@ -94,7 +94,7 @@ class KeptValuesRefused : public ::testing::Test {
   const QString file_ = folder_.filePath("window.json");
 };
 
-TEST_F(KeptValuesRefused, IsSaidOnStderr) {
+TEST_F(KeptValuesRefused, IsPrintedOnStderr) {
   testing::internal::CaptureStderr();
 
   SavedSettings(file_).set("seen", "yes");
@@ -105,7 +105,7 @@ TEST_F(KeptValuesRefused, IsSaidOnStderr) {
   EXPECT_TRUE(IsSaid(said)) << said;
 }
 
-TEST_F(KeptValuesRefused, IsSaidAtTheEndToo) {
+TEST_F(KeptValuesRefused, IsPrintedAtExit) {
   testing::internal::CaptureStderr();
 
   SavedSettings(file_).set("seen", "yes");

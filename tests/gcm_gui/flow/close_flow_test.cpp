@@ -38,7 +38,7 @@ class CloseFlow : public FlowFixture {
   }
 };
 
-TEST_F(CloseFlow, AProcessThatHangsKeepsNoWindowThatIsClosed) {
+TEST_F(CloseFlow, AHangingProcessDoesNotBlockClosing) {
   const ProcessDescription robot =
       session_->store().catalogue().FindProcess("robot")->process;  // as it was before it stopped
   std::optional<Result<std::string>> answer;  // outlives the session, which fills it

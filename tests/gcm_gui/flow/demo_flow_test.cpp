@@ -69,7 +69,7 @@ class DemoFlow : public FlowFixture {
   }
 };
 
-TEST_F(DemoFlow, OneClickBringsItUp) {
+TEST_F(DemoFlow, OneClickStartsTheDemo) {
   Click(Find<QPushButton>("tryDemo"));
 
   EXPECT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
@@ -80,7 +80,7 @@ TEST_F(DemoFlow, OneClickBringsItUp) {
   KeepPictures(*window_, "flow-demo");
 }
 
-TEST_F(DemoFlow, WhatIsSavedOfItStartsItsProcessesAgain) {
+TEST_F(DemoFlow, TheSavedFileStartsTheProcesses) {
   ASSERT_NO_FATAL_FAILURE(BringUpDemo());
 
   ASSERT_NO_FATAL_FAILURE(Save(File()));
@@ -94,7 +94,7 @@ TEST_F(DemoFlow, WhatIsSavedOfItStartsItsProcessesAgain) {
   }
 }
 
-TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
+TEST_F(DemoFlow, ExternalChangesAreShownRestoredAndUndone) {
   ASSERT_NO_FATAL_FAILURE(BringUpDemo());
   ASSERT_NO_FATAL_FAILURE(Save(File()));
   ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.back"));  // from what brought the demo up
@@ -127,7 +127,7 @@ TEST_F(DemoFlow, WhatOthersHaveChangedIsSeenAndRestoredAndThatTakenBack) {
   }));
 }
 
-TEST_F(DemoFlow, TakenBackItLeavesNoProcess) {
+TEST_F(DemoFlow, UndoingTheDemoEndsItsProcesses) {
   ASSERT_NO_FATAL_FAILURE(BringUpDemo());
   ClickTab("centre.tabs", "Diff");
 

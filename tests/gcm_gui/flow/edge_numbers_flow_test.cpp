@@ -76,7 +76,7 @@ class EdgeNumbersFlow : public FlowFixture {
   }
 };
 
-TEST_F(EdgeNumbersFlow, AWindowWithALayoutOfThemOpensAndTellsThemAsTheyAre) {
+TEST_F(EdgeNumbersFlow, AWindowPlotsExtremeNumbersCorrectly) {
   const QString system = Write("edges.json", SystemOfEdges());
   const auto edges = StartLcm("edges", system.toStdString());
   window_->resize(1280, 1400);

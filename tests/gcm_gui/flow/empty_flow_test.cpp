@@ -38,7 +38,7 @@ class EmptyFlow : public FlowFixture {
   }
 };
 
-TEST_F(EmptyFlow, AClickStartsAGcmWhereNoneAnswers) {
+TEST_F(EmptyFlow, OneClickStartsAGcm) {
   ASSERT_TRUE(Eventually([this] { return Find<QPushButton>("startGcm").isVisible(); }));
   EXPECT_FALSE(Find<QPushButton>("tryDemo").isVisible());
   KeepPictures(*window_, "flow-empty");
@@ -52,7 +52,7 @@ TEST_F(EmptyFlow, AClickStartsAGcmWhereNoneAnswers) {
   KeepPictures(*window_, "flow-empty-gcm");
 }
 
-TEST_F(EmptyFlow, WhoWantsToIsShownAround) {
+TEST_F(EmptyFlow, AClickStartsTheTour) {
   Click(Find<QPushButton>("showAround"));
 
   EXPECT_TRUE(window_->tour().isRunning());

@@ -76,7 +76,7 @@ class GraphFlowTest : public FlowFixture {
   std::map<std::string, QSet<QString>> waits_each_time_;  // by phase
 };
 
-TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
+TEST_F(GraphFlowTest, AStoppedProcessIsGreyUntilItResumes) {
   ASSERT_TRUE(Eventually([&] { return IsWell(); }));
   const QRectF place = scene().component("robot/arm")->sceneRect();
 
@@ -99,7 +99,7 @@ TEST_F(GraphFlowTest, AProcessThatStandsStillIsGreyAndComesBackInItsPlace) {
   }
 }
 
-TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
+TEST_F(GraphFlowTest, RequestsToAStoppedProcessDoNotBlock) {
   ASSERT_TRUE(Eventually([&] { return IsWell(); }));
   session_->reports().listen(window_.get(), {"robot/**"});
   window_->selection().select(QStringLiteral("robot/arm"));
@@ -135,7 +135,7 @@ TEST_F(GraphFlowTest, NobodyIsWaitedForWhoIsAskedWhileHeStandsStill) {
   }
 }
 
-TEST_F(GraphFlowTest, WithoutItsGcmAllIsGreyUntilItIsBack) {
+TEST_F(GraphFlowTest, AllIsGreyWithoutTheGcm) {
   ASSERT_TRUE(Eventually([&] { return IsWell(); }));
 
   for (int round = 0; round < kRounds; ++round) {

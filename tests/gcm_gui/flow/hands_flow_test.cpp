@@ -68,7 +68,7 @@ class HandsFlowTest : public FlowFixture {
   [[nodiscard]] QString Status() { return Find<QLabel>("call.status").text(); }
 };
 
-TEST_F(HandsFlowTest, ThreeRowsAndOneKeyArePlotted) {
+TEST_F(HandsFlowTest, ThreeSelectedRowsArePlottedByOneKey) {
   const QStringList paths{"robot/arm/state.Joints.position[0]",
                           "robot/arm/state.Joints.position[1]",
                           "robot/arm/state.Joints.position[2]"};
@@ -95,7 +95,7 @@ TEST_F(HandsFlowTest, ThreeRowsAndOneKeyArePlotted) {
   KeepPictures(*window_, "flow-plot-three");
 }
 
-TEST_F(HandsFlowTest, AnInterfaceIsConnectedByItsDigitReplacedByADragAndAllOfItUndone) {
+TEST_F(HandsFlowTest, ConnectsByDigitReplacesByDragAndUndoesBoth) {
   const auto spare = StartSpare();
   ASSERT_TRUE(Eventually([&] { return window_->graph().pointOf(kSpareOffers).has_value(); }))
       << spare->err();
@@ -121,7 +121,7 @@ TEST_F(HandsFlowTest, AnInterfaceIsConnectedByItsDigitReplacedByADragAndAllOfItU
   EXPECT_TRUE(Eventually([&] { return IsFree(); }));
 }
 
-TEST_F(HandsFlowTest, AFormIsFilledAndCalledAndARefusalIsTold) {
+TEST_F(HandsFlowTest, CallsFromAFormAndShowsARefusal) {
   window_->selection().select(QStringLiteral("robot/arm/Control.MoveTo"));
   auto& button = Find<QPushButton>("call.call");
   ASSERT_TRUE(Eventually([&] { return button.isEnabled(); }));

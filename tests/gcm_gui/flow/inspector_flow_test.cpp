@@ -35,7 +35,7 @@ class InspectorFlow : public FlowFixture {
   }
 };
 
-TEST_F(InspectorFlow, ValuesHaveTrendsAndEventsAndParametersTheirTabs) {
+TEST_F(InspectorFlow, ShowsValueTrendsAndTabsForEventsAndParameters) {
   Select("robot/arm");
   ClickTab("inspectorTabs.tabs", "Values");
   auto& values = Find<QTreeView>("inspector.values");
@@ -102,7 +102,7 @@ TEST_F(InspectorFlow, ACommandIsRepeatedUntilItIsStopped) {
   EXPECT_EQ(session_->activity().rowCount(), 1);
 }
 
-TEST_F(InspectorFlow, WhatCanMoveIsRepeatedOnlyWhileTheButtonIsHeld) {
+TEST_F(InspectorFlow, MotionCommandsRepeatOnlyWhileTheButtonIsHeld) {
   Select("robot/arm/Control.MoveTo");
   auto& button = Find<QPushButton>("call.repeat");
   ASSERT_TRUE(Eventually([&] { return button.isEnabled(); }));
@@ -123,7 +123,7 @@ TEST_F(InspectorFlow, WhatCanMoveIsRepeatedOnlyWhileTheButtonIsHeld) {
   EXPECT_EQ(LastAction().times, called);
 }
 
-TEST_F(InspectorFlow, TheFirstMoveBeginsWhereTheArmIs) {
+TEST_F(InspectorFlow, TheFormStartsWithThePositionOfTheArm) {
   MoveArm();
   Select("robot/arm/Control.MoveTo");
   auto& status = Find<QLabel>("call.status");
@@ -138,7 +138,7 @@ TEST_F(InspectorFlow, TheFirstMoveBeginsWhereTheArmIs) {
   EXPECT_LT(said["position"][3].toDouble(), -0.1) << "its elbow is bent";
 }
 
-TEST_F(InspectorFlow, AFavouriteWaitsForItsComponentAndHealsWhenItReturns) {
+TEST_F(InspectorFlow, AFavouriteIsDisabledUntilItsComponentReturns) {
   Select("robot/arm/Control.GetJoints");
   Click(Find<QToolButton>("call.favourite"));
   auto& favourite = Find<QPushButton>("favourite.robot/arm/Control.GetJoints");

@@ -93,7 +93,7 @@ class PlotFlow : public FlowFixture {
 // that stands still for longer than a table keeps its rows loses some, and so does a window that is
 // 1.5 s behind, as a sanitizer makes it, for it gives up the connection and begins anew; but never
 // in silence.
-TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
+TEST_F(PlotFlow, AHundredSignalsAtOneKilohertzLoseNoRow) {
   const test::StallMeter stalls;
   const auto may_lose = [&] { return test::IsSanitized() || stalls.has_stood_still(); };
   const QString system = Write("arms.json", SystemOfArms());
@@ -132,7 +132,7 @@ TEST_F(PlotFlow, OfAHundredSignalsAtAThousandHertzNotARowIsLost) {
   KeepPictures(*window_, "flow-hundred-signals");
 }
 
-TEST_F(PlotFlow, EventsOfWhatIsPlottedAndCommandsOfOtherProgramsAreMarked) {
+TEST_F(PlotFlow, MarksEventsAndCommandsOfOtherPrograms) {
   window_->plots().addSignal(kJoint, QStringLiteral("rad"));
   window_->plots().setWindow(std::chrono::seconds(10));
   ASSERT_TRUE(Eventually([&] { return !Curves().front()->samples().empty(); }));

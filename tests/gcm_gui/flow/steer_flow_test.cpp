@@ -39,7 +39,7 @@ class SteerFlowTest : public FlowFixture {
   }
 };
 
-TEST_F(SteerFlowTest, AComponentIsStoppedThatTakenBackAndSuspended) {
+TEST_F(SteerFlowTest, StopsAComponentUndoesTheStopAndSuspendsIt) {
   window_->selection().select(QStringLiteral("robot/arm"));
   Order(Qt::Key_F8);
   ASSERT_TRUE(Eventually([&] { return IsArm(ComponentState::kFinished); }));

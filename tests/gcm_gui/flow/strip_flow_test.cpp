@@ -35,7 +35,7 @@ class StripFlow : public FlowFixture {
   }
 };
 
-TEST_F(StripFlow, TheConsoleSpeaksTheLanguageOfTheShell) {
+TEST_F(StripFlow, TheConsoleRunsShellCommands) {
   QTest::keyClick(window_.get(), Qt::Key_J, Qt::ControlModifier);
   ASSERT_TRUE(Line().hasFocus());
 
@@ -69,7 +69,7 @@ TEST_F(StripFlow, TheConsoleSpeaksTheLanguageOfTheShell) {
   KeepPictures(*window_, "flow-console");
 }
 
-TEST_F(StripFlow, TheConsoleAnswersInWordsWhereATerminalIsWanted) {
+TEST_F(StripFlow, TheConsoleExplainsVerbsThatNeedATerminal) {
   ClickTab("strip.tabs", "Console");
   ASSERT_TRUE(Line().hasFocus());
 
@@ -125,7 +125,7 @@ TEST_F(StripFlow, TheLogIsFilteredAndItsLevelSetWithMouseAndKeys) {
   EXPECT_EQ(session_->activity().command(0), "gcm log-level desk debug");
 }
 
-TEST_F(StripFlow, WhoTypesOnTheOutputMeansTheLineAndNoKeyOfTheWindow) {
+TEST_F(StripFlow, TypingOnTheOutputGoesToTheLine) {
   QTest::keyClick(window_.get(), Qt::Key_J, Qt::ControlModifier);
   ASSERT_TRUE(Line().hasFocus());
   window_->selection().select("desk/supervisor/Robot");
@@ -138,7 +138,7 @@ TEST_F(StripFlow, WhoTypesOnTheOutputMeansTheLineAndNoKeyOfTheWindow) {
   EXPECT_EQ(session_->activity().rowCount(), 0);
 }
 
-TEST_F(StripFlow, EventsArriveWhileThePageIsOpenAndWaitWhileItIsPaused) {
+TEST_F(StripFlow, EventsArriveLiveAndWaitWhilePaused) {
   ClickTab("strip.tabs", "Events");
   auto& list = Find<QTreeView>("events");
   // It may take a moment until the first one is listened to.
@@ -161,7 +161,7 @@ TEST_F(StripFlow, EventsArriveWhileThePageIsOpenAndWaitWhileItIsPaused) {
   EXPECT_GT(list.model()->rowCount(), shown);
 }
 
-TEST_F(StripFlow, AProblemLeadsToWhatHasIt) {
+TEST_F(StripFlow, ClickingAProblemSelectsItsSource) {
   robot_.reset();  // killed
   ClickTab("strip.tabs", "Problems");
   auto& list = Find<QTreeView>("problems");

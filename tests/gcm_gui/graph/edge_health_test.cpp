@@ -31,7 +31,7 @@ class EdgeHealthTest : public ::testing::Test {
   QSignalSpy counted_{&health_, &EdgeHealth::counted};
 };
 
-TEST_F(EdgeHealthTest, OnlyWhatCanBeSeenIsAskedAbout) {
+TEST_F(EdgeHealthTest, QueriesOnlyVisibleConnections) {
   health_.look();
   EXPECT_TRUE(reports_.counted.isEmpty());
 
@@ -41,7 +41,7 @@ TEST_F(EdgeHealthTest, OnlyWhatCanBeSeenIsAskedAbout) {
   EXPECT_EQ(reports_.counted, (QStringList{"desk/client0/Robot", "desk/client1/Robot"}));
 }
 
-TEST_F(EdgeHealthTest, OfManyAFewAreAskedAboutAtOnceAndAllInTurn) {
+TEST_F(EdgeHealthTest, LimitsConcurrentQueriesAndVisitsAll) {
   See(20);
   const auto most = static_cast<qsizetype>(EdgeHealth::kMostAtOnce);
 
@@ -57,7 +57,7 @@ TEST_F(EdgeHealthTest, OfManyAFewAreAskedAboutAtOnceAndAllInTurn) {
   EXPECT_EQ(QSet<QString>(reports_.counted.begin(), reports_.counted.end()).size(), 20);
 }
 
-TEST_F(EdgeHealthTest, TheOneThatIsPointedAtIsAskedAboutAtOnceAndTold) {
+TEST_F(EdgeHealthTest, QueriesAHoveredConnectionAtOnce) {
   health_.point("desk/client3/Robot");
   ASSERT_EQ(reports_.counted, QStringList{"desk/client3/Robot"});
 
@@ -73,7 +73,7 @@ TEST_F(EdgeHealthTest, TheOneThatIsPointedAtIsAskedAboutAtOnceAndTold) {
   EXPECT_EQ(reports_.counted.size(), 1);
 }
 
-TEST_F(EdgeHealthTest, WithoutAnAnswerTheReasonIsTold) {
+TEST_F(EdgeHealthTest, ReportsAFailedQuery) {
   health_.point("desk/client3/Robot");
 
   AnswerAll(Error{ErrorCode::kTimeout, "no answer from desk in 1 s"});
@@ -82,7 +82,7 @@ TEST_F(EdgeHealthTest, WithoutAnAnswerTheReasonIsTold) {
   EXPECT_EQ(counted_[0][1].toStringList(), QStringList{"no answer from desk in 1 s"});
 }
 
-TEST_F(EdgeHealthTest, WhatIsLostMeanwhileIsAWarningOnce) {
+TEST_F(EdgeHealthTest, WarnsOnceOfNewLosses) {
   ConnectionCounts before;
   before.lost_events = 3;
   ConnectionCounts now = before;
@@ -93,7 +93,7 @@ TEST_F(EdgeHealthTest, WhatIsLostMeanwhileIsAWarningOnce) {
   EXPECT_EQ(HealthWarning(now, now), "");
 }
 
-TEST_F(EdgeHealthTest, AFullQueueAndALateAnswerAreWarnings) {
+TEST_F(EdgeHealthTest, WarnsOfAFullQueueAndALateAnswer) {
   ConnectionCounts counts;
   counts.capacity = 10;
   counts.waiting = 7;

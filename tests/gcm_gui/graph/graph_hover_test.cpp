@@ -49,7 +49,7 @@ class GraphHoverTest : public GraphFixture {
   }
 };
 
-TEST_F(GraphHoverTest, AComponentStandsOutWithWhatItIsConnectedTo) {
+TEST_F(GraphHoverTest, HighlightsAComponentAndItsNeighbours) {
   MoveTo(HeadOf("robot/arm"));
 
   ASSERT_TRUE(EventuallyDims(true));
@@ -64,7 +64,7 @@ TEST_F(GraphHoverTest, AComponentStandsOutWithWhatItIsConnectedTo) {
   EXPECT_FALSE(IsHighlighted("robot/arm"));
 }
 
-TEST_F(GraphHoverTest, APortStandsOutWithItsOwnConnectionsOnly) {
+TEST_F(GraphHoverTest, HighlightsAPortAndItsConnections) {
   MoveTo(scene_.port({Side::kProvided, {"robot", "arm", "Drives"}})->scenePos());
 
   ASSERT_TRUE(EventuallyDims(true));
@@ -73,7 +73,7 @@ TEST_F(GraphHoverTest, APortStandsOutWithItsOwnConnectionsOnly) {
             (std::set<QString>{"robot/arm", "robot/controller"}));
 }
 
-TEST_F(GraphHoverTest, WhatIsConnectedToNothingDimsNothing) {
+TEST_F(GraphHoverTest, AnUnconnectedComponentDimsNothing) {
   MoveTo(HeadOf("robot/arm"));
   ASSERT_TRUE(EventuallyDims(true));
 
@@ -82,7 +82,7 @@ TEST_F(GraphHoverTest, WhatIsConnectedToNothingDimsNothing) {
   EXPECT_TRUE(EventuallyDims(false));
 }
 
-TEST_F(GraphHoverTest, AConnectionTellsHowItDoes) {
+TEST_F(GraphHoverTest, ShowsTheHealthOfAConnection) {
   QSignalSpy pointed(&scene_.hover(), &GraphHover::connectionPointed);
   MoveTo(MiddleOfEdge());
   ASSERT_TRUE(QTest::qWaitFor([&] { return pointed.size() == 1; }, kHoverPatience));
@@ -102,7 +102,7 @@ TEST_F(GraphHoverTest, AConnectionTellsHowItDoes) {
   EXPECT_EQ(pointed.back()[0].toString(), QString());
 }
 
-TEST_F(GraphHoverTest, AConnectionThatGoesUnderThePointerTakesItsCardAlong) {
+TEST_F(GraphHoverTest, ARemovedConnectionClosesItsCard) {
   MoveTo(MiddleOfEdge());
   ASSERT_TRUE(EventuallyDims(true));
   scene_.hover().showReadout({"robot", "controller", "Arm"}, {"round trip 38.0 µs"});
@@ -114,7 +114,7 @@ TEST_F(GraphHoverTest, AConnectionThatGoesUnderThePointerTakesItsCardAlong) {
   EXPECT_TRUE(EventuallyDims(false));
 }
 
-TEST_F(GraphHoverTest, WhileAConnectionIsMadeNothingIsDimmed) {
+TEST_F(GraphHoverTest, ConnectModeDimsNothing) {
   MoveTo(HeadOf("robot/arm"));
   ASSERT_TRUE(EventuallyDims(true));
 
@@ -125,7 +125,7 @@ TEST_F(GraphHoverTest, WhileAConnectionIsMadeNothingIsDimmed) {
   EXPECT_TRUE(EventuallyDims(false));
 }
 
-TEST_F(GraphHoverTest, WhoWalksByKeysSeesTheNeighboursToo) {
+TEST_F(GraphHoverTest, KeyboardNavigationHighlightsNeighbours) {
   selection_.select("robot/arm");
 
   QTest::keyClick(&view_, Qt::Key_Right);

@@ -32,7 +32,7 @@ class GraphMapTest : public GraphFixture {
   GraphMap map_{view_};
 };
 
-TEST_F(GraphMapTest, ItIsThereWhileNotAllCanBeSeen) {
+TEST_F(GraphMapTest, IsVisibleWhileTheGraphDoesNotFit) {
   EXPECT_FALSE(map_.isVisible());
 
   ZoomIn();
@@ -44,7 +44,7 @@ TEST_F(GraphMapTest, ItIsThereWhileNotAllCanBeSeen) {
   EXPECT_FALSE(map_.isVisible());
 }
 
-TEST_F(GraphMapTest, AClickShowsWhatIsThere) {
+TEST_F(GraphMapTest, AClickCentresTheView) {
   ZoomIn();
   const QPointF corner = scene_.contents().topLeft() + QPointF(150, 100);
 
@@ -56,7 +56,7 @@ TEST_F(GraphMapTest, AClickShowsWhatIsThere) {
   ExpectTrueFrame();
 }
 
-TEST_F(GraphMapTest, TheFrameIsDraggedFromWhereItIsHeld) {
+TEST_F(GraphMapTest, DraggingTheFrameMovesTheView) {
   ZoomIn();
   const QPointF before = view_.seen().center();
   const QPoint held = (map_.frame().center() + QPointF(4, 3)).toPoint();
@@ -73,7 +73,7 @@ TEST_F(GraphMapTest, TheFrameIsDraggedFromWhereItIsHeld) {
   EXPECT_LT(std::abs(view_.seen().center().y() - before.y()), 2 * pixel);
 }
 
-TEST_F(GraphMapTest, WhoDoesNotWantItDoesNotSeeIt) {
+TEST_F(GraphMapTest, CanBeSwitchedOff) {
   ZoomIn();
 
   map_.setWanted(false);
@@ -85,7 +85,7 @@ TEST_F(GraphMapTest, WhoDoesNotWantItDoesNotSeeIt) {
   EXPECT_TRUE(map_.isVisible());
 }
 
-TEST_F(GraphMapTest, ItFollowsWhatComesAndTheSizeOfTheView) {
+TEST_F(GraphMapTest, FollowsNewComponentsAndTheViewSize) {
   ZoomIn();
   const double scale = map_.fromScene({100, 0}).x() - map_.fromScene({0, 0}).x();
   for (int i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ TEST_F(GraphMapTest, ItFollowsWhatComesAndTheSizeOfTheView) {
   ExpectTrueFrame();
 }
 
-TEST_F(GraphMapTest, ShiftAndArrowKeysMoveWhatIsSeen) {
+TEST_F(GraphMapTest, ShiftAndArrowKeysMoveTheView) {
   ZoomIn();
   const QPointF before = view_.seen().center();
 

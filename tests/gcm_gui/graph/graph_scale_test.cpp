@@ -85,7 +85,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
   Time("nothing is known any more", [&] { scene_.setOutdated(true); });
 }
 
-TEST_F(GraphScaleTest, PanningDrawsLessFromFarAwayAndNearOnlyWhatIsSeen) {
+TEST_F(GraphScaleTest, PanningDrawsOnlyVisibleDetails) {
   view_.show();
   Show();
   AwaitLayout();

@@ -35,7 +35,7 @@ class GraphSearchTest : public GraphFixture {
   GraphSearch search_{view_};
 };
 
-TEST_F(GraphSearchTest, AllWordsHaveToBeThereInAnyOrder) {
+TEST_F(GraphSearchTest, MatchesAllWordsInAnyOrder) {
   Type("ARM rob");
   EXPECT_TRUE(search_.found().contains("robot/arm"));
   EXPECT_FALSE(search_.found().contains("desk/view"));
@@ -50,7 +50,7 @@ TEST_F(GraphSearchTest, AllWordsHaveToBeThereInAnyOrder) {
   EXPECT_TRUE(scene_.highlight().names().empty());
 }
 
-TEST_F(GraphSearchTest, WhatIsFoundStandsOut) {
+TEST_F(GraphSearchTest, HighlightsMatches) {
   Type("desk");
 
   EXPECT_TRUE(scene_.highlight().names().components.contains("desk/view"));
@@ -61,7 +61,7 @@ TEST_F(GraphSearchTest, WhatIsFoundStandsOut) {
   EXPECT_TRUE(scene_.highlight().names().components.contains("desk/newcomer"));
 }
 
-TEST_F(GraphSearchTest, EnterGoesFromOneToTheNextAndShiftEnterBack) {
+TEST_F(GraphSearchTest, EnterAndShiftEnterStepThroughMatches) {
   Type("desk");
   ASSERT_EQ(search_.found().size(), 3);
 
@@ -78,7 +78,7 @@ TEST_F(GraphSearchTest, EnterGoesFromOneToTheNextAndShiftEnterBack) {
   EXPECT_TRUE(view_.seen().contains(scene_.component(selection_.current())->sceneRect()));
 }
 
-TEST_F(GraphSearchTest, FromFarAwayItComesNearEnoughToBeRead) {
+TEST_F(GraphSearchTest, ZoomsInUntilAMatchIsReadable) {
   for (int step = 0; step < 12; ++step) view_.zoomOut();
   const double far_away = view_.transform().m11();
 
@@ -90,7 +90,7 @@ TEST_F(GraphSearchTest, FromFarAwayItComesNearEnoughToBeRead) {
   EXPECT_TRUE(view_.seen().contains(scene_.component("robot/controller")->sceneRect()));
 }
 
-TEST_F(GraphSearchTest, EscapeEndsItAndGivesTheFocusBack) {
+TEST_F(GraphSearchTest, EscapeClosesItAndRestoresTheFocus) {
   Type("desk");
 
   QTest::keyClick(&search_.field(), Qt::Key_Escape);

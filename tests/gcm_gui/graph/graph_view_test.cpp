@@ -69,7 +69,7 @@ TEST_F(GraphViewTest, DraggingFromPortToPortConnects) {
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
-TEST_F(GraphViewTest, ACardStandsOnlyWhereItHidesNothing) {
+TEST_F(GraphViewTest, CardsHideNoComponent) {
   view_.resize(1800, 700);
   Click(kRobot);
 
@@ -84,7 +84,7 @@ TEST_F(GraphViewTest, ACardStandsOnlyWhereItHidesNothing) {
   }
 }
 
-TEST_F(GraphViewTest, WithoutRoomForACardWhyItDoesNotFitIsToldElsewhere) {
+TEST_F(GraphViewTest, HoverReportsARefusalIfNoCardFits) {
   scene_.setVisible({0, 0, 60, 40});  // as if no more than this could be seen
   QString title;
   QStringList reasons;
@@ -108,7 +108,7 @@ TEST_F(GraphViewTest, WithoutRoomForACardWhyItDoesNotFitIsToldElsewhere) {
   EXPECT_TRUE(title.isEmpty());
 }
 
-TEST_F(GraphViewTest, KeysPickAndLeave) {
+TEST_F(GraphViewTest, KeysPickACandidateAndLeaveConnectMode) {
   Click(kRobot);
   QTest::keyClick(&view_, Qt::Key_Escape);
   EXPECT_FALSE(mode_.active());
@@ -122,7 +122,7 @@ TEST_F(GraphViewTest, KeysPickAndLeave) {
   EXPECT_EQ(actions_.asked.size(), 2);
 }
 
-TEST_F(GraphViewTest, AClickBesideEverythingLeavesTheMode) {
+TEST_F(GraphViewTest, AClickOnTheBackgroundLeavesConnectMode) {
   Click(kRobot);
 
   QTest::mouseClick(view_.viewport(), Qt::LeftButton, {}, QPoint(3, 3));
@@ -148,7 +148,7 @@ TEST_F(GraphViewTest, AClickSelectsComponentsProcessesAndConnections) {
   EXPECT_EQ(selection_.current(), "robot/controller/Arm");
 }
 
-TEST_F(GraphViewTest, AnEdgeShowsHowItsConnectionIs) {
+TEST_F(GraphViewTest, AnEdgeShowsTheStateOfItsConnection) {
   const QString host = "desk/view/Host";
   EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kActive);
 
@@ -175,7 +175,7 @@ TEST_F(GraphViewTest, ARequestIsDashedUntilItsAnswer) {
   EXPECT_EQ(scene_.edge(robot), nullptr);
 }
 
-TEST_F(GraphViewTest, ALostProcessFadesAndSaysSinceWhen) {
+TEST_F(GraphViewTest, ALostProcessFadesAndShowsForHowLong) {
   system_.Process("robot", ProcessState::kLost, 0);
   Show();
   scene_.setNow(12'000'000'000);
@@ -197,7 +197,7 @@ TEST_F(GraphViewTest, DraggingMovesTheViewAndSelectsNothing) {
   EXPECT_FALSE(mode_.active());
 }
 
-TEST_F(GraphViewTest, ItFitsUntilTheUserHasZoomed) {
+TEST_F(GraphViewTest, FitsTheViewUntilTheUserZooms) {
   system_.Process("extra")
       .Component("extra", Task("a", 1, {}))
       .Component("extra", Task("b", 1, {}));
@@ -216,7 +216,7 @@ TEST_F(GraphViewTest, ItFitsUntilTheUserHasZoomed) {
       view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
 }
 
-TEST_F(GraphViewTest, ItStandsInTheMiddleAlsoWhenTheViewGrows) {
+TEST_F(GraphViewTest, StaysCentredWhenTheViewIsResized) {
   const auto middle = [&] {
     return view_.mapFromScene(scene_.contents().center()) - view_.viewport()->rect().center();
   };
@@ -231,7 +231,7 @@ TEST_F(GraphViewTest, ItStandsInTheMiddleAlsoWhenTheViewGrows) {
       view_.mapToScene(view_.viewport()->rect()).boundingRect().contains(scene_.contents()));
 }
 
-TEST_F(GraphViewTest, WhatComesWhileAConnectionIsMadeMovesNothing) {
+TEST_F(GraphViewTest, NewProcessesDoNotMoveTheViewInConnectMode) {
   view_.resize(1600, 900);
   Click(kRobot);
   const QPoint before = view_.pointOf(kControl).value();
@@ -242,7 +242,7 @@ TEST_F(GraphViewTest, WhatComesWhileAConnectionIsMadeMovesNothing) {
   EXPECT_EQ(view_.pointOf(kControl).value(), before);
 }
 
-TEST_F(GraphViewTest, WhatComesUnderAHandMovesNothing) {
+TEST_F(GraphViewTest, NewProcessesDoNotMoveTheViewUnderAMovingPointer) {
   view_.setPointerTimeout(std::chrono::hours(1));
   view_.resize(1600, 900);
   Hover(kControl);
@@ -255,7 +255,7 @@ TEST_F(GraphViewTest, WhatComesUnderAHandMovesNothing) {
   EXPECT_EQ(view_.pointOf(kControl).value(), before);
 }
 
-TEST_F(GraphViewTest, UnderAPointerAtRestItStaysInTheMiddle) {
+TEST_F(GraphViewTest, StaysCentredUnderAPointerAtRest) {
   view_.resize(1600, 900);
   Hover(kControl);
   Hover(kControl);
@@ -268,7 +268,7 @@ TEST_F(GraphViewTest, UnderAPointerAtRestItStaysInTheMiddle) {
             3);
 }
 
-TEST_F(GraphViewTest, OutdatedItIsGreyAndStaysWhereItIs) {
+TEST_F(GraphViewTest, AnOutdatedGraphIsGreyAndStaysInPlace) {
   const QPoint before = view_.pointOf(kControl).value();
 
   scene_.setOutdated(true);
@@ -281,7 +281,7 @@ TEST_F(GraphViewTest, OutdatedItIsGreyAndStaysWhereItIs) {
   EXPECT_EQ(scene_.edge("robot/controller/Arm")->look(), EdgeItem::Look::kActive);
 }
 
-TEST_F(GraphViewTest, ArrowKeysWalkTheGraph) {
+TEST_F(GraphViewTest, ArrowKeysNavigateTheGraph) {
   selection_.select("robot/arm");
 
   QTest::keyClick(&view_, Qt::Key_Right);

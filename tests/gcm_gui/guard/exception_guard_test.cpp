@@ -58,7 +58,7 @@ class ExceptionGuardTest : public ::testing::Test {
   QWidget* right_ = nullptr;
 };
 
-TEST_F(ExceptionGuardTest, AHandlerThatThrowsIsToldWithItsViewAndItsWords) {
+TEST_F(ExceptionGuardTest, ReportsAThrowingHandlerWithItsViewAndText) {
   Bomb bomb(*left_, QEvent::MouseButtonPress, [] { throw std::length_error("too long"); });
 
   QTest::mouseClick(left_, Qt::LeftButton);
@@ -69,7 +69,7 @@ TEST_F(ExceptionGuardTest, AHandlerThatThrowsIsToldWithItsViewAndItsWords) {
   EXPECT_FALSE(FaultsOf("Left")[0].is_covered);
 }
 
-TEST_F(ExceptionGuardTest, WhatIsNoExceptionOfTheLibraryIsContainedToo) {
+TEST_F(ExceptionGuardTest, ContainsNonStandardExceptions) {
   Bomb bomb(*left_, QEvent::MouseButtonPress, [] { throw 42; });
 
   QTest::mouseClick(left_, Qt::LeftButton);
@@ -78,7 +78,7 @@ TEST_F(ExceptionGuardTest, WhatIsNoExceptionOfTheLibraryIsContainedToo) {
   EXPECT_EQ(FaultsOf("Left")[0].what, "an exception without a message");
 }
 
-TEST_F(ExceptionGuardTest, ATimerAQueuedCallAndAWantOfMemoryAreContained) {
+TEST_F(ExceptionGuardTest, ContainsTimersQueuedCallsAndBadAlloc) {
   QTimer timer;
   ExceptionGuard::setName(timer, "Timer");
   QObject::connect(&timer, &QTimer::timeout, [] { throw std::runtime_error("late"); });
@@ -92,7 +92,7 @@ TEST_F(ExceptionGuardTest, ATimerAQueuedCallAndAWantOfMemoryAreContained) {
   EXPECT_EQ(FaultsOf("Left")[0].what, "there is not enough memory for it");
 }
 
-TEST_F(ExceptionGuardTest, FaultsThatRepeatThemselvesAreOneThatIsCounted) {
+TEST_F(ExceptionGuardTest, CountsRepeatedFaultsAsOne) {
   constexpr int kTimes = 1000;
   QSignalSpy changed(&ExceptionGuard::instance(), &ExceptionGuard::changed);
   QSignalSpy told(&ExceptionGuard::instance(), &ExceptionGuard::faultReported);
@@ -110,7 +110,7 @@ TEST_F(ExceptionGuardTest, FaultsThatRepeatThemselvesAreOneThatIsCounted) {
   EXPECT_EQ(std::count_if(told.begin(), told.end(), is_of_right), 1);
 }
 
-TEST_F(ExceptionGuardTest, AViewThatThrowsWhileItIsDrawnIsCoveredUntilItIsAskedFor) {
+TEST_F(ExceptionGuardTest, CoversAViewThatThrowsUntilTheUserRetries) {
   Bomb bomb(*left_, QEvent::Paint, [] { throw std::runtime_error("no picture"); });
   left_->update();
 
@@ -134,7 +134,7 @@ TEST_F(ExceptionGuardTest, AViewThatThrowsWhileItIsDrawnIsCoveredUntilItIsAskedF
       QTest::qWaitFor([&] { return left_->findChild<ViewCover*>() == nullptr; }, kMostWait));
 }
 
-TEST_F(ExceptionGuardTest, APainterThatNobodyHasEndedDoesNotKeepTheOthersFromDrawing) {
+TEST_F(ExceptionGuardTest, AnAbandonedPainterDoesNotBlockOtherViews) {
   Bomb bomb(*left_, QEvent::Paint, [&] {
     // As of a frame of Qt's that an exception has passed; kept, for it must not be ended.
     [[maybe_unused]] static auto* const left = new QPainter(left_);
@@ -153,7 +153,7 @@ TEST_F(ExceptionGuardTest, APainterThatNobodyHasEndedDoesNotKeepTheOthersFromDra
   EXPECT_TRUE(is_drawn);
 }
 
-TEST_F(ExceptionGuardTest, AThreadThatThrowsIsTold) {
+TEST_F(ExceptionGuardTest, ReportsAThrowingThread) {
   std::thread thread([] {
     EXPECT_FALSE(
         ExceptionGuard::run("the thread of a test", [] { throw std::runtime_error("alone"); }));
@@ -163,7 +163,7 @@ TEST_F(ExceptionGuardTest, AThreadThatThrowsIsTold) {
   EXPECT_TRUE(WaitForFault("the thread of a test"));
 }
 
-TEST_F(ExceptionGuardTest, OthersHearASignalAlthoughOneReceiverThrows) {
+TEST_F(ExceptionGuardTest, AThrowingReceiverDoesNotStopASignal) {
   struct Thrower : QObject {
     void hear() { throw std::runtime_error("deaf"); }
   } thrower;

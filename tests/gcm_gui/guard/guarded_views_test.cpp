@@ -116,7 +116,7 @@ class GuardedViews : public WindowFixture {
 
 class EachView : public GuardedViews, public ::testing::WithParamInterface<const char*> {};
 
-TEST_P(EachView, IsCoveredWhenItThrowsWhileItIsDrawnAndComesBack) {
+TEST_P(EachView, IsCoveredWhenItThrowsWhilePaintingAndRecovers) {
   auto* view = window_.findChild<QWidget*>(GetParam());
   ASSERT_NE(view, nullptr);
   BringIntoSight(*view);
@@ -144,7 +144,7 @@ TEST_P(EachView, IsCoveredWhenItThrowsWhileItIsDrawnAndComesBack) {
   EXPECT_TRUE(WaitForNoProblem("no room in test"));
 }
 
-TEST_P(EachView, GoesOnWhenOneOfItsHandlersThrows) {
+TEST_P(EachView, ContinuesWhenAHandlerThrows) {
   auto* view = window_.findChild<QWidget*>(GetParam());
   ASSERT_NE(view, nullptr);
   BringIntoSight(*view);
@@ -175,7 +175,7 @@ class ThrowingDelegate : public RowDelegate {
   }
 };
 
-TEST_F(GuardedViews, ARowThatThrowsCoversItsTreeAndNothingElse) {
+TEST_F(GuardedViews, AThrowingRowCoversOnlyItsTree) {
   CatalogueTree& tree = window_.catalogue().tree();
   ThrowingDelegate delegate;
   auto* before = tree.itemDelegate();
@@ -188,7 +188,7 @@ TEST_F(GuardedViews, ARowThatThrowsCoversItsTreeAndNothingElse) {
   tree.setItemDelegate(before);
 }
 
-TEST_F(GuardedViews, AnItemOfTheGraphThatThrowsCoversTheGraph) {
+TEST_F(GuardedViews, AThrowingGraphItemCoversTheGraph) {
   struct Item : QGraphicsRectItem {
     using QGraphicsRectItem::QGraphicsRectItem;
     void paint(QPainter* /*painter*/, const QStyleOptionGraphicsItem* /*option*/,
@@ -216,7 +216,7 @@ class ThrowingPlotItem : public QwtPlotItem {
   bool& throws_;
 };
 
-TEST_F(GuardedViews, AnItemOfAPlotThatThrowsCoversThisPlotAndTheOthersGoOn) {
+TEST_F(GuardedViews, AThrowingPlotItemCoversOnlyItsPlot) {
   bool throws = true;
   PlotView& broken = window_.plots().currentPlot();
   (new ThrowingPlotItem(throws))->attach(&broken);
@@ -240,7 +240,7 @@ TEST_F(GuardedViews, AnItemOfAPlotThatThrowsCoversThisPlotAndTheOthersGoOn) {
   EXPECT_TRUE(WaitForCovers(0));
 }
 
-TEST_F(GuardedViews, ADialogThatThrowsIsCoveredItself) {
+TEST_F(GuardedViews, AThrowingDialogIsCovered) {
   window_.plots().askForName();
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_NE(dialog, nullptr);
@@ -254,7 +254,7 @@ TEST_F(GuardedViews, ADialogThatThrowsIsCoveredItself) {
   dialog->close();
 }
 
-TEST_F(GuardedViews, OneReceiverOfNewsThatThrowsKeepsNoOtherFromHearingThem) {
+TEST_F(GuardedViews, AThrowingReceiverDoesNotStopModelUpdates) {
   // Whoever hears the catalogue's model runs within its slot.
   QObject::connect(&window_.catalogueModel(), &QAbstractItemModel::rowsInserted, &window_,
                    [] { throw std::runtime_error("a model"); });
@@ -270,7 +270,7 @@ TEST_F(GuardedViews, OneReceiverOfNewsThatThrowsKeepsNoOtherFromHearingThem) {
       QTest::qWaitFor([&] { return connections->model()->rowCount() == before - 1; }, kPatience));
 }
 
-TEST_F(GuardedViews, ALayoutThatCannotBeShownIsSaidAndTheWindowStands) {
+TEST_F(GuardedViews, AFailingLayoutIsReported) {
   QTemporaryDir folder;
   QFile file(folder.filePath("layout.json"));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));

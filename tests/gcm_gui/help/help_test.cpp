@@ -46,7 +46,7 @@ class HelpTest : public WindowFixture {
   }
 };
 
-TEST_F(HelpTest, F1ShowsAllKeysAndTakesThemAway) {
+TEST_F(HelpTest, F1TogglesAllKeys) {
   window_.catalogue().tree().setFocus();
   QTest::keyClick(&window_, Qt::Key_F1);
   ASSERT_TRUE(keys().isVisible());
@@ -67,7 +67,7 @@ TEST_F(HelpTest, F1ShowsAllKeysAndTakesThemAway) {
   EXPECT_TRUE(window_.catalogue().tree().hasFocus());
 }
 
-TEST_F(HelpTest, AQuestionMarkTellsTheKeysOfThePartThatHasTheFocus) {
+TEST_F(HelpTest, AQuestionMarkShowsTheKeysOfTheFocusedPart) {
   const auto titles = [this] {
     QStringList found;
     for (const auto* label : keys().findChildren<QLabel*>()) found.append(label->text());
@@ -87,7 +87,7 @@ TEST_F(HelpTest, AQuestionMarkTellsTheKeysOfThePartThatHasTheFocus) {
   EXPECT_TRUE(titles().contains("In a plot"));
 }
 
-TEST_F(HelpTest, AQuestionMarkIsTypedWhereTextIs) {
+TEST_F(HelpTest, AQuestionMarkCanBeTypedInATextField) {
   QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
 
   QTest::keyClicks(&window_.catalogue().filterField(), "a?");
@@ -96,7 +96,7 @@ TEST_F(HelpTest, AQuestionMarkIsTypedWhereTextIs) {
   EXPECT_FALSE(keys().isVisible());
 }
 
-TEST_F(HelpTest, TheKeysAreOnePicture) {
+TEST_F(HelpTest, RendersTheKeys) {
   window_.resize(1280, 900);
   for (const auto& [choice, name] : {std::pair{Theme::Choice::kDark, "keys-dark"},
                                      std::pair{Theme::Choice::kLight, "keys-light"}}) {
@@ -108,7 +108,7 @@ TEST_F(HelpTest, TheKeysAreOnePicture) {
   }
 }
 
-TEST_F(HelpTest, AboutSaysTheVersionsAndCopiesThem) {
+TEST_F(HelpTest, AboutShowsAndCopiesTheVersions) {
   QDialog* about = OpenAbout();
   ASSERT_NE(about, nullptr);
   const QString versions = about->findChild<QLabel*>("about.versions")->text();
@@ -124,7 +124,7 @@ TEST_F(HelpTest, AboutSaysTheVersionsAndCopiesThem) {
   EXPECT_FALSE(about->isVisible());
 }
 
-TEST_F(HelpTest, AboutShowsTheTermsOfEachLibrary) {
+TEST_F(HelpTest, AboutShowsTheLicenceOfEachLibrary) {
   QDialog* about = OpenAbout();
   auto* choice = about->findChild<QComboBox*>("about.library");
   const auto* terms = about->findChild<QPlainTextEdit*>("about.terms");
@@ -143,7 +143,7 @@ TEST_F(HelpTest, AboutShowsTheTermsOfEachLibrary) {
   }
 }
 
-TEST(LibrariesInUse, NamesEveryTextThatIsThere) {
+TEST(LibrariesInUse, NamesEveryLicenceText) {
   QSet<QString> used;
   for (const Library& library : LibrariesInUse()) {
     EXPECT_FALSE(library.licence.isEmpty());

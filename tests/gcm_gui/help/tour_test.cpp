@@ -60,7 +60,7 @@ class TourTest : public WindowFixture {
   }
 };
 
-TEST_F(TourTest, TheMenuShowsAroundFromTheFirstStepToTheLast) {
+TEST_F(TourTest, TheMenuStartsTheTourOfAllSteps) {
   EXPECT_FALSE(tour().isRunning());
   Choose("Tour of the window");
   ASSERT_TRUE(tour().isRunning());
@@ -79,7 +79,7 @@ TEST_F(TourTest, TheMenuShowsAroundFromTheFirstStepToTheLast) {
   EXPECT_TRUE(window_.catalogue().tree().hasFocus());
 }
 
-TEST_F(TourTest, TheHoleIsOverWhatIsSpokenOfAndTheCardBesideIt) {
+TEST_F(TourTest, HighlightsItsSubjectWithTheCardNextToIt) {
   tour().start();
 
   EXPECT_TRUE(tour().hole().contains(PlaceOf(window_.catalogue()).adjusted(2, 2, -2, -2)));
@@ -91,7 +91,7 @@ TEST_F(TourTest, TheHoleIsOverWhatIsSpokenOfAndTheCardBesideIt) {
   EXPECT_FALSE(card().intersects(tour().hole()));
 }
 
-TEST_F(TourTest, TheKeysGoOnAndBackAndOut) {
+TEST_F(TourTest, ArrowKeysStepAndEscapeEndsTheTour) {
   tour().start();
   EXPECT_TRUE(button("tour.next").hasFocus());
   EXPECT_FALSE(button("tour.back").isEnabled());
@@ -110,7 +110,7 @@ TEST_F(TourTest, TheKeysGoOnAndBackAndOut) {
   EXPECT_TRUE(window_.catalogue().tree().hasFocus());
 }
 
-TEST_F(TourTest, TabStaysWithinTheCardAndEnterPressesWhatHasTheFocus) {
+TEST_F(TourTest, TabStaysInTheCardAndEnterPressesAButton) {
   tour().start();
   Press(Qt::Key_Right);
   QStringList way;
@@ -130,7 +130,7 @@ TEST_F(TourTest, TabStaysWithinTheCardAndEnterPressesWhatHasTheFocus) {
   EXPECT_FALSE(tour().isRunning());
 }
 
-TEST_F(TourTest, NoKeyAndNoClickReachesWhatIsBehind) {
+TEST_F(TourTest, BlocksKeysAndClicksBehindIt) {
   window_.selection().select("robot/controller/Arm");
   tour().start();
 
@@ -145,7 +145,7 @@ TEST_F(TourTest, NoKeyAndNoClickReachesWhatIsBehind) {
   EXPECT_TRUE(tour().isRunning());
 }
 
-TEST_F(TourTest, WhatIsHiddenIsOpenedForItsStep) {
+TEST_F(TourTest, OpensAHiddenPanelForItsStep) {
   window_.panels().show(Panels::Perspective::kPlot);
   window_.centre().setCurrent(1);
   ASSERT_FALSE(window_.inspector().isVisible());
@@ -159,7 +159,7 @@ TEST_F(TourTest, WhatIsHiddenIsOpenedForItsStep) {
   EXPECT_EQ(text("tour.place"), "3 of 6");
 }
 
-TEST_F(TourTest, WhatCannotBeShownIsLeftOut) {
+TEST_F(TourTest, SkipsStepsThatCannotBeShown) {
   window_.selection().select("desk/teleoperation");
   QTest::keyClick(&window_, Qt::Key_C);  // candidates stand where the inspector is
   ASSERT_FALSE(window_.inspector().isVisible());
@@ -173,7 +173,7 @@ TEST_F(TourTest, WhatCannotBeShownIsLeftOut) {
   EXPECT_EQ(text("tour.place"), "2 of 5");
 }
 
-TEST_F(TourTest, ItFollowsTheWindow) {
+TEST_F(TourTest, FollowsTheWindowSize) {
   tour().start();
   Press(Qt::Key_Right);
   for (const QSize& size : {QSize(1024, 700), QSize(1600, 1000)}) {
@@ -186,7 +186,7 @@ TEST_F(TourTest, ItFollowsTheWindow) {
   }
 }
 
-TEST_F(TourTest, ItMakesWayForAnythingElseThatIsWanted) {
+TEST_F(TourTest, AnotherCommandEndsTheTour) {
   tour().start();
 
   QTest::keyClick(window_.focusWidget(), Qt::Key_K, Qt::ControlModifier);
@@ -195,7 +195,7 @@ TEST_F(TourTest, ItMakesWayForAnythingElseThatIsWanted) {
   EXPECT_TRUE(window_.findChild<QLineEdit*>("palette.field")->hasFocus());
 }
 
-TEST_F(TourTest, ItIsSpoken) {
+TEST_F(TourTest, HasAnAccessibleNameAndDescription) {
   tour().start();
   const auto* card = window_.findChild<QFrame*>("tour.card");
 
@@ -203,7 +203,7 @@ TEST_F(TourTest, ItIsSpoken) {
   EXPECT_EQ(card->accessibleDescription(), text("tour.text"));
 }
 
-TEST_F(TourTest, Pictures) {
+TEST_F(TourTest, RendersEachStep) {
   for (const auto& [choice, name] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
@@ -221,7 +221,7 @@ TEST_F(TourTest, Pictures) {
   }
 }
 
-TEST(CardBeside, StandsAtTheFirstSideWithRoom) {
+TEST(CardBeside, UsesTheFirstSideWithRoom) {
   const QRect room(0, 0, 1000, 800);
   const QSize card(300, 150);
 
@@ -231,7 +231,7 @@ TEST(CardBeside, StandsAtTheFirstSideWithRoom) {
   EXPECT_EQ(CardBeside({0, 400, 1000, 400}, card, room), QRect(350, 238, 300, 150));
 }
 
-TEST(CardBeside, WhereThereIsNoRoomStandsWithinAndNeverOutside) {
+TEST(CardBeside, StaysInsideTheWindowWithoutRoom) {
   const QRect room(0, 0, 1000, 800);
   const QSize card(300, 150);
 

@@ -21,17 +21,17 @@ QStringList RowsOf(const std::string& configuration) {
   return rows;
 }
 
-TEST(ConfigurationModel, ParametersStandOneByOneUnderTheirPlace) {
+TEST(ConfigurationModel, ListsParametersByTheirPath) {
   EXPECT_EQ(
       RowsOf(R"({"gains": {"p": 2.5, "list": [1, 2]}, "joints": [{"name": "elbow"}]})"),
       (QStringList{"class: Arm", "gains.p: 2.5", "gains.list: [1,2]", "joints[0].name: elbow"}));
 }
 
-TEST(ConfigurationModel, WhatWasToldNothingHasItsClassAlone) {
+TEST(ConfigurationModel, WithoutAConfigurationListsTheClassOnly) {
   EXPECT_EQ(RowsOf(""), QStringList{"class: Arm"});
 }
 
-TEST(ConfigurationModel, WhatIsNoJsonIsShownAsItIs) {
+TEST(ConfigurationModel, ShowsInvalidJsonVerbatim) {
   EXPECT_EQ(RowsOf("{ rate"), (QStringList{"class: Arm", "configuration: { rate"}));
 }
 

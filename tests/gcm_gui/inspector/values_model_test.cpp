@@ -18,7 +18,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(ValuesModel, ShowsEveryNumberOfTheComponentOnceItHasCome) {
+TEST(ValuesModel, ShowsEveryNumberOnceItArrives) {
   ValuesModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   ScriptedSignals source;
@@ -77,7 +77,7 @@ class ValuesInTime : public ::testing::Test {
   QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
 };
 
-TEST_F(ValuesInTime, WhatHasChangedIsFreshForHalfASecond) {
+TEST_F(ValuesInTime, AChangedValueIsFreshForHalfASecond) {
   Send(1, {0.5, 0});
   EXPECT_FALSE(Value(0, kFreshRole).toBool()) << "it has only just come";
 
@@ -91,7 +91,7 @@ TEST_F(ValuesInTime, WhatHasChangedIsFreshForHalfASecond) {
   EXPECT_EQ(changed.count(), 1) << "it is drawn anew";
 }
 
-TEST_F(ValuesInTime, WhatIsRoundedIsWholeInTheTooltip) {
+TEST_F(ValuesInTime, TheTooltipShowsTheExactValue) {
   Send(1, {0.1 + 0.2, 2});
 
   EXPECT_EQ(Value(0), "0.3000");
@@ -99,7 +99,7 @@ TEST_F(ValuesInTime, WhatIsRoundedIsWholeInTheTooltip) {
   EXPECT_EQ(Value(1, Qt::ToolTipRole), kJoints + ".velocity[0]");
 }
 
-TEST_F(ValuesInTime, AValueThatStaysNoNumberHasNotChanged) {
+TEST_F(ValuesInTime, ARepeatedNanIsNoChange) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   Send(1, {none, 0.0});
   Send(2, {none, -0.0});
@@ -109,7 +109,7 @@ TEST_F(ValuesInTime, AValueThatStaysNoNumberHasNotChanged) {
   EXPECT_TRUE(Value(1, kFreshRole).toBool()) << "it has another sign";
 }
 
-TEST_F(ValuesInTime, AColumnTellsItsRateAndThenHowOldItIs) {
+TEST_F(ValuesInTime, AColumnShowsItsRateAndLaterItsAge) {
   Send(1, {0, 0});
   EXPECT_EQ(Detail(), "");
   Pass(std::chrono::seconds(1));
@@ -125,7 +125,7 @@ TEST_F(ValuesInTime, AColumnTellsItsRateAndThenHowOldItIs) {
   EXPECT_FALSE(Value(0, kStaleRole).toBool());
 }
 
-TEST_F(ValuesInTime, WhoDoesNotAnswerSaysSoInItsOwnRowAndIsAskedAgain) {
+TEST_F(ValuesInTime, ATimedOutColumnCanBeRequestedAgain) {
   EXPECT_EQ(Value(0).toString(), "…");
   EXPECT_EQ(model_.askAgain(0), "");
   Pass(ValuesModel::kPatience);
@@ -141,7 +141,7 @@ TEST_F(ValuesInTime, WhoDoesNotAnswerSaysSoInItsOwnRowAndIsAskedAgain) {
   EXPECT_EQ(model_.askAgain(0), "");
 }
 
-TEST_F(ValuesInTime, WhoRefusesSaysWhyAndIsAskedAgain) {
+TEST_F(ValuesInTime, ARefusedColumnShowsTheReasonAndCanBeRetried) {
   model_.showRefusal(kJoints, "it has no such column");
   EXPECT_EQ(Value(0).toString(), "it has no such column · ask again");
   EXPECT_EQ(model_.index(0, 0).data(Qt::ToolTipRole), "it has no such column");
@@ -156,7 +156,7 @@ TEST_F(ValuesInTime, WhoRefusesSaysWhyAndIsAskedAgain) {
   EXPECT_TRUE(model_.isNumber(0));
 }
 
-TEST_F(ValuesInTime, WhatNobodySeesIsNotAwaited) {
+TEST_F(ValuesInTime, HiddenValuesDoNotTimeOut) {
   model_.awaitNothing();
   Pass(ValuesModel::kPatience);
   model_.await();
@@ -166,7 +166,7 @@ TEST_F(ValuesInTime, WhatNobodySeesIsNotAwaited) {
   EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
 }
 
-TEST_F(ValuesInTime, WhoIsBackHasAllTheTimeAgain) {
+TEST_F(ValuesInTime, AReturnedProcessGetsANewTimeout) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(10 * ValuesModel::kPatience);
 
@@ -175,7 +175,7 @@ TEST_F(ValuesInTime, WhoIsBackHasAllTheTimeAgain) {
   EXPECT_EQ(Value(0).toString(), "…");
 }
 
-TEST_F(ValuesInTime, WhoListensHearsTheRateToo) {
+TEST_F(ValuesInTime, TheAccessibleTextIncludesTheRate) {
   Send(1, {0, 0});
   Pass(std::chrono::seconds(1));
   Send(1001, {0, 0});
@@ -183,14 +183,14 @@ TEST_F(ValuesInTime, WhoListensHearsTheRateToo) {
   EXPECT_TRUE(Value(0, Qt::AccessibleTextRole).toString().endsWith(", 1000 Hz"));
 }
 
-TEST_F(ValuesInTime, NobodyIsAccusedWhoIsKnownToBeGone) {
+TEST_F(ValuesInTime, ALostProcessDoesNotTimeOut) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(ValuesModel::kPatience);
 
   EXPECT_EQ(Value(0).toString(), "…");
 }
 
-TEST_F(ValuesInTime, ValuesOfWhatStandsStillAreOldAndSayWhyAndHowOld) {
+TEST_F(ValuesInTime, ValuesOfASuspendedComponentShowReasonAndAge) {
   Send(1, {0, 0.116});
   Pass(std::chrono::seconds(1));
   Send(1001, {0, 0.116});
@@ -209,7 +209,7 @@ TEST_F(ValuesInTime, ValuesOfWhatStandsStillAreOldAndSayWhyAndHowOld) {
   EXPECT_FALSE(Value(1, kStaleRole).toBool());
 }
 
-TEST(ThreadFacts, TellWhoseThreadItIsAndHowItsCyclesWent) {
+TEST(ThreadFacts, DescribeTheThreadAndItsCycleTimes) {
   ScriptedSignals source;
   CycleFigures figures(source);
   figures.show("robot/arm");
@@ -235,7 +235,7 @@ TEST(ThreadFacts, TellWhoseThreadItIsAndHowItsCyclesWent) {
   EXPECT_EQ(value("Scheduling"), "");
 }
 
-TEST(InterfacesModel, ShowsMembersWithTypesAndWhatEachInterfaceIsConnectedTo) {
+TEST(InterfacesModel, ShowsMembersWithTypesAndPeers) {
   InterfacesModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
 
@@ -249,7 +249,7 @@ TEST(InterfacesModel, ShowsMembersWithTypesAndWhatEachInterfaceIsConnectedTo) {
   EXPECT_EQ(model.row(2).types, "JointTorques");
 }
 
-TEST(InterfacesModel, APeerOfAnotherProcessNamesIt) {
+TEST(InterfacesModel, APeerInAnotherProcessShowsTheProcess) {
   InterfacesModel model;
   SystemBuilder system = LookSystem(0);
   system.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
@@ -271,7 +271,7 @@ TEST(InterfacesModel, AProvidedInterfaceListsItsClients) {
   EXPECT_EQ(model.row(1).required, (InterfaceName{"robot", "controller", "Arm"}));
 }
 
-TEST(CycleFigures, TellsOfTheLastSecondAndWhatWasSkipped) {
+TEST(CycleFigures, ReportsTheLastSecondAndSkippedCycles) {
   ScriptedSignals source;
   CycleFigures figures(source);
   figures.show("robot/arm");
@@ -290,7 +290,7 @@ TEST(CycleFigures, TellsOfTheLastSecondAndWhatWasSkipped) {
   EXPECT_DOUBLE_EQ(figures.lastSecond()->compute, 42e-6);
 }
 
-TEST(CycleFigures, SayNothingBeforeASecondIsOver) {
+TEST(CycleFigures, AreEmptyDuringTheFirstSecond) {
   ScriptedSignals source;
   CycleFigures figures(source);
   figures.show("robot/arm");
@@ -301,7 +301,7 @@ TEST(CycleFigures, SayNothingBeforeASecondIsOver) {
   EXPECT_FALSE(figures.skipped().has_value());
 }
 
-TEST(CycleFigures, LetsGoOfTheComponentBefore) {
+TEST(CycleFigures, ReleaseThePreviousComponent) {
   ScriptedSignals source;
   CycleFigures figures(source);
   figures.show("robot/arm");

@@ -27,7 +27,7 @@ class LanguageTest : public ::testing::Test {
   ~LanguageTest() override { SpeakEnglish(); }
 };
 
-TEST_F(LanguageTest, IsThatOfTheDesktop) {
+TEST_F(LanguageTest, FollowsTheDesktop) {
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
   SpeakAs(QLocale(QStringLiteral("de_DE")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Es ist alles in Ordnung.");
@@ -36,7 +36,7 @@ TEST_F(LanguageTest, IsThatOfTheDesktop) {
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Tout va bien.");
 }
 
-TEST_F(LanguageTest, NumbersAreTheSameInAll) {
+TEST_F(LanguageTest, NumbersAreTheSameInAllLanguages) {
   test::Locales locales;
   ASSERT_TRUE(locales.Use("de_DE")) << "localedef did not make de_DE";
   ASSERT_STREQ(std::localeconv()->decimal_point, ",");
@@ -49,12 +49,12 @@ TEST_F(LanguageTest, NumbersAreTheSameInAll) {
   EXPECT_STREQ(std::localeconv()->decimal_point, ".");
 }
 
-TEST_F(LanguageTest, IsEnglishWhereThereIsNoOther) {
+TEST_F(LanguageTest, FallsBackToEnglish) {
   SpeakAs(QLocale(QStringLiteral("ja_JP")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
 }
 
-TEST_F(LanguageTest, TellsWhichThereAre) { EXPECT_EQ(Languages(), (QStringList{"de", "fr"})); }
+TEST_F(LanguageTest, ListsTheLanguages) { EXPECT_EQ(Languages(), (QStringList{"de", "fr"})); }
 
 /// The locale is set before the members of the window are made.
 struct Speaking {
@@ -99,8 +99,8 @@ struct FrenchWindow : WindowInLanguage {
   FrenchWindow() : WindowInLanguage("fr_FR") {}
 };
 
-TEST_F(GermanWindow, HasRoomForItsWords) { look("window-german"); }
-TEST_F(FrenchWindow, HasRoomForItsWords) { look("window-french"); }
+TEST_F(GermanWindow, FitsItsTexts) { look("window-german"); }
+TEST_F(FrenchWindow, FitsItsTexts) { look("window-french"); }
 
 }  // namespace
 }  // namespace tendon::gui

@@ -121,7 +121,7 @@ class PseudoLanguageTest : private Marked, public WindowFixture {
   QStringList found_;
 };
 
-TEST_F(PseudoLanguageTest, NothingIsReadThatCannotBeTranslated) {
+TEST_F(PseudoLanguageTest, EveryTextIsTranslatable) {
   AddNames();
   for (int column = 1; column < CatalogueModel::kColumnCount; ++column) {
     window_.catalogue().tree().columns().setShown(column, true);

@@ -60,14 +60,14 @@ class CatalogueFactsTest : public ::testing::Test {
   std::uint64_t rows_ = 0;
 };
 
-TEST_F(CatalogueFactsTest, TellsFromBothEndsWhatIsConnected) {
+TEST_F(CatalogueFactsTest, ShowsPeersAtBothEndsOfAConnection) {
   EXPECT_EQ(Connected("robot/controller/Arm"), "arm/Drives");
   EXPECT_EQ(Connected("robot/arm/Drives"), "controller/Arm");
   EXPECT_EQ(Connected("robot/controller"), "arm, force_sensor");
   EXPECT_EQ(Connected("desk/teleoperation/Robot"), "nothing");
 }
 
-TEST_F(CatalogueFactsTest, ADashStandsForWhatIsNotKnown) {
+TEST_F(CatalogueFactsTest, ShowsADashForUnknownFacts) {
   for (const QString path : {kJoints, "robot/arm", "robot/arm/Drives.SetTorques"}) {
     EXPECT_EQ(Rate(path), "–") << qPrintable(path);
     EXPECT_EQ(Age(path), "–") << qPrintable(path);
@@ -76,7 +76,7 @@ TEST_F(CatalogueFactsTest, ADashStandsForWhatIsNotKnown) {
   EXPECT_EQ(Spoken(kJoints, CatalogueModel::kRate), "Rate: not known");
 }
 
-TEST_F(CatalogueFactsTest, RateAndAgeAreThoseOfTheRowsThatCome) {
+TEST_F(CatalogueFactsTest, MeasuresRateAndAgeFromArrivingRows) {
   Stream(seconds(3));
 
   EXPECT_EQ(Rate(kJoints), "100 Hz");
@@ -87,7 +87,7 @@ TEST_F(CatalogueFactsTest, RateAndAgeAreThoseOfTheRowsThatCome) {
   EXPECT_EQ(Spoken(kJoints, CatalogueModel::kRate), "Rate: 100 Hz");
 }
 
-TEST_F(CatalogueFactsTest, WhatIsWatchedAndSilentGrowsOld) {
+TEST_F(CatalogueFactsTest, AWatchedSilentColumnAges) {
   model_.setWatched({kJoints});
   Stream(seconds(3));
 
@@ -97,7 +97,7 @@ TEST_F(CatalogueFactsTest, WhatIsWatchedAndSilentGrowsOld) {
   EXPECT_EQ(Rate(kFirstJoint), "–") << "nothing comes any more";
 }
 
-TEST_F(CatalogueFactsTest, OfWhatIsNoLongerListenedToNothingIsKnown) {
+TEST_F(CatalogueFactsTest, AnUnwatchedColumnHasNoRateOrAge) {
   model_.setWatched({kJoints});
   Stream(seconds(3));
 
@@ -113,7 +113,7 @@ TEST_F(CatalogueFactsTest, OfWhatIsNoLongerListenedToNothingIsKnown) {
   EXPECT_EQ(Rate(kFirstJoint), "100 Hz");
 }
 
-TEST_F(CatalogueFactsTest, TheValuesOfALostProcessGrowOld) {
+TEST_F(CatalogueFactsTest, ValuesOfALostProcessAge) {
   model_.setWatched({kJoints});
   Stream(seconds(3));
   system_.Process("robot", ProcessState::kLost);
@@ -125,7 +125,7 @@ TEST_F(CatalogueFactsTest, TheValuesOfALostProcessGrowOld) {
   EXPECT_EQ(model_.indexOf(kJoints).data(kDetailRole), "lost · 12 s old");
 }
 
-TEST_F(CatalogueFactsTest, TheValuesOfASuspendedComponentAreMarkedWithTheirAge) {
+TEST_F(CatalogueFactsTest, MarksValuesOfASuspendedComponentWithTheirAge) {
   Stream(seconds(3));
   EXPECT_FALSE(model_.indexOf(kFirstJoint).data(kStaleRole).toBool());
   ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
@@ -147,7 +147,7 @@ TEST_F(CatalogueFactsTest, TheValuesOfASuspendedComponentAreMarkedWithTheirAge) 
       << "there is no value of it";
 }
 
-TEST_F(CatalogueFactsTest, AProcessIsAsOldAsItsState) {
+TEST_F(CatalogueFactsTest, TheAgeOfAProcessIsTheAgeOfItsState) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   system_.Process("robot", ProcessState::kAlive, 100 * kSecond);
   store_.apply(system_.TakeChanges());

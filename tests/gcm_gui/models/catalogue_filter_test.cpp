@@ -28,7 +28,7 @@ class CatalogueFilterTest : public ::testing::Test {
   QAbstractItemModelTester tester_{&filter_, QAbstractItemModelTester::FailureReportingMode::Fatal};
 };
 
-TEST_F(CatalogueFilterTest, EveryWordMustBeInThePathInAnyOrder) {
+TEST_F(CatalogueFilterTest, MatchesPathsWithEveryWordInAnyOrder) {
   filter_.applyText("getjoints arm");
 
   EXPECT_TRUE(Shows("robot/arm/Drives.GetJoints"));
@@ -37,14 +37,14 @@ TEST_F(CatalogueFilterTest, EveryWordMustBeInThePathInAnyOrder) {
   EXPECT_FALSE(Shows("robot/force_sensor"));
 }
 
-TEST_F(CatalogueFilterTest, AWordWithAMinusMustNotBe) {
+TEST_F(CatalogueFilterTest, AMinusExcludesAWord) {
   filter_.applyText("arm -state");
 
   EXPECT_TRUE(Shows("robot/arm/Drives"));
   EXPECT_FALSE(Shows("robot/arm/state"));
 }
 
-TEST_F(CatalogueFilterTest, TypeLooksAtWhatARowIsOrBelongsTo) {
+TEST_F(CatalogueFilterTest, TypeMatchesARowOrItsParent) {
   filter_.applyText("type:required");
   EXPECT_TRUE(Shows("robot/controller/Arm.SetTorques"));
   EXPECT_FALSE(Shows("robot/arm"));
@@ -54,7 +54,7 @@ TEST_F(CatalogueFilterTest, TypeLooksAtWhatARowIsOrBelongsTo) {
   EXPECT_FALSE(Shows("robot/arm/Drives.SetTorques"));
 }
 
-TEST_F(CatalogueFilterTest, StateLooksAtTheNearestRowThatHasOne) {
+TEST_F(CatalogueFilterTest, StateMatchesTheNearestRowWithAState) {
   filter_.applyText("state:lost");
   EXPECT_TRUE(Shows("vision/camera/Video"));
   EXPECT_FALSE(Shows("robot"));
@@ -68,7 +68,7 @@ TEST_F(CatalogueFilterTest, StateLooksAtTheNearestRowThatHasOne) {
   EXPECT_FALSE(Shows("robot/controller/Arm"));
 }
 
-TEST_F(CatalogueFilterTest, ProcTakesAGlobOrABeginning) {
+TEST_F(CatalogueFilterTest, ProcAcceptsAGlobOrAPrefix) {
   filter_.applyText("proc:*sk");
   EXPECT_TRUE(Shows("desk/view"));
   EXPECT_FALSE(Shows("robot"));
@@ -78,7 +78,7 @@ TEST_F(CatalogueFilterTest, ProcTakesAGlobOrABeginning) {
   EXPECT_FALSE(Shows("desk"));
 }
 
-TEST_F(CatalogueFilterTest, HostLooksAtWhereTheProcessRuns) {
+TEST_F(CatalogueFilterTest, HostMatchesTheHostOfTheProcess) {
   filter_.applyText("host:local");
   EXPECT_TRUE(Shows("robot/arm"));
   filter_.applyText("host:!local");
@@ -87,7 +87,7 @@ TEST_F(CatalogueFilterTest, HostLooksAtWhereTheProcessRuns) {
   EXPECT_FALSE(Shows("robot/arm"));
 }
 
-TEST_F(CatalogueFilterTest, BetweenSlashesIsARegularExpression) {
+TEST_F(CatalogueFilterTest, SlashesEncloseARegularExpression) {
   filter_.applyText("/ARM\\/.*get\\w+s$/");
   EXPECT_TRUE(Shows("robot/arm/Drives.GetJoints"));
   EXPECT_FALSE(Shows("robot/arm/Drives.Stop"));
@@ -100,7 +100,7 @@ TEST_F(CatalogueFilterTest, BetweenSlashesIsARegularExpression) {
   EXPECT_FALSE(Shows("robot"));
 }
 
-TEST_F(CatalogueFilterTest, CountsTheRowsThatAreMeant) {
+TEST_F(CatalogueFilterTest, CountsMatchingRows) {
   EXPECT_EQ(filter_.matchCount(), model_.itemCount());
 
   filter_.applyText("type:process");
@@ -121,7 +121,7 @@ TEST_F(CatalogueFilterTest, WaitsForAPauseInTyping) {
   EXPECT_FALSE(Shows("desk/view"));
 }
 
-TEST_F(CatalogueFilterTest, FollowsTheModelWhileItFilters) {
+TEST_F(CatalogueFilterTest, FollowsModelChanges) {
   filter_.applyText("state:not");
   SystemBuilder system = LookSystem(0);
   store_.replace(system.catalogue());
@@ -133,7 +133,7 @@ TEST_F(CatalogueFilterTest, FollowsTheModelWhileItFilters) {
   EXPECT_FALSE(Shows("desk/teleoperation"));
 }
 
-TEST_F(CatalogueFilterTest, WhatComesAndGoesTakesAlongWhatStandsAboveItForItsSakeAlone) {
+TEST_F(CatalogueFilterTest, AddsAndRemovesParentsWithTheirMatches) {
   SystemBuilder system = LookSystem(0);
   (void)system.TakeChanges();
   filter_.applyText("getwrench");
@@ -156,7 +156,7 @@ TEST_F(CatalogueFilterTest, WhatComesAndGoesTakesAlongWhatStandsAboveItForItsSak
   EXPECT_TRUE(Shows("lab/other"));
 }
 
-TEST_F(CatalogueFilterTest, ValuesOfRowsThatAreShownGoOn) {
+TEST_F(CatalogueFilterTest, ForwardsValuesOfShownRows) {
   filter_.applyText("joints");
   QSignalSpy changed(&filter_, &QAbstractItemModel::dataChanged);
   const auto shape = std::make_shared<const std::vector<NumericField>>(
@@ -192,7 +192,7 @@ QStringList WantedPaths(const FilterExpression& expression, const CatalogueItem&
 }
 
 /// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
-TEST_F(CatalogueFilterTest, FollowsRandomChangesAndShowsWhatANewFilterWould) {
+TEST_F(CatalogueFilterTest, FollowsRandomChangesLikeANewFilter) {
   SystemBuilder system;
   std::mt19937 random(20261123);
   const auto pick = [&](int count) {

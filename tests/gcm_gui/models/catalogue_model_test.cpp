@@ -48,7 +48,7 @@ TEST_F(CatalogueModelTest, ShowsProcessesComponentsInterfacesAndMembers) {
   EXPECT_EQ(Value("robot/controller/Arm"), "← arm/Drives");
 }
 
-TEST_F(CatalogueModelTest, AComponentThatWaitsSaysForWhatUntilItIsConnected) {
+TEST_F(CatalogueModelTest, AWaitingComponentNamesItsMissingInterface) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   const auto tip = [this] {
@@ -70,7 +70,7 @@ TEST_F(CatalogueModelTest, AComponentThatWaitsSaysForWhatUntilItIsConnected) {
   EXPECT_EQ(mark(), StateMark::kActive);
 }
 
-TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
+TEST_F(CatalogueModelTest, AStateTableShowsColumnsInsteadOfReadCommands) {
   SystemBuilder system = LookSystem(0);
   Show(system);
 
@@ -79,7 +79,7 @@ TEST_F(CatalogueModelTest, AStateTableShowsItsColumnsInPlaceOfItsReadCommands) {
   EXPECT_EQ(model_.item(model_.index(0, 0, state))->kind, ItemKind::kColumn);
 }
 
-TEST_F(CatalogueModelTest, WhatEveryTaskKeepsAboutItsCyclesStandsBelowItsOwnColumns) {
+TEST_F(CatalogueModelTest, ListsCycleColumnsLast) {
   SystemBuilder system = LookSystem(0);
   ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");
   auto& columns = arm.tables.front().columns;
@@ -94,7 +94,7 @@ TEST_F(CatalogueModelTest, WhatEveryTaskKeepsAboutItsCyclesStandsBelowItsOwnColu
   EXPECT_EQ(model_.index(2, 0, state).data().toString(), "CycleSummary");
 }
 
-TEST_F(CatalogueModelTest, ALostProcessIsStruckThroughAndSaysSinceWhen) {
+TEST_F(CatalogueModelTest, StrikesOutALostProcessAndShowsForHowLong) {
   SystemBuilder system = LookSystem(100 * kSecond);
   Show(system);
   model_.setNow(112 * kSecond);
@@ -106,7 +106,7 @@ TEST_F(CatalogueModelTest, ALostProcessIsStruckThroughAndSaysSinceWhen) {
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kStaleRole).toBool());
 }
 
-TEST_F(CatalogueModelTest, WhatComesLaterIsMarkedForTenSeconds) {
+TEST_F(CatalogueModelTest, MarksNewComponentsForTenSeconds) {
   SystemBuilder system = LookSystem(0);
   model_.setNow(100 * kSecond);
   Show(system);
@@ -126,7 +126,7 @@ TEST_F(CatalogueModelTest, WhatComesLaterIsMarkedForTenSeconds) {
   EXPECT_FALSE(model_.indexOf("robot/left_arm").data(kFreshRole).toBool());
 }
 
-TEST_F(CatalogueModelTest, WhatAGcmThatIsBackTellsAnewIsNotMarked) {
+TEST_F(CatalogueModelTest, DoesNotMarkComponentsAfterAGcmRestart) {
   SystemBuilder system = LookSystem(0);
   model_.setNow(100 * kSecond);
   Show(system);
@@ -144,7 +144,7 @@ TEST_F(CatalogueModelTest, WhatAGcmThatIsBackTellsAnewIsNotMarked) {
   EXPECT_FALSE(model_.indexOf("robot/arm").data(kFreshRole).toBool()) << "all join it again";
 }
 
-TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
+TEST_F(CatalogueModelTest, AValueExpandsItsColumnIntoFieldsAndElements) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   ASSERT_EQ(model_.rowCount(model_.indexOf("robot/arm/state.Joints")), 0);
@@ -162,7 +162,7 @@ TEST_F(CatalogueModelTest, AValueOpensItsColumnIntoFieldsAndElements) {
   EXPECT_EQ(keys[1], (CurveKey{"robot/arm/state.Joints.velocity[1]", "rad/s"}));
 }
 
-TEST_F(CatalogueModelTest, ADurationComesInTheUnitThatFits) {
+TEST_F(CatalogueModelTest, ShowsDurationsInAFittingUnit) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   ScriptedSignals source;
@@ -180,7 +180,7 @@ TEST_F(CatalogueModelTest, ADurationComesInTheUnitThatFits) {
   EXPECT_EQ(model_.signalsBelow(lateness).front().unit, "s") << "plots keep that of the channel";
 }
 
-TEST_F(CatalogueModelTest, NewValuesChangeRowsButInsertNone) {
+TEST_F(CatalogueModelTest, NewValuesInsertNoRows) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   ScriptedSignals source;
@@ -196,7 +196,7 @@ TEST_F(CatalogueModelTest, NewValuesChangeRowsButInsertNone) {
   EXPECT_EQ(Value("robot/arm/state.Joints.position[0]"), "5");
 }
 
-TEST_F(CatalogueModelTest, WhatStaysTheSameKeepsItsRowOverARestart) {
+TEST_F(CatalogueModelTest, RowsSurviveAProcessRestart) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   const QPersistentModelIndex arm = model_.indexOf("robot/arm");
@@ -226,7 +226,7 @@ TEST_F(CatalogueModelTest, AConnectionChangesTheRowsOfBothEndsOnly) {
   EXPECT_EQ(inserted.count() + removed.count(), 0);
 }
 
-TEST_F(CatalogueModelTest, ASnapshotTakesAwayWhatIsNoLongerThere) {
+TEST_F(CatalogueModelTest, ASnapshotRemovesStaleRows) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   SystemBuilder other;
@@ -240,7 +240,7 @@ TEST_F(CatalogueModelTest, ASnapshotTakesAwayWhatIsNoLongerThere) {
 }
 
 /// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
-TEST_F(CatalogueModelTest, FollowsRandomChangesAndEndsLikeAFreshModel) {
+TEST_F(CatalogueModelTest, FollowsRandomChangesLikeANewModel) {
   SystemBuilder system;
   std::mt19937 random(20261121);
   const auto pick = [&](int count) {

@@ -9,7 +9,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(ConnectionsModel, HasOneRowAConnectionSortedByTheRequiredInterface) {
+TEST(ConnectionsModel, HasOneSortedRowPerConnection) {
   ConnectionsModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
 
@@ -21,7 +21,7 @@ TEST(ConnectionsModel, HasOneRowAConnectionSortedByTheRequiredInterface) {
   EXPECT_EQ(model.index(0, ConnectionsModel::kState).data(), "connected");
 }
 
-TEST(ConnectionsModel, InsertsAndRemovesOnlyWhatChanged) {
+TEST(ConnectionsModel, InsertsAndRemovesOnlyChangedRows) {
   ConnectionsModel model;
   QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   SystemBuilder system = LookSystem(0);
@@ -38,7 +38,7 @@ TEST(ConnectionsModel, InsertsAndRemovesOnlyWhatChanged) {
   EXPECT_EQ(model.rowOf("desk/teleoperation/Robot"), 0);
 }
 
-TEST(ConnectionsModel, AFailedOneSaysWhy) {
+TEST(ConnectionsModel, ShowsTheReasonOfAFailedConnection) {
   ConnectionsModel model;
   SystemBuilder system = LookSystem(0);
   system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},

@@ -31,28 +31,28 @@ TEST(Sparkline, FillsTheHeight) {
   EXPECT_FALSE(trend.is_stepped);
 }
 
-TEST(Sparkline, OfStatesIsStepped) {
+TEST(Sparkline, DrawsStatesAsSteps) {
   const Sparkline trend = SparklineOf<bool>(Schema::Kind::kBool, {true, true});
 
   EXPECT_EQ(trend.parts, (QList<double>{1, 1})) << "true is above, also where nothing is false";
   EXPECT_TRUE(trend.is_stepped);
 }
 
-TEST(Sparkline, OfACounterBeyondDoublesGrowsWithEachRow) {
+TEST(Sparkline, KeepsTheDifferencesOfHugeCounters) {
   constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
 
   EXPECT_EQ(SparklineOf<std::uint64_t>(Schema::Kind::kUint64, {kLast - 4, kLast - 3, kLast}).parts,
             (QList<double>{0, 0.25, 1}));
 }
 
-TEST(Sparkline, OfNoiseAtRestIsFlat) {
+TEST(Sparkline, DrawsNoiseAtRestFlat) {
   const Sparkline trend = SparklineOf<double>(Schema::Kind::kFloat64, {5e-14, -5e-14, 3e-14});
 
   EXPECT_EQ(trend.parts.size(), 3);
   for (const double part : trend.parts) EXPECT_NEAR(part, 0.5, 1e-9);
 }
 
-TEST(Sparkline, WhatIsNoNumberOrNotThereIsAGap) {
+TEST(Sparkline, DrawsMissingAndNonFiniteValuesAsGaps) {
   const QList<std::optional<NumericValue>> values{
       NumericValue(0.0), std::nullopt, NumericValue(std::numeric_limits<double>::infinity()),
       NumericValue(1.0)};
@@ -80,14 +80,14 @@ void CheckTrends(Schema::Kind kind, const rc::Gen<T>& any) {
   });
 }
 
-TEST(TrendProperty, HasAPlaceForEveryNumber) {
+TEST(TrendProperty, PlacesEveryNumber) {
   CheckTrends<double>(Schema::Kind::kFloat64, test::AnyDouble());
   CheckTrends<std::int64_t>(Schema::Kind::kInt64, test::AnyInteger<std::int64_t>());
   CheckTrends<std::uint64_t>(Schema::Kind::kUint64, test::AnyInteger<std::uint64_t>());
 }
 
 /// What a cell says of a double reads as it, rounded; what its tooltip adds reads as all of it.
-TEST(ValueTextProperty, NeverSaysAnotherNumber) {
+TEST(ValueTextProperty, ReadsBackAsTheSameNumber) {
   test::CheckProperty([] {
     const double value = *test::AnyFinite();
     NumericField field;
@@ -101,7 +101,7 @@ TEST(ValueTextProperty, NeverSaysAnotherNumber) {
   });
 }
 
-TEST(Sparkline, AndPlotsAndTheConsoleAgreeOnWhatIsAtRest) {
+TEST(Sparkline, AgreesWithPlotsAndTheConsoleOnNoiseAtRest) {
   int resting = 0;
   int moving = 0;
   for (const double size : {1e-13, 9e-13, 2e-12, 1.0, 1e9, 1e200}) {

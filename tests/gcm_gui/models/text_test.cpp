@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(Text, NumbersAreShortAndShowFourDigits) {
+TEST(Text, NumbersShowFourDigits) {
   EXPECT_EQ(NumberText(0), "0");
   EXPECT_EQ(NumberText(12), "12");
   EXPECT_EQ(NumberText(0.20134), "0.2013");
@@ -19,7 +19,7 @@ TEST(Text, NumbersAreShortAndShowFourDigits) {
   EXPECT_EQ(NumberText(std::numeric_limits<double>::infinity()), "inf");
 }
 
-TEST(Text, DurationsTakeTheUnitThatFits) {
+TEST(Text, DurationsUseAFittingUnit) {
   EXPECT_EQ(DurationText(420e-9), "420 ns");
   EXPECT_EQ(DurationText(38e-6), "38.0 µs");
   EXPECT_EQ(DurationText(-347e-6), "-347 µs");
@@ -28,7 +28,7 @@ TEST(Text, DurationsTakeTheUnitThatFits) {
   EXPECT_EQ(DurationText(2.5), "2.50 s");
 }
 
-TEST(Text, ADurationNeverShowsAThousandOfAUnit) {
+TEST(Text, ADurationNeverRoundsToAThousandOfAUnit) {
   EXPECT_EQ(DurationText(999.6e-9), "1.0 µs");
   EXPECT_EQ(DurationText(999.6e-6), "1.000 ms");
   EXPECT_EQ(DurationText(0.99996), "1.00 s");
@@ -46,7 +46,7 @@ TEST(Text, AgesGrowCoarser) {
   EXPECT_EQ(AgeText(-5), "0 s");
 }
 
-TEST(Text, ANumberIsShownAsItIsMeant) {
+TEST(Text, EnumsAndBooleansShowTheirNames) {
   NumericField enumeration;
   enumeration.schema = Schema::Enum("arm.Mode", {{"off", 0}, {"on", 1}});
   NumericField boolean;
@@ -70,7 +70,7 @@ TEST(Text, IntegersHaveAllTheirDigits) {
   EXPECT_EQ(WholeText(counter, last), "") << "it is whole already";
 }
 
-TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
+TEST(Text, ARoundedNumberHasAnExactText) {
   NumericField angle;
   angle.schema = Schema(Schema::Kind::kFloat64);
   angle.unit = "rad";
@@ -94,7 +94,7 @@ TEST(Text, WhatIsRoundedHasAWholeTextBesides) {
   EXPECT_EQ(shown(angle, std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
-TEST(Text, PartsOfASecondComeInTheUnitThatFits) {
+TEST(Text, FractionsOfASecondUseAFittingUnit) {
   NumericField seconds;
   seconds.unit = "s";
   NumericField angle;

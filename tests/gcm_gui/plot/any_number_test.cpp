@@ -131,7 +131,7 @@ TEST(AnyNumber, FitsAnAxisWhoseLabelsDiffer) {
   });
 }
 
-TEST(AnyNumber, LeavesOrdinaryCurvesOnItsAxisReadable) {
+TEST(AnyNumber, KeepsOtherCurvesOnItsAxisReadable) {
   test::CheckProperty([] {
     CurveSet set;
     set.add({"p/a/state.x", ""}).append(RowsOf({-1.0, 0.25, 1.0}));
@@ -223,7 +223,7 @@ TEST(AnyNumber, IsDrawnWithinThePicture) {
   });
 }
 
-TEST(AnyNumber, IsSaidByLegendCursorsAndStatistics) {
+TEST(AnyNumber, AppearsInLegendCursorsAndStatistics) {
   test::CheckProperty([] {
     const std::vector<ExactNumber> values = *rc::gen::nonEmpty(AnyNumbers());
     CurveSet set;
@@ -249,7 +249,7 @@ TEST(AnyNumber, IsSaidByLegendCursorsAndStatistics) {
   });
 }
 
-TEST(AnyNumber, IsReadBackFromLegendAndCsvWhereItIsAnInteger) {
+TEST(AnyNumber, IntegersReadBackFromLegendAndCsv) {
   test::CheckProperty([] {
     const std::vector<ExactNumber> values = *rc::gen::nonEmpty(
         rc::gen::oneOf(AnyIntegers<std::int64_t>(), AnyIntegers<std::uint64_t>()));
@@ -273,7 +273,7 @@ TEST(AnyNumber, IsReadBackFromLegendAndCsvWhereItIsAnInteger) {
   });
 }
 
-TEST(AnyNumber, IsReadBackFromCsvWhereItIsAReal) {
+TEST(AnyNumber, RealsReadBackFromCsv) {
   test::CheckProperty([] {
     const double value = *test::AnyFinite();
     CurveSet set;
@@ -292,7 +292,7 @@ TEST(AnyNumber, IsReadBackFromCsvWhereItIsAReal) {
   });
 }
 
-TEST(AnyNumber, TicksOfWhateverIsZoomedToDiffer) {
+TEST(AnyNumber, TicksOfAnyZoomedRangeDiffer) {
   test::CheckProperty([] {
     const double low = *test::AnyFinite();
     const double high = *test::AnyFinite();
@@ -307,7 +307,7 @@ TEST(AnyNumber, TicksOfWhateverIsZoomedToDiffer) {
   });
 }
 
-TEST(AnyNumber, NeighboursAtTheEndsOfAllIntegersStandOnDifferentRows) {
+TEST(AnyNumber, NeighboursAtIntegerLimitsHaveDifferentRows) {
   constexpr std::int64_t kMostSigned = std::numeric_limits<std::int64_t>::max();
   constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   for (const auto& [low, high] :
@@ -357,7 +357,7 @@ class AnyNumberInAView : public testing::Test {
   PlotView view_;
 };
 
-TEST_F(AnyNumberInAView, TheEdgesAreDrawnAndZoomed) {
+TEST_F(AnyNumberInAView, DrawsAndZoomsExtremeValues) {
   for (const double edge : test::EdgeDoubles()) {
     for (const ValueScale scale : {ValueScale::kLinear, ValueScale::kLogarithmic}) {
       SCOPED_TRACE(edge);
@@ -368,7 +368,7 @@ TEST_F(AnyNumberInAView, TheEdgesAreDrawnAndZoomed) {
   }
 }
 
-TEST_F(AnyNumberInAView, AVectorPictureOfTheEdgesHasFiniteLines) {
+TEST_F(AnyNumberInAView, AVectorPictureOfExtremeValuesHasFiniteLines) {
   for (const double edge : test::EdgeDoubles()) {
     SCOPED_TRACE(edge);
     show({edge, -edge, edge, 1.0}, ValueScale::kLinear);

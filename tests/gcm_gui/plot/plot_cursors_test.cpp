@@ -34,7 +34,7 @@ class PlotCursors : public testing::Test {
   PlotView view_;
 };
 
-TEST_F(PlotCursors, TellHowFarTheyAreApartInTimeAndInEachCurve) {
+TEST_F(PlotCursors, ShowTheirDistanceInTimeAndInEachCurve) {
   view_.placeCursor(Cursor::kA, xOf(-6));
   EXPECT_TRUE(Lines().empty());
   view_.placeCursor(Cursor::kB, xOf(-4));
@@ -58,7 +58,7 @@ TEST_F(PlotCursors, StayWithTheDataWhenTheWindowMoves) {
   EXPECT_TRUE(view_.cursorAt(xOf(-5)).has_value());
 }
 
-TEST_F(PlotCursors, KeysPlaceAndDeleteRemovesThem) {
+TEST_F(PlotCursors, KeysPlaceAndRemoveThem) {
   QTest::keyClick(view_.canvas(), Qt::Key_A);
   QTest::keyClick(view_.canvas(), Qt::Key_B);
   EXPECT_TRUE(view_.cursors().both());
@@ -67,7 +67,7 @@ TEST_F(PlotCursors, KeysPlaceAndDeleteRemovesThem) {
   EXPECT_FALSE(view_.cursors().any());
 }
 
-TEST_F(PlotCursors, AreDraggedAndZoomNothing) {
+TEST_F(PlotCursors, DraggingThemDoesNotZoom) {
   view_.placeCursor(Cursor::kA, xOf(-5));
   const double span = view_.window().to() - view_.window().from();
   const QPoint from(static_cast<int>(xOf(-5)), 40);
@@ -84,7 +84,7 @@ TEST_F(PlotCursors, AreDraggedAndZoomNothing) {
   EXPECT_EQ(view_.window().to() - view_.window().from(), span);
 }
 
-TEST_F(PlotCursors, AnEmptyPlotHasNone) {
+TEST_F(PlotCursors, AnEmptyPlotHasNoCursors) {
   view_.removeCurve("p/a/state.x");
   view_.showCursors(false);
 

@@ -27,7 +27,7 @@ class PlotLayoutTest : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(PlotLayoutTest, ALayoutShownElsewhereIsTheSame) {
+TEST_F(PlotLayoutTest, ALayoutIsTheSameInAnotherPanel) {
   panel_.addSignal(kOld, "rad");
   panel_.addSignal("robot/arm/state.Goal.duration", "s");
   panel_.currentPlot().curve(kOld)->setVisible(false);
@@ -47,7 +47,7 @@ TEST_F(PlotLayoutTest, ALayoutShownElsewhereIsTheSame) {
   EXPECT_FALSE(other.paths().contains("gone/with/the.last"));
 }
 
-TEST_F(PlotLayoutTest, ASignalThatIsNotThereIsWaitedForAndHeals) {
+TEST_F(PlotLayoutTest, AMissingSignalIsStaleUntilRowsArrive) {
   panel_.addSignal(kOld, "rad");
   const QByteArray layout = LayoutOf(panel_);
   PlotPanel other;
@@ -60,7 +60,7 @@ TEST_F(PlotLayoutTest, ASignalThatIsNotThereIsWaitedForAndHeals) {
   EXPECT_FALSE(curve.isStale());
 }
 
-TEST_F(PlotLayoutTest, WhatIsNoLayoutSaysWhyAndChangesNothing) {
+TEST_F(PlotLayoutTest, RejectsABadLayoutWithAReason) {
   panel_.addSignal(kOld, "rad");
   const QByteArray before = LayoutOf(panel_);
 
@@ -77,7 +77,7 @@ TEST_F(PlotLayoutTest, WhatIsNoLayoutSaysWhyAndChangesNothing) {
   EXPECT_EQ(LayoutOf(panel_), before);
 }
 
-TEST_F(PlotLayoutTest, IsKeptInAFileAndAFileThatIsNoneIsTold) {
+TEST_F(PlotLayoutTest, SavesAndOpensAFileAndReportsAMissingOne) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("mine.plots.json");
   panel_.addSignal(kOld, "rad");
@@ -95,7 +95,7 @@ TEST_F(PlotLayoutTest, IsKeptInAFileAndAFileThatIsNoneIsTold) {
   EXPECT_THAT(notice[0][0].toString().toStdString(), testing::HasSubstr("cannot be read"));
 }
 
-TEST_F(PlotLayoutTest, AWaitingSignalIsRemappedFromItsLegend) {
+TEST_F(PlotLayoutTest, AStaleSignalCanBeRemappedFromTheLegend) {
   panel_.addSignal(kOld, "rad");
   panel_.setStale(kOld);
   panel_.setCandidates([](const QString&) { return QList<CurveKey>{{kNew, "rad"}}; });

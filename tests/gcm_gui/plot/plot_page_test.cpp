@@ -77,7 +77,7 @@ class PlotPages : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(PlotPages, CanvasesBeginAndEndAtTheSameColumnsWhateverTheirNumbers) {
+TEST_F(PlotPages, CanvasesStayAligned) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 20'000));
   EXPECT_LT(above().mapToGlobal(QPoint()).y(), below().mapToGlobal(QPoint()).y());
 
@@ -90,7 +90,7 @@ TEST_F(PlotPages, CanvasesBeginAndEndAtTheSameColumnsWhateverTheirNumbers) {
       20'000));
 }
 
-TEST_F(PlotPages, OfTheSameColumnAreToldApartWhereTheyAreSpoken) {
+TEST_F(PlotPages, PlotsOfOneColumnHaveDifferentAccessibleNames) {
   panel_.removeSignal(kForce);
   panel_.addSignal("robot/arm/state.Joints.position[1]", "rad");
   EXPECT_EQ(above().accessibleName(), "Plot Joints");
@@ -103,7 +103,7 @@ TEST_F(PlotPages, OfTheSameColumnAreToldApartWhereTheyAreSpoken) {
   EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
 }
 
-TEST_F(PlotPages, ZoomingOneZoomsAllAndTheWayBackIsThatOfAll) {
+TEST_F(PlotPages, AllPlotsShareZoomAndItsHistory) {
   TurnWheel(above(), {300, 40});
   refresh();
 
@@ -116,7 +116,7 @@ TEST_F(PlotPages, ZoomingOneZoomsAllAndTheWayBackIsThatOfAll) {
   EXPECT_FALSE(above().isLive());
 }
 
-TEST_F(PlotPages, FollowingAgainIsForAllAndEachRedrawsItself) {
+TEST_F(PlotPages, GoingLiveAffectsAllPlots) {
   TurnWheel(above(), {300, 40});
   refresh();
   EXPECT_TRUE(Pill(above()).isVisible());
@@ -146,7 +146,7 @@ TEST_F(PlotPages, OneButtonMakesAllLiveAgain) {
   EXPECT_FALSE(below().isLive());
 }
 
-TEST_F(PlotPages, TheValuesOfOneAreFittedThere) {
+TEST_F(PlotPages, AValueZoomIsResetInItsPlotOnly) {
   TurnWheel(below(), {300, 40}, Qt::ControlModifier);
   refresh();
 
@@ -155,7 +155,7 @@ TEST_F(PlotPages, TheValuesOfOneAreFittedThere) {
   EXPECT_EQ(Pill(below()).text(), "Fit");
 }
 
-TEST_F(PlotPages, TheButtonIsOnTheFirstThatShowsAnything) {
+TEST_F(PlotPages, TheLiveButtonIsOnTheFirstNonEmptyPlot) {
   TurnWheel(below(), {300, 40});
   panel_.removeSignal(kAngle);
   refresh();
@@ -166,7 +166,7 @@ TEST_F(PlotPages, TheButtonIsOnTheFirstThatShowsAnything) {
   EXPECT_TRUE(Pill(panel_.plot(0)).isVisible());
 }
 
-TEST_F(PlotPages, CursorsAndTheLineUnderTheMouseAreInAll) {
+TEST_F(PlotPages, AllPlotsShareCursorsAndTheHoverLine) {
   panel_.setPaused(true);
   refresh();
   above().placeCursor(Cursor::kA, 200);
@@ -181,7 +181,7 @@ TEST_F(PlotPages, CursorsAndTheLineUnderTheMouseAreInAll) {
   EXPECT_NEAR(value, below().curve(kForce)->valueAt(at).value_or(0), 1);
 }
 
-TEST_F(PlotPages, WhatIsClickedIsTheOneThatSignalsGoTo) {
+TEST_F(PlotPages, AClickChoosesThePlotForNewSignals) {
   QTest::mouseClick(above().canvas(), Qt::LeftButton, {}, {100, 20});
   EXPECT_EQ(panel_.currentIndex(), 0);
 
@@ -191,7 +191,7 @@ TEST_F(PlotPages, WhatIsClickedIsTheOneThatSignalsGoTo) {
   EXPECT_EQ(below().curve("robot/a/state.v"), nullptr);
 }
 
-TEST_F(PlotPages, APlotIsClosedByItsCrossAndTheOtherStays) {
+TEST_F(PlotPages, TheCrossClosesOnePlot) {
   QSignalSpy released(&panel_, &PlotPanel::subscriptionReleased);
 
   QTest::mouseClick(above().findChild<QToolButton*>("closePlot"), Qt::LeftButton);
@@ -204,7 +204,7 @@ TEST_F(PlotPages, APlotIsClosedByItsCrossAndTheOtherStays) {
   EXPECT_EQ(panel_.findChild<QTabBar*>("plotTabs")->count(), 1);
 }
 
-TEST_F(PlotPages, ClosingTheTabClosesAllOfIt) {
+TEST_F(PlotPages, ClosingTheTabClosesAllItsPlots) {
   panel_.addPlot();
   ASSERT_EQ(panel_.plotCount(), 3);
 
@@ -215,7 +215,7 @@ TEST_F(PlotPages, ClosingTheTabClosesAllOfIt) {
   EXPECT_TRUE(panel_.paths().isEmpty());
 }
 
-TEST_F(PlotPages, ALegendRowCanBeDraggedAndIsNotToggledByThat) {
+TEST_F(PlotPages, DraggingALegendRowDoesNotToggleIt) {
   refresh();
   QSignalSpy dragged(&below().legendBox(), &Legend::dragRequested);
   ASSERT_TRUE(below().legendBox().disconnect(&below()));  // the drag itself waits for a hand
@@ -232,7 +232,7 @@ TEST_F(PlotPages, ALegendRowCanBeDraggedAndIsNotToggledByThat) {
   EXPECT_TRUE(below().curve(kForce)->isVisible());
 }
 
-TEST_F(PlotPages, ASignalThatIsDroppedOnAnotherPlotMovesThereWithItsSamples) {
+TEST_F(PlotPages, DroppingASignalMovesItWithItsSamples) {
   QSignalSpy released(&panel_, &PlotPanel::subscriptionReleased);
   QMimeData data;
   data.setData(kPathMimeType, EncodedPaths({{kForce, "N"}}));
@@ -251,7 +251,7 @@ TEST_F(PlotPages, ASignalThatIsDroppedOnAnotherPlotMovesThereWithItsSamples) {
   EXPECT_EQ(above().curve(kForce)->samples().endIndex(), 30'100U);
 }
 
-TEST_F(PlotPages, ALayoutKeepsWhichPlotsLieBelowEachOther) {
+TEST_F(PlotPages, ALayoutKeepsStackedPlots) {
   below().setScale(ValueScale::kLogarithmic);
   below().setMotion(TimeWindow::Motion::kSweep);
   panel_.addPlot();
@@ -270,7 +270,7 @@ TEST_F(PlotPages, ALayoutKeepsWhichPlotsLieBelowEachOther) {
   EXPECT_EQ(other.plot(1).scale(), ValueScale::kLogarithmic);
 }
 
-TEST_F(PlotPages, PicturesForPeopleToJudge) {
+TEST_F(PlotPages, RendersStackedPlots) {
   panel_.addSignal("robot/arm/state.Joints.velocity[0]", "rad/s");
   panel_.append("robot/arm/state.Joints.velocity[0]",
                 Rows(0, 30'000, [](double t) { return 14 * std::cos(t); }));

@@ -41,7 +41,7 @@ class PlotPanelTest : public testing::Test {
   QSignalSpy released_{&panel_, &PlotPanel::subscriptionReleased};
 };
 
-TEST_F(PlotPanelTest, ASignalIsSubscribedToOnceAndFed) {
+TEST_F(PlotPanelTest, SubscribesToASignalOnce) {
   panel_.addSignal(kX, "rad");
   panel_.addSignal(kX, "rad");
 
@@ -53,7 +53,7 @@ TEST_F(PlotPanelTest, ASignalIsSubscribedToOnceAndFed) {
   EXPECT_EQ(samples(kX).endIndex(), 100U);
 }
 
-TEST_F(PlotPanelTest, ASignalInTwoPlotsIsWantedOnceAndReleasedWithTheLast) {
+TEST_F(PlotPanelTest, SharesASubscriptionBetweenTwoPlots) {
   panel_.addSignal(kX, "rad");
   panel_.addPlot();
   panel_.addSignal(kX, "rad");
@@ -70,7 +70,7 @@ TEST_F(PlotPanelTest, ASignalInTwoPlotsIsWantedOnceAndReleasedWithTheLast) {
   EXPECT_EQ(released_[0][0], kX);
 }
 
-TEST_F(PlotPanelTest, DroppedPathsAreAddedToThePlotTheyFellOn) {
+TEST_F(PlotPanelTest, DroppedPathsAreAddedToTheirPlot) {
   Q_EMIT panel_.currentPlot().curvesDropped({{kX, "rad"}, {kY, "rad"}});
 
   EXPECT_EQ(panel_.paths(), (QStringList{kX, kY}));
@@ -90,7 +90,7 @@ TEST_F(PlotPanelTest, ATabIsNamedByItsFirstColumn) {
   EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
 }
 
-TEST_F(PlotPanelTest, ClosingAPlotReleasesWhatItShowed) {
+TEST_F(PlotPanelTest, ClosingAPlotReleasesItsSignals) {
   panel_.addSignal(kX, "rad");
   panel_.addPlot();
   panel_.addSignal(kY, "rad");
@@ -127,7 +127,7 @@ TEST_F(PlotPanelTest, PausingKeepsEverySample) {
   EXPECT_EQ(samples(kX).lost(), 0U);
 }
 
-TEST_F(PlotPanelTest, FollowingOnePlotAgainEndsThePause) {
+TEST_F(PlotPanelTest, GoingLiveInOnePlotEndsThePause) {
   panel_.addSignal(kX, "rad");
   panel_.setPaused(true);
 
@@ -151,7 +151,7 @@ TEST_F(PlotPanelTest, TheBadgeShowsRateAndLoss) {
   EXPECT_TRUE(QTest::qWaitFor(shows_both, 20'000));
 }
 
-TEST_F(PlotPanelTest, WhatWasLostBeforeACurveBeganIsNotItsLoss) {
+TEST_F(PlotPanelTest, EarlierLossesDoNotCountForANewCurve) {
   RowLosses losses{.table = 600};
   panel_.setLosses([&](const QString&) { return losses; });
   panel_.addSignal(kX, "rad");
@@ -165,7 +165,7 @@ TEST_F(PlotPanelTest, WhatWasLostBeforeACurveBeganIsNotItsLoss) {
       20'000));
 }
 
-TEST_F(PlotPanelTest, ARenameBeginsWithTheNameThatWasGiven) {
+TEST_F(PlotPanelTest, ARenameStartsWithTheGivenName) {
   panel_.addSignal(kX, "rad");
   const auto asked = [&] {
     panel_.askForName();
@@ -180,7 +180,7 @@ TEST_F(PlotPanelTest, ARenameBeginsWithTheNameThatWasGiven) {
   EXPECT_EQ(asked(), "left arm");
 }
 
-TEST_F(PlotPanelTest, ARestartIsAGapAndNoLoss) {
+TEST_F(PlotPanelTest, ARestartIsAGapNotALoss) {
   panel_.addSignal(kX, "rad");
   panel_.append(kX, Rows(1000, 2000));
   panel_.setStale(kX, "waiting for robot");
@@ -223,7 +223,7 @@ TEST_F(PlotPanelTest, AHundredSignalsInBatchesLoseNothing) {
   }
 }
 
-TEST_F(PlotPanelTest, HowLongItLooksBackIsChosenFromAMenuThatHoldsUpNothing) {
+TEST_F(PlotPanelTest, AMenuChoosesTheTimeWindow) {
   auto& button = child<QToolButton>("window");
 
   QTest::mouseClick(&button, Qt::LeftButton);
@@ -242,7 +242,7 @@ TEST_F(PlotPanelTest, HowLongItLooksBackIsChosenFromAMenuThatHoldsUpNothing) {
   EXPECT_EQ(panel_.currentPlot().window().length(), std::chrono::seconds(10));
 }
 
-TEST_F(PlotPanelTest, OnlyThePlotInFrontIsDrawn) {
+TEST_F(PlotPanelTest, DrawsOnlyTheVisiblePlot) {
   panel_.addSignal(kX, "rad");
   PlotView& behind = panel_.currentPlot();
   panel_.addPlot();
@@ -251,7 +251,7 @@ TEST_F(PlotPanelTest, OnlyThePlotInFrontIsDrawn) {
   EXPECT_TRUE(panel_.currentPlot().isVisible());
 }
 
-TEST_F(PlotPanelTest, EverythingTheMouseCanReachHasANameForAScreenReader) {
+TEST_F(PlotPanelTest, EveryControlHasAnAccessibleName) {
   panel_.addSignal(kX, "rad");
   panel_.append(kX, Rows(0, 100));
   for (const QToolButton* button : panel_.findChildren<QToolButton*>()) {

@@ -41,7 +41,7 @@ class PlotPictures : public testing::TestWithParam<Appearance> {
   QString suffix_;
 };
 
-TEST_P(PlotPictures, ThreeJointsAndALoss) {
+TEST_P(PlotPictures, RendersThreeJointsAndALoss) {
   for (int i = 0; i < 3; ++i) panel_.addSignal(Joint(i), "rad");
   feed(Joint(0), [](double t) { return std::sin(t * 0.7) * 1.1; });
   feed(Joint(1),
@@ -50,7 +50,7 @@ TEST_P(PlotPictures, ThreeJointsAndALoss) {
   keep("joints");
 }
 
-TEST_P(PlotPictures, TwoUnitsNoiseAndAWaitingSignal) {
+TEST_P(PlotPictures, RendersTwoUnitsNoiseAndAStaleSignal) {
   panel_.addSignal(Joint(0), "rad");
   panel_.addSignal("robot/arm/state.Joints.velocity[0]", "rad/s");
   panel_.addSignal("robot/force_sensor/state.Wrench.force[2]", "rad");
@@ -67,7 +67,7 @@ TEST_P(PlotPictures, TwoUnitsNoiseAndAWaitingSignal) {
   keep("units");
 }
 
-TEST_P(PlotPictures, ZoomedUntilSingleSamplesShow) {
+TEST_P(PlotPictures, RendersSingleSamples) {
   panel_.addSignal(Joint(0), "rad");
   panel_.append(Joint(0), Rows(0, 30'000, [](double t) { return std::sin(t * 60); }));
   panel_.currentPlot().refresh();
@@ -76,7 +76,7 @@ TEST_P(PlotPictures, ZoomedUntilSingleSamplesShow) {
   keep("zoomed");
 }
 
-TEST_P(PlotPictures, Empty) { keep("empty"); }
+TEST_P(PlotPictures, RendersAnEmptyPlot) { keep("empty"); }
 
 INSTANTIATE_TEST_SUITE_P(Themes, PlotPictures,
                          testing::Values(Appearance::kDark, Appearance::kLight),

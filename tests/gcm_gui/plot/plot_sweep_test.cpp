@@ -39,7 +39,7 @@ class PlotSweep : public testing::Test {
   Curve* curve_ = nullptr;
 };
 
-TEST_F(PlotSweep, TheAxisRestsAndTheHeadIsWhereNowIs) {
+TEST_F(PlotSweep, TheAxisIsFixedAndTheHeadShowsNow) {
   EXPECT_TRUE(view_.window().isSweeping());
   EXPECT_EQ(view_.window().origin() % (10 * kSecond), 0);
   EXPECT_DOUBLE_EQ(view_.axisInterval(QwtAxis::XBottom).minValue(), 0);
@@ -48,7 +48,7 @@ TEST_F(PlotSweep, TheAxisRestsAndTheHeadIsWhereNowIs) {
   EXPECT_LE(head(), 10);
 }
 
-TEST_F(PlotSweep, RightOfTheHeadIsWhatWasThereALengthAgo) {
+TEST_F(PlotSweep, RightOfTheHeadIsThePreviousSweep) {
   const double right_of_it = (head() + 10) / 2;
 
   EXPECT_EQ(view_.window().shownAt(right_of_it), view_.window().timeAt(right_of_it) - 10 * kSecond);
@@ -56,7 +56,7 @@ TEST_F(PlotSweep, RightOfTheHeadIsWhatWasThereALengthAgo) {
   EXPECT_NEAR(view_.window().pointOf(view_.window().shownAt(right_of_it)), right_of_it, 1e-6);
 }
 
-TEST_F(PlotSweep, ZoomingLeavesItForTheTimeThatWasUnderTheRectangle) {
+TEST_F(PlotSweep, ZoomingLeavesTheSweepForTheSelectedTime) {
   const int left = static_cast<int>(view_.transform(QwtAxis::XBottom, head() * 0.25));
   const int right = static_cast<int>(view_.transform(QwtAxis::XBottom, head() * 0.75));
   const std::int64_t from = view_.window().shownAt(view_.invTransform(QwtAxis::XBottom, left));
@@ -72,7 +72,7 @@ TEST_F(PlotSweep, ZoomingLeavesItForTheTimeThatWasUnderTheRectangle) {
   EXPECT_TRUE(view_.window().isSweeping());
 }
 
-TEST_F(PlotSweep, WhatIsSeenIsWhatIsSavedAsNumbers) {
+TEST_F(PlotSweep, CsvExportContainsTheVisibleTime) {
   const TimeWindow& window = view_.window();
 
   const CsvTable table = CsvTableOf(view_.curves(), window.firstTime(), window.lastTime(), 0);
@@ -82,7 +82,7 @@ TEST_F(PlotSweep, WhatIsSeenIsWhatIsSavedAsNumbers) {
   EXPECT_GE(table.curves[0].times.front(), window.lastTime() - 10 * kSecond);
 }
 
-TEST_F(PlotSweep, GoesOnWhenItIsFollowedAgain) {
+TEST_F(PlotSweep, GoingLiveResumesTheSweep) {
   view_.goLive();
   EXPECT_TRUE(view_.window().isSweeping());
   const std::int64_t before = view_.window().lastTime();
@@ -94,7 +94,7 @@ TEST_F(PlotSweep, GoesOnWhenItIsFollowedAgain) {
   EXPECT_TRUE(view_.isLive());
 }
 
-TEST(PlotSweepPanel, HasAButtonThatTellsWhetherItIsChosen) {
+TEST(PlotSweepPanel, TheButtonShowsWhetherSweepIsOn) {
   PlotPanel panel;
   panel.resize(830, 320);
   panel.show();
@@ -109,7 +109,7 @@ TEST(PlotSweepPanel, HasAButtonThatTellsWhetherItIsChosen) {
 }
 
 // Driven by a clock of its own: now() would be somewhere else on a slow machine.
-TEST(SweepingWindow, ShowsBothLengthsOfTimeWithABarBetween) {
+TEST(SweepingWindow, DrawsBothSweepsWithABarBetween) {
   Theme::instance().choose(Theme::Choice::kDark);
   PlotView view;
   ShowView(view);

@@ -109,7 +109,7 @@ class PlotValues : public testing::Test {
 
 class PlotValuesFarFrom0 : public PlotValues, public testing::WithParamInterface<double> {};
 
-TEST_P(PlotValuesFarFrom0, AConstantIsDrawnInItsRow) {
+TEST_P(PlotValuesFarFrom0, AConstantIsDrawnAtItsValue) {
   show(Rows(0, 10'000, [](double) { return GetParam(); }));
 
   const double base = view_.curves().axes().front().frame.base;
@@ -118,7 +118,7 @@ TEST_P(PlotValuesFarFrom0, AConstantIsDrawnInItsRow) {
   EXPECT_NEAR(*row, rowOfDistance(GetParam() - base), 1);
 }
 
-TEST_P(PlotValuesFarFrom0, ACounterIsDrawnInTheRowsOfItsValues) {
+TEST_P(PlotValuesFarFrom0, ACounterIsDrawnAtItsValues) {
   const auto first = static_cast<std::int64_t>(GetParam());
   show(Integers(10'000, [&](std::uint64_t i) { return first + static_cast<std::int64_t>(i); }));
 
@@ -152,7 +152,7 @@ TEST_P(PlotValuesFarFrom0, LabelsDifferAndAddUp) {
 INSTANTIATE_TEST_SUITE_P(Counters, PlotValuesFarFrom0,
                          testing::Values(9e9, -9e9, 1e15, 4e15, 1.7e18));
 
-TEST_F(PlotValues, UnixSecondsAreDrawnInTheirRow) {
+TEST_F(PlotValues, UnixSecondsAreDrawnAtTheirValue) {
   show(Rows(0, 10'000, [](double t) { return 1'764'300'000 + t; }), "s");
 
   const double base = view_.curves().axes().front().frame.base;
@@ -184,7 +184,7 @@ TEST_F(PlotValues, ATinyConstantIsALineAtZero) {
   EXPECT_NEAR(*row, rowOfDistance(0), 1);
 }
 
-TEST_F(PlotValues, ACurveFarBeyondTheOthersIsNamedAndLeavesThemReadable) {
+TEST_F(PlotValues, AnExtremeCurveIsNamedAndLeavesOthersReadable) {
   view_.addCurve({kSignal, "rad"}).append(Rows(0, 10'000, [](double t) { return std::sin(t); }));
   view_.addCurve({"robot/arm/state.broken", "rad"}).append(Rows(0, 10'000, [](double) {
     return std::numeric_limits<double>::max();
@@ -200,7 +200,7 @@ TEST_F(PlotValues, ACurveFarBeyondTheOthersIsNamedAndLeavesThemReadable) {
   EXPECT_TRUE(view_.overlay().note().isEmpty());
 }
 
-TEST_F(PlotValues, BetweenTwoSamplesOfAStateThereIsNoSlope) {
+TEST_F(PlotValues, StatesAreDrawnAsSteps) {
   show(AtTwoHz({0, 7, 7, 0, 7, 0, 0, 7, 7, 7, 0, 0, 7, 0, 7, 0, 7, 0, 7, 0}));
 
   // Half a second wide; the step itself takes a column or two.
@@ -222,7 +222,7 @@ ValueNamesPointer Modes() {
       ValueNames{.type = "arm.Mode", .all = {{0, "off"}, {2, "manual"}, {7, "automatic"}}});
 }
 
-TEST_F(PlotValues, AStateCarriesItsNameOnAxisLegendAndCursors) {
+TEST_F(PlotValues, StatesShowTheirNameOnAxisLegendAndCursors) {
   view_.addCurve({kSignal, ""});
   view_.setNames(kSignal, Modes());
   view_.setStatistics(true);
@@ -248,7 +248,7 @@ TEST_F(PlotValues, AStateCarriesItsNameOnAxisLegendAndCursors) {
   KeepPicture(Painted(view_), "plot_states");
 }
 
-TEST_F(PlotValues, AScaledStateIsANumberAgain) {
+TEST_F(PlotValues, AScaledStateIsShownAsANumber) {
   view_.addCurve({kSignal, ""});
   view_.setNames(kSignal, Modes());
   show(AtTwoHz({0, 7, 7, 7}));
@@ -260,7 +260,7 @@ TEST_F(PlotValues, AScaledStateIsANumberAgain) {
   EXPECT_EQ(view_.curves().axes().front().unit, "×10");
 }
 
-TEST_F(PlotValues, ASecondPlotOfASignalKnowsItsNames) {
+TEST_F(PlotValues, ASecondPlotOfASignalHasItsStateNames) {
   PlotPanel panel;
   panel.addSignal(kSignal, "");
   panel.setNames(kSignal, Modes());
@@ -272,7 +272,7 @@ TEST_F(PlotValues, ASecondPlotOfASignalKnowsItsNames) {
   EXPECT_EQ(panel.currentPlot().curve(kSignal)->names()->type, "arm.Mode");
 }
 
-TEST_F(PlotValues, ABaseThatMovesLeavesTheZoomWhereItWas) {
+TEST_F(PlotValues, AMovedAxisBaseKeepsTheZoom) {
   show(Integers(10'000,
                 [](std::uint64_t i) { return 9'000'000'000 + static_cast<std::int64_t>(i); }));
   view_.zoomValues(0.5, 100);
@@ -291,7 +291,7 @@ TEST_F(PlotValues, ABaseThatMovesLeavesTheZoomWhereItWas) {
   EXPECT_NEAR(after.range.span(), before.range.span(), 1e-3);
 }
 
-TEST(PlotValuesOfALayout, AWindowWithALayoutOfTheLargestDoublesOpens) {
+TEST(PlotValuesOfALayout, OpensWithTheLargestDoubles) {
   PlotPanel saved;
   saved.addSignal(kSignal, "rad");
   const QByteArray layout = LayoutOf(saved);
@@ -310,7 +310,7 @@ TEST(PlotValuesOfALayout, AWindowWithALayoutOfTheLargestDoublesOpens) {
   EXPECT_TRUE(IsShowable(panel.currentPlot().curves().axes().front().range));
 }
 
-TEST_F(PlotValues, AnAxisOfWholeNumbersIsNotZoomedBetweenTwoOfThem) {
+TEST_F(PlotValues, AnIntegerAxisIsNotZoomedBelowOneStep) {
   show(Integers(10'000, [](std::uint64_t i) { return static_cast<std::int64_t>(i % 7); }));
 
   for (int i = 0; i < 50; ++i) view_.zoomValues(0.8, 100);

@@ -42,7 +42,7 @@ class PlotViewTest : public testing::Test {
   PlotView view_;
 };
 
-TEST_F(PlotViewTest, AnEmptyOneSaysHowToFillIt) {
+TEST_F(PlotViewTest, AnEmptyPlotExplainsHowToAddACurve) {
   EXPECT_THAT(view_.accessibleDescription().toStdString(), testing::HasSubstr("press P"));
   EXPECT_FALSE(view_.isAxisVisible(QwtAxis::YLeft));
 }
@@ -57,7 +57,7 @@ TEST_F(PlotViewTest, DrawsACurveInItsColour) {
   EXPECT_GT(pixelsOf(image, Theme::instance().curve(0)), 500);
 }
 
-TEST_F(PlotViewTest, NowIsAtTheRightEdgeAndMovesWithTheSamples) {
+TEST_F(PlotViewTest, KeepsNowAtTheRightEdge) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 10'000));
   view_.refresh();
@@ -69,7 +69,7 @@ TEST_F(PlotViewTest, NowIsAtTheRightEdgeAndMovesWithTheSamples) {
   EXPECT_NEAR(static_cast<double>(view_.window().origin() - before), 10e9, 0.5e9);
 }
 
-TEST_F(PlotViewTest, MovesByWholeColumnsSoThatEachKeepsItsSamples) {
+TEST_F(PlotViewTest, ScrollsByWholeColumns) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 10'000));
   Painted(view_);
@@ -86,7 +86,7 @@ TEST_F(PlotViewTest, MovesByWholeColumnsSoThatEachKeepsItsSamples) {
   EXPECT_NEAR(columns, std::round(columns), 1e-6);
 }
 
-TEST_F(PlotViewTest, ASecondUnitGetsAnAxisAtTheRightInItsCurvesColour) {
+TEST_F(PlotViewTest, ASecondUnitGetsARightAxisInItsCurveColour) {
   view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000));
   const auto* right = view_.axisScaleDraw(QwtAxis::YRight);
   EXPECT_FALSE(right->hasComponent(QwtAbstractScaleDraw::Labels));
@@ -102,7 +102,7 @@ TEST_F(PlotViewTest, ASecondUnitGetsAnAxisAtTheRightInItsCurvesColour) {
   EXPECT_EQ(dynamic_cast<const AxisLabels*>(right)->color(), Theme::instance().curve(1));
 }
 
-TEST_F(PlotViewTest, TheCanvasStaysWhereItIsWithASecondAxisAndWithLongerNumbers) {
+TEST_F(PlotViewTest, TheCanvasKeepsItsPlaceWithMoreAxesAndDigits) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 1000));
   Painted(view_);
@@ -115,7 +115,7 @@ TEST_F(PlotViewTest, TheCanvasStaysWhereItIsWithASecondAxisAndWithLongerNumbers)
   EXPECT_EQ(view_.canvas()->geometry(), before);
 }
 
-TEST_F(PlotViewTest, AFifthUnitIsDrawnThoughItHasNoAxisOfItsOwn) {
+TEST_F(PlotViewTest, AFifthUnitIsDrawnWithoutItsOwnAxis) {
   for (const char* unit : {"rad", "rad/s", "V", "A"}) {
     view_.addCurve({QString("p/a/state.") + unit, unit}).append(Rows(0, 10'000));
   }
@@ -144,7 +144,7 @@ TEST_F(PlotViewTest, PausingStopsTheViewAndLosesNoSample) {
   EXPECT_NEAR(static_cast<double>(view_.window().origin()), 60e9, 0.5e9);
 }
 
-TEST_F(PlotViewTest, TheLegendShowsThePresentValueAndUnderTheMouseThatOne) {
+TEST_F(PlotViewTest, TheLegendShowsTheCurrentOrHoveredValue) {
   view_.addCurve({"robot/arm/state.x", "rad"}).append(Rows(0, 10'000));
   view_.refresh();
   ASSERT_EQ(view_.legendBox().rows().size(), 1U);
@@ -160,7 +160,7 @@ TEST_F(PlotViewTest, TheLegendShowsThePresentValueAndUnderTheMouseThatOne) {
   EXPECT_NEAR(row.entry().value.toDouble(), 5, 0.2);
 }
 
-TEST_F(PlotViewTest, ASilentSourceIsGreyInTheLegendAndHeals) {
+TEST_F(PlotViewTest, ASilentSourceIsGreyInTheLegendUntilItResumes) {
   Curve& curve = view_.addCurve({"robot/arm/state.x", "rad"});
   const LegendRow& row = *view_.legendBox().rows().front();
   EXPECT_TRUE(row.entry().stale);
@@ -173,7 +173,7 @@ TEST_F(PlotViewTest, ASilentSourceIsGreyInTheLegendAndHeals) {
   EXPECT_FALSE(row.entry().stale);
 }
 
-TEST_F(PlotViewTest, HidingACurveByItsLegendTakesItFromTheCanvas) {
+TEST_F(PlotViewTest, TheLegendHidesACurve) {
   view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000, [](double) { return 1.0; }));
   EXPECT_GT(pixelsOf(Painted(view_), Theme::instance().curve(0)), 500);
 
@@ -182,7 +182,7 @@ TEST_F(PlotViewTest, HidingACurveByItsLegendTakesItFromTheCanvas) {
   EXPECT_LT(pixelsOf(Painted(view_), Theme::instance().curve(0)), 100) << "the swatch is left";
 }
 
-TEST_F(PlotViewTest, DroppedPathsAreHandedOn) {
+TEST_F(PlotViewTest, ForwardsDroppedPaths) {
   QSignalSpy dropped(&view_, &PlotView::curvesDropped);
   QMimeData data;
   data.setData(kPathMimeType, EncodedPaths({{"p/a/state.x", "rad"}, {"p/a/state.y", "rad"}}));
@@ -208,7 +208,7 @@ TEST_F(PlotViewTest, AThemeChangeReachesTheCanvas) {
   EXPECT_EQ(image.pixelColor(corner), ColorOf(Token::kPanel, Appearance::kLight));
 }
 
-TEST_F(PlotViewTest, DrawsByItselfWhileItIsVisibleAndLive) {
+TEST_F(PlotViewTest, RedrawsItselfWhileVisibleAndLive) {
   view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000));
   const std::int64_t before = view_.window().origin();
 

@@ -13,7 +13,7 @@ CurveSet OneAxis(const char* path = "p/a/state.x") {
   return set;
 }
 
-TEST(SharedTimeAxis, GoesBackAndForwardThroughTimeAndValues) {
+TEST(SharedTimeAxis, GoesBackAndForwardInItsHistory) {
   SharedTimeAxis axis;
   CurveSet set = OneAxis();
   axis.join(set);
@@ -32,7 +32,7 @@ TEST(SharedTimeAxis, GoesBackAndForwardThroughTimeAndValues) {
   EXPECT_FALSE(axis.hasLater());
 }
 
-TEST(SharedTimeAxis, ARunOfTheSameGestureIsOneStep) {
+TEST(SharedTimeAxis, ARepeatedGestureIsOneStep) {
   SharedTimeAxis axis;
   for (int i = 0; i < 5; ++i) {
     axis.remember(Gesture::kZoomTime);
@@ -48,7 +48,7 @@ TEST(SharedTimeAxis, ARunOfTheSameGestureIsOneStep) {
   EXPECT_FALSE(axis.hasFormer());
 }
 
-TEST(SharedTimeAxis, ARunThatWasEndedIsAStepOfItsOwn) {
+TEST(SharedTimeAxis, EndingARunStartsANewStep) {
   SharedTimeAxis axis;
   axis.remember(Gesture::kMove);
   axis.window().pan(-1);
@@ -62,7 +62,7 @@ TEST(SharedTimeAxis, ARunThatWasEndedIsAStepOfItsOwn) {
   EXPECT_TRUE(axis.hasFormer());
 }
 
-TEST(SharedTimeAxis, ANewStepEndsTheWayForward) {
+TEST(SharedTimeAxis, ANewStepClearsTheForwardHistory) {
   SharedTimeAxis axis;
   axis.remember(Gesture::kOnce);
   axis.window().show(-20, -10);
@@ -85,7 +85,7 @@ TEST(SharedTimeAxis, RemembersABoundedNumberOfSteps) {
   EXPECT_EQ(steps, SharedTimeAxis::kMostSteps);
 }
 
-TEST(SharedTimeAxis, APlotThatHasLeftIsNotTouchedByTheWayBack) {
+TEST(SharedTimeAxis, GoingBackIgnoresPlotsThatLeft) {
   SharedTimeAxis axis;
   CurveSet stays = OneAxis();
   axis.join(stays);

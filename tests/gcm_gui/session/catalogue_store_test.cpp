@@ -34,7 +34,7 @@ class CatalogueStoreTest : public ::testing::Test {
   std::vector<ChangedParts> told_;
 };
 
-TEST_F(CatalogueStoreTest, AFewChangesAreToldOfAtOnce) {
+TEST_F(CatalogueStoreTest, AnnouncesAFewChangesAtOnce) {
   SystemBuilder system = LookSystem(0);
 
   Show(system);
@@ -43,7 +43,7 @@ TEST_F(CatalogueStoreTest, AFewChangesAreToldOfAtOnce) {
   EXPECT_EQ(told_.size(), 1u);
 }
 
-TEST_F(CatalogueStoreTest, ManyComponentsAreToldOfStepByStepAndEachOnce) {
+TEST_F(CatalogueStoreTest, AnnouncesManyComponentsInStepsAndEachOnce) {
   SystemBuilder system = LargeSystem(10, 50);
 
   Show(system);
@@ -55,7 +55,7 @@ TEST_F(CatalogueStoreTest, ManyComponentsAreToldOfStepByStepAndEachOnce) {
   for (int i = 0; i < 10; ++i) EXPECT_EQ(Times(LargeProcess(i)), 1) << i;
 }
 
-TEST_F(CatalogueStoreTest, WhatChangesMeanwhileIsToldOfToo) {
+TEST_F(CatalogueStoreTest, AnnouncesChangesMadeMeanwhile) {
   SystemBuilder system = LargeSystem(10, 50);
   Show(system);
 
@@ -67,7 +67,7 @@ TEST_F(CatalogueStoreTest, WhatChangesMeanwhileIsToldOfToo) {
   EXPECT_EQ(Times(LargeProcess(9)), 1);
 }
 
-TEST_F(CatalogueStoreTest, KnowsSinceWhenAComponentIsInItsState) {
+TEST_F(CatalogueStoreTest, RecordsWhenAComponentEnteredItsState) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   EXPECT_FALSE(store_.stateSince("robot", "arm")) << "it was so before the window came";
@@ -86,7 +86,7 @@ TEST_F(CatalogueStoreTest, KnowsSinceWhenAComponentIsInItsState) {
   EXPECT_FALSE(store_.stateSince("robot", "force_sensor"));
 }
 
-TEST_F(CatalogueStoreTest, DoesNotKnowWhenAStateHasChangedThatASnapshotTells) {
+TEST_F(CatalogueStoreTest, ASnapshotGivesNoTimeForAChangedState) {
   SystemBuilder system = LookSystem(0);
   Show(system);
   ComponentDescription arm = *system.catalogue().FindComponent("robot", "arm");

@@ -69,7 +69,7 @@ class SessionTest : public ::testing::Test {
   std::unique_ptr<GcmSession> session_;
 };
 
-TEST_F(SessionTest, TheCatalogueArrivesByItself) {
+TEST_F(SessionTest, LoadsTheCatalogueByItself) {
   EXPECT_TRUE(EverythingIsThere());
   EXPECT_EQ(session_->link().state(), LinkState::State::kConnected);
 }
@@ -92,7 +92,7 @@ TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
 }
 
-TEST_F(SessionTest, WhatAnotherHasDoneIsTakenBackAtTheSecondTime) {
+TEST_F(SessionTest, UndoOfAnothersConnectNeedsASecondRequest) {
   ASSERT_TRUE(EverythingIsThere());
   GcmClient console(Node(), {.name = "gcm connect", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
@@ -112,7 +112,7 @@ TEST_F(SessionTest, WhatAnotherHasDoneIsTakenBackAtTheSecondTime) {
   EXPECT_TRUE(Eventually([&] { return Known().FindConnection(kOperated) == nullptr; }));
 }
 
-TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
+TEST_F(SessionTest, UndoOfAnothersStopNeedsASecondRequest) {
   ASSERT_TRUE(EverythingIsThere());
   GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
@@ -130,7 +130,7 @@ TEST_F(SessionTest, WhatWasOrderedOfAComponentIsTakenBackAtTheSecondTime) {
   EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
 }
 
-TEST_F(SessionTest, TheTypeOfACommandIsFoundAndACallIsAnswered) {
+TEST_F(SessionTest, FindsTheTypeOfACommandAndCallsIt) {
   ASSERT_TRUE(EverythingIsThere());
   const auto& commands = Known().FindProvided(kPlantControl)->commands;
   const auto move_to = std::find_if(commands.begin(), commands.end(),
@@ -154,7 +154,7 @@ TEST_F(SessionTest, TheTypeOfACommandIsFoundAndACallIsAnswered) {
   EXPECT_TRUE(Eventually([&] { return plant->moves.size() == 1; }));
 }
 
-TEST_F(SessionTest, ACallThatIsRefusedIsToldInTheActivityToo) {
+TEST_F(SessionTest, TheActivityShowsARefusedCall) {
   ASSERT_TRUE(EverythingIsThere());
   std::optional<Error> refusal;
 
@@ -166,7 +166,7 @@ TEST_F(SessionTest, ACallThatIsRefusedIsToldInTheActivityToo) {
   EXPECT_EQ(session_->activity().action(0).refusal, QString::fromStdString(refusal->message));
 }
 
-TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
+TEST_F(SessionTest, ACallFailsWhenItsProcessIsLost) {
   session_ = std::make_unique<GcmSession>(Node(), manager_->address(), true, Role::kOperator,
                                           std::chrono::seconds(40));
   ASSERT_TRUE(EverythingIsThere());
@@ -193,7 +193,7 @@ TEST_F(SessionTest, ACallToAProcessThatIsLostIsNotWaitedForAnyLonger) {
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
 }
 
-TEST_F(SessionTest, AConnectionIsReplacedAndThatUndoneAsOneStep) {
+TEST_F(SessionTest, ReplacesAConnectionAndUndoesItInOneStep) {
   const InterfaceName other{"robot", "spare", "Control"};
   robot_->Add<plant::Plant>("spare");
   ASSERT_TRUE(EverythingIsThere());
@@ -224,7 +224,7 @@ TEST_F(SessionTest, NothingIsReplacedIfTheInterfaceIsNotConnected) {
   EXPECT_EQ(session_->activity().action(0).verb, Action::Verb::kConnect);
 }
 
-TEST_F(SessionTest, ARefusedReplacementLeavesTheConnectionAsItWas) {
+TEST_F(SessionTest, ARefusedReplacementKeepsTheConnection) {
   ASSERT_TRUE(EverythingIsThere());
   session_->connectInterfaces(kOperated, kPlantControl);
   ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
@@ -236,7 +236,7 @@ TEST_F(SessionTest, ARefusedReplacementLeavesTheConnectionAsItWas) {
   EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
 }
 
-TEST_F(SessionTest, EveryRowOfASignalArrivesOnce) {
+TEST_F(SessionTest, DeliversEveryRowOfASignalOnce) {
   ASSERT_TRUE(EverythingIsThere());
   std::vector<Sample> rows;
   QObject::connect(&session_->liveSignals(), &SignalSource::samplesArrived, session_.get(),
@@ -250,7 +250,7 @@ TEST_F(SessionTest, EveryRowOfASignalArrivesOnce) {
   for (std::size_t i = 1; i < rows.size(); ++i) ASSERT_EQ(rows[i].tick, rows[i - 1].tick + 1);
 }
 
-TEST_F(SessionTest, ALostProcessIsSeenAndItsRowsGoOnWhenItIsBack) {
+TEST_F(SessionTest, RowsResumeWhenALostProcessReturns) {
   ASSERT_TRUE(EverythingIsThere());
   QStringList heard;
   auto& live = session_->liveSignals();
@@ -271,7 +271,7 @@ TEST_F(SessionTest, ALostProcessIsSeenAndItsRowsGoOnWhenItIsBack) {
   EXPECT_TRUE(Eventually([&] { return heard.contains("rows"); }));
 }
 
-TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
+TEST_F(SessionTest, ReconnectsToALostGcm) {
   ASSERT_TRUE(EverythingIsThere());
   const std::string address = manager_->address();
 
@@ -287,7 +287,7 @@ TEST_F(SessionTest, ALostGcmIsSeenAndFoundAgain) {
   EXPECT_TRUE(EverythingIsThere());
 }
 
-TEST_F(SessionTest, ItCanGoWhileARequestIsUnderWay) {
+TEST_F(SessionTest, CanBeDestroyedDuringARequest) {
   ASSERT_TRUE(EverythingIsThere());
 
   session_->connectInterfaces(kOperated, kPlantControl);

@@ -92,7 +92,7 @@ class LiveSignalsTest : public ::testing::Test {
   const QString second_ = "robot/arm/state.Joints.position[1]";
 };
 
-TEST_F(LiveSignalsTest, NumbersOfOneColumnShareOneSubscription) {
+TEST_F(LiveSignalsTest, SignalsOfOneColumnShareOneSubscription) {
   live_.subscribe(first_);
   live_.subscribe(second_);
   QObject owner;
@@ -106,7 +106,7 @@ TEST_F(LiveSignalsTest, NumbersOfOneColumnShareOneSubscription) {
   EXPECT_EQ(table.columns, std::vector<std::string>{"Joints"});
 }
 
-TEST_F(LiveSignalsTest, WhoWatchesIsToldWhyNothingComesUntilItDoes) {
+TEST_F(LiveSignalsTest, ReportsARefusalToWatchers) {
   QSignalSpy refused(&live_, &SignalSource::valuesRefused);
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
@@ -125,7 +125,7 @@ TEST_F(LiveSignalsTest, WhoWatchesIsToldWhyNothingComesUntilItDoes) {
   EXPECT_EQ(refused.count(), 1);
 }
 
-TEST_F(LiveSignalsTest, EveryRowArrivesInOrderWithItsTickAndTime) {
+TEST_F(LiveSignalsTest, DeliversEveryRowInOrderWithTickAndTime) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   SendRows(Sink(), 1, 100, 20);
@@ -184,7 +184,7 @@ TEST_F(LiveSignalsTest, IntegersKeepAllTheirDigitsAndStatesHaveTheirNames) {
   EXPECT_EQ(names.at(ready)->textOf(rows_[ready].at(0).value), "true");
 }
 
-TEST_F(LiveSignalsTest, RowsOfAnotherHostLieOnTheAxisOfThisOne) {
+TEST_F(LiveSignalsTest, ConvertsRowTimesOfAnotherHost) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
 
@@ -195,7 +195,7 @@ TEST_F(LiveSignalsTest, RowsOfAnotherHostLieOnTheAxisOfThisOne) {
   EXPECT_EQ(rows_[first_][0].time_ns, 3'000'000'000);
 }
 
-TEST_F(LiveSignalsTest, ANewEpochIsToldBetweenTheRowsBeforeAndAfter) {
+TEST_F(LiveSignalsTest, SignalsANewEpochBetweenItsRows) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   SendRows(Sink(), 1, 100, 2);
@@ -211,7 +211,7 @@ TEST_F(LiveSignalsTest, ANewEpochIsToldBetweenTheRowsBeforeAndAfter) {
   EXPECT_EQ(heard, (QStringList{"rows", "epoch", "rows"}));
 }
 
-TEST_F(LiveSignalsTest, StalenessIsToldOnceAndEndsWithTheNextRows) {
+TEST_F(LiveSignalsTest, SignalsStalenessOnce) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   QSignalSpy stale(&live_, &SignalSource::wentStale);
@@ -228,7 +228,7 @@ TEST_F(LiveSignalsTest, StalenessIsToldOnceAndEndsWithTheNextRows) {
   EXPECT_EQ(stale.back().at(1).toString(), "");  // whose rows are waited for says enough
 }
 
-TEST_F(LiveSignalsTest, ASignalThatIsNotThereSaysWhereItsPathEnds) {
+TEST_F(LiveSignalsTest, NamesTheInvalidPartOfAPath) {
   live_.subscribe("robot/arm/state.Joints.torque[0]");
   QSignalSpy stale(&live_, &SignalSource::wentStale);
 
@@ -239,7 +239,7 @@ TEST_F(LiveSignalsTest, ASignalThatIsNotThereSaysWhereItsPathEnds) {
   EXPECT_TRUE(stale.front().at(1).toString().contains("torque"));
 }
 
-TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
+TEST_F(LiveSignalsTest, AWatcherGetsTheNewestValuesOnly) {
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
   Sink().OnSubscribed({PositionSchema()});
@@ -256,7 +256,7 @@ TEST_F(LiveSignalsTest, AWatcherSeesTheNewestValuesOnly) {
   EXPECT_EQ(newest.fields->at(1).path, ".position[1]");
 }
 
-TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
+TEST_F(LiveSignalsTest, CountsLostRowsByPlace) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   EXPECT_EQ(live_.losses(first_), RowLosses{});
@@ -272,7 +272,7 @@ TEST_F(LiveSignalsTest, WhereRowsWereLostIsKnown) {
   EXPECT_EQ(live_.losses("robot/arm/state.Other"), RowLosses{});
 }
 
-TEST_F(LiveSignalsTest, OfRowsThatWaitTooLongTheOldestAreLost) {
+TEST_F(LiveSignalsTest, DropsTheOldestOfTooManyWaitingRows) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting);
@@ -286,7 +286,7 @@ TEST_F(LiveSignalsTest, OfRowsThatWaitTooLongTheOldestAreLost) {
   EXPECT_EQ(rows.back().tick, ColumnFeed::kMostWaiting + 4);
 }
 
-TEST_F(LiveSignalsTest, WhoPlotsASecondNumberDoesNotWaitForABatchThatIsRead) {
+TEST_F(LiveSignalsTest, SubscribingDoesNotWaitForABatch) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
   std::vector<std::byte> cell;
@@ -323,7 +323,7 @@ TEST_F(LiveSignalsTest, WhoPlotsASecondNumberDoesNotWaitForABatchThatIsRead) {
   EXPECT_EQ(rows_[second_].size(), 3U);
 }
 
-TEST_F(LiveSignalsTest, AWatcherIsToldHowManyRowsHaveComeAndOfWhenTheNewestIs) {
+TEST_F(LiveSignalsTest, AWatcherGetsRowCountAndNewestTime) {
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
   ColumnValues newest;
@@ -338,7 +338,7 @@ TEST_F(LiveSignalsTest, AWatcherIsToldHowManyRowsHaveComeAndOfWhenTheNewestIs) {
   EXPECT_EQ(newest.time, 119'000'000);
 }
 
-TEST_F(LiveSignalsTest, ASubscriptionEndsAWhileAfterTheLastUserHasGone) {
+TEST_F(LiveSignalsTest, UnusedSubscriptionsEndAfterAWhile) {
   live_.subscribe(first_);
   {
     QObject owner;
@@ -352,7 +352,7 @@ TEST_F(LiveSignalsTest, ASubscriptionEndsAWhileAfterTheLastUserHasGone) {
   EXPECT_TRUE(telemetry_.entries.empty());
 }
 
-TEST_F(LiveSignalsTest, WhatIsStillUsedIsKept) {
+TEST_F(LiveSignalsTest, KeepsUsedSubscriptions) {
   live_.subscribe(first_);
   live_.subscribe(first_);
   live_.release(first_);
@@ -362,7 +362,7 @@ TEST_F(LiveSignalsTest, WhatIsStillUsedIsKept) {
   EXPECT_EQ(telemetry_.entries.size(), 1u);
 }
 
-TEST_F(LiveSignalsTest, AColumnThatHoldsAPictureIsOneAndItsBytesAreNoNumbers) {
+TEST_F(LiveSignalsTest, AnImageColumnIsAPictureNotNumbers) {
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Video"});
   robot::Image image;
@@ -394,14 +394,14 @@ TEST_F(LiveSignalsTest, AColumnThatHoldsAPictureIsOneAndItsBytesAreNoNumbers) {
   EXPECT_LT(heard.fields->size(), 20U);
 }
 
-TEST_F(LiveSignalsTest, WhatIsNoPathOfAColumnIsLeftAlone) {
+TEST_F(LiveSignalsTest, IgnoresPathsThatNameNoColumn) {
   live_.subscribe("robot/arm");
   live_.subscribe("no path at all");
 
   EXPECT_TRUE(telemetry_.entries.empty());
 }
 
-TEST_F(LiveSignalsTest, ARowThatWasThereBeforeIsSeenAndThenNoMoreIsWantedOfIt) {
+TEST_F(LiveSignalsTest, RequestsTheLatestRowOnce) {
   QSignalSpy arrived(&live_, &SignalSource::valuesArrived);
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
@@ -420,7 +420,7 @@ TEST_F(LiveSignalsTest, ARowThatWasThereBeforeIsSeenAndThenNoMoreIsWantedOfIt) {
   EXPECT_TRUE(rows_.empty()) << "it is no row of the stream";
 }
 
-TEST_F(LiveSignalsTest, AfterALinkHasHealedTheStandingRowIsAskedForAgain) {
+TEST_F(LiveSignalsTest, RequestsTheLatestRowAgainAfterAReconnect) {
   QObject owner;
   live_.watch(&owner, {"robot/arm/state.Joints"});
   const auto standing = [&] {

@@ -10,7 +10,7 @@ using Due = std::vector<std::pair<Fingerprint, std::string>>;
 constexpr Fingerprint kType{1, 2};
 const Error kNoAnswer{ErrorCode::kTimeout, "no answer"};
 
-TEST(TypeRequests, OneThatIsWantedIsAskedForOnce) {
+TEST(TypeRequests, RequestsEachTypeOnce) {
   TypeRequests types;
   types.want(kType, "robot");
 
@@ -25,7 +25,7 @@ TEST(TypeRequests, OneThatIsWantedIsAskedForOnce) {
   EXPECT_TRUE(types.find(kType)->ok());
 }
 
-TEST(TypeRequests, OneThatWasNotToldIsAskedForAgainLaterAndLater) {
+TEST(TypeRequests, RetriesAFailedRequestWithBackoff) {
   TypeRequests types;
   types.want(kType, "robot");
   SteadyTime now{};

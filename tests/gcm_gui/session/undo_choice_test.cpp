@@ -21,7 +21,7 @@ message::HistoryEntry Step(std::uint64_t id, const std::string& who) {
           .when = kWallNow - 12'000'000'000};
 }
 
-TEST(UndoChoice, OnesOwnNewestStepIsTakenBackAtOnce) {
+TEST(UndoChoice, OwnNewestStepIsUndoneAtOnce) {
   UndoChoice choice("me");
   message::History history{{Step(1, "you"), Step(2, "me"), Step(3, "me"), Step(4, "you")}};
   history.entries[2].undone = true;
@@ -33,13 +33,13 @@ TEST(UndoChoice, OnesOwnNewestStepIsTakenBackAtOnce) {
   EXPECT_EQ(*step, 2U);
 }
 
-TEST(UndoChoice, OnesOwnIsKnownUnderACertificateToo) {
+TEST(UndoChoice, RecognisesOwnStepsUnderACertificate) {
   UndoChoice choice("gcm-gui of anna@host");
   EXPECT_TRUE(choice.Choose({{Step(1, "anna (gcm-gui of anna@host)")}}, kNow, kWallNow).ok());
   EXPECT_FALSE(choice.Choose({{Step(2, "bert (gcm-gui of bert@host)")}}, kNow, kWallNow).ok());
 }
 
-TEST(UndoChoice, AnothersIsAskedForAndTakenBackAtTheSecondTime) {
+TEST(UndoChoice, AnothersStepNeedsASecondRequest) {
   UndoChoice choice("me");
   const message::History history{{Step(7, "gcm-gui of anna@host")}};
 
@@ -54,7 +54,7 @@ TEST(UndoChoice, AnothersIsAskedForAndTakenBackAtTheSecondTime) {
   EXPECT_FALSE(choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow).ok()) << "once only";
 }
 
-TEST(UndoChoice, TheAnswerIsToTheQuestionAndInTime) {
+TEST(UndoChoice, TheSecondRequestMustMatchAndComeInTime) {
   UndoChoice choice("me");
   message::History history{{Step(7, "anna")}};
   ASSERT_FALSE(choice.Choose(history, kNow, kWallNow).ok());
@@ -65,7 +65,7 @@ TEST(UndoChoice, TheAnswerIsToTheQuestionAndInTime) {
       << "it is too late";
 }
 
-TEST(UndoChoice, WhatCanSetSomethingInMotionIsAskedForWhoeverHasDoneIt) {
+TEST(UndoChoice, StepsThatCauseMotionNeedASecondRequest) {
   UndoChoice choice("me");
   message::History history{{Step(7, "me")}};
   history.entries[0].verb = "stop";
@@ -79,7 +79,7 @@ TEST(UndoChoice, WhatCanSetSomethingInMotionIsAskedForWhoeverHasDoneIt) {
   EXPECT_TRUE(choice.Choose(history, kNow, kWallNow).ok());
 }
 
-TEST(UndoChoice, NothingToUndoIsSaid) {
+TEST(UndoChoice, ReportsThatThereIsNothingToUndo) {
   UndoChoice choice("me");
 
   const auto nothing = choice.Choose({}, kNow, kWallNow);

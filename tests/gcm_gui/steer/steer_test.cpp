@@ -48,7 +48,7 @@ class SteerTest : public WindowFixture {
   }
 };
 
-TEST_F(SteerTest, AKeyAsksAndEnterDoes) {
+TEST_F(SteerTest, AKeyOpensTheCardAndEnterConfirms) {
   window_.selection().select("robot/arm/Drives.Stop");
   QTest::keyClick(&window_, Qt::Key_F8);
   ASSERT_TRUE(card().isVisible());
@@ -62,7 +62,7 @@ TEST_F(SteerTest, AKeyAsksAndEnterDoes) {
   EXPECT_FALSE(card().isVisible());
 }
 
-TEST_F(SteerTest, AKeyThatIsStillHeldIsNoSecondOne) {
+TEST_F(SteerTest, IgnoresKeyRepeat) {
   window_.selection().select("robot/arm");
   QTest::keyClick(&window_, Qt::Key_F8);
 
@@ -76,7 +76,7 @@ TEST_F(SteerTest, AKeyThatIsStillHeldIsNoSecondOne) {
   EXPECT_TRUE(actions_.asked.isEmpty());
 }
 
-TEST_F(SteerTest, ThePaletteStopsAllThatIsSelected) {
+TEST_F(SteerTest, ThePaletteSuspendsAllSelectedComponents) {
   window_.selection().setPaths({"robot/arm", "desk/host_monitor", "robot/arm/Drives"});
   QTest::keyClick(&window_, Qt::Key_K, Qt::ControlModifier);
   auto* field = window_.findChild<QLineEdit*>("palette.field");
@@ -89,7 +89,7 @@ TEST_F(SteerTest, ThePaletteStopsAllThatIsSelected) {
   EXPECT_TRUE(IsAsked({"suspend robot/arm", "suspend desk/host_monitor"}));
 }
 
-TEST_F(SteerTest, WhatTheComponentWouldRefuseIsSaidAndNotAsked) {
+TEST_F(SteerTest, ReportsAnImpossibleTransitionWithoutAsking) {
   window_.selection().select("robot/arm");
   QTest::keyClick(&window_, Qt::Key_F6);
 
@@ -100,7 +100,7 @@ TEST_F(SteerTest, WhatTheComponentWouldRefuseIsSaidAndNotAsked) {
   EXPECT_TRUE(Notice().startsWith("Select a component"));
 }
 
-TEST_F(SteerTest, AButtonOfTheInspectorIsHeld) {
+TEST_F(SteerTest, AnInspectorButtonMustBeHeld) {
   window_.selection().select("robot/arm");
   EXPECT_FALSE(Button("steer.start").isEnabled());
   EXPECT_TRUE(Button("steer.start").toolTip().contains("is active"));
@@ -116,7 +116,7 @@ TEST_F(SteerTest, AButtonOfTheInspectorIsHeld) {
   EXPECT_EQ(actions_.asked.size(), 1);
 }
 
-TEST_F(SteerTest, TheButtonOfTheCardIsHeld) {
+TEST_F(SteerTest, TheCardButtonMustBeHeld) {
   window_.selection().select("robot/arm");
   QTest::keyClick(&window_, Qt::Key_F9);
   QTest::mousePress(&Button("steer.confirm"), Qt::LeftButton);
@@ -124,7 +124,7 @@ TEST_F(SteerTest, TheButtonOfTheCardIsHeld) {
   EXPECT_TRUE(IsAsked({"restart robot/arm"}));
 }
 
-TEST_F(SteerTest, TheMenuOfTheCatalogueIsOfARowAloneOrOfItsKey) {
+TEST_F(SteerTest, TheCatalogueMenuOpensOnlyOnARowOrByKey) {
   CatalogueTree& tree = window_.catalogue().tree();
   window_.selection().select("robot/arm");
   window_.catalogue().filterField().setText("robot/arm type:component");
@@ -143,7 +143,7 @@ TEST_F(SteerTest, TheMenuOfTheCatalogueIsOfARowAloneOrOfItsKey) {
   menu->close();
 }
 
-TEST_F(SteerTest, EnterOnTheButtonOfTheCardDoesWhatEnterDoesElsewhereOnIt) {
+TEST_F(SteerTest, EnterOnTheCardButtonConfirms) {
   window_.selection().select("robot/arm");
   QTest::keyClick(&window_, Qt::Key_F8);
   Button("steer.confirm").setFocus();
@@ -155,7 +155,7 @@ TEST_F(SteerTest, EnterOnTheButtonOfTheCardDoesWhatEnterDoesElsewhereOnIt) {
   EXPECT_FALSE(Notice().startsWith("Nothing was done")) << Notice().toStdString();
 }
 
-TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
+TEST_F(SteerTest, CatalogueRowsAndGraphNodesHaveAMenu) {
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm");
   QTest::mouseClick(tree.viewport(), Qt::LeftButton, {},
@@ -180,7 +180,7 @@ TEST_F(SteerTest, ARowAndACardOfTheGraphHaveTheirMenu) {
   EXPECT_TRUE(IsAsked({"stop desk/host_monitor"}));
 }
 
-TEST_F(SteerTest, AWindowThatOnlyLooksSaysWhy) {
+TEST_F(SteerTest, AReadOnlyWindowExplainsItself) {
   WindowParts parts = Parts();
   parts.read_only = "this window only looks";
   MainWindow window(parts);
@@ -198,7 +198,7 @@ TEST_F(SteerTest, AWindowThatOnlyLooksSaysWhy) {
   EXPECT_FALSE(window.findChild<QAction*>("Stop")->isEnabled());
 }
 
-TEST_F(SteerTest, TheCardSaysWhatAResumeDoesAndHowLongTheComponentHasRested) {
+TEST_F(SteerTest, TheCardExplainsAResumeAndItsSuspension) {
   ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kSuspended;
   system_.Component("robot", arm);
@@ -219,7 +219,7 @@ TEST_F(SteerTest, TheCardSaysWhatAResumeDoesAndHowLongTheComponentHasRested) {
   KeepPictures(window_, "resume-card");
 }
 
-TEST_F(SteerTest, TheCardSaysThatARestartBeginsAnew) {
+TEST_F(SteerTest, TheCardExplainsARestart) {
   window_.selection().select("robot/arm");
 
   QTest::keyClick(&window_, Qt::Key_F9);

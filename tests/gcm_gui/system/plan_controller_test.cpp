@@ -35,7 +35,7 @@ class PlanControllerTest : public ::testing::Test {
   PlanController restore_{document_, runner_, reports_};
 };
 
-TEST_F(PlanControllerTest, WhoHasSomethingToMakeIsAskedForHisClassesFirst) {
+TEST_F(PlanControllerTest, RequestsTheClassesOfAProcessFirst) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
 
   EXPECT_EQ(reports_.asked_for_classes, QStringList{"robot"});
@@ -47,7 +47,7 @@ TEST_F(PlanControllerTest, WhoHasSomethingToMakeIsAskedForHisClassesFirst) {
   EXPECT_FALSE(restore_.plan().steps.empty());
 }
 
-TEST_F(PlanControllerTest, AClassThatNobodyHasIsSeenBeforeAnythingIsDone) {
+TEST_F(PlanControllerTest, ReportsAnUnknownClassBeforeAnyStep) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
   reports_.class_handlers[0](Knows("Lag"));
 
@@ -60,7 +60,7 @@ TEST_F(PlanControllerTest, AClassThatNobodyHasIsSeenBeforeAnythingIsDone) {
   EXPECT_TRUE(restore_.plan().steps.empty());
 }
 
-TEST_F(PlanControllerTest, WhoDoesNotAnswerHoldsUpNoPlan) {
+TEST_F(PlanControllerTest, ASilentProcessDoesNotBlockThePlan) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
   reports_.class_handlers[0](Error{ErrorCode::kTimeout, "no answer"});
 
@@ -68,7 +68,7 @@ TEST_F(PlanControllerTest, WhoDoesNotAnswerHoldsUpNoPlan) {
   EXPECT_FALSE(restore_.plan().steps.empty());
 }
 
-TEST_F(PlanControllerTest, AnAnswerToWhatIsNoLongerAskedChangesNothing) {
+TEST_F(PlanControllerTest, IgnoresALateAnswer) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
   restore_.leave();
   reports_.class_handlers[0](Knows("Leg"));
@@ -76,7 +76,7 @@ TEST_F(PlanControllerTest, AnAnswerToWhatIsNoLongerAskedChangesNothing) {
   EXPECT_EQ(restore_.phase(), PlanController::Phase::kIdle);
 }
 
-TEST_F(PlanControllerTest, APlanStaysInSightWhileItIsMadeAnew) {
+TEST_F(PlanControllerTest, KeepsThePlanVisibleWhileItIsRefreshed) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
   reports_.class_handlers[0](Knows("Leg"));
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
@@ -88,7 +88,7 @@ TEST_F(PlanControllerTest, APlanStaysInSightWhileItIsMadeAnew) {
   EXPECT_EQ(restore_.phase(), PlanController::Phase::kRunning);
 }
 
-TEST_F(PlanControllerTest, APlanForAnotherSystemOfThatNameIsNotTakenForIt) {
+TEST_F(PlanControllerTest, DoesNotReuseThePlanOfAnotherSystem) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
   reports_.class_handlers[0](Knows("Leg"));
   wanted_.processes[0].components.back().name = "foot";
@@ -113,7 +113,7 @@ class SavingTest : public PlanControllerTest {
   QTemporaryDir folder_;
 };
 
-TEST_F(SavingTest, ANewFileSaysWhomTheGcmHasStarted) {
+TEST_F(SavingTest, RecordsProcessesThatTheGcmStarted) {
   reports_.children =
       message::Children{{{.process = "robot", .restart = RestartPolicy::kOnFailure}}};
 
@@ -125,7 +125,7 @@ TEST_F(SavingTest, ANewFileSaysWhomTheGcmHasStarted) {
   EXPECT_EQ(saved->FindProcess("robot")->start->restart, RestartPolicy::kOnFailure);
 }
 
-TEST_F(SavingTest, AGcmThatIsTooOldToSayItIsNamed) {
+TEST_F(SavingTest, ReportsAGcmTooOldToListItsProcesses) {
   reports_.children = Error{ErrorCode::kDenied, "unknown message"};
 
   EXPECT_EQ(Save(),
@@ -140,7 +140,7 @@ TEST_F(SavingTest, WithoutAnAnswerNothingIsWritten) {
   EXPECT_FALSE(ReadSystemFile(Path().toStdString()).ok());
 }
 
-TEST_F(SavingTest, WhoClosesTheWindowBeforeTheAnswerHasItSavedAllTheSame) {
+TEST_F(SavingTest, SavesEvenIfTheWindowClosesEarly) {
   reports_.children.reset();
   auto document = std::make_unique<SystemDocument>(store_, reports_);
   document->save(Path());

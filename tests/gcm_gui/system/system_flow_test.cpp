@@ -119,7 +119,7 @@ class SystemFlowTest : public ::testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndSavedWithWhatRuns) {
+TEST_F(SystemFlowTest, ImportsACisstFileAndSavesTheRunningSystem) {
   ASSERT_TRUE(EverythingIsThere());
   const QString cisst = folder_.filePath("lab.json");
   QFile file(cisst);
@@ -155,7 +155,7 @@ TEST_F(SystemFlowTest, AFileOfCisstIsImportedAndSavedWithWhatRuns) {
   EXPECT_EQ(saved->connections.size(), 1U);
 }
 
-TEST_F(SystemFlowTest, AnImportTouchesNoFileThatIsThere) {
+TEST_F(SystemFlowTest, AnImportOverwritesNoFile) {
   const auto write = [&](const QString& name, const QByteArray& text) {
     QFile file(folder_.filePath(name));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
@@ -175,7 +175,7 @@ TEST_F(SystemFlowTest, AnImportTouchesNoFileThatIsThere) {
   EXPECT_EQ(kept.readAll(), "mine");
 }
 
-TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
+TEST_F(SystemFlowTest, RestoresASavedSystemAndUndoesIt) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Connect());
   SaveByKeys();
@@ -202,7 +202,7 @@ TEST_F(SystemFlowTest, WhatWasSavedIsRestoredAndThatTakenBack) {
   EXPECT_TRUE(Eventually([&] { return !IsConnected(); }));
 }
 
-TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
+TEST_F(SystemFlowTest, AppliesOneDifferenceOrSavesItToTheFile) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Connect());
   SaveByKeys();
@@ -226,7 +226,7 @@ TEST_F(SystemFlowTest, OneLineIsAppliedOrTakenIntoTheFile) {
   EXPECT_FALSE(IsConnected());
 }
 
-TEST_F(SystemFlowTest, AFileThatIsOpenedShowsItsPlanAndWaits) {
+TEST_F(SystemFlowTest, OpeningAFileShowsItsPlanAndWaits) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Connect());
   SaveByKeys();
@@ -243,7 +243,7 @@ TEST_F(SystemFlowTest, AFileThatIsOpenedShowsItsPlanAndWaits) {
   EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
 }
 
-TEST_F(SystemFlowTest, AViewersWindowSaysWhyItChangesNothing) {
+TEST_F(SystemFlowTest, AViewersWindowExplainsThatItIsReadOnly) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Connect());
   SaveByKeys();
@@ -266,7 +266,7 @@ TEST_F(SystemFlowTest, AViewersWindowSaysWhyItChangesNothing) {
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
 }
 
-TEST_F(SystemFlowTest, AnEarlierStateIsInTheMenu) {
+TEST_F(SystemFlowTest, TheMenuListsEarlierStates) {
   ASSERT_TRUE(EverythingIsThere());
   ASSERT_TRUE(Connect());
   const auto& states = Document().snapshots().all();

@@ -29,7 +29,7 @@ TEST(SystemParts, AMissingComponentIsAdded) {
   EXPECT_EQ(WithPartOf(without, ArmSystem(), "component robot/arm"), ArmSystem());
 }
 
-TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
+TEST(SystemParts, AMissingPartIsRemoved) {
   SystemFile without = ArmSystem();
   without.connections.clear();
 
@@ -41,7 +41,7 @@ TEST(SystemParts, WhatTheOtherLacksIsRemoved) {
   EXPECT_EQ(WithPartOf(without, ArmSystem(), differences[0].what), ArmSystem());
 }
 
-TEST(SystemParts, AProcessComesWithItsConnections) {
+TEST(SystemParts, AddingAProcessAddsItsConnections) {
   SystemFile without = ArmSystem();
   without.processes.pop_back();
   without.connections.clear();
@@ -49,7 +49,7 @@ TEST(SystemParts, AProcessComesWithItsConnections) {
   EXPECT_EQ(WithPartOf(without, ArmSystem(), "process desk"), ArmSystem());
 }
 
-TEST(SystemParts, AllElseStays) {
+TEST(SystemParts, ReplacesOnlyTheNamedPart) {
   SystemFile other = ArmSystem();
   other.processes[0].components[0].class_name = "Leg";
   other.connections.clear();
@@ -60,7 +60,7 @@ TEST(SystemParts, AllElseStays) {
   EXPECT_EQ(merged.connections, ArmSystem().connections);
 }
 
-TEST(Snapshots, TheLastFiftyStatesAreKeptOncePerChange) {
+TEST(Snapshots, KeepsTheLastFiftyStates) {
   Snapshots snapshots;
   for (int i = 0; i < 60; ++i) {
     SystemFile system;
@@ -74,7 +74,7 @@ TEST(Snapshots, TheLastFiftyStatesAreKeptOncePerChange) {
   EXPECT_EQ(snapshots.all().back().when, 59);
 }
 
-TEST(DiffModel, EachDifferenceHasItsSignItsWordAndASentence) {
+TEST(DiffModel, EachDifferenceHasASignAWordAndASentence) {
   DiffModel model;
   const QAbstractItemModelTester tester(&model);
 
@@ -90,7 +90,7 @@ TEST(DiffModel, EachDifferenceHasItsSignItsWordAndASentence) {
             QStringLiteral("component desk/hand: changed class A -> B"));
 }
 
-TEST(PlanModel, EachStepSaysHowItWent) {
+TEST(PlanModel, EachStepShowsItsOutcome) {
   const CatalogueStore store;
   ScriptedReports reports;
   const SystemDocument document(store, reports);

@@ -7,7 +7,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(HeaderRow, HasItsTitleAtTheLeftAndActionsAtTheRight) {
+TEST(HeaderRow, PlacesTheTitleLeftAndActionsRight) {
   HeaderRow head("Catalogue");
   auto* filter = new QLabel("filter");
   auto* count = new QLabel("106 items");

@@ -25,7 +25,7 @@ QRgb ColorOf(const QImage& image) {
   return strongest;
 }
 
-TEST(ThemeIcon, EveryDrawingIsInTheColourAskedFor) {
+TEST(ThemeIcon, DrawsEveryIconInTheGivenColour) {
   Theme::instance().choose(Theme::Choice::kDark);
   const QStringList files = QDir(":/tendon/icons").entryList({"*.svg"});
   ASSERT_GE(files.size(), 10);
@@ -46,7 +46,7 @@ TEST(ThemeIcon, FollowsTheTheme) {
   EXPECT_NE(ColorOf(Drawn(icon, 64)), dark);
 }
 
-TEST(ThemeIcon, OneThatIsDisabledIsStale) {
+TEST(ThemeIcon, DrawsADisabledIconInTheStaleColour) {
   Theme::instance().choose(Theme::Choice::kDark);
 
   const QRgb color = ColorOf(Drawn(ThemeIcon("plus", Token::kText), 64, QIcon::Disabled));

@@ -33,7 +33,7 @@ TEST(StateMark, EveryMarkHasAWordAndAShape) {
   EXPECT_EQ(words.size(), kStateMarkCount);
 }
 
-TEST(StateMark, TheStatesOfAComponentAreToldApartWithoutColour) {
+TEST(StateMark, ComponentStatesDifferInShape) {
   std::set<std::string> shapes;
   for (const StateMark mark :
        {StateMark::kConstructed, StateMark::kReady, StateMark::kActive, StateMark::kSuspended,
@@ -43,7 +43,7 @@ TEST(StateMark, TheStatesOfAComponentAreToldApartWithoutColour) {
   EXPECT_EQ(shapes.size(), 7U);
 }
 
-TEST(StateMark, ConnectionsAreToldApartWithoutColour) {
+TEST(StateMark, ConnectionStatesDifferInShape) {
   const std::set<std::string> shapes{ShapeOf(StateMark::kConnected), ShapeOf(StateMark::kPending),
                                      ShapeOf(StateMark::kNotConnected),
                                      ShapeOf(StateMark::kRefused)};

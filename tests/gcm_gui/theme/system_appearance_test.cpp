@@ -18,7 +18,7 @@ void Say(SystemAppearance& appearance, const QString& key, const QVariant& value
                             Q_ARG(QString, key), Q_ARG(QDBusVariant, QDBusVariant(value)));
 }
 
-TEST(SystemAppearance, BeginsWithThatOfTheApplicationsPalette) {
+TEST(SystemAppearance, StartsWithTheApplicationPalette) {
   QPalette palette;
   palette.setColor(QPalette::Window, Qt::black);
   QGuiApplication::setPalette(palette);
@@ -42,7 +42,7 @@ TEST(SystemAppearance, FollowsTheDesktop) {
   EXPECT_GE(changed.count(), 2);
 }
 
-TEST(SystemAppearance, UnderstandsAPortalThatWrapsTwice) {
+TEST(SystemAppearance, AcceptsADoublyWrappedPortalValue) {
   SystemAppearance appearance;
   Say(appearance, kKey, 2U);
 

@@ -20,7 +20,7 @@ class ThemeTest : public testing::Test {
   Theme& theme_ = Theme::instance();
 };
 
-TEST_F(ThemeTest, ChoosingTheOtherAppearanceChangesPaletteAndTellsOnce) {
+TEST_F(ThemeTest, SwitchingTheAppearanceNotifiesOnce) {
   QSignalSpy changed(&theme_, &Theme::changed);
 
   theme_.choose(Theme::Choice::kLight);
@@ -31,7 +31,7 @@ TEST_F(ThemeTest, ChoosingTheOtherAppearanceChangesPaletteAndTellsOnce) {
             ColorOf(Token::kPanel, Appearance::kLight));
 }
 
-TEST_F(ThemeTest, ChoosingTheSameAppearanceTellsNobody) {
+TEST_F(ThemeTest, ChoosingTheSameAppearanceNotifiesNoOne) {
   QSignalSpy changed(&theme_, &Theme::changed);
 
   theme_.choose(Theme::Choice::kDark);
@@ -44,7 +44,7 @@ TEST_F(ThemeTest, TheStyleSheetNamesOnlyColoursThatExist) {
   EXPECT_FALSE(qApp->styleSheet().contains("${")) << qPrintable(qApp->styleSheet());
 }
 
-TEST_F(ThemeTest, ALabelTakesTheColourOfItsRoleAndOfTheNextTheme) {
+TEST_F(ThemeTest, ALabelFollowsItsRoleAndTheTheme) {
   QLabel label("text");
   SetRole(label, "mono bad");
   label.ensurePolished();
@@ -60,7 +60,7 @@ class BadInput61InTheWindow : public ThemeTest {};
 /// What a stranger may have named itself.
 const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
 
-TEST_F(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
+TEST_F(BadInput61InTheWindow, ALabelShowsMarkupVerbatim) {
   QLabel label(kMarkup);
   QLabel plain;
   plain.setTextFormat(Qt::PlainText);
@@ -72,7 +72,7 @@ TEST_F(BadInput61InTheWindow, ALabelShowsMarkupAsItIs) {
   EXPECT_EQ(label.text(), kMarkup);
 }
 
-TEST_F(BadInput61InTheWindow, AToolTipShowsMarkupAsItIs) {
+TEST_F(BadInput61InTheWindow, AToolTipShowsMarkupVerbatim) {
   QToolTip::showText(QPoint(10, 10), kMarkup);
 
   const QLabel* tip = nullptr;
@@ -85,7 +85,7 @@ TEST_F(BadInput61InTheWindow, AToolTipShowsMarkupAsItIs) {
   QToolTip::hideText();
 }
 
-TEST_F(ThemeTest, RowsOfATreeAreAsHighAsTheGridSays) {
+TEST_F(ThemeTest, TreeRowsHaveTheGridHeight) {
   QStandardItemModel model(1, 1);
   model.setData(model.index(0, 0), "arm");
   QTreeView tree;
@@ -96,7 +96,7 @@ TEST_F(ThemeTest, RowsOfATreeAreAsHighAsTheGridSays) {
   EXPECT_EQ(tree.frameWidth(), 0);
 }
 
-TEST_F(ThemeTest, NumbersHaveDigitsOfOneWidth) {
+TEST_F(ThemeTest, DigitsHaveEqualWidth) {
   const QFontMetricsF metrics(theme_.mono());
 
   for (const char digit : std::string("0123456789-.")) {

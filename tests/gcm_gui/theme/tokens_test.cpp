@@ -40,11 +40,11 @@ TEST_P(Tokens, TextOnTheAccentIsReadable) {
             4.5);
 }
 
-TEST_P(Tokens, MarksOfWhatIsLostStandOutFromThePanel) {
+TEST_P(Tokens, StaleMarksContrastWithThePanel) {
   EXPECT_GE(Contrast(ColorOf(Token::kStale, GetParam()), ColorOf(Token::kPanel, GetParam())), 3);
 }
 
-TEST_P(Tokens, CurvesStandOutFromThePanelAndFromEachOther) {
+TEST_P(Tokens, CurvesContrastWithThePanelAndEachOther) {
   std::set<QRgb> colors;
   for (int i = 0; i < kCurveColorCount; ++i) {
     const QColor color = CurveColor(i, GetParam());

@@ -62,13 +62,13 @@ class CatalogueColumnsTest : public WindowFixture {
   }
 };
 
-TEST_F(CatalogueColumnsTest, AtFirstThereAreNameAndValueInOneLine) {
+TEST_F(CatalogueColumnsTest, ShowsNameAndValueByDefault) {
   EXPECT_EQ(seen(), QList<int>{Model::kName});
   EXPECT_TRUE(columns().isShown(Model::kValue));
   EXPECT_TRUE(tree().isHeaderHidden());
 }
 
-TEST_F(CatalogueColumnsTest, OneMoreIsChosenInTheViewMenuAndStandsUnderAHeader) {
+TEST_F(CatalogueColumnsTest, TheViewMenuAddsAColumnWithAHeader) {
   Choose("Column: rate");
 
   EXPECT_EQ(seen(), (QList<int>{Model::kName, Model::kValue, Model::kRate}));
@@ -80,7 +80,7 @@ TEST_F(CatalogueColumnsTest, OneMoreIsChosenInTheViewMenuAndStandsUnderAHeader) 
   EXPECT_TRUE(tree().isHeaderHidden());
 }
 
-TEST_F(CatalogueColumnsTest, TheMenuOfTheHeaderChoosesTheSame) {
+TEST_F(CatalogueColumnsTest, TheHeaderMenuChoosesColumns) {
   Choose("Column: age");
   auto* menu = tree().findChild<QMenu*>("catalogue.columnsMenu");
   ASSERT_EQ(menu->actions(), columns().actions());
@@ -93,7 +93,7 @@ TEST_F(CatalogueColumnsTest, TheMenuOfTheHeaderChoosesTheSame) {
   EXPECT_EQ(seen(), (QList<int>{Model::kName, Model::kAge})) << "the value is left out";
 }
 
-TEST_F(CatalogueColumnsTest, WhatWasChosenIsThereTheNextTime) {
+TEST_F(CatalogueColumnsTest, RestoresTheChosenColumns) {
   columns().setShown(Model::kConnected, true);
   tree().header()->resizeSection(Model::kConnected, 99);
   columns().setShown(Model::kRate, true);
@@ -111,7 +111,7 @@ TEST_F(CatalogueColumnsTest, WhatWasChosenIsThereTheNextTime) {
   EXPECT_EQ(tree().header()->sectionSize(Model::kRate), 88);
 }
 
-TEST_F(CatalogueColumnsTest, WhatIsNoStateChangesNothing) {
+TEST_F(CatalogueColumnsTest, IgnoresAnInvalidSavedState) {
   ShowAll();
   for (const QByteArray& wrong : {QByteArray(), QByteArray("rate"), columns().state().chopped(1)}) {
     columns().restore(wrong);
@@ -119,7 +119,7 @@ TEST_F(CatalogueColumnsTest, WhatIsNoStateChangesNothing) {
   }
 }
 
-TEST_F(CatalogueColumnsTest, ResettingTheLayoutResetsThem) {
+TEST_F(CatalogueColumnsTest, ResettingTheLayoutResetsTheColumns) {
   ShowAll();
 
   Choose("Reset layout");
@@ -128,7 +128,7 @@ TEST_F(CatalogueColumnsTest, ResettingTheLayoutResetsThem) {
   EXPECT_EQ(seen(), QList<int>{Model::kName});
 }
 
-TEST_F(CatalogueColumnsTest, TheNameHasTheRoomThatIsLeftAndIsNotSqueezedOut) {
+TEST_F(CatalogueColumnsTest, TheNameTakesTheRemainingWidth) {
   Widen();
   columns().setShown(Model::kRate, true);
   QHeaderView& header = *tree().header();
@@ -142,7 +142,7 @@ TEST_F(CatalogueColumnsTest, TheNameHasTheRoomThatIsLeftAndIsNotSqueezedOut) {
       QTest::qWaitFor([&] { return tree().horizontalScrollBar()->maximum() > 0; }, kPatience));
 }
 
-TEST_F(CatalogueColumnsTest, LookLikeThis) {
+TEST_F(CatalogueColumnsTest, RendersAllColumns) {
   Show();
   window_.show();
   ShowAll();

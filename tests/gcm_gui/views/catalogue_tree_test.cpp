@@ -50,7 +50,7 @@ class CatalogueTreeTest : public WindowFixture {
   QString second_;
 };
 
-TEST_F(CatalogueTreeTest, WhatIsOpenedByHandStaysOpenWithEveryFilterAndWithoutOne) {
+TEST_F(CatalogueTreeTest, RowsOpenedByHandStayOpenUnderFilters) {
   Turn(first_);
 
   filter().applyText(kMany);
@@ -65,7 +65,7 @@ TEST_F(CatalogueTreeTest, WhatIsOpenedByHandStaysOpenWithEveryFilterAndWithoutOn
   EXPECT_TRUE(isOpen(second_));
 }
 
-TEST_F(CatalogueTreeTest, WhatIsClosedWhileThereIsAFilterIsOpenAgainWithoutIt) {
+TEST_F(CatalogueTreeTest, RowsClosedUnderAFilterReopenWithoutIt) {
   Turn(first_);
   filter().applyText(kMany);
 
@@ -80,7 +80,7 @@ TEST_F(CatalogueTreeTest, WhatIsClosedWhileThereIsAFilterIsOpenAgainWithoutIt) {
   EXPECT_TRUE(isOpen(QString::fromStdString(LargeProcess(5))));
 }
 
-TEST_F(CatalogueTreeTest, WhatAFilterOfFewOpensByItselfIsClosedWithoutIt) {
+TEST_F(CatalogueTreeTest, RowsOpenedByAFilterCloseWithoutIt) {
   Turn(first_);
 
   filter().applyText(second_);
@@ -119,7 +119,7 @@ class GoneTest : public ::testing::Test {
   CataloguePanel panel_{filter_, selection_, source_};
 };
 
-TEST_F(GoneTest, WhoHasBeenGoneForHalfAMinuteIsFoldedUnderAButton) {
+TEST_F(GoneTest, HidesProcessesThatLeftHalfAMinuteAgo) {
   Pass(29);
   EXPECT_TRUE(IsSeen("vision"));
   EXPECT_FALSE(fold().isVisible());
@@ -134,7 +134,7 @@ TEST_F(GoneTest, WhoHasBeenGoneForHalfAMinuteIsFoldedUnderAButton) {
   EXPECT_EQ(fold().text(), "▾ gone (1)");
 }
 
-TEST_F(GoneTest, AFilterAndASelectionShowItAllTheSame) {
+TEST_F(GoneTest, AFilterOrASelectionShowsAHiddenProcess) {
   Pass(60);
   ASSERT_FALSE(IsSeen("vision"));
 
@@ -152,7 +152,7 @@ TEST_F(GoneTest, AFilterAndASelectionShowItAllTheSame) {
   EXPECT_FALSE(fold().isVisible());
 }
 
-TEST_F(GoneTest, TheButtonGoesWithTheLastOfThem) {
+TEST_F(GoneTest, TheButtonDisappearsWithTheLastHiddenProcess) {
   Pass(60);
   ASSERT_TRUE(fold().isVisible());
 

@@ -30,7 +30,7 @@ bool Shows(const ImageView& view, int side, int shade) {
       kDrawPatience);
 }
 
-TEST(ImageView, ShowsAPictureAndWhatItIs) {
+TEST(ImageView, ShowsAPictureAndItsFormat) {
   ImageView view("Video");
   view.resize(320, 400);
 
@@ -42,7 +42,7 @@ TEST(ImageView, ShowsAPictureAndWhatItIs) {
   EXPECT_FALSE(view.isHidden());
 }
 
-TEST(ImageView, ALargeOneIsKeptSmaller) {
+TEST(ImageView, ScalesALargePictureDown) {
   ImageView view("");
 
   view.show(Plain(4000, 100));
@@ -51,7 +51,7 @@ TEST(ImageView, ALargeOneIsKeptSmaller) {
   EXPECT_EQ(view.words(), "4000 × 4000 mono8");
 }
 
-TEST(ImageView, OfManyTheLastIsShown) {
+TEST(ImageView, ShowsTheLastOfManyPictures) {
   ImageView view("");
 
   for (int shade = 1; shade <= 100; ++shade) view.show(Plain(64, static_cast<char>(shade)));
@@ -59,7 +59,7 @@ TEST(ImageView, OfManyTheLastIsShown) {
   EXPECT_TRUE(Shows(view, 64, 100));
 }
 
-TEST(ImageView, WrongSizesAreSaidInWords) {
+TEST(ImageView, ReportsAWrongSize) {
   ImageView view("");
   RawImage wrong = Plain(8, 1);
   wrong.data.chop(1);
@@ -71,7 +71,7 @@ TEST(ImageView, WrongSizesAreSaidInWords) {
   EXPECT_FALSE(view.isHidden());
 }
 
-TEST(ImageView, WhatWasBegunBeforeItWasClearedIsNotShown) {
+TEST(ImageView, ClearingDiscardsPendingPictures) {
   ImageView view("");
   view.show(Plain(8, 100));
   view.clear();
@@ -82,7 +82,7 @@ TEST(ImageView, WhatWasBegunBeforeItWasClearedIsNotShown) {
   EXPECT_TRUE(Shows(view, 4, 50));
 }
 
-TEST(ImageList, HasAViewForEachColumnOfItsComponent) {
+TEST(ImageList, HasAViewForEachColumn) {
   ImageList shelf;
   ScriptedSignals source;
   QObject::connect(&source, &SignalSource::valuesArrived, &shelf, &ImageList::showValues);
@@ -99,7 +99,7 @@ TEST(ImageList, HasAViewForEachColumnOfItsComponent) {
   EXPECT_TRUE(shelf.isHidden());
 }
 
-TEST(CallPanel, AnAnswerThatIsAPictureIsShownAsOne) {
+TEST(CallPanel, ShowsAnImageReplyAsAPicture) {
   ScriptedCalls calls;
   CallPanel panel(calls);
   panel.show();

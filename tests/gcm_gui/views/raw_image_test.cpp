@@ -42,7 +42,7 @@ void ExpectSmall(const std::optional<RawImage>& picture) {
   EXPECT_EQ(drawn->pixelColor(1, 0), QColor(0, 255, 0));
 }
 
-TEST(RawImage, IsReadFromABodyByItsSchema) {
+TEST(RawImage, DecodesABodyByItsSchema) {
   const Schema schema = SchemaOf<robot::Image>();
   ASSERT_TRUE(DescribesImage(schema));
 
@@ -54,7 +54,7 @@ TEST(RawImage, IsReadFromABodyByItsSchema) {
   }
 }
 
-TEST(RawImage, IsReadFromAnAnswer) {
+TEST(RawImage, ParsesAJsonReply) {
   const auto json = ToJson(SchemaOf<robot::Image>(), BodyOf(SmallImage()));
   ASSERT_TRUE(json.ok());
 
@@ -62,7 +62,7 @@ TEST(RawImage, IsReadFromAnAnswer) {
   ExpectSmall(RawImageOf(*json));
 }
 
-TEST(RawImage, MayCountItsChannelsInsteadOfNamingAnEncoding) {
+TEST(RawImage, AcceptsAChannelCountInsteadOfAnEncoding) {
   const std::string json =
       R"({"width":2,"height":2,"channels":3,"data":[255,0,0,0,255,0,255,0,0,0,255,0]})";
 
@@ -70,7 +70,7 @@ TEST(RawImage, MayCountItsChannelsInsteadOfNamingAnEncoding) {
   ExpectSmall(RawImageOf(json));
 }
 
-TEST(RawImage, OtherValuesAreNone) {
+TEST(RawImage, RejectsOtherValues) {
   EXPECT_FALSE(DescribesImage(Schema(Schema::Kind::kFloat64)));
   EXPECT_FALSE(DescribesImage(SchemaOf<robot::Header>()));
   EXPECT_FALSE(LooksLikeImage(R"({"width":2,"height":2})"));
@@ -79,7 +79,7 @@ TEST(RawImage, OtherValuesAreNone) {
       RawImageOf(std::string(R"({"width":1,"height":1,"encoding":"mono8","data":[256]})")));
 }
 
-TEST(RawImage, SixteenBitsAreReadInTheOrderThatIsSaid) {
+TEST(RawImage, ReadsSixteenBitPixelsInTheGivenByteOrder) {
   RawImage picture{.width = 2, .height = 1, .encoding = "mono16", .data = {}};
   picture.data = QByteArray("\x00\xff\xff\x00", 4);
   const auto little = Draw(picture);
@@ -91,7 +91,7 @@ TEST(RawImage, SixteenBitsAreReadInTheOrderThatIsSaid) {
   EXPECT_LT(big->pixelColor(0, 0).value(), big->pixelColor(1, 0).value());
 }
 
-TEST(RawImage, WhatDoesNotFitIsSaidAndNotDrawn) {
+TEST(RawImage, ReportsInconsistentPictures) {
   RawImage short_rows = Grey(4, 2, 8);
   short_rows.step = 3;
   RawImage unknown = Grey(2, 2, 16);

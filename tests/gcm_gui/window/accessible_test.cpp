@@ -91,13 +91,13 @@ class AccessibleTest : public WindowFixture {
   }
 };
 
-TEST_F(AccessibleTest, TheWindowAsItComes) {
+TEST_F(AccessibleTest, TheWindowHasNames) {
   window_.selection().select("robot/arm");
 
   ExpectNames("window");
 }
 
-TEST_F(AccessibleTest, EveryPageBehindATab) {
+TEST_F(AccessibleTest, EveryTabPageHasNames) {
   window_.selection().select("robot/arm");
   int pages = 0;
   for (auto* bar : window_.findChildren<QTabBar*>()) {
@@ -112,7 +112,7 @@ TEST_F(AccessibleTest, EveryPageBehindATab) {
   EXPECT_GE(pages, 13);
 }
 
-TEST_F(AccessibleTest, EveryCardThatAsksOrTells) {
+TEST_F(AccessibleTest, EveryCardHasNames) {
   const auto expect_names = [this](const char* card, const QString& selected, Qt::Key key) {
     window_.selection().select(selected);
     QTest::keyClick(&window_, key);
@@ -126,7 +126,7 @@ TEST_F(AccessibleTest, EveryCardThatAsksOrTells) {
   expect_names("candidatePanel", "desk/teleoperation/Robot", Qt::Key_C);
 }
 
-TEST_F(AccessibleTest, ADialogThatAsksForAName) {
+TEST_F(AccessibleTest, TheRenameDialogHasNames) {
   QTest::keyClick(&window_, Qt::Key_F2);
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_NE(dialog, nullptr);
@@ -139,21 +139,21 @@ TEST_F(AccessibleTest, ADialogThatAsksForAName) {
   EXPECT_EQ(window_.findChild<QTabBar*>("plotTabs")->tabText(0), "joints");
 }
 
-TEST_F(AccessibleTest, ACommandToBeCalled) {
+TEST_F(AccessibleTest, TheCallFormHasNames) {
   window_.selection().select("robot/controller/Control.MoveTo");
   window_.callSelection();
 
   ExpectNames("call");
 }
 
-TEST_F(AccessibleTest, TheTour) {
+TEST_F(AccessibleTest, TheTourHasNames) {
   window_.tour().start();
   ExpectNames("tour");
 
   EXPECT_TRUE(IsReached(Named("tour.skip")));
 }
 
-TEST_F(AccessibleTest, TheMapAndTheSearchInTheGraph) {
+TEST_F(AccessibleTest, TheGraphMapAndSearchHaveNames) {
   window_.graph().setFocus();
   for (int step = 0; step < 6; ++step) QTest::keyClick(&window_.graph(), Qt::Key_Plus);
   QTest::keyClick(&window_, Qt::Key_Slash);
@@ -176,7 +176,7 @@ TEST_F(AccessibleTest, TheMapAndTheSearchInTheGraph) {
   EXPECT_NE(window_.graph().seen(), before) << "the frame of the map moves by keys";
 }
 
-TEST_F(AccessibleTest, SpacePressesTheButtonThatTabHasComeToAndElsewherePausesTheView) {
+TEST_F(AccessibleTest, SpacePressesAFocusedButtonOrPauses) {
   window_.plots().currentPlot().canvas()->setFocus();
   ASSERT_TRUE(IsReached(Named("newPlot")));
   QTest::keyClick(window_.focusWidget(), Qt::Key_Space);
@@ -188,7 +188,7 @@ TEST_F(AccessibleTest, SpacePressesTheButtonThatTabHasComeToAndElsewherePausesTh
   EXPECT_TRUE(window_.plots().isPaused());
 }
 
-TEST_F(AccessibleTest, PlotsBelowEachOther) {
+TEST_F(AccessibleTest, StackedPlotsHaveNames) {
   window_.plots().addSignal(kSignal, "rad");
   window_.plots().currentPlot().canvas()->setFocus();
   ASSERT_TRUE(IsReached(Named("splitPlot")));
@@ -209,7 +209,7 @@ TEST_F(AccessibleTest, PlotsBelowEachOther) {
   EXPECT_EQ(window_.plots().plotCount(), 1);
 }
 
-TEST_F(AccessibleTest, MarksAreReadAndHiddenByKeys) {
+TEST_F(AccessibleTest, KeysReadAndHideMarks) {
   PlotView& plot = window_.plots().currentPlot();
   window_.plots().addSignal(kSignal, "rad");
   window_.plots().addMark({.time_ns = plot.now(), .label = "Moved", .text = "call robot/arm.Move"});
@@ -230,7 +230,7 @@ TEST_F(AccessibleTest, MarksAreReadAndHiddenByKeys) {
   menu->close();
 }
 
-TEST_F(AccessibleTest, APictureAmongTheValues) {
+TEST_F(AccessibleTest, APictureInTheInspectorHasNames) {
   window_.selection().select("robot/arm");
   auto& tabs = *window_.inspector().findChild<QTabBar*>("inspectorTabs.tabs");
   tabs.setFocus();
@@ -247,7 +247,7 @@ TEST_F(AccessibleTest, APictureAmongTheValues) {
   ExpectNames("values");
 }
 
-TEST_F(AccessibleTest, TheKeysAndThePalette) {
+TEST_F(AccessibleTest, TheKeyCardAndThePaletteHaveNames) {
   QTest::keyClick(&window_, Qt::Key_F1);
   ExpectNames("keys");
   QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);

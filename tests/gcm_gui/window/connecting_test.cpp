@@ -42,7 +42,7 @@ class ConnectingTest : public WindowFixture {
   }
 };
 
-TEST_F(ConnectingTest, WhatIsConnectedIsReplacedFromTheTableAsOneStep) {
+TEST_F(ConnectingTest, ReplacesAConnectionFromTheTableInOneStep) {
   system_.Connect(kNeeds.name, {"robot", "arm", "Drives"});
   Show();
   ShowTable();
@@ -106,7 +106,7 @@ class ReadOnlyTest : public ConnectingTest {
                           .read_only = "this window only looks"}};
 };
 
-TEST_F(ReadOnlyTest, ConnectingIsRefusedInWordsWhereverItIsTried) {
+TEST_F(ReadOnlyTest, EveryWayToConnectIsRefusedWithAReason) {
   ClickOn(only_looks_, kNeeds);
   ExpectRefusal("a click on a port");
 

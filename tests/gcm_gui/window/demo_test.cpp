@@ -36,7 +36,7 @@ class DemoTest : public WindowFixture {
   }
 };
 
-TEST_F(DemoTest, AClickStartsItsProcessesAndSaysHowFarItIs) {
+TEST_F(DemoTest, AClickStartsTheProcessesAndShowsProgress) {
   ASSERT_TRUE(Start());
 
   const auto& steps = plans_.plan.steps;
@@ -56,7 +56,7 @@ TEST_F(DemoTest, AClickStartsItsProcessesAndSaysHowFarItIs) {
   EXPECT_EQ(Page(), "Graph");
 }
 
-TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
+TEST_F(DemoTest, UndoEndsOnlyTheProcessesOfTheDemo) {
   ASSERT_TRUE(Start());
   const std::size_t all = plans_.plan.steps.size();
   SystemBuilder running;
@@ -91,7 +91,7 @@ TEST_F(DemoTest, TakenBackItEndsTheProcessesThatItHasStartedAndNoOther) {
   EXPECT_TRUE(restore.plan().obstacles.empty());
 }
 
-TEST_F(DemoTest, WhatDoesNotStartIsSaidAndItsStepsAreShown) {
+TEST_F(DemoTest, AFailedStartShowsTheReasonAndTheSteps) {
   ASSERT_TRUE(Start());
 
   plans_.progress(1, {StepOutcome::State::kFailed, "there is no lcm beside this program"});
@@ -103,7 +103,7 @@ TEST_F(DemoTest, WhatDoesNotStartIsSaidAndItsStepsAreShown) {
   EXPECT_EQ(Page(), "Diff");
 }
 
-TEST_F(DemoTest, WhereItIsNotInstalledThatIsSaid) {
+TEST_F(DemoTest, ReportsAMissingDemoFile) {
   WindowParts parts = Parts();
   parts.demo = "/no/such/demo.json";
   MainWindow window(parts);
@@ -117,7 +117,7 @@ TEST_F(DemoTest, WhereItIsNotInstalledThatIsSaid) {
   EXPECT_EQ(plans_.started, 0);
 }
 
-TEST_F(DemoTest, ItIsOfferedOnlyOnThisMachineAndByAGcmThatIsThere) {
+TEST_F(DemoTest, IsOfferedOnlyForAReachableLocalGcm) {
   EXPECT_TRUE(TryDemo(window_).isVisible());
 
   link_.setUnreachable("refused");

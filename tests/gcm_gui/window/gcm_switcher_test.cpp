@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(ArgumentsFor, KeepsAllButWhereTheGcmIs) {
+TEST(ArgumentsFor, KeepsAllArgumentsExceptTheAddress) {
   EXPECT_EQ(ArgumentsFor({"--gcm", "a:1", "--theme", "dark"}, "b"),
             (QStringList{"--theme", "dark", "--gcm", "b"}));
   EXPECT_EQ(ArgumentsFor({"--listen=a:1", "--read-only"}, "b"),
@@ -18,7 +18,7 @@ TEST(ArgumentsFor, KeepsAllButWhereTheGcmIs) {
   EXPECT_EQ(ArgumentsFor({}, "b"), (QStringList{"--gcm", "b"}));
 }
 
-TEST(ArgumentsFor, LeavesOutTheSystemFileAndWhereThisWindowIsDescribed) {
+TEST(ArgumentsFor, OmitsTheSystemFileAndDescribeUi) {
   EXPECT_EQ(ArgumentsFor({"lab.json", "--describe-ui", "ui.txt", "--layout", "plots.json"}, "b"),
             (QStringList{"--layout", "plots.json", "--gcm", "b"}));
   EXPECT_EQ(ArgumentsFor({"--insecure", "--no-tour", "lab.json", "--describe-ui=ui.txt"}, "b"),
@@ -49,7 +49,7 @@ class OtherGcmTest : public ::testing::Test {
   });
 };
 
-TEST_F(OtherGcmTest, AnotherWindowComesInPlaceOfThisOne) {
+TEST_F(OtherGcmTest, AnotherWindowReplacesThisOne) {
   Choose(" robot1 ");
 
   ASSERT_TRUE(launched_);
@@ -57,7 +57,7 @@ TEST_F(OtherGcmTest, AnotherWindowComesInPlaceOfThisOne) {
   EXPECT_FALSE(window_.isVisible());
 }
 
-TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysAndSaysSo) {
+TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysWithANotice) {
   QSignalSpy notice(&other_, &GcmSwitcher::notice);
   link_.setAddress("127.0.0.1:10705", true);
   Choose("robot1");
@@ -68,7 +68,7 @@ TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysAndSaysSo) {
   EXPECT_TRUE(notice[0][0].toString().startsWith("robot1 is shown in another window"));
 }
 
-TEST_F(OtherGcmTest, WhereNoneComesThisOneStaysAndSaysSo) {
+TEST_F(OtherGcmTest, StaysWithANoticeIfTheNewWindowFails) {
   QSignalSpy notice(&other_, &GcmSwitcher::notice);
   starts_ = false;
   Choose("robot1");
@@ -77,7 +77,7 @@ TEST_F(OtherGcmTest, WhereNoneComesThisOneStaysAndSaysSo) {
   EXPECT_TRUE(window_.isVisible());
 }
 
-TEST_F(OtherGcmTest, NoAddressIsNone) {
+TEST_F(OtherGcmTest, IgnoresAnEmptyAddress) {
   Choose("  ");
 
   EXPECT_FALSE(launched_);

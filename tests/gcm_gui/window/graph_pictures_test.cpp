@@ -33,7 +33,7 @@ class GraphPicturesTest : public WindowFixture {
   }
 };
 
-TEST_F(GraphPicturesTest, WhatThePointerRestsOn) {
+TEST_F(GraphPicturesTest, RendersTheHoveredConnection) {
   scene().hover().point("robot/controller/Arm");
   ASSERT_TRUE(EventuallyDimmed());
   scene().hover().showReadout({"robot", "controller", "Arm"},
@@ -42,7 +42,7 @@ TEST_F(GraphPicturesTest, WhatThePointerRestsOn) {
   KeepPictures(window_, "graph-hover");
 }
 
-TEST_F(GraphPicturesTest, NearWithTheMapAndFound) {
+TEST_F(GraphPicturesTest, RendersASearchMatchWithTheMap) {
   for (int step = 0; step < 5; ++step) window_.graph().zoomIn();
   KeepPictures(window_, "graph-map");
 
@@ -53,14 +53,14 @@ TEST_F(GraphPicturesTest, NearWithTheMapAndFound) {
   KeepPictures(window_, "graph-search");
 }
 
-TEST_F(GraphPicturesTest, PutElsewhere) {
+TEST_F(GraphPicturesTest, RendersMovedNodes) {
   const QPointF arm = scene().component("robot/arm")->sceneRect().topLeft();
   scene().nodePositions().move({{"robot/arm", arm + QPointF(40, 120)}});
   window_.graph().fit();
   KeepPictures(window_, "graph-moved");
 }
 
-TEST_F(GraphPicturesTest, ManyFromFarAway) {
+TEST_F(GraphPicturesTest, RendersALargeGraphZoomedOut) {
   SystemBuilder large = LargeSystem(12, 20);
   store_.replace(large.catalogue());
   EXPECT_TRUE(QTest::qWaitFor(

@@ -28,7 +28,7 @@ class InspectorTabs : public WindowFixture {
   void Select(const QString& path) { window_.selection().select(path); }
 };
 
-TEST_F(InspectorTabs, ASelectedCommandShowsItsFormWhateverTabWasInFront) {
+TEST_F(InspectorTabs, SelectingACommandShowsItsFormFromAnyTab) {
   Select("robot/arm");
   for (const char* tab : {"Values", "Events", "Thread", "Config"}) {
     Bring(tab);
@@ -43,7 +43,7 @@ TEST_F(InspectorTabs, ASelectedCommandShowsItsFormWhateverTabWasInFront) {
   }
 }
 
-TEST_F(InspectorTabs, ASelectedNumberIsSeenAmongTheValues) {
+TEST_F(InspectorTabs, SelectingANumberShowsTheValues) {
   Select("robot/arm");
   for (const char* tab : {"Interfaces", "Thread"}) {
     Bring(tab);
@@ -55,7 +55,7 @@ TEST_F(InspectorTabs, ASelectedNumberIsSeenAmongTheValues) {
   }
 }
 
-TEST_F(InspectorTabs, AComponentAndWhatIsInTheTabAlreadyLeaveItInFront) {
+TEST_F(InspectorTabs, SelectingAComponentKeepsTheTab) {
   Select("robot/arm");
   Bring("Thread");
   Select("robot/controller");
@@ -66,7 +66,7 @@ TEST_F(InspectorTabs, AComponentAndWhatIsInTheTabAlreadyLeaveItInFront) {
   EXPECT_EQ(Front(), "Values");
 }
 
-TEST_F(InspectorTabs, NewsOfTheSystemDoNotChangeTheTab) {
+TEST_F(InspectorTabs, CatalogueChangesKeepTheTab) {
   Select("robot/arm/Drives.Stop");
   Bring("Values");
 

@@ -43,7 +43,7 @@ QLabel* Label(const MainWindow& window, const char* name) {
   return window.findChild<QLabel*>(name);
 }
 
-TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
+TEST_F(MainWindowTest, TheBarShowsTheGcmStateAndCounts) {
   EXPECT_EQ(window_.topBar().linkText(),
             "Hosting the GCM on this machine 2 processes · 6 components · 3 connections");
 
@@ -52,7 +52,7 @@ TEST_F(MainWindowTest, TheBarSaysHowTheGcmIsAndWhatItKnows) {
   EXPECT_TRUE(window_.topBar().linkText().startsWith("GCM lost"));
 }
 
-TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
+TEST_F(MainWindowTest, F5ReloadsEverything) {
   QSignalSpy asked(&link_, &LinkState::resyncRequested);
 
   QTest::keyClick(&window_, Qt::Key_F5);
@@ -61,7 +61,7 @@ TEST_F(MainWindowTest, F5AsksForEverythingAnew) {
   EXPECT_EQ(Notice(), "Everything is loaded from the GCM again");
 }
 
-TEST_F(MainWindowTest, TheBarCountsWhatIsThereAndNotWhatIsGone) {
+TEST_F(MainWindowTest, TheBarDoesNotCountProcessesThatLeft) {
   system_.Process("desk", ProcessState::kLeft);
   Show();
 
@@ -69,7 +69,7 @@ TEST_F(MainWindowTest, TheBarCountsWhatIsThereAndNotWhatIsGone) {
             "Hosting the GCM on this machine 1 process · 3 components · 2 connections");
 }
 
-TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
+TEST_F(MainWindowTest, WithoutAGcmTheWindowShowsThatItsDataIsOld) {
   const auto* banner = window_.findChild<LostBanner*>();
   const QModelIndex arm = window_.catalogueModel().indexOf("robot/arm");
   EXPECT_FALSE(banner->isVisible());
@@ -90,7 +90,7 @@ TEST_F(MainWindowTest, WithoutItsGcmTheWindowSaysThatWhatItShowsIsOld) {
   EXPECT_FALSE(window_.graph().graph().component("robot/arm")->isStale());
 }
 
-TEST_F(MainWindowTest, ValuesGoOnWithoutTheGcm) {
+TEST_F(MainWindowTest, ValuesContinueWithoutTheGcm) {
   source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
 
   link_.setUnreachable("127.0.0.1:10705 refused");
@@ -99,7 +99,7 @@ TEST_F(MainWindowTest, ValuesGoOnWithoutTheGcm) {
   EXPECT_FALSE(value.data(kStaleRole).toBool());
 }
 
-TEST_F(MainWindowTest, OneSelectionIsSeenInAllViews) {
+TEST_F(MainWindowTest, AllViewsShareOneSelection) {
   window_.catalogue().tree().reveal("robot/arm/Drives");
   const QRect row = window_.catalogue().tree().visibleRows().value("robot/arm");
   ASSERT_FALSE(row.isEmpty());
@@ -128,7 +128,7 @@ TEST_F(MainWindowTest, TwoClicksInTheGraphConnectAndCtrlZUndoes) {
             (QStringList{"connect desk/teleoperation/Robot robot/controller/Control", "undo"}));
 }
 
-TEST_F(MainWindowTest, FromTheKeyboardCThenEnterConnects) {
+TEST_F(MainWindowTest, CThenEnterConnects) {
   window_.selection().select("desk/teleoperation");
 
   QTest::keyClick(&window_, Qt::Key_C);
@@ -170,7 +170,7 @@ TEST_F(MainWindowTest, TheOtherEndCanBePickedInTheTree) {
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
-TEST_F(MainWindowTest, WhileConnectingTheRightColumnListsTheCandidates) {
+TEST_F(MainWindowTest, ConnectModeListsTheCandidates) {
   window_.selection().select("desk/teleoperation");
   QTest::keyClick(&window_, Qt::Key_C);
 
@@ -215,7 +215,7 @@ TEST_F(MainWindowTest, ACandidateCanBeClicked) {
             QStringList{"connect desk/teleoperation/Robot robot/controller/Control"});
 }
 
-TEST_F(MainWindowTest, PerspectivesAreOneKeyAwayAndTheFirstOneComesBack) {
+TEST_F(MainWindowTest, CtrlDigitsSwitchPerspectives) {
   const QSize graph = window_.graph().size();
 
   QTest::keyClick(&window_, Qt::Key_2, Qt::ControlModifier);
@@ -229,7 +229,7 @@ TEST_F(MainWindowTest, PerspectivesAreOneKeyAwayAndTheFirstOneComesBack) {
   EXPECT_EQ(window_.graph().width(), graph.width());
 }
 
-TEST_F(MainWindowTest, ALayoutCanBeKept) {
+TEST_F(MainWindowTest, SavesAndRestoresALayout) {
   window_.panels().show(Panels::Perspective::kPlot);
   const QByteArray kept = window_.panels().state();
   window_.panels().reset();
@@ -250,7 +250,7 @@ TEST_F(MainWindowTest, DDisconnectsTheSelectedInterface) {
   EXPECT_EQ(actions_.asked, QStringList{"disconnect robot/controller/Arm"});
 }
 
-TEST_F(MainWindowTest, TheInspectorDisconnectsToo) {
+TEST_F(MainWindowTest, TheInspectorDisconnectsAnInterface) {
   window_.selection().select("robot/controller");
   auto* button = window_.inspector().findChild<QToolButton*>("disconnect");
   ASSERT_NE(button, nullptr);
@@ -260,7 +260,7 @@ TEST_F(MainWindowTest, TheInspectorDisconnectsToo) {
   EXPECT_EQ(actions_.asked, QStringList{"disconnect robot/controller/Arm"});
 }
 
-TEST_F(MainWindowTest, PPlotsWhatIsSelectedAndRowsReachTheCurve) {
+TEST_F(MainWindowTest, PPlotsTheSelectionAndRowsReachTheCurve) {
   source_.send("robot/arm/state.Joints", test::JointStateSchema(2), {1, 2, 3, 4});
   window_.selection().select("robot/arm/state.Joints.position");
 
@@ -288,7 +288,7 @@ TEST_F(MainWindowTest, ADoubleClickOnAValuePlotsIt) {
   EXPECT_EQ(window_.plots().paths(), QStringList{"robot/arm/state.Joints.position[1]"});
 }
 
-TEST_F(MainWindowTest, PlottingWhatIsNoNumberSaysSo) {
+TEST_F(MainWindowTest, PlottingANonNumberGivesANotice) {
   window_.selection().select("robot/arm");
 
   QTest::keyClick(&window_, Qt::Key_P);
@@ -297,7 +297,7 @@ TEST_F(MainWindowTest, PlottingWhatIsNoNumberSaysSo) {
   EXPECT_TRUE(Notice().contains("is not a number"));
 }
 
-TEST_F(MainWindowTest, OnlyColumnsThatCanBeSeenAreWatched) {
+TEST_F(MainWindowTest, OnlyVisibleColumnsAreSubscribed) {
   EXPECT_TRUE(source_.watched().isEmpty());
 
   window_.catalogue().tree().reveal("robot/arm/state.Joints");
@@ -320,7 +320,7 @@ TEST_F(MainWindowTest, SpacePausesTheView) {
   EXPECT_FALSE(window_.plots().isPaused());
 }
 
-TEST_F(MainWindowTest, TheFilterIsOneKeyAway) {
+TEST_F(MainWindowTest, CtrlFFocusesTheFilter) {
   QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
   QTest::keyClicks(&window_.catalogue().filterField(), "type:required");
   QTest::keyClick(&window_.catalogue().filterField(), Qt::Key_Return);
@@ -332,7 +332,7 @@ TEST_F(MainWindowTest, TheFilterIsOneKeyAway) {
   EXPECT_TRUE(window_.catalogue().tree().visibleRows().contains("robot/arm"));
 }
 
-TEST_F(MainWindowTest, TypingInTheFilterIsNoCommand) {
+TEST_F(MainWindowTest, TypingInTheFilterTriggersNoShortcut) {
   QTest::keyClick(&window_, Qt::Key_F, Qt::ControlModifier);
 
   QTest::keyClicks(&window_.catalogue().filterField(), "pcd ");
@@ -342,7 +342,7 @@ TEST_F(MainWindowTest, TypingInTheFilterIsNoCommand) {
   EXPECT_FALSE(window_.plots().isPaused());
 }
 
-TEST_F(MainWindowTest, AFinishedActionCanBeUndoneAndCopiedWhereItIsListed) {
+TEST_F(MainWindowTest, AListedActionCanBeUndoneAndCopied) {
   Action action;
   action.required = {"desk", "teleoperation", "Robot"};
   action.provided = {"robot", "controller", "Control"};
@@ -357,7 +357,7 @@ TEST_F(MainWindowTest, AFinishedActionCanBeUndoneAndCopiedWhereItIsListed) {
   EXPECT_EQ(Notice(), "Connected in 38.00 ms · Ctrl+Z undoes");
 }
 
-TEST_F(MainWindowTest, WhatWasOpenAndSelectedIsSoAgainAfterARestart) {
+TEST_F(MainWindowTest, RestoresOpenRowsAndSelectionAfterAProcessRestart) {
   CatalogueTree& tree = window_.catalogue().tree();
   tree.reveal("robot/arm/Drives.GetJoints");
   window_.selection().select("robot/arm/Drives.GetJoints");
@@ -377,7 +377,7 @@ TEST_F(MainWindowTest, WhatWasOpenAndSelectedIsSoAgainAfterARestart) {
   EXPECT_EQ(Label(window_, "inspector.name")->text(), "arm");
 }
 
-TEST_F(MainWindowTest, ValuesGoOnInTheTreeWhenALostProcessIsBack) {
+TEST_F(MainWindowTest, ValuesResumeInTheTreeWhenAProcessReturns) {
   const QString column = "robot/arm/state.Joints";
   const auto watched = [&] { return source_.watched().contains(column); };
   window_.catalogue().tree().reveal(column);
@@ -392,7 +392,7 @@ TEST_F(MainWindowTest, ValuesGoOnInTheTreeWhenALostProcessIsBack) {
   EXPECT_TRUE(QTest::qWaitFor(watched, kPatience));
 }
 
-TEST_F(MainWindowTest, AReasonTakesAsManyLinesAsItNeeds) {
+TEST_F(MainWindowTest, WrapsALongReason) {
   window_.selection().select("vision");
   QLabel* reason = nullptr;
   for (auto* label : window_.inspector().findChildren<QLabel*>()) {
@@ -418,20 +418,20 @@ TEST_F(MainWindowTest, ALostProcessCanBeForgotten) {
   EXPECT_EQ(actions_.asked, QStringList{"forget vision"});
 }
 
-TEST_F(MainWindowTest, WhatTheConsoleCannotKeepIsSaidInTheWindow) {
+TEST_F(MainWindowTest, ShowsNoticesOfTheConsole) {
   Q_EMIT window_.strip().console().notice("console was not saved: the disk is full");
 
   EXPECT_EQ(Notice(), "console was not saved: the disk is full");
 }
 
-TEST_F(MainWindowTest, WithNothingRunningItSaysWhatToStart) {
+TEST_F(MainWindowTest, ShowsTheEmptyStateWithNoProcess) {
   store_.replace(Catalogue::At(0));
 
   EXPECT_FALSE(window_.graph().isVisible());
   EXPECT_TRUE(window_.findChild<QWidget*>("emptyState")->isVisible());
 }
 
-TEST_F(MainWindowTest, EverythingThatCanBeClickedHasAName) {
+TEST_F(MainWindowTest, EveryButtonHasAName) {
   for (const auto* button : window_.findChildren<QAbstractButton*>()) {
     if (!button->isVisible()) continue;
     const bool named = !button->accessibleName().isEmpty() || !button->text().isEmpty() ||

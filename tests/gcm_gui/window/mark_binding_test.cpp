@@ -55,9 +55,9 @@ class MarkBindingTest : public testing::Test {
   const InterfaceName provided_{"robot", "controller", "Control"};
 };
 
-TEST_F(MarkBindingTest, WhatIsThereAlreadyMakesNoMark) { EXPECT_TRUE(labels().isEmpty()); }
+TEST_F(MarkBindingTest, TheInitialStateMakesNoMarks) { EXPECT_TRUE(labels().isEmpty()); }
 
-TEST_F(MarkBindingTest, AConnectionIsMarkedWhoeverMadeIt) {
+TEST_F(MarkBindingTest, MarksConnectionsMadeByAnyProgram) {
   system_.Connect(required_, provided_);
   Tell();
   system_.Disconnect(required_);
@@ -67,7 +67,7 @@ TEST_F(MarkBindingTest, AConnectionIsMarkedWhoeverMadeIt) {
   EXPECT_FALSE(panel_.marks().all().back().is_bad);
 }
 
-TEST_F(MarkBindingTest, AStateThatChangesIsMarkedAndAFaultIsBad) {
+TEST_F(MarkBindingTest, MarksStateChangesAndFaults) {
   ComponentDescription arm = *system_.catalogue().FindComponent("robot", "arm");
   arm.state = ComponentState::kFaulted;
   arm.fault = "too hot";
@@ -79,7 +79,7 @@ TEST_F(MarkBindingTest, AStateThatChangesIsMarkedAndAFaultIsBad) {
   EXPECT_EQ(panel_.marks().all().back().text, "robot/arm is faulted: too hot");
 }
 
-TEST_F(MarkBindingTest, AProcessThatIsLostAndComesBackIsMarked) {
+TEST_F(MarkBindingTest, MarksALostAndReturnedProcess) {
   system_.Process("robot", ProcessState::kLost, 1);
   Tell();
   EXPECT_TRUE(labels().contains("robot lost"));
@@ -88,7 +88,7 @@ TEST_F(MarkBindingTest, AProcessThatIsLostAndComesBackIsMarked) {
   EXPECT_TRUE(labels().contains("robot is back"));
 }
 
-TEST_F(MarkBindingTest, ACallIsMarkedWhenItWasMadeAndARefusalIsBad) {
+TEST_F(MarkBindingTest, MarksCallsAndRefusals) {
   const std::int64_t before = SteadyTime();
   Action call;
   call.verb = Action::Verb::kCall;
@@ -106,7 +106,7 @@ TEST_F(MarkBindingTest, ACallIsMarkedWhenItWasMadeAndARefusalIsBad) {
   EXPECT_GE(first.time_ns, before - kClocksApart);
 }
 
-TEST_F(MarkBindingTest, EventsOfWhatIsPlottedAreListenedToAndMarkedAndNoOthers) {
+TEST_F(MarkBindingTest, MarksOnlyEventsOfPlottedComponents) {
   EXPECT_TRUE(reports_.listened().isEmpty());
   panel_.addSignal(kMarkedSignal, "rad");
   EXPECT_EQ(reports_.listened(), QStringList{"robot/arm/*"});
@@ -121,7 +121,7 @@ TEST_F(MarkBindingTest, EventsOfWhatIsPlottedAreListenedToAndMarkedAndNoOthers) 
   EXPECT_TRUE(reports_.listened().isEmpty());
 }
 
-TEST_F(MarkBindingTest, WhileMarksAreHiddenNoEventIsListenedTo) {
+TEST_F(MarkBindingTest, HiddenMarksNeedNoEventSubscription) {
   panel_.addSignal(kMarkedSignal, "rad");
 
   panel_.setMarksShown(false);
@@ -131,13 +131,13 @@ TEST_F(MarkBindingTest, WhileMarksAreHiddenNoEventIsListenedTo) {
   EXPECT_EQ(reports_.listened().size(), 1);
 }
 
-TEST_F(MarkBindingTest, SoManyComponentsAreListenedToAndNoMore) {
+TEST_F(MarkBindingTest, LimitsTheNumberOfEventSubscriptions) {
   for (int i = 0; i < 40; ++i) panel_.addSignal(QString("robot/c%1/state.x").arg(i), "rad");
 
   EXPECT_EQ(reports_.listened().size(), MarkBinding::kMostListenedTo);
 }
 
-TEST_F(MarkBindingTest, EventsThatComeFastAreOneMarkThatCountsThem) {
+TEST_F(MarkBindingTest, CombinesFrequentEventsIntoOneMark) {
   panel_.addSignal(kMarkedSignal, "rad");
   const std::int64_t now = WallClock();
   for (int i = 0; i < 10; ++i) raise("robot/arm/Control.Tick", now + i * 1'000'000);
@@ -147,7 +147,7 @@ TEST_F(MarkBindingTest, EventsThatComeFastAreOneMarkThatCountsThem) {
   EXPECT_THAT(panel_.marks().all().back().text.toStdString(), testing::HasSubstr("9 more"));
 }
 
-TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) {
+TEST_F(MarkBindingTest, MarksAuditedCommandsOfOtherPrograms) {
   panel_.addSignal(kMarkedSignal, "rad");
   ASSERT_TRUE(reports_.watches_log);
   sent("before this window watched", false);
@@ -163,7 +163,7 @@ TEST_F(MarkBindingTest, ACommandOfAnotherProgramIsMarkedWhenAProcessHasNotedIt) 
 }
 
 /// A form of this window or another asks what to begin with; nobody has called anything.
-TEST_F(MarkBindingTest, ACommandThatOnlyReadsIsNotMarked) {
+TEST_F(MarkBindingTest, DoesNotMarkReadCommands) {
   panel_.addSignal(kMarkedSignal, "rad");
   sent("nothing", true);
 
@@ -173,7 +173,7 @@ TEST_F(MarkBindingTest, ACommandThatOnlyReadsIsNotMarked) {
   EXPECT_EQ(labels(), QStringList{"Stop"});
 }
 
-TEST_F(MarkBindingTest, ACallOfThisWindowIsMarkedOnce) {
+TEST_F(MarkBindingTest, MarksACallOfThisWindowOnce) {
   panel_.addSignal(kMarkedSignal, "rad");
   sent("nothing", true);
   Action call;
@@ -188,7 +188,7 @@ TEST_F(MarkBindingTest, ACallOfThisWindowIsMarkedOnce) {
   EXPECT_EQ(labels(), QStringList{"MoveTo"});
 }
 
-TEST(SentCommand, IsReadFromWhatAProcessNotes) {
+TEST(SentCommand, IsParsedFromAnAuditRecord) {
   message::LogRecord record{.process = "robot", .source = "audit"};
   const auto path_of = [&](const char* text) {
     record.text = text;

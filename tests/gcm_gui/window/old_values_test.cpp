@@ -65,7 +65,7 @@ class OldValues : public WindowFixture {
   std::uint64_t rows_ = 0;
 };
 
-TEST_F(OldValues, AreMarkedInEveryViewFromTheSuspensionOn) {
+TEST_F(OldValues, AreMarkedInEveryViewDuringASuspension) {
   using namespace std::chrono_literals;
   SendRow(4000ms);
   Let(ComponentState::kSuspended);
@@ -98,7 +98,7 @@ TEST_F(OldValues, AreLiveAgainOnceTheComponentRuns) {
   EXPECT_EQ(curve.samples().gaps()[0].cause, Gap::Cause::kStandstill);
 }
 
-TEST_F(OldValues, OfAProcessThatDoesNotAnswerTheyAreOldOnlyWhenNoRowsCome) {
+TEST_F(OldValues, ASuspectProcessHasOldValuesOnlyWithoutNewRows) {
   using namespace std::chrono_literals;
   SendRow(kFresh);
   system_.Process("robot", ProcessState::kSuspect);

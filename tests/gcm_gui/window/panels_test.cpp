@@ -35,7 +35,7 @@ class PanelsTest : public WindowFixture {
   }
 };
 
-TEST_F(PanelsTest, APanelThatCanBeMovedIsDraggedToTheOtherSide) {
+TEST_F(PanelsTest, AMovablePanelCanBeDragged) {
   window_.panels().setMovable(true);
   ASSERT_EQ(AreaOf("Inspector"), Qt::RightDockWidgetArea);
 
@@ -46,7 +46,7 @@ TEST_F(PanelsTest, APanelThatCanBeMovedIsDraggedToTheOtherSide) {
   EXPECT_TRUE(dock("Inspector").isVisible());
 }
 
-TEST_F(PanelsTest, WhereAPanelWasMovedToIsKept) {
+TEST_F(PanelsTest, RestoresThePlaceOfAPanel) {
   window_.addDockWidget(Qt::LeftDockWidgetArea, &dock("Inspector"));
   const QByteArray kept = window_.panels().state();
 
@@ -57,7 +57,7 @@ TEST_F(PanelsTest, WhereAPanelWasMovedToIsKept) {
   EXPECT_EQ(AreaOf("Inspector"), Qt::LeftDockWidgetArea);
 }
 
-TEST_F(PanelsTest, APanelThatCannotBeMovedStaysWhereItIs) {
+TEST_F(PanelsTest, AFixedPanelCannotBeDragged) {
   Drag(dock("Inspector"), {8, window_.height() / 2});
 
   EXPECT_EQ(AreaOf("Inspector"), Qt::RightDockWidgetArea);

@@ -37,7 +37,7 @@ class PictureValuesTest : public WindowFixture {
   }
 };
 
-TEST_F(PictureValuesTest, AnImageIsShownBelowTheNumbersAndGoesWithItsComponent) {
+TEST_F(PictureValuesTest, ShowsAnImageBelowTheNumbersOfItsComponent) {
   window_.selection().select("robot/arm");
   OpenValues();
   source_.sendPicture("robot/arm/state.Joints", Colours(640, 480));

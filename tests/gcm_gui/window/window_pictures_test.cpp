@@ -72,7 +72,7 @@ class WindowPicturesTest : public WindowFixture {
   }
 };
 
-TEST_F(WindowPicturesTest, TheMiddleOfMakingAConnection) {
+TEST_F(WindowPicturesTest, RendersConnectMode) {
   for (const auto& [choice, name] : {std::pair{Theme::Choice::kDark, "window-dark"},
                                      std::pair{Theme::Choice::kLight, "window-light"}}) {
     Theme::instance().choose(choice);
@@ -93,13 +93,13 @@ TEST_F(WindowPicturesTest, TheMiddleOfMakingAConnection) {
   }
 }
 
-TEST_F(WindowPicturesTest, NothingIsRunning) {
+TEST_F(WindowPicturesTest, RendersAnEmptySystem) {
   Theme::instance().choose(Theme::Choice::kDark);
   store_.replace(Catalogue::At(0));
   Grab("window-empty");
 }
 
-TEST_F(WindowPicturesTest, AfterTheConnection) {
+TEST_F(WindowPicturesTest, RendersANewConnection) {
   Theme::instance().choose(Theme::Choice::kLight);
   system_.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
   system_.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},

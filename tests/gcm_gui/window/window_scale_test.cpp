@@ -55,7 +55,7 @@ class WindowScaleTest : public WindowFixture {
   SystemBuilder large_;
 };
 
-TEST_F(WindowScaleTest, AThousandComponentsComeAndCanBeWorkedWith) {
+TEST_F(WindowScaleTest, HandlesAThousandComponents) {
   Time("the first of them appear", [&] { store_.replace(large_.catalogue()); });
   TimeTurns("the longest turn until all are there",
             [&] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); });

@@ -49,7 +49,7 @@ class GraphLayoutTest : public ::testing::Test {
   GraphLayout layout_;
 };
 
-TEST_F(GraphLayoutTest, ProvidersStandLeftOfTheirClients) {
+TEST_F(GraphLayoutTest, PlacesProvidersLeftOfTheirClients) {
   Show(LookSystem(0));
 
   EXPECT_LT(layout_.node("robot/arm").right(), layout_.node("robot/controller").left());
@@ -58,12 +58,12 @@ TEST_F(GraphLayoutTest, ProvidersStandLeftOfTheirClients) {
   EXPECT_LT(layout_.process("robot").right(), layout_.process("desk").left());
 }
 
-TEST_F(GraphLayoutTest, NothingOverlapsAndNodesLieInTheirProcess) {
+TEST_F(GraphLayoutTest, NodesDoNotOverlapAndLieInTheirProcess) {
   const GraphPicture picture = Show(LookSystem(0));
   ExpectNothingOverlaps(layout_, picture);
 }
 
-TEST_F(GraphLayoutTest, ConnectingWhatFitsMovesNothing) {
+TEST_F(GraphLayoutTest, ConnectingMovesNoNode) {
   SystemBuilder system = LookSystem(0);
   const auto before = Places(layout_, Show(system));
 
@@ -74,7 +74,7 @@ TEST_F(GraphLayoutTest, ConnectingWhatFitsMovesNothing) {
   EXPECT_EQ(before, after);
 }
 
-TEST_F(GraphLayoutTest, ALostProcessStaysWhereItIsAndComesBackThere) {
+TEST_F(GraphLayoutTest, ALostProcessKeepsItsPlace) {
   SystemBuilder system = LookSystem(0);
   const auto before = Places(layout_, Show(system));
   const ComponentDescription camera = *system.catalogue().FindComponent("vision", "camera");
@@ -89,7 +89,7 @@ TEST_F(GraphLayoutTest, ALostProcessStaysWhereItIsAndComesBackThere) {
             before.at("vision/camera").topLeft());
 }
 
-TEST_F(GraphLayoutTest, AllStandsWhereItStoodWhenTheGcmWasRestartedAndTheyJoinAgain) {
+TEST_F(GraphLayoutTest, RejoiningAfterAGcmRestartKeepsAllPlaces) {
   SystemBuilder system = LookSystem(0);
   system.Process("vision");
   const auto before = Places(layout_, Show(system));
@@ -110,7 +110,7 @@ TEST_F(GraphLayoutTest, AllStandsWhereItStoodWhenTheGcmWasRestartedAndTheyJoinAg
   }
 }
 
-TEST_F(GraphLayoutTest, ANewComponentMovesNoneOfTheOthersInItsProcess) {
+TEST_F(GraphLayoutTest, ANewComponentMovesNoOther) {
   SystemBuilder system = LookSystem(0);
   const auto before = Places(layout_, Show(system));
 
@@ -123,7 +123,7 @@ TEST_F(GraphLayoutTest, ANewComponentMovesNoneOfTheOthersInItsProcess) {
   ExpectNothingOverlaps(layout_, picture);
 }
 
-TEST_F(GraphLayoutTest, AnEmptyProcessMakesRoomForThoseThatHaveSomething) {
+TEST_F(GraphLayoutTest, PlacesEmptyProcessesLast) {
   SystemBuilder system;
   system.Process("gcm");
   Show(system);
@@ -159,7 +159,7 @@ TEST_F(GraphLayoutTest, RandomSystemsNeverOverlap) {
   }
 }
 
-TEST_F(GraphLayoutTest, ManyLooseComponentsFillABoxInsteadOfATower) {
+TEST_F(GraphLayoutTest, ManyUnconnectedComponentsFormABox) {
   SystemBuilder system;
   system.Process("p");
   for (int i = 0; i < 60; ++i) system.Component("p", Task("c" + std::to_string(i), 1e-3, {}));

@@ -25,7 +25,7 @@ class LayoutInThread : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutInThread, testing::Bool(),
                          [](const auto& instance) { return instance.param ? "Large" : "Small"; });
 
-TEST_P(LayoutInThread, ThingsArePlacedAsTheLayoutDoes) {
+TEST_P(LayoutInThread, PlacesNodesLikeTheLayout) {
   const GraphPicture picture = GetParam() ? LargePicture() : PictureOf(LookSystem(0).catalogue());
   GraphLayout layout;
   layout.update(picture);
@@ -42,7 +42,7 @@ TEST_P(LayoutInThread, ThingsArePlacedAsTheLayoutDoes) {
   EXPECT_EQ(worker.arrangement().boxes, layout.arrangement().boxes);
 }
 
-TEST(LayoutWorker, OfWhatComesMeanwhileTheNewestIsPlaced) {
+TEST(LayoutWorker, PlacesOnlyTheNewestPendingRequest) {
   const GraphPicture picture = LargePicture();
   const QString path = picture.processes.front().nodes.front().path;
   LayoutWorker worker;
@@ -57,7 +57,7 @@ TEST(LayoutWorker, OfWhatComesMeanwhileTheNewestIsPlaced) {
   EXPECT_EQ(arranged.count(), 2);
 }
 
-TEST(LayoutWorker, OneThatIsGoneIsToldNothing) {
+TEST(LayoutWorker, ADestroyedWorkerSignalsNothing) {
   int told = 0;
   const auto count = [&] { ++told; };
   auto worker = std::make_unique<LayoutWorker>();
@@ -74,7 +74,7 @@ TEST(LayoutWorker, OneThatIsGoneIsToldNothing) {
   EXPECT_EQ(told, 0);
 }
 
-TEST(GraphScene, WhatHasNoPlaceYetIsNotShown) {
+TEST(GraphScene, HidesComponentsWithoutAPlace) {
   CatalogueStore store;
   Selection selection;
   RecordingActions actions;
@@ -112,7 +112,7 @@ class LayoutAnimationTest : public GraphFixture {
   }
 };
 
-TEST_F(LayoutAnimationTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
+TEST_F(LayoutAnimationTest, AnimatesAResetOfTheLayoutAndItsUndo) {
   const QPointF laid_out = place();
   const QPointF by_hand = laid_out + QPointF(600, 400);
   scene_.nodePositions().move({{"robot/arm", by_hand}});
@@ -126,7 +126,7 @@ TEST_F(LayoutAnimationTest, ResettingTheLayoutIsSeenOnItsWayAndTakenBack) {
   EXPECT_TRUE(IsEventuallyAt(by_hand));
 }
 
-TEST(LayoutAnimation, ALargeSystemGoesInOneStep) {
+TEST(LayoutAnimation, ALargeSystemIsNotAnimated) {
   QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, false);
   CatalogueStore store;
   store.replace(LargeSystem(4, 50).catalogue());
@@ -145,7 +145,7 @@ TEST(LayoutAnimation, ALargeSystemGoesInOneStep) {
   QCoreApplication::instance()->setProperty(LayoutAnimation::kStill, true);
 }
 
-TEST_F(LayoutAnimationTest, WhatTheHandCarriesIsWhereTheHandIs) {
+TEST_F(LayoutAnimationTest, ADraggedNodeFollowsThePointerAtOnce) {
   const QPointF there = place() + QPointF(100, 300);
 
   scene_.carry({{"robot/arm", there}});

@@ -50,7 +50,7 @@ void ExpectNear(const QPointF& a, const QPointF& b) {
   EXPECT_LT(std::abs(a.y() - b.y()), 5);
 }
 
-TEST_F(NodePositionsTest, AComponentIsDraggedAndStaysWhereItIsPut) {
+TEST_F(NodePositionsTest, ADraggedComponentStaysInItsPlace) {
   const QRectF before = Rect("robot/arm");
   const QRectF other = Rect("robot/controller");
   const QPointF way(-60, 280);
@@ -71,14 +71,14 @@ TEST_F(NodePositionsTest, AComponentIsDraggedAndStaysWhereItIsPut) {
   EXPECT_FALSE(Rect("robot/newcomer").intersects(Rect("robot/arm")));
 }
 
-TEST_F(NodePositionsTest, WhatIsInTheWayStepsAside) {
+TEST_F(NodePositionsTest, ADraggedComponentPushesOthersAside) {
   DragHead("robot/arm", Rect("robot/controller").topLeft() - Rect("robot/arm").topLeft());
 
   EXPECT_FALSE(Rect("robot/arm").intersects(Rect("robot/controller")));
   EXPECT_FALSE(Box("robot").intersects(Box("desk")));
 }
 
-TEST_F(NodePositionsTest, AProcessIsDraggedByItsHeadWithAllThatItHas) {
+TEST_F(NodePositionsTest, DraggingAProcessMovesItsComponents) {
   const QPointF arm = Rect("robot/arm").topLeft();
   const QPointF controller = Rect("robot/controller").topLeft();
   const QPointF way(20, 320);
@@ -90,7 +90,7 @@ TEST_F(NodePositionsTest, AProcessIsDraggedByItsHeadWithAllThatItHas) {
   EXPECT_FALSE(Box("robot").intersects(Box("desk")));
 }
 
-TEST_F(NodePositionsTest, AMoveIsTakenBackInOneStep) {
+TEST_F(NodePositionsTest, UndoRevertsAMoveInOneStep) {
   const QPointF first = Rect("robot/arm").topLeft();
   DragHead("robot/arm", {-40, 200});
   const QPointF second = Rect("robot/arm").topLeft();
@@ -109,7 +109,7 @@ TEST_F(NodePositionsTest, AMoveIsTakenBackInOneStep) {
   EXPECT_FALSE(scene_.nodePositions().canUndo());
 }
 
-TEST_F(NodePositionsTest, WhatIsUnderWayGoesBackWhenItIsToldTo) {
+TEST_F(NodePositionsTest, CancellingADragRestoresThePosition) {
   const QPointF before = Rect("robot/arm").topLeft();
   const QPoint start = view_.mapFromScene(before + QPointF(30, 14));
   QTest::mousePress(view_.viewport(), Qt::LeftButton, {}, start);
@@ -126,7 +126,7 @@ TEST_F(NodePositionsTest, WhatIsUnderWayGoesBackWhenItIsToldTo) {
   EXPECT_FALSE(view_.cancelDrag());
 }
 
-TEST_F(NodePositionsTest, AltAndArrowKeysMoveWhatIsSelectedAsOneStep) {
+TEST_F(NodePositionsTest, AltAndArrowKeysMoveTheSelectionAsOneStep) {
   selection_.select("robot/arm");
   const QPointF before = Rect("robot/arm").topLeft();
 
@@ -138,7 +138,7 @@ TEST_F(NodePositionsTest, AltAndArrowKeysMoveWhatIsSelectedAsOneStep) {
   EXPECT_EQ(Rect("robot/arm").topLeft(), before);
 }
 
-TEST_F(NodePositionsTest, PlacesAreKeptForTheNextTimeAndABadFileHarmsNothing) {
+TEST_F(NodePositionsTest, SavesPositionsAndIgnoresABadFile) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("kept/graph.json");
   {

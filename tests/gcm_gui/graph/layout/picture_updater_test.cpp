@@ -48,7 +48,7 @@ TEST_F(PictureUpdaterTest, FollowsConnections) {
   Follow();
 }
 
-TEST_F(PictureUpdaterTest, AComponentWaitsUntilItIsConnected) {
+TEST_F(PictureUpdaterTest, MarksAComponentAsWaitingUntilConnected) {
   const auto waits = [this] {
     for (const auto& process : updater_.picture().processes) {
       for (const auto& node : process.nodes) {

@@ -9,7 +9,7 @@ namespace {
 
 QString TextOf(const AxisLabels& labels, double value) { return labels.label(value).text(); }
 
-TEST(AxisLabels, HaveTheDigitsTheStepNeeds) {
+TEST(AxisLabels, HaveTheDigitsThatTheStepNeeds) {
   AxisLabels labels;
   labels.setStep(0.5);
   EXPECT_EQ(TextOf(labels, 1.5), "1.5");
@@ -20,7 +20,7 @@ TEST(AxisLabels, HaveTheDigitsTheStepNeeds) {
   EXPECT_EQ(TextOf(labels, 2'500'000), "2.5e+06");
 }
 
-TEST(AxisLabels, SayWhatTheTicksSay) {
+TEST(AxisLabels, UseTheTextsOfTheTicks) {
   AxisLabels labels;
   labels.setTicks({.places = {0, 1}, .texts = {"off", "on"}});
 
@@ -55,7 +55,7 @@ TEST(TimeLabels, CountBackFromNow) {
   EXPECT_EQ(TextOf(labels, -0.0014), "-1.4 ms");
 }
 
-TEST(TimeLabels, ThereIsNoNowInAHeldView) {
+TEST(TimeLabels, AHeldViewHasNoNow) {
   TimeLabels labels;
 
   EXPECT_TRUE(labels.setLive(false));

@@ -32,7 +32,7 @@ class GapBandsTest : public testing::Test {
 
 double Flat(double) { return 1.0; }
 
-TEST_F(GapBandsTest, LostRowsAreTintedInTheColourOfBadNews) {
+TEST_F(GapBandsTest, TintsLostRowsRed) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 5000, Flat));
   curve.append(Rows(7000, 10'000, Flat));
@@ -44,7 +44,7 @@ TEST_F(GapBandsTest, LostRowsAreTintedInTheColourOfBadNews) {
   EXPECT_EQ(plain, Theme::instance().color(Token::kPanel));
 }
 
-TEST_F(GapBandsTest, ARestartIsTintedWithoutRed) {
+TEST_F(GapBandsTest, TintsARestartGrey) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(3000, 5000, Flat));
   std::vector<Sample> rows = Rows(0, 3000, Flat);
@@ -58,7 +58,7 @@ TEST_F(GapBandsTest, ARestartIsTintedWithoutRed) {
   EXPECT_GE(tinted.blue(), tinted.red());
 }
 
-TEST_F(GapBandsTest, SilenceIsTintedUntilSamplesComeAgain) {
+TEST_F(GapBandsTest, TintsSilenceUntilSamplesArrive) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 5000, Flat));
   view_.addCurve({"p/b/state.x", "rad"}).append(Rows(0, 10'000, Flat));
@@ -70,7 +70,7 @@ TEST_F(GapBandsTest, SilenceIsTintedUntilSamplesComeAgain) {
   EXPECT_NE(ColorAt(1.2), Theme::instance().color(Token::kPanel));
 }
 
-TEST_F(GapBandsTest, TimeInWhichASourceStandsStillIsGreyThenAndAfterwards) {
+TEST_F(GapBandsTest, TintsASuspensionDuringAndAfterIt) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 5000, Flat));
   Curve& other = view_.addCurve({"p/b/state.x", "rad"});

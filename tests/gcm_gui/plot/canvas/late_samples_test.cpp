@@ -19,7 +19,7 @@ SampleRing RingOf(const std::vector<Sample>& rows) {
   return ring;
 }
 
-TEST(LateSamples, OneThatComesMoreThanHalfAPeriodAfterItsTimeIsLate) {
+TEST(LateSamples, ASampleDelayedByOverHalfAPeriodIsLate) {
   const SampleRing ring = RingOf(Delayed(30, 600'000));
 
   EXPECT_TRUE(IsLate(ring, 30));
@@ -28,7 +28,7 @@ TEST(LateSamples, OneThatComesMoreThanHalfAPeriodAfterItsTimeIsLate) {
   EXPECT_FALSE(IsLate(RingOf(Delayed(30, 400'000)), 30));
 }
 
-TEST(LateSamples, IsKnownTheMomentItComesAndStaysSo) {
+TEST(LateSamples, AreDetectedOnArrival) {
   const std::vector<Sample> rows = Delayed(30, 600'000);
   SampleRing ring;
   for (const Sample& row : rows) {
@@ -37,14 +37,14 @@ TEST(LateSamples, IsKnownTheMomentItComesAndStaysSo) {
   }
 }
 
-TEST(LateSamples, OneBehindALossIsNotLateForThat) {
+TEST(LateSamples, ASampleAfterALossIsNotLate) {
   std::vector<Sample> rows = Rows(0, 50);
   rows.erase(rows.begin() + 20, rows.begin() + 35);
 
   EXPECT_FALSE(IsLate(RingOf(rows), 20));
 }
 
-TEST(LateSamples, NothingIsLateWhereTooLittleIsKnown) {
+TEST(LateSamples, FewSamplesAreNeverLate) {
   const SampleRing ring = RingOf(Delayed(3, 50'000'000));
 
   for (std::uint64_t i = 0; i < 4; ++i) EXPECT_FALSE(IsLate(ring, i));

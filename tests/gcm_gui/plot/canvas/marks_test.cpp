@@ -19,7 +19,7 @@ Mark MarkAt(std::int64_t time_ns, const QString& label) {
   return {.time_ns = time_ns, .label = label, .text = "all of " + label};
 }
 
-TEST(MarkTrack, KeepsTheNewestInTheOrderOfTime) {
+TEST(MarkTrack, KeepsTheNewestMarksInOrder) {
   MarkTrack track;
   track.add(MarkAt(5, "b"));
   track.add(MarkAt(3, "a"));
@@ -29,7 +29,7 @@ TEST(MarkTrack, KeepsTheNewestInTheOrderOfTime) {
   EXPECT_EQ(track.all().front().label, "b");
 }
 
-TEST(MarkTrack, FindsThoseOfAPartOfTimeWithItsEnds) {
+TEST(MarkTrack, FindsMarksInAClosedInterval) {
   MarkTrack track;
   for (const std::int64_t time : {1, 2, 3, 4}) track.add(MarkAt(time, QString::number(time)));
 
@@ -60,7 +60,7 @@ class MarkFlagsTest : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(MarkFlagsTest, AMarkIsToldWhereTheMouseRestsOnItAndNowhereElse) {
+TEST_F(MarkFlagsTest, HoveringAMarkShowsItsText) {
   Show();
   panel_.addMark(MarkAt(10 * kSecond, "MoveTo"));
   const int x = static_cast<int>(xOf(10 * kSecond));
@@ -74,7 +74,7 @@ TEST_F(MarkFlagsTest, AMarkIsToldWhereTheMouseRestsOnItAndNowhereElse) {
   EXPECT_EQ(QToolTip::text(), "all of MoveTo");
 }
 
-TEST_F(MarkFlagsTest, IsDrawnAtItsMoment) {
+TEST_F(MarkFlagsTest, DrawsAMarkAtItsTime) {
   Show();
   const QImage without = Painted(view());
   panel_.addMark({.kind = Mark::Kind::kCommand, .time_ns = 12 * kSecond, .label = "MoveTo"});
@@ -87,7 +87,7 @@ TEST_F(MarkFlagsTest, IsDrawnAtItsMoment) {
   EXPECT_NE(without.pixelColor(foot), with.pixelColor(foot));
 }
 
-TEST_F(MarkFlagsTest, LabelsThatWouldOverlapBecomeOneThatCounts) {
+TEST_F(MarkFlagsTest, CombinesOverlappingLabels) {
   MarkTrack track;
   TimeWindow window;
   QwtScaleMap map;

@@ -54,7 +54,7 @@ class PlotAxesTest : public testing::Test {
   PlotView view_;
 };
 
-TEST_F(PlotAxesTest, AThirdAndAFourthUnitHaveAnAxisInTheirCurvesColour) {
+TEST_F(PlotAxesTest, ThirdAndFourthUnitsHaveColouredAxes) {
   add("p/a/state.x", "rad", 1);
   add("p/a/state.v", "rad/s", 10);
   add("p/a/state.t", "Nm", 1e4);
@@ -70,7 +70,7 @@ TEST_F(PlotAxesTest, AThirdAndAFourthUnitHaveAnAxisInTheirCurvesColour) {
   KeepPicture(image, "plot_four_units");
 }
 
-TEST_F(PlotAxesTest, OuterAxesKeepTheirPlaceWhileNumbersChangeAndLeaveWithTheirCurve) {
+TEST_F(PlotAxesTest, OuterAxesAreStableAndLeaveWithTheirCurve) {
   add("p/a/state.x", "rad", 1);
   add("p/a/state.v", "rad/s", 1);
   Painted(view_);
@@ -89,7 +89,7 @@ TEST_F(PlotAxesTest, OuterAxesKeepTheirPlaceWhileNumbersChangeAndLeaveWithTheirC
   EXPECT_EQ(view_.canvas()->width(), alone);
 }
 
-TEST_F(PlotAxesTest, RoomThatIsAskedForStaysFreeAndTheCanvasBetween) {
+TEST_F(PlotAxesTest, KeepsTheRequestedSideRoomFree) {
   add("p/a/state.x", "rad", 1);
   Painted(view_);
   const QRect before = view_.canvas()->geometry();
@@ -125,7 +125,7 @@ TEST_F(PlotAxesTest, ALogarithmicAxisSpreadsDecadesEvenly) {
   EXPECT_GT(view_.axisInterval(QwtAxis::YLeft).maxValue(), 900);
 }
 
-TEST_F(PlotAxesTest, WhatHasNoPlaceOnALogarithmicAxisIsSaidAndDrawnAtItsFoot) {
+TEST_F(PlotAxesTest, NonPositiveValuesAreNotedAndDrawnAtTheBottom) {
   view_.addCurve({"robot/arm/state.x", "A"}).append(Rows(0, 10'000, [](double t) {
     return t < 5 ? 100.0 : -3.0;
   }));

@@ -55,7 +55,7 @@ TEST(SpanRaster, APeakOfOneSampleReachesItsHeight) {
 }
 
 // Against the strokes of Qt, which are slower but beyond doubt.
-TEST(SpanRaster, LooksLikeASmoothStrokeOfQt) {
+TEST(SpanRaster, MatchesAnAntialiasedStrokeOfQt) {
   const auto row = [](double t) {
     return 100 + 80 * std::sin(6 * std::numbers::pi * t) * std::exp(-t);
   };
@@ -81,14 +81,14 @@ TEST(SpanRaster, LooksLikeASmoothStrokeOfQt) {
   EXPECT_LT(differing, 20);
 }
 
-TEST(SpanRaster, ValuesFarOutsideAreCutOff) {
+TEST(SpanRaster, ClipsValuesFarOutside) {
   const SpanRaster raster = Drawn([](double t) { return t < 0.5 ? 1e300 : -1e300; });
 
   EXPECT_EQ(qAlpha(raster.image().pixel(10, 100)), 0);
   EXPECT_GT(qAlpha(raster.image().pixel(kWidth / 2, 100)), 100);
 }
 
-TEST(SpanRaster, BeginningAnewLeavesNothingOfTheOldPicture) {
+TEST(SpanRaster, BeginClearsTheOldPicture) {
   SpanRaster raster = Drawn([](double) { return 100.0; });
 
   raster.begin({kWidth, kHeight});
@@ -96,7 +96,7 @@ TEST(SpanRaster, BeginningAnewLeavesNothingOfTheOldPicture) {
   EXPECT_EQ(qAlpha(raster.image().pixel(10, 100)), 0);
 }
 
-TEST(SpanRaster, TheCurveDrawnLaterIsAbove) {
+TEST(SpanRaster, DrawsLaterCurvesOnTop) {
   SpanRaster raster = Drawn([](double) { return 100.0; });
   SampleRing ring;
   ring.append(std::vector<Sample>{{.time_ns = 0, .tick = 0, .value = 100},

@@ -54,7 +54,7 @@ class CurveEditorTest : public testing::Test {
   PlotView view_;
 };
 
-TEST_F(CurveEditorTest, EnterInTheLegendAsksForItAndEnterTakesIt) {
+TEST_F(CurveEditorTest, EnterOpensTheEditorAndAcceptsIt) {
   CurveEditor& editor = Open();
   EXPECT_TRUE(editor.isVisible());
 
@@ -69,7 +69,7 @@ TEST_F(CurveEditorTest, EnterInTheLegendAsksForItAndEnterTakesIt) {
   EXPECT_FALSE(editor.isVisible());
 }
 
-TEST_F(CurveEditorTest, AnAxisIsChosenOrNamed) {
+TEST_F(CurveEditorTest, AnAxisCanBeChosenOrNamed) {
   CurveEditor& editor = Open();
   auto* axis = editor.findChild<QComboBox*>("curveEditor.axis");
   EXPECT_EQ(axis->itemText(2), "rad/s");
@@ -81,7 +81,7 @@ TEST_F(CurveEditorTest, AnAxisIsChosenOrNamed) {
   EXPECT_EQ(view_.curves().axes().size(), 1U);
 }
 
-TEST_F(CurveEditorTest, WhatIsWrongIsRefusedWhereItIsTyped) {
+TEST_F(CurveEditorTest, RejectsInvalidInputWithAReason) {
   CurveEditor& editor = Open();
 
   Type(editor, "curveEditor.factor", "fast");
@@ -97,7 +97,7 @@ TEST_F(CurveEditorTest, WhatIsWrongIsRefusedWhereItIsTyped) {
   EXPECT_EQ(look(), CurveLook{});
 }
 
-TEST_F(CurveEditorTest, OneButtonShowsItAsItComes) {
+TEST_F(CurveEditorTest, OneButtonResetsTheLook) {
   view_.setLook(kJoint, {.scaling = {.factor = 5}, .axis = "mine"});
   CurveEditor& editor = Open();
   EXPECT_EQ(editor.findChild<QLineEdit*>("curveEditor.factor")->text(), "5");
@@ -108,7 +108,7 @@ TEST_F(CurveEditorTest, OneButtonShowsItAsItComes) {
   EXPECT_EQ(look(), CurveLook{});
 }
 
-TEST_F(CurveEditorTest, AMenuOfTheRowOffersAllOfIt) {
+TEST_F(CurveEditorTest, TheMenuOfTheRowOpensTheEditor) {
   QContextMenuEvent asked(QContextMenuEvent::Keyboard, {4, 4}, row().mapToGlobal(QPoint(4, 4)));
   QApplication::sendEvent(&row(), &asked);
   auto* menu = row().findChild<QMenu*>("legendMenu");
@@ -121,7 +121,7 @@ TEST_F(CurveEditorTest, AMenuOfTheRowOffersAllOfIt) {
   EXPECT_NE(view_.findChild<CurveEditor*>(), nullptr);
 }
 
-TEST_F(CurveEditorTest, LooksLikeThis) {
+TEST_F(CurveEditorTest, RendersTheEditor) {
   for (const auto choice : {Theme::Choice::kLight, Theme::Choice::kDark}) {
     const QString name = choice == Theme::Choice::kLight ? "light" : "dark";
     Theme::instance().choose(choice);

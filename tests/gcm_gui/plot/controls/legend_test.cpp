@@ -13,7 +13,7 @@ LegendEntry Entry(const QString& path, const QString& value) {
   return {.path = path, .name = path, .value = value, .unit = "rad"};
 }
 
-TEST(Legend, HasARowForEachCurveThatAScreenReaderCanRead) {
+TEST(Legend, HasAnAccessibleRowForEachCurve) {
   Legend legend(nullptr);
 
   legend.setEntries({Entry("x", "0.201"), Entry("y", "-0.399")});
@@ -23,7 +23,7 @@ TEST(Legend, HasARowForEachCurveThatAScreenReaderCanRead) {
   EXPECT_EQ(legend.rows()[1]->objectName(), "legend:y");
 }
 
-TEST(Legend, DoesNotTrembleWhenNumbersBecomeShorter) {
+TEST(Legend, KeepsItsWidthWhenNumbersBecomeShorter) {
   Legend legend(nullptr);
   legend.setEntries({Entry("x", "-10.201")});
   const QSize size = legend.size();
@@ -33,7 +33,7 @@ TEST(Legend, DoesNotTrembleWhenNumbersBecomeShorter) {
   EXPECT_EQ(legend.size(), size);
 }
 
-TEST(Legend, RemovesByTheCrossAndByTheKey) {
+TEST(Legend, TheCrossAndTheDeleteKeyRemoveACurve) {
   Legend legend(nullptr);
   legend.setEntries({Entry("x", "1"), Entry("y", "2")});
   QSignalSpy removed(&legend, &Legend::removeRequested);
@@ -58,7 +58,7 @@ TEST(Legend, AClickOnTheRowHidesTheCurve) {
   EXPECT_EQ(toggled[0][0], "x");
 }
 
-TEST(Legend, ARowWithTheFocusKeepsItsKeysFromTheWindowsShortcuts) {
+TEST(Legend, AFocusedRowOverridesShortcutsOfTheWindow) {
   Legend legend(nullptr);
   legend.setEntries({Entry("x", "1")});
   QKeyEvent space(QEvent::ShortcutOverride, Qt::Key_Space, Qt::NoModifier);
@@ -73,7 +73,7 @@ TEST(Legend, ARowWithTheFocusKeepsItsKeysFromTheWindowsShortcuts) {
   EXPECT_FALSE(letter.isAccepted());
 }
 
-TEST(Legend, AStaleRowSaysWhatIsWaitedFor) {
+TEST(Legend, AStaleRowNamesItsSource) {
   Legend legend(nullptr);
 
   legend.setEntries(

@@ -48,7 +48,7 @@ class PlotMenuTest : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(PlotMenuTest, ValuesAreFittedAsChosen) {
+TEST_F(PlotMenuTest, FitsValuesAsChosen) {
   Choose("Symmetric around 0");
   EXPECT_DOUBLE_EQ(range().low, -range().high);
 
@@ -62,7 +62,7 @@ TEST_F(PlotMenuTest, ValuesAreFittedAsChosen) {
   EXPECT_LT(range().span(), before.span());
 }
 
-TEST_F(PlotMenuTest, StatisticsAreThoseOfWhatIsSeen) {
+TEST_F(PlotMenuTest, StatisticsCoverTheVisibleTime) {
   Choose("Statistics");
 
   const QString figures = view().legendBox().rows().front()->entry().figures;
@@ -71,13 +71,13 @@ TEST_F(PlotMenuTest, StatisticsAreThoseOfWhatIsSeen) {
   EXPECT_THAT(figures.toStdString(), testing::HasSubstr("1000 Hz"));
 }
 
-TEST_F(PlotMenuTest, ThePictureIsCopied) {
+TEST_F(PlotMenuTest, CopiesThePicture) {
   Choose("Copy picture");
 
   EXPECT_EQ(QGuiApplication::clipboard()->image().size(), view().size());
 }
 
-TEST_F(PlotMenuTest, ThePictureIsSavedAsPointsOrAsLines) {
+TEST_F(PlotMenuTest, SavesThePictureAsPixelsOrVectors) {
   const QTemporaryDir folder;
   const auto save = [this](const QString& file) {
     QString told;

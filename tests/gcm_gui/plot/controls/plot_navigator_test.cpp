@@ -75,7 +75,7 @@ TEST_F(PlotNavigation, TheWheelZoomsInTimeAroundTheMouse) {
   EXPECT_FALSE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, WhatIsLookedAtStaysWhileSamplesCome) {
+TEST_F(PlotNavigation, AZoomedViewStaysWhileSamplesArrive) {
   turnWheel({300, 100}, {0, 120});
   const std::int64_t from = view_.window().timeAt(view_.window().from());
 
@@ -109,7 +109,7 @@ TEST_F(PlotNavigation, DraggingZoomsToTheRectangle) {
   EXPECT_NEAR(view_.axisInterval(QwtAxis::YLeft).maxValue(), top, 1e-9);
 }
 
-TEST_F(PlotNavigation, EscapeGivesUpTheRectangle) {
+TEST_F(PlotNavigation, EscapeCancelsTheRectangle) {
   QTest::mousePress(view_.canvas(), Qt::LeftButton, {}, {100, 60});
   moveTo({220, 160}, {});
   QTest::keyClick(view_.canvas(), Qt::Key_Escape);
@@ -134,13 +134,13 @@ TEST_F(PlotNavigation, ShiftDragMovesThePicture) {
   EXPECT_TRUE(view_.curves().axes().front().fitted) << "a few pixels up are no wish to move values";
 }
 
-TEST_F(PlotNavigation, ShiftDragUpwardsMovesValuesToo) {
+TEST_F(PlotNavigation, ShiftDragUpwardsMovesValues) {
   drag({100, 100}, {100, 180}, Qt::ShiftModifier);
 
   EXPECT_FALSE(view_.curves().axes().front().fitted);
 }
 
-TEST_F(PlotNavigation, ADoubleClickFollowsAgain) {
+TEST_F(PlotNavigation, ADoubleClickGoesLive) {
   drag({100, 60}, {220, 160});
   EXPECT_TRUE(pill().isVisible());
 
@@ -153,7 +153,7 @@ TEST_F(PlotNavigation, ADoubleClickFollowsAgain) {
   EXPECT_FALSE(pill().isVisible());
 }
 
-TEST_F(PlotNavigation, ThePillFollowsAgain) {
+TEST_F(PlotNavigation, TheLiveButtonGoesLive) {
   turnWheel({300, 100}, {0, 120});
 
   QTest::mouseClick(&pill(), Qt::LeftButton);

@@ -4,7 +4,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(RateBadge, ProvesThatNothingIsLost) {
+TEST(RateBadge, ShowsZeroLosses) {
   EXPECT_EQ(BadgeText({{.source = "a", .rate = 999.97}}), "1000 Hz · 0 lost");
 }
 
@@ -14,7 +14,7 @@ TEST(RateBadge, AddsUpTheLossesOfAllSources) {
             "20–1000 Hz · 603 lost · 2 repeated");
 }
 
-TEST(RateBadge, NamesWhereRowsWereLost) {
+TEST(RateBadge, NamesThePlacesOfLosses) {
   EXPECT_EQ(PlacesText({}), "");
   EXPECT_EQ(PlacesText({.table = 600, .network = 3, .viewer = 0}),
             "; lost 600 in its process, 3 on the network");
@@ -23,19 +23,19 @@ TEST(RateBadge, NamesWhereRowsWereLost) {
   EXPECT_TRUE(badge.toolTip().endsWith("; lost 2 in this window")) << badge.toolTip().toStdString();
 }
 
-TEST(RateBadge, NamesNoPlaceWhereNothingWasLost) {
+TEST(RateBadge, NamesNoPlaceWithoutLosses) {
   RateBadge badge;
   badge.setFigures({{.source = "a", .rate = 1000, .losses = {.table = 600}}});
   EXPECT_TRUE(badge.toolTip().endsWith("0 rows lost, 0 repeated")) << badge.toolTip().toStdString();
 }
 
-TEST(RateBadge, SaysHowManySourcesAreSilent) {
+TEST(RateBadge, CountsSilentSources) {
   EXPECT_EQ(BadgeText({{.source = "a", .rate = 1000}, {.source = "b"}}),
             "1000 Hz · 0 lost · 1 silent");
   EXPECT_EQ(BadgeText({{.source = "a"}}), "0 Hz · 0 lost");
 }
 
-TEST(RateBadge, SlowRatesHaveDigitsBehindThePoint) {
+TEST(RateBadge, SlowRatesHaveADecimalDigit) {
   EXPECT_EQ(RateText(0.5), "0.5 Hz");
   EXPECT_EQ(RateText(19.83), "19.8 Hz");
   EXPECT_EQ(RateText(0), "0 Hz");
@@ -52,7 +52,7 @@ TEST(RateBadge, TurnsRedWithTheFirstLoss) {
   EXPECT_EQ(badge.accessibleName(), "Rate and lost rows: 1000 Hz · 1 lost");
 }
 
-TEST(RateBadge, TellsEachSourcesShare) {
+TEST(RateBadge, TheToolTipListsEachSource) {
   RateBadge badge;
 
   badge.setFigures(

@@ -12,13 +12,13 @@ AxisFrame FrameOf(double low, double high, NumberKind numbers = NumberKind::kRea
   return FrameFor({}, {.low = low, .high = high}, numbers);
 }
 
-TEST(AxisFrame, OfOrdinaryValuesIsNone) {
+TEST(AxisFrame, OrdinaryValuesNeedNoFrame) {
   EXPECT_EQ(FrameOf(-1, 1), AxisFrame{});
   EXPECT_EQ(FrameOf(20'000, 20'010), AxisFrame{}) << "labels of five digits need no base";
   EXPECT_EQ(FrameOf(0, 0), AxisFrame{});
 }
 
-TEST(AxisFrame, HasARoundBaseWhereValuesAreFarFrom0AndNearEachOther) {
+TEST(AxisFrame, CloseValuesFarFromZeroGetARoundBase) {
   EXPECT_EQ(FrameOf(9e9, 9e9 + 1000, NumberKind::kWhole).base, 9'000'000'000);
   EXPECT_DOUBLE_EQ(FrameOf(0.5, 0.5 + 3e-8).base, 0.5);
   EXPECT_EQ(FrameOf(1.7e18, 1.7e18 + 1e10, NumberKind::kWhole).baseText(), "+1.7e18");
@@ -32,7 +32,7 @@ TEST(AxisFrame, KeepsItsBaseWhileTheLabelsStayShort) {
             9'050'000'000);
 }
 
-TEST(AxisFrame, TakesARounderBaseOnceThereIsMoreToShow) {
+TEST(AxisFrame, ChoosesARounderBaseForAWiderRange) {
   const AxisFrame first = FrameOf(9'000'001'052, 9'000'001'053, NumberKind::kWhole);
   ASSERT_EQ(first.base, 9'000'001'050);
 
@@ -41,13 +41,13 @@ TEST(AxisFrame, TakesARounderBaseOnceThereIsMoreToShow) {
   EXPECT_EQ(later.base, 9'000'000'000);
 }
 
-TEST(AxisFrame, GivesUpItsBaseWhenValuesSpread) {
+TEST(AxisFrame, DropsItsBaseForSpreadValues) {
   const AxisFrame frame = FrameOf(9e9, 9e9 + 1000, NumberKind::kWhole);
 
   EXPECT_EQ(FrameFor(frame, {.low = -9e9, .high = 0}, NumberKind::kWhole), AxisFrame{});
 }
 
-TEST(AxisFrame, OfHugeValuesCountsInAPowerOfTen) {
+TEST(AxisFrame, HugeValuesGetAPowerOfTen) {
   const AxisFrame frame = FrameOf(-kMostReal, kMostReal);
 
   EXPECT_NEAR(frame.placeOf(kMostReal, ValueScale::kLinear), 1.797e8, 1e5);
@@ -62,7 +62,7 @@ TEST(AxisFrame, MovesARangeToTheSameValues) {
   EXPECT_EQ(Moved({.low = 1, .high = 2}, {}, {}), (AxisRange{.low = 1, .high = 2}));
 }
 
-TEST(AxisFrame, OfWholeNumbersHasNoBaseBeyondThem) {
+TEST(AxisFrame, TheBaseOfIntegersIsWithinTheirLimits) {
   constexpr double kMiddle = 9.22336e18;  // the nearest round number is above 2^63
 
   const AxisFrame frame = FrameOf(kMiddle - 5e12, kMiddle + 5e12, NumberKind::kWhole);

@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(CoarseHistory, HoldsTheExtremesOfEachHundredMilliseconds) {
+TEST(CoarseHistory, StoresTheExtremesOfEach100Milliseconds) {
   CoarseHistory history;
   history.append(Rows(50, 250));  // the value is the time in s
 
@@ -23,7 +23,7 @@ TEST(CoarseHistory, HoldsTheExtremesOfEachHundredMilliseconds) {
   EXPECT_DOUBLE_EQ(std::bit_cast<double>(history.buckets()[1].high), 0.199);
 }
 
-TEST(CoarseHistory, ForgetsTheOldestAndWhatIsNoNumber) {
+TEST(CoarseHistory, DropsTheOldestAndIgnoresNan) {
   CoarseHistory history;
   history.setLimit(2);
   history.append(Rows(0, 1000));
@@ -33,7 +33,7 @@ TEST(CoarseHistory, ForgetsTheOldestAndWhatIsNoNumber) {
   EXPECT_EQ(history.buckets().front().from_ns, 800 * kMillisecond);
 }
 
-TEST(CoarseHistory, AClockThatWasSetBackMakesItStartOver) {
+TEST(CoarseHistory, RestartsWhenTheClockIsSetBack) {
   CoarseHistory history;
   history.append(Rows(100'000, 101'000));
   history.append(Rows(0, 100));
@@ -41,7 +41,7 @@ TEST(CoarseHistory, AClockThatWasSetBackMakesItStartOver) {
   EXPECT_EQ(history.buckets().size(), 1U);
 }
 
-TEST(ThinnedCurve, ShowsThePeakOfAnOldPartWhoseSamplesAreGone) {
+TEST(ThinnedCurve, KeepsThePeaksOfDroppedSamples) {
   Curve curve({"p/a/state.x", "rad"}, 0);
   curve.setBudget(1 << 16);  // some 3.5 s at 1 kHz
   curve.append(Rows(0, 30'000, [](double t) { return t == 2.5 ? 9.0 : 0.0; }));
@@ -56,7 +56,7 @@ TEST(ThinnedCurve, ShowsThePeakOfAnOldPartWhoseSamplesAreGone) {
   for (std::size_t i = 0; i < 300; ++i) EXPECT_LE(envelope.low()[i], envelope.high()[i]) << i;
 }
 
-TEST(MemoryMeter, TellsWhatIsUsedAndWhetherThereIsLessThanAll) {
+TEST(MemoryMeter, ShowsMemoryUseAndThinning) {
   PlotPanel panel;
   panel.setMemoryBudget(1'000'000);
   panel.addSignal("p/a/state.x", "rad");

@@ -38,7 +38,7 @@ class CsvExportTest : public ::testing::Test {
   QSignalSpy told_{&panel_, &PlotPanel::notice};
 };
 
-TEST_F(CsvExportTest, WhatIsSeenIsSavedWhereTheUserSays) {
+TEST_F(CsvExportTest, SavesTheVisibleSamplesToTheChosenFile) {
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   panel_.addSignal(kSignalX, "rad");
   panel_.append(kSignalX, Rows(0, 1000));
@@ -57,7 +57,7 @@ TEST_F(CsvExportTest, WhatIsSeenIsSavedWhereTheUserSays) {
   EXPECT_EQ(saved.readAll().count('\n'), 1001);
 }
 
-TEST_F(CsvExportTest, WithoutSamplesThereIsNothingToAsk) {
+TEST_F(CsvExportTest, DoesNotAskForAFileWithoutSamples) {
   EXPECT_EQ(Ask(), nullptr);
 
   ASSERT_EQ(told_.size(), 1);
@@ -80,7 +80,7 @@ class SlowDisk {
   std::promise<void> go_;
 };
 
-TEST(CsvExport, AFileThatCannotBeWrittenIsToldAndNothingIsLeft) {
+TEST(CsvExport, ReportsAFileThatCannotBeWritten) {
   QTemporaryDir folder;
   const QString file = folder.filePath("no/such/folder/x.csv");
   CsvExport csv;
@@ -92,7 +92,7 @@ TEST(CsvExport, AFileThatCannotBeWrittenIsToldAndNothingIsLeft) {
   EXPECT_TRUE(finished.front().front().toString().startsWith(file + " was not saved: "));
 }
 
-TEST(CsvExport, ASlowDiskHoldsUpNeitherWhoSavesNorHisEnd) {
+TEST(CsvExport, ASlowDiskBlocksNeitherSavingNorDestruction) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("x.csv");
   SlowDisk disk(folder);
@@ -105,7 +105,7 @@ TEST(CsvExport, ASlowDiskHoldsUpNeitherWhoSavesNorHisEnd) {
   EXPECT_TRUE(QFile::exists(file));
 }
 
-TEST(CsvExport, AFileAskedForTwiceIsToldOfOnceWhereItIsWrittenOnce) {
+TEST(CsvExport, TwoRequestsForOneFileGiveOneNotice) {
   const QTemporaryDir folder;
   SlowDisk disk(folder);
   CsvExport csv;

@@ -30,7 +30,7 @@ std::string Csv(const CsvTable& table) {
   return text.data().toStdString();
 }
 
-TEST(CsvTable, HasALineForEachMomentAndAColumnForEachCurve) {
+TEST(CsvTable, HasALinePerTimeAndAColumnPerCurve) {
   CurveSet set;
   Add(set, "robot/arm/state.q[0]", "rad", {At(1, 1, 0.1), At(2, 2, -2.5)});
   Add(set, "robot/arm/state.q[1]", "rad", {At(2, 2, 1e-9)});
@@ -44,7 +44,7 @@ TEST(CsvTable, HasALineForEachMomentAndAColumnForEachCurve) {
             "0.002000000,2023-11-14T22:13:20.002000Z,-2.5,1e-09,\n");
 }
 
-TEST(CsvTable, LostRowsAreCountedWhereTheyAreMissing) {
+TEST(CsvTable, CountsLostRowsAtTheirPlace) {
   CurveSet set;
   Add(set, "p/a/state.x", "", {At(1, 1, 1), At(5, 5, 5)});
   Add(set, "p/a/state.y", "", {At(1, 1, 1), At(5, 5, 5)});
@@ -60,7 +60,7 @@ TEST(CsvTable, LostRowsAreCountedWhereTheyAreMissing) {
       << text.data().toStdString();
 }
 
-TEST(CsvTable, ARestartIsNamed) {
+TEST(CsvTable, MarksARestart) {
   CurveSet set;
   Curve& curve = Add(set, "p/a/state.x", "", {At(1, 7, 1)});
   curve.beginEpoch();
@@ -69,7 +69,7 @@ TEST(CsvTable, ARestartIsNamed) {
   EXPECT_TRUE(QString::fromStdString(Csv(CsvTableOf(set, 0, kAll, 0))).endsWith(",2,restart\n"));
 }
 
-TEST(CsvTable, TablesOfDifferentTasksAreMergedByTime) {
+TEST(CsvTable, MergesTablesOfDifferentTasksByTime) {
   CurveSet set;
   Add(set, "p/a/state.x", "", {At(1, 1, 1), At(3, 2, 3)});
   Add(set, "p/b/state.y", "", {At(2, 1, 2)});
@@ -84,7 +84,7 @@ TEST(CsvTable, TablesOfDifferentTasksAreMergedByTime) {
   EXPECT_TRUE(lines[3].endsWith(",3,,,"));
 }
 
-TEST(CsvTable, OnlyWhatIsSeenIsInIt) {
+TEST(CsvTable, ContainsOnlyVisibleCurvesAndTimes) {
   CurveSet set;
   Add(set, "p/a/state.x", "", Rows(0, 100));
   Add(set, "p/a/state.hidden", "", Rows(0, 100)).setVisible(false);
@@ -97,7 +97,7 @@ TEST(CsvTable, OnlyWhatIsSeenIsInIt) {
   EXPECT_TRUE(CsvTableOf(set, kAll, kAll + 1, 0).empty());
 }
 
-TEST(CsvTable, IntegersAreWrittenWithAllTheirDigits) {
+TEST(CsvTable, WritesIntegersWithAllDigits) {
   CurveSet set;
   Sample stamp = At(1, 1, 0);
   stamp.value = ExactNumber::Signed(1'764'300'000'123'456'789);
@@ -110,7 +110,7 @@ TEST(CsvTable, IntegersAreWrittenWithAllTheirDigits) {
                   .endsWith("Z,1764300000123456789,18446744073709551615,\n"));
 }
 
-TEST(CsvTable, StatesAreWrittenByTheirNames) {
+TEST(CsvTable, WritesStatesByName) {
   CurveSet set;
   std::vector<Sample> modes{At(1, 1, 0), At(2, 2, 0), At(3, 3, 0)};
   modes[0].value = ExactNumber::Signed(0);
@@ -137,7 +137,7 @@ TEST(CsvTable, ACommaInAUnitIsQuoted) {
                   .startsWith("time_s,utc_estimated,\"p/a/state.x [N,m]\","));
 }
 
-TEST(CsvTable, ADeviceThatRefusesIsTold) {
+TEST(CsvTable, ReportsAWriteError) {
   CurveSet set;
   Add(set, "p/a/state.x", "", {At(1, 1, 1)});
   QBuffer closed;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array kTenSeconds{
     SeenSlices{.slices = {.from_ns = 0, .to_ns = 10 * kSecond, .count = 1000}}};
 
-TEST(CurveSet, EachUnitHasAnAxisAndCurvesOfAUnitShareIt) {
+TEST(CurveSet, CurvesOfOneUnitShareAnAxis) {
   CurveSet set;
   set.add({"p/a/state.x", "rad"});
   set.add({"p/a/state.y", "rad/s"});
@@ -23,7 +23,7 @@ TEST(CurveSet, EachUnitHasAnAxisAndCurvesOfAUnitShareIt) {
   EXPECT_EQ(set.axes()[1].color_index, set.find("p/a/state.y")->colorIndex());
 }
 
-TEST(CurveSet, AnAxisGoesWithItsLastCurve) {
+TEST(CurveSet, RemovingTheLastCurveRemovesItsAxis) {
   CurveSet set;
   set.add({"p/a/state.x", "rad"});
   set.add({"p/a/state.y", "rad/s"});
@@ -35,7 +35,7 @@ TEST(CurveSet, AnAxisGoesWithItsLastCurve) {
   EXPECT_FALSE(set.remove("p/a/state.x"));
 }
 
-TEST(CurveSet, AColourThatBecameFreeIsUsedAgain) {
+TEST(CurveSet, ReusesAFreeColour) {
   CurveSet set;
   set.add({"x", ""});
   set.add({"y", ""});
@@ -56,7 +56,7 @@ TEST(CurveSet, FitsEachAxisToItsOwnCurves) {
   EXPECT_GE(set.axes()[1].range.high, 999);
 }
 
-TEST(CurveSet, AnAxisOfTheUsersChoiceIsLeftAlone) {
+TEST(CurveSet, DoesNotFitAnAxisSetByTheUser) {
   CurveSet set;
   set.add({"x", "rad"}).append(Rows(0, 1000));
   set.axes()[0].range = {.low = 5, .high = 6};
@@ -67,7 +67,7 @@ TEST(CurveSet, AnAxisOfTheUsersChoiceIsLeftAlone) {
   EXPECT_EQ(set.axes()[0].range, (AxisRange{.low = 5, .high = 6}));
 }
 
-TEST(CurveSet, ASourceCountsItsLossesOnceWhateverIsPlottedOfIt) {
+TEST(CurveSet, CountsTheLossesOfASourceOnce) {
   CurveSet set;
   for (const char* path : {"p/a/state.x", "p/a/state.y", "p/b/state.x"}) {
     Curve& curve = set.add({path, ""});
@@ -91,7 +91,7 @@ TEST(CurveSet, ASilentSourceHasNoRate) {
   EXPECT_EQ(set.figures(3 * kSecond).front().rate, 0);
 }
 
-TEST(Curve, IsStaleUntilSamplesComeAndAfterItWasTold) {
+TEST(Curve, IsStaleUntilSamplesArriveAndWhenMarked) {
   Curve curve({"robot/arm/state.x", "rad"}, 0);
   EXPECT_TRUE(curve.isStale());
   EXPECT_EQ(curve.staleReason(), "waiting for robot/arm/state");
@@ -103,7 +103,7 @@ TEST(Curve, IsStaleUntilSamplesComeAndAfterItWasTold) {
   EXPECT_TRUE(curve.isStale());
 }
 
-TEST(Curve, TheValueAtATimeIsThatOfTheSampleBefore) {
+TEST(Curve, ValueAtReturnsThePreviousSample) {
   Curve curve({"x", ""}, 0);
   curve.append(std::vector<Sample>{{.time_ns = 10, .tick = 1, .value = 1},
                                    {.time_ns = 20, .tick = 2, .value = 2},
@@ -116,7 +116,7 @@ TEST(Curve, TheValueAtATimeIsThatOfTheSampleBefore) {
   EXPECT_EQ(curve.valueAt(90), 5);
 }
 
-TEST(Curve, MeasuresASlowRateToo) {
+TEST(Curve, MeasuresASlowRate) {
   Curve curve({"x", ""}, 0);
   curve.append(std::vector<Sample>{{.time_ns = 0, .tick = 1, .value = 1},
                                    {.time_ns = 2 * kSecond, .tick = 2, .value = 2}});

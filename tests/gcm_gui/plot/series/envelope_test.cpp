@@ -103,7 +103,7 @@ class Reference {
   std::vector<double> high;
 };
 
-TEST(Envelope, IntegersHoldUntilTheNextSampleAndStepToIt) {
+TEST(Envelope, IntegersAreDrawnAsSteps) {
   std::vector<Sample> rows = Rows(0, 2);
   rows[0].value = ExactNumber::Signed(2);
   rows[1].value = ExactNumber::Signed(7);
@@ -122,7 +122,7 @@ TEST(Envelope, IntegersHoldUntilTheNextSampleAndStepToIt) {
   EXPECT_EQ(envelope.high()[6], 7);
 }
 
-TEST(Envelope, OfIntegersIsTheirDistanceFromTheBase) {
+TEST(Envelope, IntegersAreDistancesFromTheBase) {
   constexpr std::int64_t kStamp = 1'764'300'000'123'456'789;
   std::vector<Sample> rows = Rows(0, 1000);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -141,7 +141,7 @@ TEST(Envelope, OfIntegersIsTheirDistanceFromTheBase) {
   EXPECT_EQ(envelope.highest(), 123'457'788);
 }
 
-TEST(Envelope, IsWhatTheDefinitionSaysForScenesOfAllKinds) {
+TEST(Envelope, MatchesTheReferenceForRandomScenes) {
   std::mt19937 random(20240607);
   for (int round = 0; round < 60; ++round) {
     Scene scene = RandomScene(random);
@@ -161,7 +161,7 @@ TEST(Envelope, IsWhatTheDefinitionSaysForScenesOfAllKinds) {
   }
 }
 
-TEST(Envelope, LeavesOutNoExtremeOfASample) {
+TEST(Envelope, ContainsEveryExtreme) {
   std::mt19937 random(1);
   for (int round = 0; round < 300; ++round) {
     const Scene scene = RandomScene(random);
@@ -184,7 +184,7 @@ TEST(Envelope, LeavesOutNoExtremeOfASample) {
 }
 
 // What was drawn is kept and moved: that must not be seen.
-TEST(Envelope, MovingOnWithNewSamplesIsLikeDrawingAnew) {
+TEST(Envelope, AnIncrementalUpdateMatchesARebuild) {
   constexpr std::int64_t kWidth = 7 * kMillisecond;
   constexpr std::size_t kCount = 150;
   std::mt19937 random(5);
@@ -222,7 +222,7 @@ TEST(Envelope, MovingOnWithNewSamplesIsLikeDrawingAnew) {
   }
 }
 
-TEST(Envelope, SamplesThatMadeRoomAreNoLongerShown) {
+TEST(Envelope, DroppedSamplesAreNotShown) {
   SampleRing ring(1024);
   Envelope envelope;
   const TimeSlices slices{.from_ns = 0, .to_ns = 4 * kSecond, .count = 400};
@@ -236,7 +236,7 @@ TEST(Envelope, SamplesThatMadeRoomAreNoLongerShown) {
   EXPECT_LT(envelope.low()[250], envelope.high()[250]);
 }
 
-TEST(Envelope, OneSampleIsOneSlice) {
+TEST(Envelope, ASingleSampleFillsOneSlice) {
   SampleRing ring;
   ring.append(std::vector<Sample>{{.time_ns = 55, .tick = 1, .value = 3}});
   Envelope envelope;
@@ -272,7 +272,7 @@ TEST(Envelope, TheLineEndsAtAGap) {
   EXPECT_EQ(envelope.high()[9], 1);
 }
 
-TEST(Envelope, NothingIsShownOfAnEmptyRing) {
+TEST(Envelope, AnEmptyRingShowsNothing) {
   Envelope envelope;
 
   envelope.build(SampleRing(), {.from_ns = 0, .to_ns = 100, .count = 10});

@@ -10,13 +10,13 @@ constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
 constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
 constexpr std::uint64_t kMostUnsigned = std::numeric_limits<std::uint64_t>::max();
 
-TEST(ExactNumber, IsWrittenWithAllItsDigits) {
+TEST(ExactNumber, PrintsAllDigits) {
   EXPECT_EQ(ExactNumber::Signed(kLeast).text(), "-9223372036854775808");
   EXPECT_EQ(ExactNumber::Unsigned(kMostUnsigned).text(), "18446744073709551615");
   EXPECT_EQ(ExactNumber(0.1).text(), "0.1");
 }
 
-TEST(ExactNumber, IsOrderedAsItsKindMeansItsBits) {
+TEST(ExactNumber, ComparesByItsKind) {
   EXPECT_TRUE(ExactNumber::Signed(-1).isBelow(ExactNumber::Signed(0)));
   EXPECT_FALSE(ExactNumber::Unsigned(kMostUnsigned).isBelow(ExactNumber::Unsigned(0)));
   EXPECT_TRUE(ExactNumber(-0.5).isBelow(0.5));
@@ -28,7 +28,7 @@ TEST(DifferenceText, IsExactOverAllIntegers) {
   EXPECT_EQ(DifferenceText(ExactNumber::Unsigned(7), ExactNumber::Unsigned(4)), "-3");
 }
 
-TEST(DistanceFrom, TellsNeighboursApartWhereDoublesCannot) {
+TEST(DistanceFrom, SeparatesNeighboursThatDoublesCannot) {
   const DistanceFrom from_stamp(ExactNumber::Kind::kSigned, 1.7e18);
   EXPECT_EQ(from_stamp(1'700'000'000'000'000'001), 1);
   EXPECT_EQ(from_stamp(1'699'999'999'999'999'999), -1);

@@ -17,7 +17,7 @@ TEST(LiveClock, RunsEvenlyThoughSamplesComeInBatches) {
   }
 }
 
-TEST(LiveClock, ALateBatchDoesNotTurnItBack) {
+TEST(LiveClock, ALateBatchDoesNotSetItBack) {
   LiveClock clock;
   clock.update(10 * kSecond, 10 * kSecond);
 
@@ -26,14 +26,14 @@ TEST(LiveClock, ALateBatchDoesNotTurnItBack) {
   EXPECT_EQ(clock.now(11 * kSecond), 11 * kSecond);
 }
 
-TEST(LiveClock, GoesOnWhenTheSourceIsSilent) {
+TEST(LiveClock, ContinuesWhenTheSourceIsSilent) {
   LiveClock clock;
   clock.update(10 * kSecond, 3 * kSecond);
 
   EXPECT_EQ(clock.now(100 * kSecond), 107 * kSecond);
 }
 
-TEST(LiveClock, ForgetsALeadThatIsNoLongerReached) {
+TEST(LiveClock, DropsAnOutdatedLead) {
   LiveClock clock;
   clock.update(20 * kSecond, 10 * kSecond);
   for (int i = 1; i < 100; ++i) {

@@ -31,7 +31,7 @@ TEST(SampleRing, UnbrokenRowsHaveNoGap) {
   EXPECT_TRUE(ring.gaps().empty());
 }
 
-TEST(SampleRing, RowsThatAreMissingAreCountedAndPlaced) {
+TEST(SampleRing, CountsAndPlacesMissingRows) {
   SampleRing ring;
   ring.append(Rows(0, 100));
   ring.append(Rows(700, 800));
@@ -46,7 +46,7 @@ TEST(SampleRing, RowsThatAreMissingAreCountedAndPlaced) {
   EXPECT_EQ(ring.lost(), 600U);
 }
 
-TEST(SampleRing, AGapWithinABatchIsSeenToo) {
+TEST(SampleRing, DetectsAGapWithinABatch) {
   SampleRing ring;
 
   ring.append(std::vector{Row(1, 1), Row(2, 2), Row(5, 5), Row(6, 6)});
@@ -54,7 +54,7 @@ TEST(SampleRing, AGapWithinABatchIsSeenToo) {
   EXPECT_EQ(ring.lost(), 2U);
 }
 
-TEST(SampleRing, RepeatedRowsAreCountedAndLeftOut) {
+TEST(SampleRing, CountsAndDropsRepeatedRows) {
   SampleRing ring;
   ring.append(Rows(0, 10));
   ring.append(Rows(7, 12));
@@ -86,7 +86,7 @@ TEST(SampleRing, AnEpochIsAGapWithoutLostRows) {
   EXPECT_EQ(ring.endIndex(), 4U);
 }
 
-TEST(SampleRing, AnEpochOfWhichNobodyToldIsFoundByItsTicks) {
+TEST(SampleRing, DetectsAnUnannouncedEpochByItsTicks) {
   SampleRing ring;
   ring.append(std::vector{Row(500, 500), Row(501, 501)});
 
@@ -97,7 +97,7 @@ TEST(SampleRing, AnEpochOfWhichNobodyToldIsFoundByItsTicks) {
   EXPECT_EQ(ring.repeated(), 0U);
 }
 
-TEST(SampleRing, AClockThatWasSetBackStartsTheRingOver) {
+TEST(SampleRing, RestartsWhenTheClockIsSetBack) {
   SampleRing ring;
   ring.append(Rows(100'000, 100'100));
 
@@ -118,7 +118,7 @@ TEST(SampleRing, TimeNeverRunsBackwards) {
   EXPECT_EQ(ring.endIndex(), 3U);
 }
 
-TEST(SampleRing, TheOldestMakeRoomWhenItIsFull) {
+TEST(SampleRing, DropsTheOldestWhenFull) {
   SampleRing ring(4096);
 
   ring.append(Rows(0, 10'000));
@@ -155,7 +155,7 @@ TEST(SampleRing, ALowerLimitKeepsTheLatest) {
   EXPECT_EQ(ring.tick(ring.endIndex() - 1), 5000U);
 }
 
-TEST(SampleRing, GapsAreBoundedToo) {
+TEST(SampleRing, LimitsTheNumberOfGaps) {
   SampleRing ring(std::size_t{1} << 20);
   std::vector<Sample> rows;
   for (std::uint64_t i = 0; i < 100'000; ++i)
@@ -190,7 +190,7 @@ TEST(SampleRing, IntegersKeepAllTheirBits) {
   }
 }
 
-TEST(SampleRing, ARowWithoutTheElementBreaksTheLineAndIsNotLost) {
+TEST(SampleRing, ARowWithoutTheElementIsAGapNotALoss) {
   Sample nothing = Count(2, 0);
   nothing.value = std::numeric_limits<double>::quiet_NaN();
   SampleRing ring;
@@ -204,7 +204,7 @@ TEST(SampleRing, ARowWithoutTheElementBreaksTheLineAndIsNotLost) {
   EXPECT_EQ(ring.number(1), ExactNumber::Signed(8));
 }
 
-TEST(SampleRing, NumbersOfAnotherKindBeginANewRing) {
+TEST(SampleRing, NumbersOfAnotherKindRestartTheRing) {
   SampleRing ring;
   ring.append(Rows(0, 10));
 
@@ -241,7 +241,7 @@ TEST(SampleRing, LowerBoundFindsTheFirstAtOrAfter) {
   EXPECT_EQ(ring.lowerBound(9999 * kMillisecond), ring.endIndex());
 }
 
-TEST(SampleRing, ASourceThatStoodStillLeavesAGapWithoutALoss) {
+TEST(SampleRing, APausedSourceLeavesAGapWithoutALoss) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1), Row(2, 2)});
   ring.noteStandstill();
@@ -259,7 +259,7 @@ TEST(SampleRing, ASourceThatStoodStillLeavesAGapWithoutALoss) {
   EXPECT_EQ(ring.tick(4), 5U);
 }
 
-TEST(SampleRing, ASlowSourceThatRunsAgainLeavesOneGap) {
+TEST(SampleRing, AResumedSlowSourceLeavesOneGap) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1000), Row(2, 2000)});
   ring.noteStandstill();
@@ -272,7 +272,7 @@ TEST(SampleRing, ASlowSourceThatRunsAgainLeavesOneGap) {
   EXPECT_EQ(ring.gaps().front().to_ns, 9000 * kMillisecond);
 }
 
-TEST(SampleRing, ASlowSourceThatIsStartedAnewLeavesOneGap) {
+TEST(SampleRing, ARestartedSlowSourceLeavesOneGap) {
   SampleRing ring;
   ring.append(std::vector{Row(7, 1000), Row(8, 2000)});
   ring.noteStandstill();
@@ -285,7 +285,7 @@ TEST(SampleRing, ASlowSourceThatIsStartedAnewLeavesOneGap) {
   EXPECT_EQ(ring.gaps().front().cause, Gap::Cause::kRestart);
 }
 
-TEST(SampleRing, ASlowSourceThatRunsHasNoGaps) {
+TEST(SampleRing, ARunningSlowSourceHasNoGaps) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1000)});
   ring.noteStandstill();
@@ -295,7 +295,7 @@ TEST(SampleRing, ASlowSourceThatRunsHasNoGaps) {
   EXPECT_TRUE(ring.gaps().empty());
 }
 
-TEST(SampleRing, ASlowSourceThatStoodStillBeforeItsFirstRowHasNoGap) {
+TEST(SampleRing, ASlowSourcePausedBeforeItsFirstRowHasNoGap) {
   SampleRing ring;
   ring.noteStandstill();
   ring.append(std::vector{Row(1, 1000)});
@@ -305,7 +305,7 @@ TEST(SampleRing, ASlowSourceThatStoodStillBeforeItsFirstRowHasNoGap) {
   EXPECT_TRUE(ring.gaps().empty());
 }
 
-TEST(SampleRing, OfRowsWithoutTheElementThoseBeforeAreLostAlone) {
+TEST(SampleRing, CountsOnlyRowsMissingBeforeARowWithoutTheElement) {
   Sample nothing = Count(5, 0);
   nothing.value = std::numeric_limits<double>::quiet_NaN();
   SampleRing ring;

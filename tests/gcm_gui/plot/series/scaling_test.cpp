@@ -22,7 +22,7 @@ const CurveKey kPosition{"robot/arm/state.Joints.position[0]", "rad"};
 const CurveKey kOther{"robot/arm/state.Joints.position[1]", "rad"};
 constexpr Scaling kScaling{.factor = -1000, .offset = 2};
 
-TEST(Scaling, SaysItselfBehindTheUnit) {
+TEST(Scaling, IsShownAfterTheUnit) {
   EXPECT_EQ(TextOf({.factor = 1000, .offset = 2}), "×1000 +2");
   EXPECT_EQ(TextOf({.factor = 1, .offset = -0.5}), "-0.5");
   EXPECT_EQ(TextOf({.factor = -1}), "×-1");
@@ -31,7 +31,7 @@ TEST(Scaling, SaysItselfBehindTheUnit) {
   EXPECT_EQ(UnitOf("", {.factor = 1000}), "×1000");
 }
 
-TEST(Scaling, WhatCannotBeShownIsRefusedWithAReason) {
+TEST(Scaling, RejectsUnusableValuesWithAReason) {
   constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   EXPECT_EQ(RefusalOf({}), std::nullopt);
   EXPECT_EQ(RefusalOf({.scaling = kScaling, .axis = "torque"}), std::nullopt);
@@ -47,7 +47,7 @@ TEST(Scaling, WhatCannotBeShownIsRefusedWithAReason) {
   }
 }
 
-TEST(Scaling, NumbersAreReadAlikeInEveryLocale) {
+TEST(Scaling, ReadsNumbersAlikeInAllLocales) {
   for (const char* locale : {"C", "en_US", "de_DE", "fr_FR"}) {
     QLocale::setDefault(QLocale(locale));
     EXPECT_EQ(NumberIn(" 1e3 "), 1000);
@@ -90,7 +90,7 @@ TEST_F(ScaledCurveTest, AnEmptySliceStaysEmpty) {
   EXPECT_GT(envelope.low()[3], envelope.high()[3]);
 }
 
-TEST_F(ScaledCurveTest, HasAnAxisOfItsOwnUnlessAnotherIsChosen) {
+TEST_F(ScaledCurveTest, HasItsOwnAxisByDefault) {
   Curve& other = curves_.add(kOther);
   other.append(Rows(0, 1001));
   ASSERT_EQ(curves_.axes().size(), 2U);
@@ -107,7 +107,7 @@ TEST_F(ScaledCurveTest, HasAnAxisOfItsOwnUnlessAnotherIsChosen) {
   EXPECT_EQ(curves_.axisOf(other).unit, "mine");
 }
 
-TEST_F(ScaledCurveTest, ReadoutAndStatisticsAreThoseOfWhatIsShown) {
+TEST_F(ScaledCurveTest, ReadoutAndStatisticsAreScaled) {
   Curve scaled_before(kPosition, 0);
   scaled_before.append(Rows(0, 1001, [](double seconds) { return kScaling.of(seconds); }));
   const auto expected = StatisticsOf(scaled_before.samples(), 0, kSecond);
@@ -122,7 +122,7 @@ TEST_F(ScaledCurveTest, ReadoutAndStatisticsAreThoseOfWhatIsShown) {
   EXPECT_EQ(curve().valueAt(500 * kMillisecond), -498);
 }
 
-TEST_F(ScaledCurveTest, TheLegendSaysThatItIsScaled) {
+TEST_F(ScaledCurveTest, TheLegendShowsTheScaling) {
   const std::vector<SeenSlices> seen{{.slices = slices_}};
   curves_.fitAxes(seen);
 
@@ -133,7 +133,7 @@ TEST_F(ScaledCurveTest, TheLegendSaysThatItIsScaled) {
   EXPECT_THAT(entries[0].figures.toStdString(), HasSubstr("min    -998"));
 }
 
-TEST_F(ScaledCurveTest, CsvStaysRawAndSaysSo) {
+TEST_F(ScaledCurveTest, CsvExportIsRawAndNotesTheScaling) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
 
@@ -144,7 +144,7 @@ TEST_F(ScaledCurveTest, CsvStaysRawAndSaysSo) {
   EXPECT_THAT(lines[2].toStdString(), HasSubstr(",0.001,"));
 }
 
-TEST(ScaledLayout, IsKeptAndComesBack) {
+TEST(ScaledLayout, IsSavedAndRestored) {
   PlotPanel panel;
   panel.addSignal(kPosition.path, kPosition.unit);
   const CurveLook look{.scaling = kScaling, .axis = "mine"};
@@ -157,7 +157,7 @@ TEST(ScaledLayout, IsKeptAndComesBack) {
   EXPECT_EQ(LayoutOf(other), LayoutOf(panel));
 }
 
-TEST(ScaledLayout, OneThatCannotBeShownSaysWhyAndChangesNothing) {
+TEST(ScaledLayout, RejectsABadScalingWithAReason) {
   PlotPanel panel;
   panel.addSignal(kPosition.path, kPosition.unit);
   const QByteArray before = LayoutOf(panel);
@@ -176,7 +176,7 @@ TEST(ScaledLayout, OneThatCannotBeShownSaysWhyAndChangesNothing) {
   EXPECT_EQ(LayoutOf(panel), before);
 }
 
-TEST(ScaledLayout, WhatStandsInPlaceOfAnotherIsShownLikeIt) {
+TEST(ScaledLayout, ARemappedCurveKeepsTheScaling) {
   PlotPanel panel;
   panel.addSignal(kPosition.path, kPosition.unit);
   panel.currentPlot().setLook(kPosition.path, {.scaling = kScaling});

@@ -14,17 +14,17 @@ TEST(SignalPath, HasASourceAShortNameAndAColumn) {
   EXPECT_EQ(ColumnOf(path), "Joints");
 }
 
-TEST(SignalPath, NamesTheTableWhenItIsNotTheDefaultOne) {
+TEST(SignalPath, NamesATableOtherThanTheDefault) {
   EXPECT_EQ(ShortName("robot/arm/state-fast.Current"), "arm.fast.Current");
   EXPECT_EQ(ColumnOf("robot/arm/state.Load[3]"), "Load");
 }
 
-TEST(SignalPath, ANameOfAnotherShapeIsShownWhole) {
+TEST(SignalPath, AnotherFormatIsShownUnchanged) {
   EXPECT_EQ(ShortName("temperature"), "temperature");
   EXPECT_EQ(SourceOf("temperature"), "temperature");
 }
 
-TEST(SignalPath, TravelsWithADrag) {
+TEST(SignalPath, RoundTripsThroughDragData) {
   const QList<CurveKey> keys{{"robot/arm/state.Joints.position[0]", "rad"},
                              {"desk/host/state.Load", ""}};
   QMimeData data;
@@ -34,7 +34,7 @@ TEST(SignalPath, TravelsWithADrag) {
   EXPECT_EQ(PathsIn(data), keys);
 }
 
-TEST(SignalPath, LinesWithoutAPathAreLeftOut) {
+TEST(SignalPath, IgnoresLinesWithoutAPath) {
   QMimeData data;
   data.setData(kPathMimeType, "\n\trad\na/b/c.d\n");
 

@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(Statistics, AreOfTheSamplesOfThatTimeAlone) {
+TEST(Statistics, CoverOnlyTheGivenTime) {
   SampleRing ring;
   ring.append(Rows(0, 100, [](double) { return 1000.0; }));
   ring.append(Rows(100, 104, [](double t) { return std::round(t * 1000) - 100; }));  // 0 1 2 3
@@ -28,7 +28,7 @@ TEST(Statistics, AreOfTheSamplesOfThatTimeAlone) {
   EXPECT_DOUBLE_EQ(found->rate, 1000);
 }
 
-TEST(Statistics, LeaveOutWhatIsNoNumberAndAreNothingWithoutAny) {
+TEST(Statistics, IgnoreNanAndAreEmptyWithoutNumbers) {
   SampleRing ring;
   ring.append(Rows(0, 1, [](double) { return std::numeric_limits<double>::quiet_NaN(); }));
   EXPECT_FALSE(StatisticsOf(ring, 0, kSecond).has_value());
@@ -44,7 +44,7 @@ std::vector<Sample> Integers(std::initializer_list<std::int64_t> values) {
   return rows;
 }
 
-TEST(Statistics, OfIntegersThatDoublesCannotTellApartAreExact) {
+TEST(Statistics, AreExactForLargeIntegers) {
   constexpr std::int64_t kStamp = 1'764'300'000'123'456'789;
   SampleRing ring;
   ring.append(Integers({kStamp, kStamp + 1, kStamp + 5}));
@@ -59,7 +59,7 @@ TEST(Statistics, OfIntegersThatDoublesCannotTellApartAreExact) {
   EXPECT_DOUBLE_EQ(found->deviation, std::sqrt(14.0 / 3));
 }
 
-TEST(Statistics, OfTheLargestAndTheSmallestDoublesAreFinite) {
+TEST(Statistics, AreFiniteForExtremeDoubles) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   SampleRing large;
@@ -96,7 +96,7 @@ TEST(FrameGovernor, DrawsAt60HzWhileFramesAreCheap) {
   EXPECT_EQ(governor.interval(), FrameGovernor::kShortest);
 }
 
-TEST(FrameGovernor, LeavesHalfOfTheTimeWhenTheyAreDearAndRecovers) {
+TEST(FrameGovernor, UsesHalfOfTheTimeForSlowFramesAndRecovers) {
   FrameGovernor governor;
   governor.drew(FrameGovernor::Time(40'000));
   EXPECT_EQ(governor.interval(), FrameGovernor::Time(80'000));
@@ -108,7 +108,7 @@ TEST(FrameGovernor, LeavesHalfOfTheTimeWhenTheyAreDearAndRecovers) {
   EXPECT_EQ(governor.interval(), FrameGovernor::kShortest);
 }
 
-TEST(Statistics, AreExactAtTheEndOfAllIntegers) {
+TEST(Statistics, AreExactAtTheIntegerLimits) {
   constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   std::vector<Sample> rows = Rows(0, 2);
   rows[0].value = ExactNumber::Unsigned(kLargest - 1);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(TimeWindow, ALiveOneHasNowAtItsRightEdge) {
+TEST(TimeWindow, ALiveWindowEndsNow) {
   TimeWindow window;
   window.setLength(10s);
 
@@ -31,7 +31,7 @@ TEST(TimeWindow, MovesByWholeColumns) {
   EXPECT_GT(window.origin(), before);
 }
 
-TEST(TimeWindow, AHeldOneStays) {
+TEST(TimeWindow, AHeldWindowDoesNotMove) {
   TimeWindow window;
   window.follow(100 * kSecond, 1000);
   window.hold();
@@ -50,7 +50,7 @@ TEST(TimeWindow, ZoomingKeepsThePointUnderTheMouse) {
   EXPECT_DOUBLE_EQ(window.to(), -5);
 }
 
-TEST(TimeWindow, ZoomHasItsLimits) {
+TEST(TimeWindow, LimitsTheZoom) {
   TimeWindow window;
   window.zoom(1e-12, -10);
   EXPECT_GT(window.to() - window.from(), 1e-5);
@@ -58,7 +58,7 @@ TEST(TimeWindow, ZoomHasItsLimits) {
   EXPECT_LT(window.to() - window.from(), 1e6);
 }
 
-TEST(TimeWindow, GoingLiveShowsTheLengthThatWasChosenLast) {
+TEST(TimeWindow, GoingLiveRestoresTheChosenLength) {
   TimeWindow window;
   window.setLength(5s);
   window.show(-3, -2);
@@ -74,7 +74,7 @@ TEST(TimeWindow, GoingLiveShowsTheLengthThatWasChosenLast) {
   EXPECT_DOUBLE_EQ(window.to(), 0);
 }
 
-TEST(SweepingTime, TheAxisRestsWhileTheHeadMovesAndBeginsAnewAfterALength) {
+TEST(SweepingTime, TheAxisIsFixedUntilTheSweepRestarts) {
   TimeWindow window;
   window.setLength(10s);
   window.setMotion(TimeWindow::Motion::kSweep);
@@ -92,7 +92,7 @@ TEST(SweepingTime, TheAxisRestsWhileTheHeadMovesAndBeginsAnewAfterALength) {
   EXPECT_EQ(window.lastTime(), 31 * kSecond);
 }
 
-TEST(SweepingTime, RightOfTheHeadIsTheLengthBefore) {
+TEST(SweepingTime, RightOfTheHeadIsThePreviousSweep) {
   TimeWindow window;
   window.setLength(10s);
   window.setMotion(TimeWindow::Motion::kSweep);
@@ -103,7 +103,7 @@ TEST(SweepingTime, RightOfTheHeadIsTheLengthBefore) {
   EXPECT_DOUBLE_EQ(window.pointOf(17 * kSecond), 7);
 }
 
-TEST(SweepingTime, ZoomingGoesToTimeThatRunsFromLeftToRight) {
+TEST(SweepingTime, ZoomingEndsTheSweep) {
   TimeWindow window;
   window.setLength(10s);
   window.setMotion(TimeWindow::Motion::kSweep);
@@ -123,7 +123,7 @@ TEST(SweepingTime, ZoomingGoesToTimeThatRunsFromLeftToRight) {
   EXPECT_TRUE(across.isSweeping());
 }
 
-TEST(SweepingTime, AHeldOneKeepsItsPictureUntilItIsToScroll) {
+TEST(SweepingTime, AHeldWindowIsUnchangedUntilItScrolls) {
   TimeWindow window;
   window.setLength(10s);
   window.setMotion(TimeWindow::Motion::kSweep);
