@@ -14,7 +14,7 @@ namespace {
 
 const InterfaceName kTeleoperation{"desk", "teleoperation", "Robot"};
 
-class WhyCardTest : public WindowFixture {
+class DiagnosisCardTest : public WindowFixture {
  protected:
   [[nodiscard]] DiagnosisCard& card() { return *window_.findChild<DiagnosisCard*>(); }
   [[nodiscard]] QString Verdict() { return card().findChild<QLabel*>("why.verdict")->text(); }
@@ -26,7 +26,7 @@ class WhyCardTest : public WindowFixture {
   void Answer() { checks_.diagnosis(Diagnose(store_.catalogue(), checks_.diagnosed.back())); }
 };
 
-TEST_F(WhyCardTest, OpensAtOnceAndShowsTheResultLater) {
+TEST_F(DiagnosisCardTest, OpensAtOnceAndShowsTheResultLater) {
   Ask();
 
   EXPECT_TRUE(card().isVisible());
@@ -39,7 +39,7 @@ TEST_F(WhyCardTest, OpensAtOnceAndShowsTheResultLater) {
   EXPECT_EQ(Verdict(), "nothing prevents the connection");
 }
 
-TEST_F(WhyCardTest, RetryConnectsAndTheCardFollowsTheSystem) {
+TEST_F(DiagnosisCardTest, RetryConnectsAndTheCardFollowsTheSystem) {
   Ask();
   Answer();
   QTest::mouseClick(card().findChild<QPushButton*>("why.retry"), Qt::LeftButton);
@@ -53,7 +53,7 @@ TEST_F(WhyCardTest, RetryConnectsAndTheCardFollowsTheSystem) {
   EXPECT_EQ(Verdict(), "fails at step 1 of 7");
 }
 
-TEST_F(WhyCardTest, IgnoresAnAnswerForAnotherConnection) {
+TEST_F(DiagnosisCardTest, IgnoresAnAnswerForAnotherConnection) {
   Ask();
   const auto late = checks_.diagnosis;
   QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);
@@ -64,7 +64,7 @@ TEST_F(WhyCardTest, IgnoresAnAnswerForAnotherConnection) {
   EXPECT_FALSE(card().isVisible());
 }
 
-TEST_F(WhyCardTest, EveryButtonHasAName) {
+TEST_F(DiagnosisCardTest, EveryButtonHasAName) {
   Ask();
   Answer();
 

@@ -9,7 +9,7 @@ namespace {
 const InterfaceName kReported{"desk", "teleoperation", "Robot"};
 const InterfaceName kController{"robot", "controller", "Control"};
 
-class WhyReportTest : public ::testing::Test {
+class DiagnosisReportTest : public ::testing::Test {
  protected:
   DiagnosisReport Report(const InterfaceName& required, const InterfaceName& provided) {
     return {*Diagnose(system_.catalogue(), {required, provided}), std::nullopt, {}};
@@ -19,13 +19,13 @@ class WhyReportTest : public ::testing::Test {
   RefusedConnections refusals_;
 };
 
-TEST_F(WhyReportTest, TheVerdictNamesTheFailedStep) {
+TEST_F(DiagnosisReportTest, TheVerdictNamesTheFailedStep) {
   EXPECT_EQ(Report(kReported, kController).verdict(), "nothing prevents the connection");
   EXPECT_EQ(Report(kReported, {"robot", "arm", "Drives"}).verdict(), "fails at step 4 of 7");
   EXPECT_EQ(Report(kReported, {"vision", "camera", "Video"}).verdict(), "fails at step 1 of 7");
 }
 
-TEST_F(WhyReportTest, TheTextMatchesTheConsole) {
+TEST_F(DiagnosisReportTest, TheTextMatchesTheConsole) {
   const QString text = Report(kReported, {"robot", "arm", "Drives"}).text();
 
   EXPECT_TRUE(text.contains("  1 ok  processes desk and robot are available\n"))
@@ -34,13 +34,13 @@ TEST_F(WhyReportTest, TheTextMatchesTheConsole) {
   EXPECT_TRUE(text.contains("gcm explain desk/teleoperation/Robot robot/arm/Drives\n"));
 }
 
-TEST_F(WhyReportTest, CopiesTheCommandOfAFix) {
+TEST_F(DiagnosisReportTest, CopiesTheCommandOfAFix) {
   EXPECT_EQ(CommandOfFix("list the interfaces that fit: gcm candidates a/b/C"),
             "gcm candidates a/b/C");
   EXPECT_EQ(CommandOfFix("start it again"), "start it again");
 }
 
-TEST_F(WhyReportTest, PrefersTheRefusedThenTheConnectedThenTheBestProvider) {
+TEST_F(DiagnosisReportTest, PrefersTheRefusedThenTheConnectedThenTheBestProvider) {
   EXPECT_EQ(LikelyProvider(system_.catalogue(), refusals_, kReported), kController);
 
   system_.Connect(kReported, {"robot", "arm", "Drives"}, ConnectionState::kFailed);

@@ -11,7 +11,7 @@ namespace {
 const InterfaceName kRequired{"desk", "view", "Host"};
 const InterfaceName kProvided{"desk", "host_monitor", "state"};
 
-class RefusalsTest : public ::testing::Test {
+class RefusedConnectionsTest : public ::testing::Test {
  protected:
   void Finish(Action::Verb verb, Action::Outcome outcome) {
     Action action;
@@ -27,7 +27,7 @@ class RefusalsTest : public ::testing::Test {
   QSignalSpy changed_{&refusals_, &RefusedConnections::changed};
 };
 
-TEST_F(RefusalsTest, KeepsARefusalUntilTheConnectionIsMade) {
+TEST_F(RefusedConnectionsTest, KeepsARefusalUntilTheConnectionIsMade) {
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
   ASSERT_NE(refusals_.find(kRequired), nullptr);
@@ -40,14 +40,14 @@ TEST_F(RefusalsTest, KeepsARefusalUntilTheConnectionIsMade) {
   EXPECT_EQ(changed_.count(), 2);
 }
 
-TEST_F(RefusalsTest, IgnoresARefusedDisconnect) {
+TEST_F(RefusedConnectionsTest, IgnoresARefusedDisconnect) {
   Finish(Action::Verb::kDisconnect, Action::Outcome::kRefused);
 
   EXPECT_TRUE(refusals_.all().empty());
   EXPECT_EQ(changed_.count(), 0);
 }
 
-TEST_F(RefusalsTest, AConnectionByAnotherProgramClearsARefusal) {
+TEST_F(RefusedConnectionsTest, AConnectionByAnotherProgramClearsARefusal) {
   SystemBuilder system = LookSystem(0);
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 
@@ -60,7 +60,7 @@ TEST_F(RefusalsTest, AConnectionByAnotherProgramClearsARefusal) {
   EXPECT_EQ(refusals_.find(kRequired), nullptr);
 }
 
-TEST_F(RefusalsTest, ForgetsARefusalWithItsInterface) {
+TEST_F(RefusedConnectionsTest, ForgetsARefusalWithItsInterface) {
   SystemBuilder system = LookSystem(0);
   Finish(Action::Verb::kConnect, Action::Outcome::kRefused);
 

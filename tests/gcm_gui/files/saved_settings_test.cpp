@@ -83,9 +83,9 @@ TEST(SavedSettings, TwoProgramsKeepEachOthersSettings) {
 }
 
 /// A file that cannot be written, and what is said of it.
-class KeptValuesRefused : public ::testing::Test {
+class SavedSettingsError : public ::testing::Test {
  protected:
-  KeptValuesRefused() { EXPECT_TRUE(QDir().mkdir(file_)); }  // in the way of the file
+  SavedSettingsError() { EXPECT_TRUE(QDir().mkdir(file_)); }  // in the way of the file
   [[nodiscard]] bool IsSaid(const std::string& text) const {
     return text.find(file_.toStdString() + " was not saved: ") != std::string::npos;
   }
@@ -94,7 +94,7 @@ class KeptValuesRefused : public ::testing::Test {
   const QString file_ = folder_.filePath("window.json");
 };
 
-TEST_F(KeptValuesRefused, IsPrintedOnStderr) {
+TEST_F(SavedSettingsError, IsPrintedOnStderr) {
   testing::internal::CaptureStderr();
 
   SavedSettings(file_).set("seen", "yes");
@@ -105,7 +105,7 @@ TEST_F(KeptValuesRefused, IsPrintedOnStderr) {
   EXPECT_TRUE(IsSaid(said)) << said;
 }
 
-TEST_F(KeptValuesRefused, IsPrintedAtExit) {
+TEST_F(SavedSettingsError, IsPrintedAtExit) {
   testing::internal::CaptureStderr();
 
   SavedSettings(file_).set("seen", "yes");

@@ -42,9 +42,9 @@ TEST(ValuesModel, ShowsEveryNumberOnceItArrives) {
 }
 
 /// The values of the arm, by a clock that the test turns.
-class ValuesInTime : public ::testing::Test {
+class ValuesModelTest : public ::testing::Test {
  protected:
-  ValuesInTime() {
+  ValuesModelTest() {
     model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kNone);
     clock_.Advance(std::chrono::seconds(1));
     model_.await();
@@ -77,7 +77,7 @@ class ValuesInTime : public ::testing::Test {
   QAbstractItemModelTester tester_{&model_, QAbstractItemModelTester::FailureReportingMode::Fatal};
 };
 
-TEST_F(ValuesInTime, AChangedValueIsFreshForHalfASecond) {
+TEST_F(ValuesModelTest, AChangedValueIsFreshForHalfASecond) {
   Send(1, {0.5, 0});
   EXPECT_FALSE(Value(0, kFreshRole).toBool()) << "it has only just come";
 
@@ -91,7 +91,7 @@ TEST_F(ValuesInTime, AChangedValueIsFreshForHalfASecond) {
   EXPECT_EQ(changed.count(), 1) << "it is drawn anew";
 }
 
-TEST_F(ValuesInTime, TheTooltipShowsTheExactValue) {
+TEST_F(ValuesModelTest, TheTooltipShowsTheExactValue) {
   Send(1, {0.1 + 0.2, 2});
 
   EXPECT_EQ(Value(0), "0.3000");
@@ -99,7 +99,7 @@ TEST_F(ValuesInTime, TheTooltipShowsTheExactValue) {
   EXPECT_EQ(Value(1, Qt::ToolTipRole), kJoints + ".velocity[0]");
 }
 
-TEST_F(ValuesInTime, ARepeatedNanIsNoChange) {
+TEST_F(ValuesModelTest, ARepeatedNanIsNoChange) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   Send(1, {none, 0.0});
   Send(2, {none, -0.0});
@@ -109,7 +109,7 @@ TEST_F(ValuesInTime, ARepeatedNanIsNoChange) {
   EXPECT_TRUE(Value(1, kFreshRole).toBool()) << "it has another sign";
 }
 
-TEST_F(ValuesInTime, AColumnShowsItsRateAndLaterItsAge) {
+TEST_F(ValuesModelTest, AColumnShowsItsRateAndLaterItsAge) {
   Send(1, {0, 0});
   EXPECT_EQ(Detail(), "");
   Pass(std::chrono::seconds(1));
@@ -125,7 +125,7 @@ TEST_F(ValuesInTime, AColumnShowsItsRateAndLaterItsAge) {
   EXPECT_FALSE(Value(0, kStaleRole).toBool());
 }
 
-TEST_F(ValuesInTime, ATimedOutColumnCanBeRequestedAgain) {
+TEST_F(ValuesModelTest, ATimedOutColumnCanBeRequestedAgain) {
   EXPECT_EQ(Value(0).toString(), "…");
   EXPECT_EQ(model_.askAgain(0), "");
   Pass(ValuesModel::kPatience);
@@ -141,7 +141,7 @@ TEST_F(ValuesInTime, ATimedOutColumnCanBeRequestedAgain) {
   EXPECT_EQ(model_.askAgain(0), "");
 }
 
-TEST_F(ValuesInTime, ARefusedColumnShowsTheReasonAndCanBeRetried) {
+TEST_F(ValuesModelTest, ARefusedColumnShowsTheReasonAndCanBeRetried) {
   model_.showRefusal(kJoints, "it has no such column");
   EXPECT_EQ(Value(0).toString(), "it has no such column · ask again");
   EXPECT_EQ(model_.index(0, 0).data(Qt::ToolTipRole), "it has no such column");
@@ -156,7 +156,7 @@ TEST_F(ValuesInTime, ARefusedColumnShowsTheReasonAndCanBeRetried) {
   EXPECT_TRUE(model_.isNumber(0));
 }
 
-TEST_F(ValuesInTime, HiddenValuesDoNotTimeOut) {
+TEST_F(ValuesModelTest, HiddenValuesDoNotTimeOut) {
   model_.awaitNothing();
   Pass(ValuesModel::kPatience);
   model_.await();
@@ -166,7 +166,7 @@ TEST_F(ValuesInTime, HiddenValuesDoNotTimeOut) {
   EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
 }
 
-TEST_F(ValuesInTime, AReturnedProcessGetsANewTimeout) {
+TEST_F(ValuesModelTest, AReturnedProcessGetsANewTimeout) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(10 * ValuesModel::kPatience);
 
@@ -175,7 +175,7 @@ TEST_F(ValuesInTime, AReturnedProcessGetsANewTimeout) {
   EXPECT_EQ(Value(0).toString(), "…");
 }
 
-TEST_F(ValuesInTime, TheAccessibleTextIncludesTheRate) {
+TEST_F(ValuesModelTest, TheAccessibleTextIncludesTheRate) {
   Send(1, {0, 0});
   Pass(std::chrono::seconds(1));
   Send(1001, {0, 0});
@@ -183,14 +183,14 @@ TEST_F(ValuesInTime, TheAccessibleTextIncludesTheRate) {
   EXPECT_TRUE(Value(0, Qt::AccessibleTextRole).toString().endsWith(", 1000 Hz"));
 }
 
-TEST_F(ValuesInTime, ALostProcessDoesNotTimeOut) {
+TEST_F(ValuesModelTest, ALostProcessDoesNotTimeOut) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
   Pass(ValuesModel::kPatience);
 
   EXPECT_EQ(Value(0).toString(), "…");
 }
 
-TEST_F(ValuesInTime, ValuesOfASuspendedComponentShowReasonAndAge) {
+TEST_F(ValuesModelTest, ValuesOfASuspendedComponentShowReasonAndAge) {
   Send(1, {0, 0.116});
   Pass(std::chrono::seconds(1));
   Send(1001, {0, 0.116});

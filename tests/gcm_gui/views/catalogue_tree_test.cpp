@@ -92,9 +92,9 @@ TEST_F(CatalogueTreeTest, RowsOpenedByAFilterCloseWithoutIt) {
 }
 
 /// A catalogue of its own, in which `vision` is lost, by a clock that the test turns.
-class GoneTest : public ::testing::Test {
+class HiddenProcessesTest : public ::testing::Test {
  protected:
-  GoneTest() {
+  HiddenProcessesTest() {
     ChangedParts all;
     for (const auto& [name, entry] : catalogue_.processes()) all.insert({name, {}});
     model_.update(catalogue_, all);
@@ -119,7 +119,7 @@ class GoneTest : public ::testing::Test {
   CataloguePanel panel_{filter_, selection_, source_};
 };
 
-TEST_F(GoneTest, HidesProcessesThatLeftHalfAMinuteAgo) {
+TEST_F(HiddenProcessesTest, HidesProcessesThatLeftHalfAMinuteAgo) {
   Pass(29);
   EXPECT_TRUE(IsSeen("vision"));
   EXPECT_FALSE(fold().isVisible());
@@ -134,7 +134,7 @@ TEST_F(GoneTest, HidesProcessesThatLeftHalfAMinuteAgo) {
   EXPECT_EQ(fold().text(), "▾ gone (1)");
 }
 
-TEST_F(GoneTest, AFilterOrASelectionShowsAHiddenProcess) {
+TEST_F(HiddenProcessesTest, AFilterOrASelectionShowsAHiddenProcess) {
   Pass(60);
   ASSERT_FALSE(IsSeen("vision"));
 
@@ -152,7 +152,7 @@ TEST_F(GoneTest, AFilterOrASelectionShowsAHiddenProcess) {
   EXPECT_FALSE(fold().isVisible());
 }
 
-TEST_F(GoneTest, TheButtonDisappearsWithTheLastHiddenProcess) {
+TEST_F(HiddenProcessesTest, TheButtonDisappearsWithTheLastHiddenProcess) {
   Pass(60);
   ASSERT_TRUE(fold().isVisible());
 

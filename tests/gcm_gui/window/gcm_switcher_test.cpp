@@ -27,9 +27,9 @@ TEST(ArgumentsFor, OmitsTheSystemFileAndDescribeUi) {
             (QStringList{"--theme=dark", "--gcm", "b"}));
 }
 
-class OtherGcmTest : public ::testing::Test {
+class GcmSwitcherTest : public ::testing::Test {
  protected:
-  OtherGcmTest() { window_.show(); }
+  GcmSwitcherTest() { window_.show(); }
 
   void Choose(const QString& address) {
     other_.ask();
@@ -49,7 +49,7 @@ class OtherGcmTest : public ::testing::Test {
   });
 };
 
-TEST_F(OtherGcmTest, AnotherWindowReplacesThisOne) {
+TEST_F(GcmSwitcherTest, AnotherWindowReplacesThisOne) {
   Choose(" robot1 ");
 
   ASSERT_TRUE(launched_);
@@ -57,7 +57,7 @@ TEST_F(OtherGcmTest, AnotherWindowReplacesThisOne) {
   EXPECT_FALSE(window_.isVisible());
 }
 
-TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysWithANotice) {
+TEST_F(GcmSwitcherTest, AWindowThatHostsTheGcmStaysWithANotice) {
   QSignalSpy notice(&other_, &GcmSwitcher::notice);
   link_.setAddress("127.0.0.1:10705", true);
   Choose("robot1");
@@ -68,7 +68,7 @@ TEST_F(OtherGcmTest, AWindowThatHostsTheGcmStaysWithANotice) {
   EXPECT_TRUE(notice[0][0].toString().startsWith("robot1 is shown in another window"));
 }
 
-TEST_F(OtherGcmTest, StaysWithANoticeIfTheNewWindowFails) {
+TEST_F(GcmSwitcherTest, StaysWithANoticeIfTheNewWindowFails) {
   QSignalSpy notice(&other_, &GcmSwitcher::notice);
   starts_ = false;
   Choose("robot1");
@@ -77,7 +77,7 @@ TEST_F(OtherGcmTest, StaysWithANoticeIfTheNewWindowFails) {
   EXPECT_TRUE(window_.isVisible());
 }
 
-TEST_F(OtherGcmTest, IgnoresAnEmptyAddress) {
+TEST_F(GcmSwitcherTest, IgnoresAnEmptyAddress) {
   Choose("  ");
 
   EXPECT_FALSE(launched_);

@@ -29,7 +29,7 @@ QStringList Sorted(QStringList paths) {
 }
 
 /// What a user does with mouse and keys, over processes that are real.
-class HandsFlowTest : public FlowFixture {
+class InteractionFlowTest : public FlowFixture {
  protected:
   [[nodiscard]] CatalogueTree& tree() const { return window_->catalogue().tree(); }
   bool Reveals(const QString& path) {
@@ -68,7 +68,7 @@ class HandsFlowTest : public FlowFixture {
   [[nodiscard]] QString Status() { return Find<QLabel>("call.status").text(); }
 };
 
-TEST_F(HandsFlowTest, ThreeSelectedRowsArePlottedByOneKey) {
+TEST_F(InteractionFlowTest, ThreeSelectedRowsArePlottedByOneKey) {
   const QStringList paths{"robot/arm/state.Joints.position[0]",
                           "robot/arm/state.Joints.position[1]",
                           "robot/arm/state.Joints.position[2]"};
@@ -95,7 +95,7 @@ TEST_F(HandsFlowTest, ThreeSelectedRowsArePlottedByOneKey) {
   KeepPictures(*window_, "flow-plot-three");
 }
 
-TEST_F(HandsFlowTest, ConnectsByDigitReplacesByDragAndUndoesBoth) {
+TEST_F(InteractionFlowTest, ConnectsByDigitReplacesByDragAndUndoesBoth) {
   const auto spare = StartSpare();
   ASSERT_TRUE(Eventually([&] { return window_->graph().pointOf(kSpareOffers).has_value(); }))
       << spare->err();
@@ -121,7 +121,7 @@ TEST_F(HandsFlowTest, ConnectsByDigitReplacesByDragAndUndoesBoth) {
   EXPECT_TRUE(Eventually([&] { return IsFree(); }));
 }
 
-TEST_F(HandsFlowTest, CallsFromAFormAndShowsARefusal) {
+TEST_F(InteractionFlowTest, CallsFromAFormAndShowsARefusal) {
   window_->selection().select(QStringLiteral("robot/arm/Control.MoveTo"));
   auto& button = Find<QPushButton>("call.call");
   ASSERT_TRUE(Eventually([&] { return button.isEnabled(); }));

@@ -73,7 +73,7 @@ class RefusalListener final : public tendon::LinkHandler {
   std::optional<tendon::Error> refusal_;
 };
 
-class Strangers : public FaultTest {
+class UntrustedPeers : public FaultTest {
  protected:
   static os::Socket Knock(const std::string& address) {
     const auto place = tendon::ParseAddress(address, 1);
@@ -122,10 +122,10 @@ class Strangers : public FaultTest {
   std::vector<Footprint> before_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Over, Strangers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
+INSTANTIATE_TEST_SUITE_P(Over, UntrustedPeers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
 /// Row 16.
-TEST_P(Strangers, OtherProtocolsAreDisconnected) {
+TEST_P(UntrustedPeers, OtherProtocolsAreDisconnected) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
   std::vector<os::Socket> strangers;
@@ -142,7 +142,7 @@ TEST_P(Strangers, OtherProtocolsAreDisconnected) {
 }
 
 /// Row 16.
-TEST_P(Strangers, DamagedMessagesDoNotDisturbTheSystem) {
+TEST_P(UntrustedPeers, DamagedMessagesDoNotDisturbTheSystem) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const std::vector<Bytes> messages = Messages();
   std::mt19937 random(4711);
@@ -165,7 +165,7 @@ TEST_P(Strangers, DamagedMessagesDoNotDisturbTheSystem) {
 }
 
 /// Row 17.
-TEST_P(Strangers, AllProgramsSurviveMalformedIceMessages) {
+TEST_P(UntrustedPeers, AllProgramsSurviveMalformedIceMessages) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
   for (const std::string& port : ports_) {
@@ -179,7 +179,7 @@ TEST_P(Strangers, AllProgramsSurviveMalformedIceMessages) {
 }
 
 /// Row 15.
-TEST_P(Strangers, AnotherProtocolVersionIsRefusedWithAReason) {
+TEST_P(UntrustedPeers, AnotherProtocolVersionIsRefusedWithAReason) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const auto middleware = NewMiddleware();
   constexpr int kOurs = tendon::FrameHeader::kProtocolVersion;
@@ -204,7 +204,7 @@ TEST_P(Strangers, AnotherProtocolVersionIsRefusedWithAReason) {
 }
 
 /// Row 19.
-TEST_P(Strangers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
+TEST_P(UntrustedPeers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const int count = Size(60, 500);
   std::vector<os::Socket> idle;
@@ -244,7 +244,7 @@ TEST_P(Strangers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
+TEST_P(UntrustedPeers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const int used = static_cast<int>(FootprintOf(gcm_->pid()).descriptors);
   rlimit limit{};
@@ -274,7 +274,7 @@ TEST_P(Strangers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
+TEST_P(UntrustedPeers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   {
     const ThreadLimit of_gcm(gcm_->pid());
@@ -299,7 +299,7 @@ TEST_P(Strangers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
 }
 
 /// Row 30.
-TEST_P(Strangers, OutOfMemoryKeepsConnectionsAndRefusesALargeMessage) {
+TEST_P(UntrustedPeers, OutOfMemoryKeepsConnectionsAndRefusesALargeMessage) {
   if (tendon::test::IsSanitized()) {
     GTEST_SKIP() << "row 30: a sanitizer ends the process instead of throwing";
   }
