@@ -105,7 +105,7 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
   return term;
 }
 
-bool FindTerm::Fits(const CatalogueItem& item) const { return Holds(item) != is_negated_; }
+bool FindTerm::Fits(const SystemItem& item) const { return Holds(item) != is_negated_; }
 
 /// A word with a star is a pattern for the whole text; any other word must be a part of the text.
 /// Ignores case.
@@ -116,13 +116,13 @@ bool FindTerm::IsIn(const std::string& text) const {
 }
 
 /// Accepts "command", "required interface", or the short form of `ls --type`: "req".
-bool FindTerm::IsKind(const CatalogueItem& item) const {
+bool FindTerm::IsKind(const SystemItem& item) const {
   if (expression_) return expression_->IsIn(item.kind);
-  const auto is_code = [&](const ItemKind& kind) {
+  const auto is_code = [&](const SystemItemKind& kind) {
     return kind.name == item.kind && kind.code == tendon::InLowerCase(text_);
   };
   return item.kind.starts_with(tendon::InLowerCase(text_)) ||
-         std::ranges::any_of(kItemKinds, is_code);
+         std::ranges::any_of(kSystemItemKinds, is_code);
 }
 
 /// Accepts the whole of "arm.LinkId -> geometry_msgs.Pose" or one of the two.
@@ -135,7 +135,7 @@ bool FindTerm::IsType(const std::string& type) const {
          (IsIn(type.substr(0, arrow)) || IsIn(type.substr(arrow + kArrow.size())));
 }
 
-bool FindTerm::Holds(const CatalogueItem& item) const {
+bool FindTerm::Holds(const SystemItem& item) const {
   switch (kind_) {
     case Kind::kType:
       return IsKind(item) || IsType(item.type);

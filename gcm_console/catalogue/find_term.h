@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_console/catalogue/catalogue_items.h>
+#include <gcm_console/catalogue/system_items.h>
 #include <tendon/base/result.h>
 
 #include <cstddef>
@@ -44,15 +44,15 @@ class FindTerm {
   /// The error, kInvalid, names an unknown key and the known ones, or the mistake in an expression.
   static tendon::Result<FindTerm> Parse(const std::string& word);
 
-  [[nodiscard]] bool Fits(const CatalogueItem& item) const;
+  [[nodiscard]] bool Fits(const SystemItem& item) const;
 
  private:
   enum class Kind { kPath, kType, kState, kHost, kProcess };
 
   [[nodiscard]] bool IsIn(const std::string& text) const;
-  [[nodiscard]] bool IsKind(const CatalogueItem& item) const;
+  [[nodiscard]] bool IsKind(const SystemItem& item) const;
   [[nodiscard]] bool IsType(const std::string& type) const;
-  [[nodiscard]] bool Holds(const CatalogueItem& item) const;
+  [[nodiscard]] bool Holds(const SystemItem& item) const;
 
   Kind kind_ = Kind::kPath;
   std::string text_;

@@ -25,23 +25,22 @@ bool IsIn(const std::set<std::string>& paths, std::string path) {
 
 bool IsGlob(const std::string& path) { return path.find('*') != path.npos; }
 
-Result<std::vector<CatalogueItem>> MatchingItems(const tendon::Catalogue& catalogue,
-                                                 const std::string& glob) {
+Result<std::vector<SystemItem>> MatchingItems(const tendon::Catalogue& catalogue,
+                                              const std::string& glob) {
   auto items = ItemsIn(catalogue);
-  std::erase_if(items,
-                [&](const CatalogueItem& one) { return !tendon::MatchesGlob(glob, one.path); });
+  std::erase_if(items, [&](const SystemItem& one) { return !tendon::MatchesGlob(glob, one.path); });
   if (!items.empty()) return items;
   return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists all names"};
 }
 
-Result<std::vector<CatalogueItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
-                                                            const std::string& glob) {
+Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
+                                                         const std::string& glob) {
   const auto fitting = MatchingItems(catalogue, glob);
   if (!fitting) return fitting;
   std::set<std::string> paths;
-  for (const CatalogueItem& one : *fitting) paths.insert(one.path);
+  for (const SystemItem& one : *fitting) paths.insert(one.path);
   auto items = ItemsIn(catalogue);
-  std::erase_if(items, [&](const CatalogueItem& one) { return !IsIn(paths, one.path); });
+  std::erase_if(items, [&](const SystemItem& one) { return !IsIn(paths, one.path); });
   return items;
 }
 

@@ -52,7 +52,7 @@ class Collector {
 
   /// Adds a complete word.
   void Offer(const std::string& text, const std::string& help) {
-    if (text.starts_with(word_)) found_.candidates.push_back({text + " ", help});
+    if (text.starts_with(word_)) found_.suggestions.push_back({text + " ", help});
   }
   void OfferOptions(const Page& page) {
     for (const auto& option : page.options) {
@@ -74,7 +74,7 @@ class Collector {
     if (IsPath(kind)) OfferPaths(kind);
     if (IsLive(kind)) OfferLive(kind, before);
   }
-  Completion Take() { return std::move(found_); }
+  WordCompletion Take() { return std::move(found_); }
 
  private:
   /// Adds words from the live system. Completes structures one level at a time, like paths, and a
@@ -89,7 +89,7 @@ class Collector {
       const auto end = text.find_first_of(ends, word_.size());
       steps.insert(end == std::string::npos ? text + " " : text.substr(0, end + 1));
     }
-    for (const std::string& step : steps) found_.candidates.push_back({step, ""});
+    for (const std::string& step : steps) found_.suggestions.push_back({step, ""});
   }
   /// Adds paths: keeps the typed part and appends to its end.
   void OfferPaths(WordKind kind) {
@@ -101,36 +101,36 @@ class Collector {
     if (word_.ends_with("..")) return;
     for (const std::string& path : PathsOf(system_.catalogue(), kind, prefix)) {
       const bool goes_on = path.ends_with('/') || path.ends_with('.');
-      found_.candidates.push_back({word_ + path.substr(prefix.size()) + (goes_on ? "" : " "), ""});
+      found_.suggestions.push_back({word_ + path.substr(prefix.size()) + (goes_on ? "" : " "), ""});
     }
   }
 
   const std::string word_;
   const SystemQueries& system_;
   const std::string at_;
-  Completion found_;
+  WordCompletion found_;
 };
 
 /// Completes the value of "--color=", of which `value` is typed.
-Completion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
-                        const CompletionContext& context, const SystemQueries& system,
-                        const std::string& at) {
+WordCompletion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
+                            const CompletionContext& context, const SystemQueries& system,
+                            const std::string& at) {
   const auto* option = FindOption(gcm, *context.page, begin.substr(0, begin.size() - 1));
   if (option == nullptr) return {};
   Collector collector(value, system, at);
   collector.OfferValues(option->kind, option->choices, gcm, context.arguments);
-  Completion found = collector.Take();
-  for (auto& candidate : found.candidates) candidate.text.insert(0, begin);
+  WordCompletion found = collector.Take();
+  for (auto& suggestion : found.suggestions) suggestion.text.insert(0, begin);
   return found;
 }
 
 namespace fs = std::filesystem;
 
 /// The names in a folder that begin with the last part of `word`.
-std::vector<Completion::Candidate> Files(const std::string& word) {
+std::vector<WordCompletion::Suggestion> Files(const std::string& word) {
   const auto slash = word.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);
-  std::vector<Completion::Candidate> files;
+  std::vector<WordCompletion::Suggestion> files;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, none)) {
     const std::string path = folder + entry.path().filename().string();
@@ -144,8 +144,8 @@ std::vector<Completion::Candidate> Files(const std::string& word) {
 
 }  // namespace
 
-Completion Complete(const Page& gcm, const std::vector<std::string>& words,
-                    const SystemQueries& system, const std::string& at) {
+WordCompletion Complete(const Page& gcm, const std::vector<std::string>& words,
+                        const SystemQueries& system, const std::string& at) {
   const std::string word = words.empty() ? "" : words.back();
   const CompletionContext context = CompletionContextOf(gcm, words);
   if (const auto equals = word.find('=');
@@ -171,17 +171,17 @@ Completion Complete(const Page& gcm, const std::vector<std::string>& words,
   return collector.Take();
 }
 
-void AddFiles(Completion& completion, const std::string& word) {
+void AddFiles(WordCompletion& completion, const std::string& word) {
   if (!completion.is_file) return;
   const bool is_option = word.starts_with("--") && word.find('=') != word.npos;
   const std::string begin = is_option ? word.substr(0, word.find('=') + 1) : "";
-  completion.candidates = Files(word.substr(begin.size()));
-  for (auto& one : completion.candidates) one.text.insert(0, begin);
+  completion.suggestions = Files(word.substr(begin.size()));
+  for (auto& one : completion.suggestions) one.text.insert(0, begin);
 }
 
-std::string CommonBegin(const std::vector<Completion::Candidate>& candidates) {
-  std::string common = candidates.front().text;
-  for (const auto& [text, help] : candidates) {
+std::string CommonBegin(const std::vector<WordCompletion::Suggestion>& suggestions) {
+  std::string common = suggestions.front().text;
+  for (const auto& [text, help] : suggestions) {
     const auto end = std::mismatch(common.begin(), common.end(), text.begin(), text.end());
     common.erase(end.first, common.end());
   }

@@ -10,15 +10,15 @@
 namespace console {
 
 /// The possible endings of a command line.
-struct Completion {
+struct WordCompletion {
   /// Replaces the last word: "robot/arm/" is incomplete, "robot/arm/Control " is complete.
-  struct Candidate {
+  struct Suggestion {
     std::string text;
     std::string help;
 
-    bool operator==(const Candidate&) const = default;
+    bool operator==(const Suggestion&) const = default;
   };
-  std::vector<Candidate> candidates;
+  std::vector<Suggestion> suggestions;
   bool is_file = false;  ///< the word is a file name, which the caller completes
 };
 
@@ -33,13 +33,13 @@ struct SystemQueries {
 
 /// Completes the last of `words`, which may be empty. `gcm` is the page of the whole program;
 /// relative paths begin at `at`.
-Completion Complete(const Page& gcm, const std::vector<std::string>& words,
-                    const SystemQueries& system, const std::string& at = "");
+WordCompletion Complete(const Page& gcm, const std::vector<std::string>& words,
+                        const SystemQueries& system, const std::string& at = "");
 
 /// If the completion needs a file, adds the files that begin with `word`. Reads the disk.
-void AddFiles(Completion& completion, const std::string& word);
+void AddFiles(WordCompletion& completion, const std::string& word);
 
-/// The common prefix of all candidates; there must be at least one.
-std::string CommonBegin(const std::vector<Completion::Candidate>& candidates);
+/// The common prefix of all suggestions; there must be at least one.
+std::string CommonBegin(const std::vector<WordCompletion::Suggestion>& suggestions);
 
 }  // namespace console

@@ -1,7 +1,7 @@
 #include <gcm_console/command_line/argument_words.h>
 #include <gcm_console/completion/live_completion.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/life/parameters.h>
+#include <tendon/gcm/lifecycle/parameters.h>
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

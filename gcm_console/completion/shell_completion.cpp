@@ -110,7 +110,7 @@ std::shared_ptr<tendon::GcmClient> ClientFor(const std::vector<std::string>& wor
 
 int PrintCompletions(const std::vector<std::string>& words, const Streams& streams) {
   const std::vector<std::string> typed(words.begin() + 1, words.end());
-  const Completion found =
+  const WordCompletion found =
       Complete(CommandLine({}).page(), typed,
                {.catalogue =
                     [&typed] {
@@ -124,7 +124,7 @@ int PrintCompletions(const std::vector<std::string>& words, const Streams& strea
                                     : std::vector<std::string>();
                     }});
   if (found.is_file) streams.out << ":files\n";
-  for (const auto& [text, help] : found.candidates) {
+  for (const auto& [text, help] : found.suggestions) {
     const std::size_t end = text.find_last_not_of(' ') + 1;
     streams.out << text.substr(0, end) << (help.empty() ? "" : "\t") << help << '\n';
   }

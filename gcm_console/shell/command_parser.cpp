@@ -42,7 +42,7 @@ class Reader {
     if (!words_.empty()) commands_.push_back({std::exchange(words_, {}), is_background});
   }
 
-  [[nodiscard]] std::vector<Command>& commands() { return commands_; }
+  [[nodiscard]] std::vector<ShellCommand>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
   /// The start of the last word; the line's end if there is none.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
@@ -115,12 +115,12 @@ class Reader {
   bool is_open_ = false;  // the last word may continue
   std::string word_;
   Words words_;
-  std::vector<Command> commands_;
+  std::vector<ShellCommand> commands_;
 };
 
 }  // namespace
 
-Result<std::vector<Command>> ParseCommands(std::string_view line) {
+Result<std::vector<ShellCommand>> ParseCommands(std::string_view line) {
   Reader reader(line);
   if (auto read = reader.Read(); !read) return read.error();
   reader.EndCommand(false);

@@ -11,11 +11,11 @@ namespace console {
 using Words = std::vector<std::string>;
 
 /// A command to run: its words, and whether it runs in the background.
-struct Command {
+struct ShellCommand {
   Words words;
   bool is_background = false;
 
-  bool operator==(const Command&) const = default;
+  bool operator==(const ShellCommand&) const = default;
 };
 
 /// Splits a line into commands and their words. Blanks separate words; a `gcm` before a verb is
@@ -23,7 +23,7 @@ struct Command {
 /// word begins a comment. Inside '...' every character is literal; elsewhere \ makes the next one
 /// literal. A word, or the part of a word after =, that begins with { or [ is JSON and ends with
 /// its bracket, quotes included. kInvalid if a quote or a bracket is not closed.
-tendon::Result<std::vector<Command>> ParseCommands(std::string_view line);
+tendon::Result<std::vector<ShellCommand>> ParseCommands(std::string_view line);
 
 /// Quotes a word so that ParseCommands() reads it as one.
 [[nodiscard]] std::string QuoteWord(std::string_view word);

@@ -179,15 +179,15 @@ class LineEditor final : public LineReader {
     const PartialCommand line =
         ParsePartialCommand({info->buffer, static_cast<std::size_t>(info->cursor - info->buffer)});
     const std::string& word = line.words.back();
-    Completion found = completion_(line);
+    WordCompletion found = completion_(line);
     AddFiles(found, word);
-    if (found.candidates.empty()) return CC_REFRESH_BEEP;
-    const std::string common = CommonBegin(found.candidates);
+    if (found.suggestions.empty()) return CC_REFRESH_BEEP;
+    const std::string common = CommonBegin(found.suggestions);
     if (common.size() > word.size()) {
-      Replace(line, common, found.candidates.size() == 1);
+      Replace(line, common, found.suggestions.size() == 1);
       return CC_REFRESH;
     }
-    List(found.candidates);
+    List(found.suggestions);
     return CC_REDISPLAY;
   }
 
@@ -206,11 +206,11 @@ class LineEditor final : public LineReader {
     el_insertstr(editor_.get(), more.c_str());
   }
 
-  static void List(const std::vector<Completion::Candidate>& candidates) {
+  static void List(const std::vector<WordCompletion::Suggestion>& suggestions) {
     std::size_t widest = 0;
-    for (const auto& [text, help] : candidates) widest = std::max(widest, text.size());
+    for (const auto& [text, help] : suggestions) widest = std::max(widest, text.size());
     std::fputc('\n', stdout);
-    for (const auto& [text, help] : candidates) {
+    for (const auto& [text, help] : suggestions) {
       std::fprintf(stdout, "%-*s  %s\n", static_cast<int>(widest), Plain(text).c_str(),
                    Plain(help).c_str());
     }

@@ -12,7 +12,7 @@
 namespace console {
 
 /// Returns the completions of an unfinished line.
-using AskCompletion = std::function<Completion(const PartialCommand&)>;
+using AskCompletion = std::function<WordCompletion(const PartialCommand&)>;
 
 /// Returns the complete lines since the last call, to print above the prompt; empty if there will
 /// be no more.

@@ -61,7 +61,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
     return program::kUsage;
   }
   int failure = program::kOk;
-  for (const Command& command : *commands) {
+  for (const ShellCommand& command : *commands) {
     // Also true for a signal during a command that could not be interrupted.
     if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) {
       GoOn(streams);
@@ -77,7 +77,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   return failure;
 }
 
-int Shell::RunCommand(const Command& command, const Streams& streams) {
+int Shell::RunCommand(const ShellCommand& command, const Streams& streams) {
   const Words& words = command.words;
   const std::optional<Result<void>> own =
       command.is_background ? BeginInBackground(words, streams) : RunOwnWord(words, streams);
@@ -148,7 +148,7 @@ std::vector<std::string> Shell::LiveCompletionsOf(WordKind kind, const Words& be
   return client ? live_completion_.Of(**client, kind, before) : Words();
 }
 
-Completion Shell::Complete(const PartialCommand& line) {
+WordCompletion Shell::Complete(const PartialCommand& line) {
   return console::Complete(
       page_, line.words,
       {.catalogue = [this] { return session_.catalogue(); },

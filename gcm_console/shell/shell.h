@@ -31,13 +31,13 @@ class Shell {
   [[nodiscard]] std::string prompt() const;
   /// The completions of a line, from the catalogue as known now. Waits only for words that only a
   /// process knows, such as names of parameters: at most 100 ms, and only until the first reply.
-  [[nodiscard]] Completion Complete(const PartialCommand& line);
+  [[nodiscard]] WordCompletion Complete(const PartialCommand& line);
   /// Takes the complete lines that background jobs have written since the last call; empty if there
   /// are no jobs.
   std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
 
  private:
-  int RunCommand(const Command& command, const Streams& streams);
+  int RunCommand(const ShellCommand& command, const Streams& streams);
   /// Runs one of the shell's own commands; empty if `words` is not one.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginInBackground(const Words& words, const Streams& streams);

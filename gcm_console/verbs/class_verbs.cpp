@@ -7,8 +7,8 @@
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/life/class_check.h>
-#include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/lifecycle/class_check.h>
+#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/gcm/text.h>
@@ -30,10 +30,10 @@ using tendon::Catalogue;
 using tendon::ClassDescription;
 using tendon::Error;
 using tendon::ErrorCode;
-using tendon::LifeVerb;
+using tendon::LifecycleVerb;
 using tendon::Result;
 using tendon::message::Classes;
-using tendon::message::LifeOrder;
+using tendon::message::LifecycleOrder;
 
 struct ClassArguments {
   std::string process;
@@ -78,7 +78,8 @@ Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
 
 /// The file from which the process has loaded the library; empty if the process does not report it.
 /// An empty library name means the library with the class.
-std::optional<tendon::PluginDescription> AskForPlugin(Context& context, const LifeOrder& order) {
+std::optional<tendon::PluginDescription> AskForPlugin(Context& context,
+                                                      const LifecycleOrder& order) {
   const auto known = AskClasses(context, order.process);
   if (!known) return std::nullopt;
   std::string library = order.library;
@@ -100,10 +101,10 @@ void WarnOfOld(const Context& context, const std::string& process,
 }
 
 /// Checks in advance, as far as possible, that the order would succeed.
-Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder& order) {
+Result<void> Check(Context& context, tendon::GcmClient& client, const LifecycleOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
-  if (auto checked = CheckLife(client.catalogue(), order); !checked) return checked;
-  if (order.verb == LifeVerb::kConfigure) {
+  if (auto checked = CheckLifecycleOrder(client.catalogue(), order); !checked) return checked;
+  if (order.verb == LifecycleVerb::kConfigure) {
     const auto component = FindConfigured(client, context.settings().timeout,
                                           {.process = order.process, .component = order.component});
     return component ? tendon::CheckConfiguration(component->description, order.configuration)
@@ -111,22 +112,22 @@ Result<void> Check(Context& context, tendon::GcmClient& client, const LifeOrder&
   }
   const auto known = AskClasses(context, order.process);
   if (!known) return known.error();
-  return order.verb == LifeVerb::kLoad ? tendon::CheckPlugIn(*known, order.library)
-                                       : tendon::CheckCreation(*known, order);
+  return order.verb == LifecycleVerb::kLoad ? tendon::CheckPlugIn(*known, order.library)
+                                            : tendon::CheckCreation(*known, order);
 }
 
 /// Executes the order, or prints what it would do; `object` and `done` are words for the user.
-Result<ExitCode> Execute(Context& context, const LifeOrder& order, const std::string& object,
+Result<ExitCode> Execute(Context& context, const LifecycleOrder& order, const std::string& object,
                          const std::string& done, bool is_dry) {
   const auto client = context.Client();
   if (!client) return client.error();
   const Result<void> outcome =
       is_dry ? Check(context, **client, order)
              : context.Ask<void>([&](tendon::GcmClient& asked,
-                                     auto handler) { asked.ExecuteLifeOrder(order, handler); },
-                                 tendon::GcmClient::kLifeOrderTimeouts);
+                                     auto handler) { asked.ExecuteLifecycleOrder(order, handler); },
+                                 tendon::GcmClient::kLifecycleOrderTimeouts);
   if (!outcome) return outcome.error();
-  const bool has_plugin = order.verb != LifeVerb::kConfigure;
+  const bool has_plugin = order.verb != LifecycleVerb::kConfigure;
   const auto plugin = has_plugin ? AskForPlugin(context, order) : std::nullopt;
   if (context.settings().json) {
     nlohmann::ordered_json document = {
@@ -148,7 +149,8 @@ Result<ExitCode> Load(Context& context, const ClassArguments& arguments) {
   if (!client) return client.error();
   const auto process = ProcessOf((*client)->catalogue(), arguments.process);
   if (!process) return process.error();
-  const LifeOrder order{.verb = LifeVerb::kLoad, .process = *process, .library = arguments.library};
+  const LifecycleOrder order{
+      .verb = LifecycleVerb::kLoad, .process = *process, .library = arguments.library};
   return Execute(context, order, *process + " " + arguments.library, "loaded", arguments.dry_run);
 }
 
@@ -173,12 +175,12 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
     return Error{ErrorCode::kInvalid, "no class is given; gcm classes " + *process +
                                           " lists those that '" + *process + "' has"};
   }
-  const LifeOrder order{.verb = LifeVerb::kCreate,
-                        .process = *process,
-                        .component = is_whole ? path->component : arguments.component,
-                        .class_name = arguments.class_name,
-                        .library = arguments.library,
-                        .configuration = *configuration};
+  const LifecycleOrder order{.verb = LifecycleVerb::kCreate,
+                             .process = *process,
+                             .component = is_whole ? path->component : arguments.component,
+                             .class_name = arguments.class_name,
+                             .library = arguments.library,
+                             .configuration = *configuration};
   return Execute(context, order, *process + "/" + order.component, "created", arguments.dry_run);
 }
 
@@ -199,10 +201,10 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
                  "the configuration is missing: give --arg or --configure; --arg {} means the "
                  "defaults"};
   }
-  const LifeOrder order{.verb = LifeVerb::kConfigure,
-                        .process = found->front().process,
-                        .component = found->front().component,
-                        .configuration = *configuration};
+  const LifecycleOrder order{.verb = LifecycleVerb::kConfigure,
+                             .process = found->front().process,
+                             .component = found->front().component,
+                             .configuration = *configuration};
   return Execute(context, order, ToString(found->front()), "configured", arguments.dry_run);
 }
 

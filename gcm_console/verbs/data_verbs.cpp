@@ -100,7 +100,7 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
                                                    const std::string& glob) {
   std::vector<std::string> paths;
   const auto items = MatchingItems(catalogue, glob);
-  for (const CatalogueItem& one : items ? *items : std::vector<CatalogueItem>()) {
+  for (const SystemItem& one : items ? *items : std::vector<SystemItem>()) {
     if (one.kind != "command") continue;
     const auto target = FindTarget(catalogue, one.path);
     const bool is_read = target && target->member->signature.kind == tendon::CommandKind::kRead;

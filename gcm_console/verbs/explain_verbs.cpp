@@ -16,22 +16,22 @@ namespace {
 
 using nlohmann::ordered_json;
 using program::ExitCode;
-using tendon::Candidate;
 using tendon::Catalogue;
 using tendon::Diagnosis;
 using tendon::DiagnosisStep;
 using tendon::Error;
 using tendon::ErrorCode;
 using tendon::InterfaceName;
+using tendon::ProviderCandidate;
 using tendon::Result;
 
 /// For example "7 of 9".
-std::string Share(const Candidate& candidate) {
+std::string Share(const ProviderCandidate& candidate) {
   return std::to_string(candidate.compatibility.matched) + " of " +
          std::to_string(candidate.compatibility.needed);
 }
 
-ordered_json CandidateJson(const Candidate& candidate) {
+ordered_json CandidateJson(const ProviderCandidate& candidate) {
   ordered_json mismatches = ordered_json::array();
   for (const auto& one : candidate.compatibility.mismatches) mismatches.push_back(one.text);
   return {{"provided", ToString(candidate.provided)},   {"fits", candidate.compatibility.fits()},
@@ -49,12 +49,12 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   if (!candidates) return candidates.error();
   if (context.settings().json) {
     ordered_json all = ordered_json::array();
-    for (const Candidate& candidate : *candidates) all.push_back(CandidateJson(candidate));
+    for (const ProviderCandidate& candidate : *candidates) all.push_back(CandidateJson(candidate));
     context.PrintJson({{"required", text}, {"candidates", std::move(all)}});
     return program::kOk;
   }
   Table table({"PROVIDED", "FITS", "MATCHED", "WHY NOT"});
-  for (const Candidate& candidate : *candidates) {
+  for (const ProviderCandidate& candidate : *candidates) {
     const std::string fits = candidate.is_connected           ? "connected"
                              : candidate.compatibility.fits() ? "yes"
                                                               : "no";

@@ -1,5 +1,5 @@
-#include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/find_term.h>
+#include <gcm_console/catalogue/system_items.h>
 #include <gcm_console/feeds/query_throttle.h>
 #include <gcm_console/output/dot.h>
 #include <gcm_console/output/svg.h>
@@ -218,7 +218,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   const auto client = context.Client();
   if (!client) return client.error();
   auto items = ItemsIn((*client)->catalogue());
-  std::erase_if(items, [&terms](const CatalogueItem& item) {
+  std::erase_if(items, [&terms](const SystemItem& item) {
     return !std::ranges::all_of(terms, [&](const FindTerm& term) { return term.Fits(item); });
   });
   if (items.empty()) {
@@ -254,7 +254,7 @@ Result<ExitCode> Graph(Context& context, const GraphOptions& options) {
   if (context.settings().json) {
     ordered_json nodes = ordered_json::array();
     ordered_json edges = ordered_json::array();
-    for (const CatalogueItem& item : ItemsIn(catalogue)) {
+    for (const SystemItem& item : ItemsIn(catalogue)) {
       if (item.kind == "component") nodes.push_back(item.path);
     }
     for (const auto& connection : catalogue.connections()) {

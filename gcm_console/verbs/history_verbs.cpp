@@ -2,8 +2,8 @@
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
-#include <tendon/gcm/history.h>
-#include <tendon/gcm/life/undo_check.h>
+#include <tendon/gcm/lifecycle/undo_check.h>
+#include <tendon/gcm/step_history.h>
 #include <tendon/gcm/text.h>
 
 #include <CLI/CLI.hpp>
@@ -26,13 +26,13 @@ using tendon::message::HistoryEntry;
 
 ordered_json StepJson(const HistoryEntry& step) {
   ordered_json json = {{"id", step.id}, {"verb", step.verb}};
-  if (step.life.process.empty()) {
+  if (step.lifecycle.process.empty()) {
     json["required"] = ToString(step.wire.required);
     json["provided"] = ToString(step.wire.provided);
-  } else if (step.life.component.empty()) {
-    json["process"] = step.life.process;
+  } else if (step.lifecycle.component.empty()) {
+    json["process"] = step.lifecycle.process;
   } else {
-    json["component"] = step.life.process + "/" + step.life.component;
+    json["component"] = step.lifecycle.process + "/" + step.lifecycle.component;
   }
   if (step.verb == "replace") json["former"] = ToString(step.former);
   if (const std::string changes = tendon::ChangesText(step); !changes.empty()) {

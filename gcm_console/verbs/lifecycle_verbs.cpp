@@ -4,7 +4,7 @@
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/life/life_plan.h>
+#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
@@ -27,12 +27,12 @@ using program::ExitCode;
 using tendon::Catalogue;
 using tendon::Error;
 using tendon::ErrorCode;
-using tendon::LifeVerb;
+using tendon::LifecycleVerb;
 using tendon::Path;
 using tendon::Result;
-using tendon::message::LifeOrder;
+using tendon::message::LifecycleOrder;
 
-struct LifeArguments {
+struct LifecycleArguments {
   std::vector<std::string> patterns;
   bool dry_run = false;
   bool yes = false;
@@ -40,8 +40,8 @@ struct LifeArguments {
 };
 
 /// The words of a verb, "stop", "stopped".
-struct LifeVerbForms {
-  LifeVerb verb;
+struct LifecycleVerbForms {
+  LifecycleVerb verb;
   std::string_view infinitive;
   std::string_view done;
 };
@@ -89,12 +89,12 @@ void PutClientProcessesFirst(const Catalogue& catalogue, std::vector<Path>& path
       [](const Path& path) { return path.process; }, paths);
 }
 
-LifeOrder OrderOf(LifeVerb verb, const Path& path) {
+LifecycleOrder OrderOf(LifecycleVerb verb, const Path& path) {
   return {.verb = verb, .process = path.process, .component = path.component};
 }
 
-Result<Targets> FindTargets(const Catalogue& catalogue, LifeVerb verb,
-                            const LifeArguments& arguments) {
+Result<Targets> FindTargets(const Catalogue& catalogue, LifecycleVerb verb,
+                            const LifecycleArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     const bool is_glob = IsGlob(pattern);
@@ -102,20 +102,20 @@ Result<Targets> FindTargets(const Catalogue& catalogue, LifeVerb verb,
     if (!found) return found.error();
     targets.has_glob = targets.has_glob || is_glob;
     for (const Path& path : *found) {
-      targets.Add(path, is_glob, CheckLife(catalogue, OrderOf(verb, path)).ok());
+      targets.Add(path, is_glob, CheckLifecycleOrder(catalogue, OrderOf(verb, path)).ok());
     }
   }
-  const bool is_end = verb == LifeVerb::kStop || verb == LifeVerb::kRemove;
+  const bool is_end = verb == LifecycleVerb::kStop || verb == LifecycleVerb::kRemove;
   if (is_end && targets.paths.size() > 1) PutClientsFirst(catalogue, targets.paths);
   return targets;
 }
 
-Result<void> SendOrder(Context& context, const LifeOrder& order) {
+Result<void> SendOrder(Context& context, const LifecycleOrder& order) {
   return context.Ask<void>(
       [&](tendon::GcmClient& client, auto handler) {
-        client.ExecuteLifeOrder(order, std::move(handler));
+        client.ExecuteLifecycleOrder(order, std::move(handler));
       },
-      tendon::GcmClient::kLifeOrderTimeouts);
+      tendon::GcmClient::kLifecycleOrderTimeouts);
 }
 
 void PrintLeftOut(Context& context, const Targets& targets, std::string_view done) {
@@ -127,7 +127,7 @@ void PrintLeftOut(Context& context, const Targets& targets, std::string_view don
 
 /// Asks a user at a terminal before a glob changes several things; `what` describes them.
 bool IsConfirmed(const Context& context, std::string_view infinitive, std::string_view what,
-                 const Targets& targets, const LifeArguments& arguments) {
+                 const Targets& targets, const LifecycleArguments& arguments) {
   if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes || arguments.dry_run) {
     return true;
   }
@@ -137,8 +137,8 @@ bool IsConfirmed(const Context& context, std::string_view infinitive, std::strin
   return Confirm(context, question);
 }
 
-Result<ExitCode> Steer(Context& context, const LifeVerbForms& forms,
-                       const LifeArguments& arguments) {
+Result<ExitCode> ExecuteLifecycleVerb(Context& context, const LifecycleVerbForms& forms,
+                                      const LifecycleArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
@@ -151,32 +151,32 @@ Result<ExitCode> Steer(Context& context, const LifeVerbForms& forms,
   }
   std::vector<Outcome> outcomes;
   for (const Path& path : targets->paths) {
-    LifeOrder order = OrderOf(forms.verb, path);
+    LifecycleOrder order = OrderOf(forms.verb, path);
     order.is_strict = arguments.is_strict;
-    outcomes.push_back({ToString(path), arguments.dry_run ? CheckLife(catalogue, order)
+    outcomes.push_back({ToString(path), arguments.dry_run ? CheckLifecycleOrder(catalogue, order)
                                                           : SendOrder(context, order)});
   }
   PrintOutcomes(context, {forms.infinitive, forms.done, arguments.dry_run}, outcomes);
   return ExitCodeOf(outcomes);
 }
 
-Verb SteeringVerb(std::string name, std::string summary, LifeVerbForms forms) {
-  return {std::move(name), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<LifeArguments>();
-            WithKind(app.add_option("components", arguments->patterns,
-                                    "process/component, or a glob such as robot/*, or ** for all"),
-                     WordKind::kComponent)
-                ->required();
-            AddDryRun(app, arguments->dry_run);
-            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-            if (forms.verb == LifeVerb::kStart) {
-              app.add_flag(
-                  "--strict", arguments->is_strict,
-                  "refuse if a required interface that the component needs is not connected; "
-                  "without this option the component runs and waits for the connection");
-            }
-            return [=](Context& context) { return Steer(context, forms, *arguments); };
-          }};
+Verb LifecycleVerbOf(std::string name, std::string summary, LifecycleVerbForms forms) {
+  return {
+      std::move(name), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
+        auto arguments = std::make_shared<LifecycleArguments>();
+        WithKind(app.add_option("components", arguments->patterns,
+                                "process/component, or a glob such as robot/*, or ** for all"),
+                 WordKind::kComponent)
+            ->required();
+        AddDryRun(app, arguments->dry_run);
+        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+        if (forms.verb == LifecycleVerb::kStart) {
+          app.add_flag("--strict", arguments->is_strict,
+                       "refuse if a required interface that the component needs is not connected; "
+                       "without this option the component runs and waits for the connection");
+        }
+        return [=](Context& context) { return ExecuteLifecycleVerb(context, forms, *arguments); };
+      }};
 }
 
 using Ours = std::optional<tendon::message::Children>;
@@ -235,7 +235,7 @@ Result<void> Forget(Context& context, const std::string& process) {
 /// Keeps unknown names, and processes that the GCM has not started; the GCM refuses them with a
 /// reason.
 Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
-                              const ProcessVerbForms& forms, const LifeArguments& arguments) {
+                              const ProcessVerbForms& forms, const LifecycleArguments& arguments) {
   Targets targets;
   for (const std::string& pattern : arguments.patterns) {
     if (!IsGlob(pattern)) {
@@ -270,8 +270,8 @@ Result<Ours> AskForOurs(Context& context) {
   return children.error();
 }
 
-Result<ExitCode> SteerProcesses(Context& context, const ProcessVerbForms& forms,
-                                const LifeArguments& arguments) {
+Result<ExitCode> ExecuteProcessVerb(Context& context, const ProcessVerbForms& forms,
+                                    const LifecycleArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
   if (auto allowed = CheckRole(context); arguments.dry_run && !allowed) return allowed.error();
@@ -296,14 +296,14 @@ Result<ExitCode> SteerProcesses(Context& context, const ProcessVerbForms& forms,
 
 Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
   return {std::string(forms.infinitive), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
-            auto arguments = std::make_shared<LifeArguments>();
+            auto arguments = std::make_shared<LifecycleArguments>();
             WithKind(app.add_option("processes", arguments->patterns,
                                     "names of processes, or a glob such as desk*"),
                      WordKind::kProcess)
                 ->required();
             AddDryRun(app, arguments->dry_run);
             app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
-            return [=](Context& context) { return SteerProcesses(context, forms, *arguments); };
+            return [=](Context& context) { return ExecuteProcessVerb(context, forms, *arguments); };
           }};
 }
 
@@ -311,15 +311,15 @@ Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
 
 std::vector<Verb> LifecycleVerbs() {
   return {
-      SteeringVerb("start", "start components, or resume them",
-                   {LifeVerb::kStart, "start", "started"}),
-      SteeringVerb("suspend", "pause the cycles of components; start resumes them",
-                   {LifeVerb::kSuspend, "suspend", "suspended"}),
-      SteeringVerb("stop", "stop components", {LifeVerb::kStop, "stop", "stopped"}),
-      SteeringVerb("restart", "stop components that run, and start them again",
-                   {LifeVerb::kRestart, "restart", "restarted"}),
-      SteeringVerb("rm", "remove components, with their connections",
-                   {LifeVerb::kRemove, "remove", "removed"}),
+      LifecycleVerbOf("start", "start components, or resume them",
+                      {LifecycleVerb::kStart, "start", "started"}),
+      LifecycleVerbOf("suspend", "pause the cycles of components; start resumes them",
+                      {LifecycleVerb::kSuspend, "suspend", "suspended"}),
+      LifecycleVerbOf("stop", "stop components", {LifecycleVerb::kStop, "stop", "stopped"}),
+      LifecycleVerbOf("restart", "stop components that run, and start them again",
+                      {LifecycleVerb::kRestart, "restart", "restarted"}),
+      LifecycleVerbOf("rm", "remove components, with their connections",
+                      {LifecycleVerb::kRemove, "remove", "removed"}),
       ProcessVerb("end processes that the GCM has started, with all their components",
                   {"kill", "ended", true, &CheckKill, &Kill}),
       ProcessVerb("remove processes that are gone for good from the catalogue",

@@ -1,6 +1,6 @@
-#include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/path_target.h>
+#include <gcm_console/catalogue/system_items.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/path_details.h>
@@ -28,17 +28,17 @@ struct ListOptions {
   std::string path;
   bool is_recursive = false;
   bool is_long = false;
-  std::vector<std::string> types;  ///< codes of kItemKinds
+  std::vector<std::string> types;  ///< codes of kSystemItemKinds
 };
 
 /// Adds processor and memory use to processes that have no other detail.
-void AddHealth(Context& context, const Catalogue& catalogue, std::vector<CatalogueItem>& items) {
-  const auto lacks_detail = [&](const CatalogueItem& item) {
+void AddHealth(Context& context, const Catalogue& catalogue, std::vector<SystemItem>& items) {
+  const auto lacks_detail = [&](const SystemItem& item) {
     return item.kind == "process" && item.detail.empty();
   };
   if (std::none_of(items.begin(), items.end(), lacks_detail)) return;
   const SystemHealth health = AskHealth(context);
-  for (CatalogueItem& item : items) {
+  for (SystemItem& item : items) {
     if (!lacks_detail(item)) continue;
     const auto* of_process = FindHealth(health, catalogue.FindProcess(item.path)->process);
     item.detail =
@@ -48,8 +48,8 @@ void AddHealth(Context& context, const Catalogue& catalogue, std::vector<Catalog
 
 /// Everything below a path, or only its direct content. For a glob, the matches, or also everything
 /// in them.
-Result<std::vector<CatalogueItem>> ListedItems(const Catalogue& catalogue,
-                                               const ListOptions& options) {
+Result<std::vector<SystemItem>> ListedItems(const Catalogue& catalogue,
+                                            const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
   if (IsGlob(options.path)) {
     return is_deep ? MatchingItemsAndContents(catalogue, options.path)
@@ -58,7 +58,7 @@ Result<std::vector<CatalogueItem>> ListedItems(const Catalogue& catalogue,
   const int deepest = DepthOf(options.path) + 1;
   auto items = ItemsIn(catalogue, options.path);
   std::erase_if(items,
-                [&](const CatalogueItem& one) { return !is_deep && DepthOf(one.path) > deepest; });
+                [&](const SystemItem& one) { return !is_deep && DepthOf(one.path) > deepest; });
   return items;
 }
 
@@ -68,9 +68,10 @@ Result<ExitCode> ListItems(Context& context, const Catalogue& catalogue,
   auto found = ListedItems(catalogue, options);
   if (!found) return found.error();
   auto& items = *found;
-  std::erase_if(items, [&](const CatalogueItem& item) {
-    const auto kind = std::find_if(std::begin(kItemKinds), std::end(kItemKinds),
-                                   [&](const ItemKind& one) { return one.name == item.kind; });
+  std::erase_if(items, [&](const SystemItem& item) {
+    const auto kind =
+        std::find_if(std::begin(kSystemItemKinds), std::end(kSystemItemKinds),
+                     [&](const SystemItemKind& one) { return one.name == item.kind; });
     return !options.types.empty() &&
            std::find(options.types.begin(), options.types.end(), kind->code) == options.types.end();
   });
@@ -145,7 +146,7 @@ Verb::Run PrepareList(CLI::App& app) {
   app.add_flag("-R,--recursive", options->is_recursive, "also list the contents, by path");
   app.add_flag("-l,--long", options->is_long, "list by path, with type, state and connections");
   std::vector<std::string> codes;
-  for (const ItemKind& kind : kItemKinds) codes.emplace_back(kind.code);
+  for (const SystemItemKind& kind : kSystemItemKinds) codes.emplace_back(kind.code);
   app.add_option("--type", options->types, "only these types, at any depth, separated by commas")
       ->delimiter(',')
       ->allow_extra_args(false)

@@ -1,4 +1,4 @@
-#include <gcm_console/catalogue/catalogue_items.h>
+#include <gcm_console/catalogue/system_items.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/text.h>
 #include <gcm_console/verbs/path_details.h>

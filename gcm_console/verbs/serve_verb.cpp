@@ -1,5 +1,5 @@
 #include <gcm_console/verbs/verb.h>
-#include <program/fan_out.h>
+#include <program/broker.h>
 #include <program/lcm_launch_options.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
@@ -25,7 +25,7 @@ tendon::Error WithHint(tendon::Error error) {
   return error;
 }
 
-tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan_out) {
+tendon::Result<program::ExitCode> Serve(Context& context, const std::string& broker) {
   if (!context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
                          "serve runs until told to stop: start it in a terminal"};
@@ -37,11 +37,11 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
   }
   const auto exposure = settings.network.certificate.empty() ? tendon::Exposure::kLoopbackOnly
                                                              : tendon::Exposure::kCertified;
-  if (const auto place = tendon::ParseAllowedAddress(fan_out, 1, exposure);
-      !fan_out.empty() && !place) {
-    return tendon::Error{place.error().code, "--fan-out: " + place.error().message};
+  if (const auto place = tendon::ParseAllowedAddress(broker, 1, exposure);
+      !broker.empty() && !place) {
+    return tendon::Error{place.error().code, "--broker: " + place.error().message};
   }
-  if (auto own = program::CheckOwnPort("--fan-out", fan_out, settings.gcm); !own) {
+  if (auto own = program::CheckOwnPort("--broker", broker, settings.gcm); !own) {
     return own.error();
   }
   auto middleware = program::MakeMiddleware(settings.network);
@@ -50,7 +50,7 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
       *middleware, {.address = settings.gcm,
                     .state_folder = tendon::os::StateFolder(),
                     .launch = program::LcmLaunchOptions(settings.network),
-                    .broker = fan_out});
+                    .broker = broker});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
     tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");
@@ -61,10 +61,10 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& fan
 }
 
 Verb::Run PrepareServe(CLI::App& app) {
-  const auto fan_out = std::make_shared<std::string>();
-  app.add_option("--fan-out", *fan_out, "address of a gcm fan-out, which many viewers share")
+  const auto broker = std::make_shared<std::string>();
+  app.add_option("--broker", *broker, "address of a gcm broker, which many viewers share")
       ->type_name("ADDRESS");
-  return [fan_out](Context& context) { return Serve(context, *fan_out); };
+  return [broker](Context& context) { return Serve(context, *broker); };
 }
 
 /// Memory limit of the broker. For a message that claims 2^31 facets, Ice allocates 64 GiB; with a
@@ -74,7 +74,7 @@ constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
 /// Writes a private file, because the names of the broker's objects are secret.
 tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
                                                     const std::string& settings) {
-  std::string name = "fan-out-" + address + ".conf";
+  std::string name = "broker-" + address + ".conf";
   std::replace(name.begin(), name.end(), '/', '-');
   auto file = tendon::os::RuntimeFolder() / name;
   std::error_code ignored;
@@ -84,10 +84,10 @@ tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
   return file;
 }
 
-tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string& address) {
+tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string& address) {
   if (context.session() != nullptr || !context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
-                         "fan-out runs until told to stop: start it outside of gcm shell"};
+                         "broker runs until told to stop: start it outside of gcm shell"};
   }
   if (const auto place = tendon::ParseAddress(address, 1)) {
     if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
@@ -102,12 +102,12 @@ tendon::Result<program::ExitCode> RunFanOut(Context& context, const std::string&
                        "libzeroc-icestorm3.7, as tools/setup does"};
 }
 
-Verb::Run PrepareFanOut(CLI::App& app) {
-  const auto address = std::make_shared<std::string>(program::kFanOutAddress);
+Verb::Run PrepareBroker(CLI::App& app) {
+  const auto address = std::make_shared<std::string>(program::kBrokerAddress);
   app.add_option("--listen", *address, "address for processes and viewers")
       ->type_name("ADDRESS")
       ->capture_default_str();
-  return [address](Context& context) { return RunFanOut(context, *address); };
+  return [address](Context& context) { return RunBroker(context, *address); };
 }
 
 }  // namespace
@@ -115,10 +115,10 @@ Verb::Run PrepareFanOut(CLI::App& app) {
 std::vector<Verb> ServeVerbs() {
   return {
       {"serve", "run a GCM at the address of --gcm until told to stop", &PrepareServe},
-      {"fan-out",
+      {"broker",
        "run IceStorm, which distributes rows to many viewers",
-       &PrepareFanOut,
-       {"gcm fan-out", "gcm serve --fan-out 127.0.0.1:10706"}},
+       &PrepareBroker,
+       {"gcm broker", "gcm serve --broker 127.0.0.1:10706"}},
   };
 }
 

@@ -3,11 +3,11 @@
 #include <gcm_console/verbs/configured_component.h>
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
-#include <tendon/gcm/life/life_plan.h>
-#include <tendon/gcm/life/parameters.h>
+#include <tendon/gcm/lifecycle/lifecycle_plan.h>
+#include <tendon/gcm/lifecycle/parameters.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json/strict_json.h>
-#include <tendon/process/life/configuration_base.h>
+#include <tendon/process/lifecycle/configuration_base.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -18,9 +18,9 @@ namespace console {
 namespace {
 
 using tendon::ChangedParameter;
-using tendon::LifeVerb;
+using tendon::LifecycleVerb;
 using tendon::Parameter;
-using tendon::message::LifeOrder;
+using tendon::message::LifecycleOrder;
 using Json = nlohmann::ordered_json;
 
 struct SetWords {
@@ -78,18 +78,18 @@ void PrintChange(const Context& context, const SetWords& words, const std::strin
                 << " to " << Plain(changed.value) << '\n';
 }
 
-Result<void> Configure(Context& context, const LifeOrder& order, const SetWords& words) {
+Result<void> Configure(Context& context, const LifecycleOrder& order, const SetWords& words) {
   const auto client = context.Client();
   if (!client) return client.error();
-  if (auto checked = CheckLife((*client)->catalogue(), order); !checked) {
+  if (auto checked = CheckLifecycleOrder((*client)->catalogue(), order); !checked) {
     const Error& why = checked.error();
     const bool is_stop_next = why.message.find("stop it first") != std::string::npos;
     return Error{why.code, why.message + (is_stop_next ? ": gcm stop " + words.component : "")};
   }
   if (words.dry_run) return CheckRole(context);
   return context.Ask<void>(
-      [&](tendon::GcmClient& asked, auto handler) { asked.ExecuteLifeOrder(order, handler); },
-      tendon::GcmClient::kLifeOrderTimeouts);
+      [&](tendon::GcmClient& asked, auto handler) { asked.ExecuteLifecycleOrder(order, handler); },
+      tendon::GcmClient::kLifecycleOrderTimeouts);
 }
 
 Result<ExitCode> Set(Context& context, const SetWords& words) {
@@ -110,12 +110,12 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
                                        words.parameter, words.value);
   if (!changed) return Error{changed.error().code, path + ": " + changed.error().message};
   if (changed->former != changed->value) {
-    const LifeOrder order{.verb = LifeVerb::kConfigure,
-                          .process = found->front().process,
-                          .instance = component->instance,
-                          .component = found->front().component,
-                          .configuration = changed->configuration,
-                          .based_on = tendon::BaseOf(component->configuration)};
+    const LifecycleOrder order{.verb = LifecycleVerb::kConfigure,
+                               .process = found->front().process,
+                               .instance = component->instance,
+                               .component = found->front().component,
+                               .configuration = changed->configuration,
+                               .based_on = tendon::BaseOf(component->configuration)};
     if (auto done = Configure(context, order, words); !done) return done.error();
   }
   PrintChange(context, words, path, *changed);

@@ -1,7 +1,7 @@
-#include <gcm_console/catalogue/catalogue_items.h>
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/payload_text.h>
+#include <gcm_console/catalogue/system_items.h>
 #include <gcm_console/feeds/task_feed.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
@@ -259,7 +259,7 @@ Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   const auto items = MatchingItems(catalogue, glob);
   if (!items) return items.error();
   auto all = nlohmann::ordered_json::array();
-  for (const CatalogueItem& item : *items) {
+  for (const SystemItem& item : *items) {
     const auto target = FindTarget(catalogue, item.path);
     if (!target) continue;
     if (context.settings().json) {

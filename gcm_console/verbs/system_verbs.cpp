@@ -4,7 +4,7 @@
 #include <gcm_console/verbs/wire_checks.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/life/class_check.h>
+#include <tendon/gcm/lifecycle/class_check.h>
 #include <tendon/gcm/system/client_executor.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/component_manager_file.h>

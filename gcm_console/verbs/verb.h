@@ -51,7 +51,7 @@ std::vector<Verb> HistoryVerbs();    // undo history
 std::vector<Verb> SystemVerbs();     // save import diff plan apply
 std::vector<Verb> LogVerbs();        // log log-level
 std::vector<Verb> CertVerbs();       // cert
-std::vector<Verb> ServeVerbs();      // serve fan-out
+std::vector<Verb> ServeVerbs();      // serve broker
 std::vector<Verb> ShellVerbs();      // shell run
 std::vector<Verb> MetaVerbs();       // help version completion
 

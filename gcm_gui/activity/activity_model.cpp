@@ -24,8 +24,8 @@ QString VerbText(const Action& action) {
       return QStringLiteral("undo");
     case Action::Verb::kForget:
       return QStringLiteral("forget");
-    case Action::Verb::kSteer:
-      return ToQString(ToString(action.life));
+    case Action::Verb::kLifecycle:
+      return ToQString(ToString(action.lifecycle_verb));
     case Action::Verb::kCall:
       return QStringLiteral("call");
     case Action::Verb::kLogLevel:
@@ -41,13 +41,14 @@ bool IsStep(const Action& action) {
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
   // Only the GCM knows if a restart was a step; for a running component it is not.
-  const bool steering = action.verb == Action::Verb::kSteer && action.life != LifeVerb::kRestart;
-  return (wiring || steering) && action.outcome == Action::Outcome::kDone && !action.undone;
+  const bool lifecycle =
+      action.verb == Action::Verb::kLifecycle && action.lifecycle_verb != LifecycleVerb::kRestart;
+  return (wiring || lifecycle) && action.outcome == Action::Outcome::kDone && !action.undone;
 }
 
 bool DidTheSame(const Action& action, const Action& step) {
   return action.verb == step.verb && action.required == step.required &&
-         action.component == step.component && action.life == step.life;
+         action.component == step.component && action.lifecycle_verb == step.lifecycle_verb;
 }
 
 StateMark OutcomeMark(const Action& action) {
@@ -142,7 +143,7 @@ QString ActivityModel::command(int row) const {
           .arg(ToQString(action.required), ToQString(action.provided));
     case Action::Verb::kUndo:
       return QStringLiteral("gcm undo");
-    case Action::Verb::kSteer:
+    case Action::Verb::kLifecycle:
       return QStringLiteral("gcm %1 %2").arg(VerbText(action), ToQString(action.component));
     case Action::Verb::kCall:
       return CallLine(action.command, action.argument);

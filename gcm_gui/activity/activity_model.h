@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/name.h>
-#include <tendon/process/life/life_messages.h>
+#include <tendon/process/lifecycle/lifecycle_messages.h>
 
 #include <QAbstractTableModel>
 #include <QString>
@@ -20,7 +20,7 @@ struct Action {
     kReplace,
     kUndo,
     kForget,
-    kSteer,
+    kLifecycle,
     kCall,
     kLogLevel,
     kApply
@@ -30,10 +30,10 @@ struct Action {
   Verb verb = Verb::kConnect;
   InterfaceName required;  ///< for connect, disconnect, replace; for undo when known
   InterfaceName provided;
-  std::string process;               ///< for forget and a log level
-  LifeVerb life = LifeVerb::kStart;  ///< for steer
-  std::string component;             ///< for steer: its path; for undo when known
-  QString command;                   ///< for call: its path
+  std::string process;                                   ///< for forget and a log level
+  LifecycleVerb lifecycle_verb = LifecycleVerb::kStart;  ///< for lifecycle
+  std::string component;  ///< for lifecycle: its path; for undo when known
+  QString command;        ///< for call: its path
   QString argument;  ///< for call: JSON; for a log level: its name; for apply: the target system
   QString file;      ///< for apply: the system file; empty if not saved
 

@@ -19,7 +19,7 @@ int EventsModel::rowCount(const QModelIndex& parent) const {
 
 QVariant EventsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const ReceivedEvent& event = eventAt(index.row());
+  const EventRecord& event = eventAt(index.row());
   switch (role) {
     case Qt::DisplayRole:
       return event.path.section('.', -1);
@@ -51,7 +51,7 @@ bool EventsModel::isOfPart(const QString& path) const {
   return path.startsWith(part_) && (path[part_.size()] == '/' || path[part_.size()] == '.');
 }
 
-bool EventsModel::isShown(const ReceivedEvent& event) const {
+bool EventsModel::isShown(const EventRecord& event) const {
   return words_.isEmpty() || HasWords(event.path, event.value, words_);
 }
 
@@ -67,7 +67,7 @@ void EventsModel::setWords(const QStringList& words) {
   beginResetModel();
   words_ = words;
   events_.clear();
-  for (const ReceivedEvent& event : all_) {
+  for (const EventRecord& event : all_) {
     if (isShown(event)) events_.push_front(event);
   }
   endResetModel();
@@ -86,9 +86,9 @@ void EventsModel::setPaused(bool paused) {
   if (!paused) show(std::exchange(waiting_, {}));
 }
 
-void EventsModel::add(const std::vector<ReceivedEvent>& events) {
-  std::vector<ReceivedEvent> fresh;
-  for (const ReceivedEvent& event : events) {
+void EventsModel::add(const std::vector<EventRecord>& events) {
+  std::vector<EventRecord> fresh;
+  for (const EventRecord& event : events) {
     if (!isOfPart(event.path)) continue;
     times_.push_back(event.when);
     fresh.push_back(event);
@@ -108,9 +108,9 @@ void EventsModel::addLost(const QString& path, std::uint64_t count) {
   if (isOfPart(path)) lost_ += count;
 }
 
-void EventsModel::show(const std::vector<ReceivedEvent>& fresh) {
-  std::vector<ReceivedEvent> shown;
-  for (const ReceivedEvent& event : fresh) {
+void EventsModel::show(const std::vector<EventRecord>& fresh) {
+  std::vector<EventRecord> shown;
+  for (const EventRecord& event : fresh) {
     all_.push_back(event);
     if (isShown(event)) shown.push_back(event);
   }
@@ -120,7 +120,7 @@ void EventsModel::show(const std::vector<ReceivedEvent>& fresh) {
   }
   if (shown.empty()) return;
   beginInsertRows({}, 0, static_cast<int>(shown.size()) - 1);
-  for (const ReceivedEvent& event : shown) events_.push_front(event);
+  for (const EventRecord& event : shown) events_.push_front(event);
   endInsertRows();
   if (events_.size() <= kept_) return;
   beginRemoveRows({}, static_cast<int>(kept_), rowCount() - 1);

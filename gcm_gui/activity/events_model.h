@@ -23,7 +23,7 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  [[nodiscard]] const ReceivedEvent& eventAt(int row) const {
+  [[nodiscard]] const EventRecord& eventAt(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
   /// Shows only events below this path, "robot/arm", and discards the others; an empty path means
@@ -43,21 +43,21 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
 
  public Q_SLOTS:
-  void add(const std::vector<tendon::gui::ReceivedEvent>& events);
+  void add(const std::vector<tendon::gui::EventRecord>& events);
   void addLost(const QString& path, std::uint64_t count);
 
  private:
   [[nodiscard]] bool isOfPart(const QString& path) const;
-  [[nodiscard]] bool isShown(const ReceivedEvent& event) const;
-  void show(const std::vector<ReceivedEvent>& fresh);
+  [[nodiscard]] bool isShown(const EventRecord& event) const;
+  void show(const std::vector<EventRecord>& fresh);
 
   const std::size_t kept_;
   QString part_;
   QStringList words_;
   bool is_paused_ = false;
-  std::deque<ReceivedEvent> all_;     // of the part, oldest first, shown or not
-  std::deque<ReceivedEvent> events_;  // the shown ones, newest first
-  std::vector<ReceivedEvent> waiting_;
+  std::deque<EventRecord> all_;     // of the part, oldest first, shown or not
+  std::deque<EventRecord> events_;  // the shown ones, newest first
+  std::vector<EventRecord> waiting_;
   std::deque<std::int64_t> times_;
   std::uint64_t lost_ = 0;
 };

@@ -22,7 +22,7 @@ RedoStack::RedoStack(ActivityModel& activity, SystemActions& actions, QObject* p
 }
 
 void RedoStack::onDone(const Action& action) {
-  if (!ChangesConnections(action) && action.verb != Action::Verb::kSteer) return;
+  if (!ChangesConnections(action) && action.verb != Action::Verb::kLifecycle) return;
   if (!std::exchange(is_under_way_, false)) undone_.clear();
 }
 

@@ -12,10 +12,10 @@
 #include <gcm_gui/help/tour.h>
 #include <gcm_gui/help/window_tour.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/lifecycle/lifecycle_card.h>
+#include <gcm_gui/lifecycle/lifecycle_commands.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/steer/steer_card.h>
-#include <gcm_gui/steer/steer_commands.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
@@ -102,7 +102,7 @@ void WindowCommands::addSystemCommands() {
   add(Words::tr("&Why is it connected, or not?"), Qt::Key_W,
       [this] { window_.diagnosis().open(window_.selection().current()); });
   add(Words::tr("C&all the command…"), {}, [this] { window_.callSelection(); });
-  addSteerCommands();
+  addLifecycleCommands();
   add(Words::tr("&Undo"), QKeySequence::Undo, [this] {
     if (!window_.graphCommands().undoMove()) window_.parts().actions.undo();
   });
@@ -133,18 +133,18 @@ void WindowCommands::addSystemCommands() {
   add(Words::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { window_.close(); });
 }
 
-void WindowCommands::addSteerCommands() {
-  steer_ = new SteerCommands(window_.parts().store, window_.selection(), window_.parts().actions,
-                             *window_.centralWidget());
-  connect(steer_, &SteerCommands::notice, &window_.notice(), &NoticeLine::showNotice);
-  steer_->addCommands(*commands_);
-  steer_->fillMenu(*commands_,
-                   {Words::tr("Connect"), Words::tr("Disconnect"),
-                    Words::tr("Why is it connected, or not?"), Words::tr("Call the command")});
-  window_.graphCommands().setComponentMenu(steer_->menu(), window_.selection());
-  connect(&window_.catalogue().tree(), &CatalogueTree::menuRequested, steer_,
+void WindowCommands::addLifecycleCommands() {
+  lifecycle_ = new LifecycleCommands(window_.parts().store, window_.selection(),
+                                     window_.parts().actions, *window_.centralWidget());
+  connect(lifecycle_, &LifecycleCommands::notice, &window_.notice(), &NoticeLine::showNotice);
+  lifecycle_->addCommands(*commands_);
+  lifecycle_->fillMenu(*commands_,
+                       {Words::tr("Connect"), Words::tr("Disconnect"),
+                        Words::tr("Why is it connected, or not?"), Words::tr("Call the command")});
+  window_.graphCommands().setComponentMenu(lifecycle_->menu(), window_.selection());
+  connect(&window_.catalogue().tree(), &CatalogueTree::menuRequested, lifecycle_,
           [this](const QPoint& place) {
-            if (!window_.selection().current().isEmpty()) steer_->menu().popup(place);
+            if (!window_.selection().current().isEmpty()) lifecycle_->menu().popup(place);
           });
 }
 
@@ -222,8 +222,8 @@ void WindowCommands::addPalette() {
 }
 
 bool WindowCommands::closeCard() {
-  OverlayCard& steer_card = steer_->card();
-  OverlayCard* card = keys_->isVisible() ? keys_ : &steer_card;
+  OverlayCard& lifecycle_card = lifecycle_->card();
+  OverlayCard* card = keys_->isVisible() ? keys_ : &lifecycle_card;
   if (!card->isVisible()) return false;
   card->close();
   return true;

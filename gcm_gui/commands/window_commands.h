@@ -9,7 +9,7 @@ class Commands;
 class MainWindow;
 class RedoStack;
 class ShortcutsCard;
-class SteerCommands;
+class LifecycleCommands;
 class Tour;
 
 /// Fills the menus and the palette of the window, and assigns its keys. Owns the objects that only
@@ -28,7 +28,7 @@ class WindowCommands : public QObject {
 
  private:
   void addSystemCommands();
-  void addSteerCommands();
+  void addLifecycleCommands();
   void addPlotCommands();
   void addHelpCommands();
   void addPalette();
@@ -39,7 +39,7 @@ class WindowCommands : public QObject {
   Commands* commands_;
   CommandPalette* palette_ = nullptr;
   RedoStack* redo_ = nullptr;
-  SteerCommands* steer_ = nullptr;
+  LifecycleCommands* lifecycle_ = nullptr;
   ShortcutsCard* keys_ = nullptr;
   Tour* tour_ = nullptr;
 };

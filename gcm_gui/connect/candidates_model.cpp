@@ -19,7 +19,7 @@ void CandidatesModel::setFilter(const QString& words) {
   refresh();
 }
 
-CandidatesModel::Row CandidatesModel::rowOf(const Candidate& candidate) {
+CandidatesModel::Row CandidatesModel::rowOf(const PortCandidate& candidate) {
   Row row;
   row.port = candidate.port;
   row.name = ToQString(ToString(candidate.port.name));
@@ -52,7 +52,7 @@ void CandidatesModel::refresh() {
   std::vector<Row> fresh;
   int others = 0;
   int beyond = 0;
-  for (const Candidate& candidate : mode_.candidates()) {
+  for (const PortCandidate& candidate : mode_.candidates()) {
     if (!candidate.fits() && !candidate.present && !candidate.looksAlike() && words_.isEmpty()) {
       ++others;
     } else if (!isWanted(ToQString(ToString(candidate.port.name)))) {

@@ -52,7 +52,7 @@ class CandidatesModel : public QAbstractItemModel {
 
   void refresh();
   [[nodiscard]] bool isWanted(const QString& name) const;
-  [[nodiscard]] static Row rowOf(const Candidate& candidate);
+  [[nodiscard]] static Row rowOf(const PortCandidate& candidate);
   [[nodiscard]] bool isReason(const QModelIndex& index) const { return index.internalId() > 0; }
   [[nodiscard]] const Row& row(const QModelIndex& index) const;
 

@@ -14,8 +14,8 @@ namespace {
 constexpr int kDigits = 9;
 
 /// Compares, in order of importance: fits, is alive, is free, fills more members, is near.
-bool IsBetter(const Candidate& a, const Candidate& b, const std::string& process) {
-  const auto key = [&](const Candidate& c) {
+bool IsBetter(const PortCandidate& a, const PortCandidate& b, const std::string& process) {
+  const auto key = [&](const PortCandidate& c) {
     return std::tuple(!c.fits(), c.gone, c.former.has_value(), -c.compatibility.matched,
                       c.port.name.process != process);
   };
@@ -26,14 +26,14 @@ bool IsBetter(const Candidate& a, const Candidate& b, const std::string& process
 
 }  // namespace
 
-bool Candidate::looksAlike() const {
+bool PortCandidate::looksAlike() const {
   if (compatibility.fits()) return false;
   return compatibility.matched > 0 ||
          std::any_of(compatibility.mismatches.begin(), compatibility.mismatches.end(),
                      [](const Mismatch& m) { return m.kind != Mismatch::Kind::kMissing; });
 }
 
-QStringList Candidate::reasons() const {
+QStringList PortCandidate::reasons() const {
   QStringList reasons;
   if (present) reasons.append(Words::tr("is the current connection"));
   for (const auto& mismatch : compatibility.mismatches) reasons.append(ToQString(mismatch.text));
@@ -46,18 +46,18 @@ ConnectMode::ConnectMode(const CatalogueStore& store, SystemActions& actions, QO
   connect(&store, &CatalogueStore::typesLearned, this, Guarded(this, &ConnectMode::follow));
 }
 
-const Candidate* ConnectMode::best() const {
+const PortCandidate* ConnectMode::best() const {
   return candidates_.empty() || !candidates_.front().fits() ? nullptr : &candidates_.front();
 }
 
-const Candidate* ConnectMode::find(const PortName& port) const {
+const PortCandidate* ConnectMode::find(const PortName& port) const {
   const auto it = places_.find(port);
   return it == places_.end() ? nullptr : &candidates_[it->second];
 }
 
-const Candidate* ConnectMode::bestLookAlike() const {
+const PortCandidate* ConnectMode::bestLookAlike() const {
   const auto it = std::find_if(candidates_.begin(), candidates_.end(),
-                               [](const Candidate& c) { return !c.gone && c.looksAlike(); });
+                               [](const PortCandidate& c) { return !c.gone && c.looksAlike(); });
   return it == candidates_.end() ? nullptr : &*it;
 }
 
@@ -103,7 +103,7 @@ void ConnectMode::leave() {
 
 void ConnectMode::pick(const PortName& port) {
   if (!active()) return;
-  const Candidate* candidate = find(port);
+  const PortCandidate* candidate = find(port);
   if (candidate == nullptr) return;
   if (!candidate->fits()) return refuse(*candidate);
   const auto [required, provided] = wireTo(port);
@@ -112,7 +112,7 @@ void ConnectMode::pick(const PortName& port) {
   Q_EMIT picked(required, provided);
 }
 
-void ConnectMode::refuse(const Candidate& candidate) {
+void ConnectMode::refuse(const PortCandidate& candidate) {
   const QString obstacle = candidate.present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
   const QString reason =
       ToQString(candidate.port.name) + obstacle + candidate.reasons().join(QStringLiteral("; "));
@@ -130,12 +130,12 @@ message::Wire ConnectMode::wireTo(const PortName& port) const {
 
 void ConnectMode::pickNumber(int number) {
   const auto it = std::find_if(candidates_.begin(), candidates_.end(),
-                               [&](const Candidate& c) { return c.number == number; });
+                               [&](const PortCandidate& c) { return c.number == number; });
   if (number > 0 && it != candidates_.end()) pick(PortName(it->port));
 }
 
 void ConnectMode::pickBest() {
-  if (const Candidate* candidate = best()) pick(PortName(candidate->port));
+  if (const PortCandidate* candidate = best()) pick(PortName(candidate->port));
 }
 
 void ConnectMode::rank() {
@@ -150,7 +150,7 @@ void ConnectMode::rank() {
   places_.clear();
   int number = 0;
   for (std::size_t place = 0; place < candidates_.size(); ++place) {
-    Candidate& candidate = candidates_[place];
+    PortCandidate& candidate = candidates_[place];
     if (candidate.fits() && number < kDigits) candidate.number = ++number;
     places_[candidate.port] = place;
   }
@@ -160,7 +160,7 @@ void ConnectMode::addProvided(const RequiredDescription& required) {
   for (const auto& [process, entry] : store_.catalogue().processes()) {
     for (const auto& [name, component] : entry.components) {
       for (const auto& provided : component.provided) {
-        Candidate candidate;
+        PortCandidate candidate;
         candidate.port = {Side::kProvided, {process, name, provided.name}};
         candidate.compatibility = Compare(required, provided);
         candidate.gone = IsGone(entry.process.state);
@@ -176,7 +176,7 @@ void ConnectMode::addRequired(const ProvidedDescription& provided) {
   for (const auto& [process, entry] : store_.catalogue().processes()) {
     for (const auto& [name, component] : entry.components) {
       for (const auto& required : component.required) {
-        Candidate candidate;
+        PortCandidate candidate;
         candidate.port = {Side::kRequired, {process, name, required.name}};
         candidate.compatibility = Compare(required, provided);
         candidate.gone = IsGone(entry.process.state);

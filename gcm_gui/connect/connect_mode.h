@@ -17,7 +17,7 @@
 namespace tendon::gui {
 
 /// A port that may be connected to the chosen one.
-struct Candidate {
+struct PortCandidate {
   PortName port;
   Compatibility compatibility;
   int number = 0;        ///< the digit that picks it, 1 to 9; 0 for none
@@ -51,12 +51,12 @@ class ConnectMode : public QObject {
   /// The present peer of the chosen port, if the port is a required interface.
   [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
   /// Best first; those that do not fit come last.
-  [[nodiscard]] const std::vector<Candidate>& candidates() const { return candidates_; }
+  [[nodiscard]] const std::vector<PortCandidate>& candidates() const { return candidates_; }
   /// Null if nothing fits.
-  [[nodiscard]] const Candidate* best() const;
-  [[nodiscard]] const Candidate* find(const PortName& port) const;
+  [[nodiscard]] const PortCandidate* best() const;
+  [[nodiscard]] const PortCandidate* find(const PortName& port) const;
   /// The most similar candidate that does not fit, or null.
-  [[nodiscard]] const Candidate* bestLookAlike() const;
+  [[nodiscard]] const PortCandidate* bestLookAlike() const;
 
  public Q_SLOTS:
   /// Returns false if the port does not exist, or if the mode is forbidden; then emits a notice().
@@ -79,7 +79,7 @@ class ConnectMode : public QObject {
 
  private:
   void follow();
-  void refuse(const Candidate& candidate);
+  void refuse(const PortCandidate& candidate);
   /// The connection between the chosen port and `port`.
   [[nodiscard]] message::Wire wireTo(const PortName& port) const;
   void rank();
@@ -94,7 +94,7 @@ class ConnectMode : public QObject {
   QString forbidden_;
   std::optional<PortName> chosen_;
   std::optional<InterfaceName> former_;
-  std::vector<Candidate> candidates_;
+  std::vector<PortCandidate> candidates_;
   std::map<PortName, std::size_t> places_;  // index into candidates_
 };
 

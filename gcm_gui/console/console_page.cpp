@@ -24,23 +24,23 @@ namespace {
 constexpr int kFewestColumns = 40;
 
 /// Completes the last word of the line as far as it is unique; empty if nothing can be added.
-std::optional<QString> Completed(const QString& line, const console::Completion& completion) {
+std::optional<QString> Completed(const QString& line, const console::WordCompletion& completion) {
   const auto unfinished = console::ParsePartialCommand(line.toStdString());
   const std::string& word = unfinished.words.back();
-  std::string common = console::CommonBegin(completion.candidates);
+  std::string common = console::CommonBegin(completion.suggestions);
   if (common.size() <= word.size()) return std::nullopt;
-  const bool is_whole = completion.candidates.size() == 1 && common.ends_with(' ');
+  const bool is_whole = completion.suggestions.size() == 1 && common.ends_with(' ');
   if (is_whole) common.pop_back();
   const QString begin = line.left(line.size() - ToQString(unfinished.typed).size());
   return begin + ToQString(console::QuoteWord(common)) +
          (is_whole ? QStringLiteral(" ") : QString());
 }
 
-QString ListOf(const std::vector<console::Completion::Candidate>& candidates) {
+QString ListOf(const std::vector<console::WordCompletion::Suggestion>& suggestions) {
   qsizetype widest = 0;
-  for (const auto& one : candidates) widest = std::max(widest, ToQString(one.text).size());
+  for (const auto& one : suggestions) widest = std::max(widest, ToQString(one.text).size());
   QString list;
-  for (const auto& [text, help] : candidates) {
+  for (const auto& [text, help] : suggestions) {
     list += ToQString(text).leftJustified(widest) + QStringLiteral("  ") + ToQString(help) + '\n';
   }
   return list;
@@ -299,12 +299,12 @@ void ConsolePage::complete() {
   if (line_->cursorPosition() == line_->text().size()) runner_.complete(line_->text());
 }
 
-void ConsolePage::showCompletion(const QString& line, const console::Completion& completion) {
+void ConsolePage::showCompletion(const QString& line, const console::WordCompletion& completion) {
   if (line != line_->text()) return;  // the user has changed the line meanwhile
-  if (completion.candidates.empty()) return QApplication::beep();
+  if (completion.suggestions.empty()) return QApplication::beep();
   if (const auto completed = Completed(line, completion)) return line_->setText(*completed);
   if (!text().isEmpty() && !text().endsWith('\n')) write(QStringLiteral("\n"), false);
-  write(ListOf(completion.candidates), false);
+  write(ListOf(completion.suggestions), false);
 }
 
 }  // namespace tendon::gui

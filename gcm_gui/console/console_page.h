@@ -54,7 +54,7 @@ class ConsolePage : public QWidget {
   void submit();
   void copyOrInterrupt();
   void complete();
-  void showCompletion(const QString& line, const console::Completion& completion);
+  void showCompletion(const QString& line, const console::WordCompletion& completion);
   void searchFrom(qsizetype before);
   void leaveSearch();
   void showPrompt();

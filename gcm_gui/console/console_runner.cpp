@@ -153,7 +153,7 @@ void ConsoleRunner::complete(const QString& line) {
   if (is_running_) return;
   post([this, poster = poster_, line](console::Shell& shell) {
     const auto unfinished = console::ParsePartialCommand(line.toStdString());
-    console::Completion completion = shell.Complete(unfinished);
+    console::WordCompletion completion = shell.Complete(unfinished);
     console::AddFiles(completion, unfinished.words.back());
     poster->post([this, line, completion] { Q_EMIT completed(line, completion); });
   });

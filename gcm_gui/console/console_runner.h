@@ -41,7 +41,7 @@ class ConsoleRunner : public QObject {
   /// "robot/arm> ".
   void promptChanged(const QString& prompt);
   /// `line` is the line of the request.
-  void completed(const QString& line, const console::Completion& completion);
+  void completed(const QString& line, const console::WordCompletion& completion);
 
  private:
   using Job = std::function<void(console::Shell& shell)>;

@@ -285,7 +285,7 @@ void GraphScene::showRoles() {
       item->setRole(PortItem::Role::kPlain);
       continue;
     }
-    const Candidate* candidate = mode_.find(name);
+    const PortCandidate* candidate = mode_.find(name);
     if (name == mode_.chosen()) {
       item->setRole(PortItem::Role::kChosen);
     } else if (candidate != nullptr && candidate->fits()) {
@@ -298,9 +298,9 @@ void GraphScene::showRoles() {
 
 void GraphScene::showPreview() {
   const PortItem* chosen = mode_.active() ? port(mode_.chosen()) : nullptr;
-  const Candidate* shown = mode_.active() ? mode_.best() : nullptr;
+  const PortCandidate* shown = mode_.active() ? mode_.best() : nullptr;
   if (chosen != nullptr && pointed_) {
-    const Candidate* pointed = mode_.find(*pointed_);
+    const PortCandidate* pointed = mode_.find(*pointed_);
     if (pointed != nullptr && pointed->fits()) shown = pointed;
   }
   const PortItem* other = shown == nullptr ? nullptr : port(shown->port);
@@ -316,8 +316,8 @@ void GraphScene::showCards() {
   for (CardItem* card : cards_) delete card;
   cards_.clear();
   const bool active = mode_.active();
-  const Candidate* look_alike = active ? mode_.bestLookAlike() : nullptr;
-  const Candidate* pointed = active && pointed_ ? mode_.find(*pointed_) : nullptr;
+  const PortCandidate* look_alike = active ? mode_.bestLookAlike() : nullptr;
+  const PortCandidate* pointed = active && pointed_ ? mode_.find(*pointed_) : nullptr;
   if (pointed == nullptr || pointed->fits()) {
     if (look_alike != nullptr) addCard(*look_alike, kReasonsUnasked);
   } else if (!addCard(*pointed, kReasonsAsked)) {
@@ -327,7 +327,7 @@ void GraphScene::showCards() {
   Q_EMIT refusalPointed({}, {});
 }
 
-bool GraphScene::addCard(const Candidate& candidate, qsizetype reasons) {
+bool GraphScene::addCard(const PortCandidate& candidate, qsizetype reasons) {
   const PortItem* item = port(candidate.port);
   if (item == nullptr) return false;
   auto* card = new CardItem;

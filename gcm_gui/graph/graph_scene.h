@@ -107,7 +107,7 @@ class GraphScene : public QGraphicsScene {
   void showPreview();
   void showCards();
   /// Returns false, and adds no card, if it would hide something at every place.
-  bool addCard(const Candidate& candidate, qsizetype reasons);
+  bool addCard(const PortCandidate& candidate, qsizetype reasons);
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 
   const CatalogueStore& store_;

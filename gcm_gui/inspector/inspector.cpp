@@ -6,11 +6,11 @@
 #include <gcm_gui/inspector/thread_facts.h>
 #include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/lifecycle/lifecycle_row.h>
 #include <gcm_gui/models/plugin_words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/steer/steer_row.h>
 #include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -146,11 +146,11 @@ QWidget* Inspector::buildComponentPage() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   component_facts_ = new PropertyGrid;
-  steer_ = new SteerRow;
-  connect(steer_, &SteerRow::notice, this, &Inspector::notice);
-  connect(steer_, &SteerRow::chosen, this, [this](LifeVerb verb) {
+  lifecycle_ = new LifecycleRow;
+  connect(lifecycle_, &LifecycleRow::notice, this, &Inspector::notice);
+  connect(lifecycle_, &LifecycleRow::chosen, this, [this](LifecycleVerb verb) {
     if (const auto path = ParsePath(shown_component_.toStdString()); path.ok()) {
-      actions_.steer(verb, path->process, path->component);
+      actions_.executeLifecycleOrder(verb, path->process, path->component);
     }
   });
   tabs_ = new TabPanel(QStringLiteral("inspectorTabs"));
@@ -165,7 +165,7 @@ QWidget* Inspector::buildComponentPage() {
   ExceptionGuard::setName(*events_, Words::tr("Inspector: events"));
   ExceptionGuard::setName(*call_, Words::tr("Inspector: call"));
   column->addWidget(component_facts_);
-  column->addWidget(steer_);
+  column->addWidget(lifecycle_);
   column->addWidget(tabs_, 1);
   return page;
 }
@@ -374,7 +374,7 @@ void Inspector::showComponent(const ProcessEntry& entry, const ComponentDescript
   process_->setText(ToQString(entry.process.name));
   wanted_period_ = component.period;
   shown_component_ = path;
-  steer_->show(store_.catalogue(), entry.process.name, component.name);
+  lifecycle_->show(store_.catalogue(), entry.process.name, component.name);
   interfaces_.show(store_.catalogue(), entry.process.name, component.name);
   values_->showComponent(path, component, StaleReasonOf(entry.process.state, component.state));
   configuration_.show(component);

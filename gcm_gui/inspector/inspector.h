@@ -23,7 +23,7 @@ class EventList;
 class PropertyGrid;
 class RowView;
 class StateLabel;
-class SteerRow;
+class LifecycleRow;
 class TabPanel;
 class ValuesPage;
 
@@ -91,7 +91,7 @@ class Inspector : public QWidget {
   QLabel* process_;
   PropertyGrid* component_facts_;
   PropertyGrid* thread_facts_ = nullptr;
-  SteerRow* steer_;
+  LifecycleRow* lifecycle_;
   PropertyGrid* process_facts_;
   QPushButton* forget_;
   QLabel* nothing_;

@@ -25,13 +25,14 @@ std::optional<Error> ErrorOf(const Result<T>& result) {
 /// The action of a window that corresponds to this step of the history.
 Action ActionOf(const message::HistoryEntry& step) {
   Action action;
-  if (IsLifeCycleStep(step)) {
+  if (IsLifecycleStep(step)) {
     action.verb = Action::Verb::kUndo;  // for a step that windows cannot make
-    action.component = step.life.process + '/' + step.life.component;
-    for (const LifeVerb verb : {LifeVerb::kStart, LifeVerb::kSuspend, LifeVerb::kStop}) {
+    action.component = step.lifecycle.process + '/' + step.lifecycle.component;
+    for (const LifecycleVerb verb :
+         {LifecycleVerb::kStart, LifecycleVerb::kSuspend, LifecycleVerb::kStop}) {
       if (ToString(verb) != step.verb) continue;
-      action.verb = Action::Verb::kSteer;
-      action.life = verb;
+      action.verb = Action::Verb::kLifecycle;
+      action.lifecycle_verb = verb;
     }
     return action;
   }
@@ -208,12 +209,13 @@ void GcmSession::forget(const std::string& process) {
   });
 }
 
-void GcmSession::steer(LifeVerb verb, const std::string& process, const std::string& component) {
+void GcmSession::executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
+                                       const std::string& component) {
   Action action;
-  action.verb = Action::Verb::kSteer;
-  action.life = verb;
+  action.verb = Action::Verb::kLifecycle;
+  action.lifecycle_verb = verb;
   action.component = process + '/' + component;
-  client_->ExecuteLifeOrder(
+  client_->ExecuteLifecycleOrder(
       {.verb = verb, .process = process, .component = component},
       [finish = begin(std::move(action))](const auto& result) { finish(ErrorOf(result)); });
 }

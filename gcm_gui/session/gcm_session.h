@@ -50,7 +50,8 @@ class GcmSession : public QObject,
   void disconnectInterface(const InterfaceName& required) override;
   void undo() override;
   void forget(const std::string& process) override;
-  void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
+  void executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
+                             const std::string& component) override;
   void setLogLevel(const std::string& process, LogLevel level) override;
 
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;

@@ -135,7 +135,7 @@ void NetworkReports::drain() {
     waiting_.pop_front();
   }
   for (const auto& [path, count] : lost.by_path) Q_EMIT eventsLost(ToQString(path), count);
-  std::vector<ReceivedEvent> received;
+  std::vector<EventRecord> received;
   std::deque<console::ReceivedEvent> unread;
   for (console::ReceivedEvent& event : waiting_) {
     if (const auto value = valueOf(event)) {

@@ -12,14 +12,14 @@
 namespace tendon::gui {
 
 /// An event that was raised.
-struct ReceivedEvent {
+struct EventRecord {
   /// The time of the event in ns since 1970 by this machine's clock, computed from the event's age
   /// on the steady clock.
   std::int64_t when = 0;
   QString path;   ///< "robot/arm/Control.GoalReached"
   QString value;  ///< JSON; empty if it has none
 
-  bool operator==(const ReceivedEvent&) const = default;
+  bool operator==(const EventRecord&) const = default;
 };
 
 /// The system's reports in addition to its catalogue: log, events, and the health of processes and
@@ -55,7 +55,7 @@ class SystemReports : public QObject {
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
   /// In order of arrival, except that events of a new type wait until the type is known.
-  void eventsArrived(const std::vector<tendon::gui::ReceivedEvent>& events);
+  void eventsArrived(const std::vector<tendon::gui::EventRecord>& events);
   /// `count` further events were lost, because there was not enough room or time.
   void eventsLost(const QString& path, std::uint64_t count);
 };

@@ -6,7 +6,7 @@
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
-#include <tendon/process/life/life_messages.h>
+#include <tendon/process/lifecycle/lifecycle_messages.h>
 
 #include <functional>
 #include <string>
@@ -29,12 +29,13 @@ class SystemActions {
   virtual void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) = 0;
   virtual void disconnectInterface(const InterfaceName& required) = 0;
   /// Undoes the newest step that is not undone, whoever made it. A step of another user, or on a
-  /// component's life cycle, is only undone at the second call.
+  /// component's lifecycle, is only undone at the second call.
   virtual void undo() = 0;
   /// Removes the remains of a lost process.
   virtual void forget(const std::string& process) = 0;
   /// Starts, suspends, stops or restarts a component.
-  virtual void steer(LifeVerb verb, const std::string& process, const std::string& component) = 0;
+  virtual void executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
+                                     const std::string& component) = 0;
   /// From now on the process drops records below `level`.
   virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
 };

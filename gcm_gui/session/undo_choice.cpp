@@ -2,7 +2,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/undo_choice.h>
 #include <tendon/base/os/process.h>
-#include <tendon/gcm/history.h>
+#include <tendon/gcm/step_history.h>
 #include <tendon/gcm/text.h>
 
 #include <QString>
@@ -23,7 +23,7 @@ std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
           .arg(UndoChoice::kPatience.count())
           .arg(ToQString(ToString(step)), ToQString(step.who), AgeText(wall_now - step.when));
   const QString motion =
-      IsLifeCycleStep(step) ? Words::tr("; taking it back can set something in motion") : QString();
+      IsLifecycleStep(step) ? Words::tr("; taking it back can set something in motion") : QString();
   return (question + motion).toStdString();
 }
 
@@ -40,7 +40,7 @@ Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time n
     return Error{ErrorCode::kNotFound, Words::tr("there is nothing to undo").toStdString()};
   }
   const bool is_answered = std::exchange(asked_, 0) == newest->id && now <= until_;
-  if (is_answered || (IsBy(newest->who, me_) && !IsLifeCycleStep(*newest))) return newest->id;
+  if (is_answered || (IsBy(newest->who, me_) && !IsLifecycleStep(*newest))) return newest->id;
   asked_ = newest->id;
   until_ = now + kPatience;
   return Error{ErrorCode::kFailed, Question(*newest, wall_now)};

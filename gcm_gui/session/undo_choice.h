@@ -13,7 +13,7 @@ namespace tendon::gui {
 [[nodiscard]] std::string NameOfThisWindow();
 
 /// Chooses the step to undo: the newest that is not undone, by any author. A step of another person
-/// or program, or on a component's life cycle, needs a second request.
+/// or program, or on a component's lifecycle, needs a second request.
 class UndoChoice {
  public:
   using Time = std::chrono::steady_clock::time_point;

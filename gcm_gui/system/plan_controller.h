@@ -3,7 +3,7 @@
 #include <gcm_gui/session/system_reports.h>
 #include <gcm_gui/system/plan_runner.h>
 #include <gcm_gui/system/system_document.h>
-#include <tendon/gcm/life/class_check.h>
+#include <tendon/gcm/lifecycle/class_check.h>
 #include <tendon/gcm/system/plan.h>
 
 #include <QObject>

@@ -40,9 +40,9 @@ MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel&
   connect(&panel, &PlotPanel::marksShownChanged, this, &MarkBinding::follow);
   connect(&reports, &SystemReports::logArrived, this, Guarded(this, &MarkBinding::markLog));
   connect(&reports, &SystemReports::eventsArrived, this,
-          [this](const std::vector<ReceivedEvent>& events) {
+          [this](const std::vector<EventRecord>& events) {
             ExceptionGuard::run(this, ViewWork::kHandling, [&] {
-              for (const ReceivedEvent& event : events) markEvent(event);
+              for (const EventRecord& event : events) markEvent(event);
             });
           });
   connect(&activity, &ActivityModel::finished, this, Guarded(this, &MarkBinding::markAction));
@@ -75,7 +75,7 @@ void MarkBinding::follow() {
 }
 
 // Events to which only other receivers listen arrive here too.
-void MarkBinding::markEvent(const ReceivedEvent& event) {
+void MarkBinding::markEvent(const EventRecord& event) {
   if (!components_plotted_.contains(ComponentPathOf(event.path))) return;
   MarkedEvents& marked = events_[event.path];
   if (event.when - marked.when < kEventPauseNs && event.when >= marked.when) {

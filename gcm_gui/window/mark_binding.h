@@ -44,7 +44,7 @@ class MarkBinding : public QObject {
   };
 
   void follow();
-  void markEvent(const ReceivedEvent& event);
+  void markEvent(const EventRecord& event);
   void markLog(const LogBatch& batch);
   [[nodiscard]] bool isRead(const QString& path) const;
   [[nodiscard]] bool isOwnCall(const QString& path) const;

@@ -1,7 +1,7 @@
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/lifecycle/lifecycle_words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/steer/steer_words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/notice_line.h>
@@ -54,12 +54,12 @@ void NoticeLine::onActionFinished(const Action& finished) {
       return showNotice(Words::tr("Undone in %1").arg(time));
     case Action::Verb::kForget:
       return showNotice(Words::tr("Forgotten"));
-    case Action::Verb::kSteer:
+    case Action::Verb::kLifecycle:
       return showNotice(
-          finished.life == LifeVerb::kRestart
+          finished.lifecycle_verb == LifecycleVerb::kRestart
               ? Words::tr("%1 has been restarted in %2").arg(ToQString(finished.component), time)
               : Words::tr("%1: %2 done in %3 · Ctrl+Z twice undoes")
-                    .arg(ToQString(finished.component), WordOf(finished.life), time));
+                    .arg(ToQString(finished.component), WordOf(finished.lifecycle_verb), time));
     case Action::Verb::kCall:
       return showNotice(Words::tr("Called in %1").arg(time));
     case Action::Verb::kLogLevel:

@@ -322,7 +322,7 @@ def folders_of_a_layer_have_no_cycle(files):
 
 
 def folder_of_layer(path):
-    """`gcm/life` for core/tendon/gcm/life/parameters.h, None for a file that is in no folder below a layer."""
+    """`gcm/lifecycle` for core/tendon/gcm/lifecycle/a.h, None for a file that is in no folder below a layer."""
     parts = path.split("/")
     return "/".join(parts[2:4]) if parts[:2] == ["core", "tendon"] and len(parts) > 4 else None
 

@@ -148,9 +148,9 @@ BROKEN = {
          "lcm/b.cpp:5", "SteadyClock is also the function of lcm/clock.h:3"),
     ],
     "folders_of_a_layer_have_no_cycle": [
-        ({"core/tendon/gcm/life/a.h": include("tendon/gcm/server/b.h"),
+        ({"core/tendon/gcm/wiring/a.h": include("tendon/gcm/server/b.h"),
           "core/tendon/gcm/server/b.h": include("tendon/gcm/system/c.h"),
-          "core/tendon/gcm/system/c.h": include("tendon/gcm/life/d.h"), "core/tendon/gcm/life/d.h": include()},
+          "core/tendon/gcm/system/c.h": include("tendon/gcm/wiring/d.h"), "core/tendon/gcm/wiring/d.h": include()},
          "core/tendon/gcm/server/b.h:2", "gcm/server may not include <tendon/gcm/system/c.h>, because gcm/system"),
     ],
     "installed_headers_include_no_internal_ones": [
@@ -246,9 +246,9 @@ KEPT = {
          "lcm/b.cpp": in_namespace("namespace {\nvoid Quoted(const char* word) {\n}\n}  // namespace")},
     ],
     "folders_of_a_layer_have_no_cycle": [
-        {"core/tendon/gcm/a.h": include("tendon/gcm/life/b.h"),
-         "core/tendon/gcm/life/b.h": include("tendon/gcm/c.h", "tendon/gcm/life/d.h", "tendon/gcm/system/e.h"),
-         "core/tendon/gcm/life/d.h": include(), "core/tendon/gcm/system/e.h": include("tendon/gcm/c.h")},
+        {"core/tendon/gcm/a.h": include("tendon/gcm/wiring/b.h"),
+         "core/tendon/gcm/wiring/b.h": include("tendon/gcm/c.h", "tendon/gcm/wiring/d.h", "tendon/gcm/system/e.h"),
+         "core/tendon/gcm/wiring/d.h": include(), "core/tendon/gcm/system/e.h": include("tendon/gcm/c.h")},
     ],
     "installed_headers_include_no_internal_ones": [
         {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h") + "target_sources(a PRIVATE c.h)\n",

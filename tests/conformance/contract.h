@@ -22,11 +22,11 @@ class Contract : public testing::TestWithParam<Kind> {
   }
 
   Result<std::shared_ptr<Link>> Open(std::shared_ptr<LinkHandler> handler) {
-    auto link = OpenToStranger(std::move(handler));
+    auto link = OpenUnauthenticated(std::move(handler));
     if (link) (*link)->Admit();
     return link;
   }
-  Result<std::shared_ptr<Link>> OpenToStranger(std::shared_ptr<LinkHandler> handler) {
+  Result<std::shared_ptr<Link>> OpenUnauthenticated(std::shared_ptr<LinkHandler> handler) {
     return pair_.client->Open(listener_->address(), std::move(handler), kPatience);
   }
 
@@ -88,7 +88,7 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
-/// A client, and a server that defers its answers; for middlewares with a shorter path for answers.
+/// A client, and a server that defers its answers; for middlewares with a direct path for answers.
 class LaterAnswerContract : public Contract {
  protected:
   void SetUp() override {

@@ -156,7 +156,7 @@ TEST_P(CookieContract, WhoPassesOnWhatOthersSayIsDenied) {
   EXPECT_EQ(robot->peer_, "");
 }
 
-TEST_P(ChannelContract, StrangersAreLetInWhereTheAcceptorSaysSo) {
+TEST_P(ChannelContract, AcceptsUnauthenticatedPeersIfAllowed) {
   Start(Channel::Acceptor(
       HelloOf("robot"), [] { return std::make_shared<Oracle>(); }, UnauthenticatedPeers::kAllowed));
   Hello hello = HelloOf("desk");

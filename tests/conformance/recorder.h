@@ -92,7 +92,7 @@ class Recorder final : public LinkHandler {
 class Host {
  public:
   /// The host admits each guest, or leaves it unauthenticated.
-  enum class Guests { kAdmitted, kStrangers };
+  enum class Guests { kAdmitted, kUnauthenticated };
   struct Guest {
     std::shared_ptr<Link> link;
     std::shared_ptr<Recorder> recorder;

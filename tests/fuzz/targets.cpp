@@ -70,7 +70,7 @@ void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
     if (!header) return;
     if (header->version == 0) header->version = tendon::FrameHeader::kProtocolVersion;
     const std::size_t size = tendon::FrameHeader::kSize + header->size;
-    Require(size <= tendon::kMaxUnauthenticatedFrameSize, "a stranger's frame is bounded");
+    Require(size <= tendon::kMaxUnauthenticatedFrameSize, "an unauthenticated frame is bounded");
     if (bytes.size() < size) return;
     Require(tendon::ReadWholeFrame(bytes.first(size)).has_value(), "a whole frame is one");
     const Bytes inner = bytes.subspan(tendon::FrameHeader::kSize, header->size);

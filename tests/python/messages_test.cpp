@@ -29,7 +29,7 @@ TEST(PythonPackage, SchemasMatchTheMessages) {
               message::GetSchemas, message::Schemas, message::CallMember, message::CallMemberReply,
               message::Subscribe, message::SubscribeReply, message::RowsHeader,  // process
               message::Wire, ConnectionDescription,                              // membership
-              message::Snapshot, message::Changes>();                            // gcm
+              message::CatalogueSnapshot, message::Changes>();                   // gcm
   std::ofstream(TENDON_PYTHON_MESSAGES_BUILT) << texts;
 
   EXPECT_TRUE(ContentOf(TENDON_PYTHON_MESSAGES) == texts)

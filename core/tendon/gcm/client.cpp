@@ -194,7 +194,7 @@ class GcmClient::Implementation {
 
   [[nodiscard]] std::chrono::milliseconds timeout() const { return timeout_; }
 
-  void ExecuteLifeOrder(message::LifeOrder order, DoneHandler done) {
+  void ExecuteLifecycleOrder(message::LifecycleOrder order, DoneHandler done) {
     if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
     if (order.instance == 0) {
       order.instance = link_->WithCatalogue([&](const Catalogue& catalogue) {
@@ -203,10 +203,10 @@ class GcmClient::Implementation {
       });
     }
     const auto answered_within =
-        kLifeOrderTimeouts * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
+        kLifecycleOrderTimeouts * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
     const auto orders = (answered_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
     link_->Request<None>(
-        message::kLife, order,
+        message::kLifecycleOrder, order,
         [done = std::move(done)](const auto& answer) { done(Ignored(answer)); },
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
@@ -354,8 +354,8 @@ void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
                                             const auto& answer) { done(Ignored(answer)); });
 }
 
-void GcmClient::ExecuteLifeOrder(const message::LifeOrder& order, DoneHandler handler) {
-  implementation_->ExecuteLifeOrder(order, implementation_->Guarded(std::move(handler)));
+void GcmClient::ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler) {
+  implementation_->ExecuteLifecycleOrder(order, implementation_->Guarded(std::move(handler)));
 }
 
 void GcmClient::ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler) {

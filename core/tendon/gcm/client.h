@@ -57,8 +57,8 @@ class GcmClient {
   /// fails.
   static constexpr int kUndoTimeouts = 6;
 
-  /// ExecuteLifeOrder() may take this many times `timeout`: once to execute, once to report.
-  static constexpr int kLifeOrderTimeouts = 2;
+  /// ExecuteLifecycleOrder() may take this many times `timeout`: once to execute, once to report.
+  static constexpr int kLifecycleOrderTimeouts = 2;
 
   /// ExecuteProcessOrder() may take this many times `timeout`: to start or end the process, to wait
   /// until it joins or to kill it, and to report.
@@ -107,10 +107,10 @@ class GcmClient {
   void Connect(const InterfaceName& required, const InterfaceName& provided, ConnectHandler handler,
                WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
-  /// Gives an order for the life cycle of a component, or to load a plug-in. May take twice
+  /// Gives an order for the lifecycle of a component, or to load a plug-in. May take twice
   /// `order.patience`, which is `timeout` by default. The order is only valid for the process
   /// instance that is in the catalogue now.
-  void ExecuteLifeOrder(const message::LifeOrder& order, DoneHandler handler);
+  void ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler);
   /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
   /// kProcessOrderTimeouts times as long as other requests.
   void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);

@@ -204,7 +204,7 @@ ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire
 }
 
 /// The rank of a candidate; a smaller one is better.
-auto RankOf(const Candidate& candidate) {
+auto RankOf(const ProviderCandidate& candidate) {
   const Compatibility& how = candidate.compatibility;
   return std::tuple(!how.fits(), -how.matched, how.mismatches.size(), candidate.provided);
 }
@@ -340,17 +340,18 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
   diagnosis.remnants.push_back(LeftAtProvider(catalogue, wire, served));
 }
 
-Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,
-                                              const InterfaceName& required) {
+Result<std::vector<ProviderCandidate>> RankCandidates(const Catalogue& catalogue,
+                                                      const InterfaceName& required) {
   const auto wanted = LookUpRequired(catalogue, required);
   if (!wanted) return wanted.error();
   const auto* connection = catalogue.FindConnection(required);
-  std::vector<Candidate> candidates;
+  std::vector<ProviderCandidate> candidates;
   for (const auto& [process, entry] : catalogue.processes()) {
     if (!IsPresent(entry.process)) continue;
     for (const auto& [component, description] : entry.components) {
       for (const ProvidedDescription& provided : description.provided) {
-        Candidate candidate{{process, component, provided.name}, Compare(**wanted, provided)};
+        ProviderCandidate candidate{{process, component, provided.name},
+                                    Compare(**wanted, provided)};
         if (candidate.compatibility.matched == 0) continue;
         candidate.is_connected =
             connection != nullptr && connection->provided == candidate.provided;
@@ -358,8 +359,9 @@ Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,
       }
     }
   }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return RankOf(a) < RankOf(b); });
+  std::sort(
+      candidates.begin(), candidates.end(),
+      [](const ProviderCandidate& a, const ProviderCandidate& b) { return RankOf(a) < RankOf(b); });
   return candidates;
 }
 

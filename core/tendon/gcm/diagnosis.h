@@ -88,7 +88,7 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                                          const Error& reason);
 
 /// A provided interface to which a required interface might be connected.
-struct Candidate {
+struct ProviderCandidate {
   InterfaceName provided;
   Compatibility compatibility;
   bool is_connected = false;  ///< to the required interface in question
@@ -97,7 +97,7 @@ struct Candidate {
 /// The provided interfaces of present processes with at least one matching member, the best first:
 /// those that fit, then by the number of matching members, then by name. Errors of
 /// LookUpRequired().
-Result<std::vector<Candidate>> RankCandidates(const Catalogue& catalogue,
-                                              const InterfaceName& required);
+Result<std::vector<ProviderCandidate>> RankCandidates(const Catalogue& catalogue,
+                                                      const InterfaceName& required);
 
 }  // namespace tendon

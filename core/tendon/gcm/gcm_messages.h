@@ -2,7 +2,7 @@
 
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/supervisor/restart_policy.h>
-#include <tendon/process/life/life_messages.h>
+#include <tendon/process/lifecycle/lifecycle_messages.h>
 #include <tendon/process/log/log_messages.h>
 #include <tendon/process/membership/membership_messages.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 /// The messages between a GCM and its viewers. For messages to LCMs, see
-/// process/membership/membership_messages.h and process/life/life_messages.h. Each struct is the
-/// body of a frame.
+/// process/membership/membership_messages.h and process/lifecycle/lifecycle_messages.h. Each struct
+/// is the body of a frame.
 namespace tendon {
 
 /// The effect of a connect if the required interface is already connected.
@@ -44,7 +44,7 @@ namespace tendon::message {
 
 // From a viewer; all are requests. A viewer also sends kRenew every second, to check that the GCM
 // lives.
-inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> Snapshot
+inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> CatalogueSnapshot
 inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
 inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
 inline constexpr auto kUndo = static_cast<MessageType>(0x313);     // StepSelection -> HistoryEntry
@@ -61,7 +61,7 @@ inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog 
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
 /// The catalogue as changes to an empty one (Catalogue::At(base)).
-struct Snapshot {
+struct CatalogueSnapshot {
   std::uint64_t gcm_instance = 0;
   std::uint64_t base = 0;
   std::vector<CatalogueChange> changes;
@@ -119,22 +119,22 @@ struct ProcessOrder {
   std::chrono::nanoseconds patience{0};
 };
 
-/// The change of a life-cycle step, and the state before it.
-struct LifeStep {
+/// The change of a lifecycle step, and the state before it.
+struct LifecycleStep {
   std::string process;
   std::string component;  ///< empty: the step started the process itself
   std::string class_name;
   std::string library;
   std::string configuration;  ///< "create", "configure": the new configuration
   /// "configure", "remove": the old configuration. "stop": the followers that stopped too, see
-  /// life/followers.h.
+  /// lifecycle/followers.h.
   std::string former;
-  std::string thread;                                   ///< "remove": as in LifeOrder
-  std::string leader;                                   ///< "remove": as in LifeOrder
+  std::string thread;                                   ///< "remove": as in LifecycleOrder
+  std::string leader;                                   ///< "remove": as in LifecycleOrder
   ComponentState state = ComponentState::kConstructed;  ///< state before the step
   std::vector<Wire> connections;                        ///< "remove": the component's connections
 
-  bool operator==(const LifeStep&) const = default;
+  bool operator==(const LifecycleStep&) const = default;
 };
 
 /// A process that the GCM has started, and can end or restart.
@@ -165,10 +165,10 @@ struct HistoryEntry {
   std::uint64_t id = 0;
   std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
   Wire wire;
-  InterfaceName former;   ///< "replace": the former provided interface
-  LifeStep life;          ///< for a life-cycle order; otherwise its process is empty
-  std::string who;        ///< the program that made the request: "gcm connect", "gcm-gui"
-  std::int64_t when = 0;  ///< ns since 1970
+  InterfaceName former;     ///< "replace": the former provided interface
+  LifecycleStep lifecycle;  ///< for a lifecycle order; otherwise its process is empty
+  std::string who;          ///< the program that made the request: "gcm connect", "gcm-gui"
+  std::int64_t when = 0;    ///< ns since 1970
   /// The instance of the process that made the change, which is that of the required side. After a
   /// restart, the process has nothing to undo.
   std::uint64_t instance = 0;
@@ -187,10 +187,11 @@ struct History {
 }  // namespace tendon::message
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Snapshot> = tendon::Describe(
-    "tendon.Snapshot", tendon::Field{"gcm_instance", &tendon::message::Snapshot::gcm_instance},
-    tendon::Field{"base", &tendon::message::Snapshot::base},
-    tendon::Field{"changes", &tendon::message::Snapshot::changes});
+inline constexpr auto tendon::kPayload<tendon::message::CatalogueSnapshot> = tendon::Describe(
+    "tendon.Snapshot",
+    tendon::Field{"gcm_instance", &tendon::message::CatalogueSnapshot::gcm_instance},
+    tendon::Field{"base", &tendon::message::CatalogueSnapshot::base},
+    tendon::Field{"changes", &tendon::message::CatalogueSnapshot::changes});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Changes> = tendon::Describe(
@@ -252,17 +253,17 @@ inline constexpr auto tendon::kPayload<tendon::message::PlanLock> = tendon::Desc
     "tendon.PlanLock", tendon::Field{"is_wanted", &tendon::message::PlanLock::is_wanted});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::LifeStep> = tendon::Describe(
-    "tendon.LifeStep", tendon::Field{"process", &tendon::message::LifeStep::process},
-    tendon::Field{"component", &tendon::message::LifeStep::component},
-    tendon::Field{"class_name", &tendon::message::LifeStep::class_name},
-    tendon::Field{"library", &tendon::message::LifeStep::library},
-    tendon::Field{"configuration", &tendon::message::LifeStep::configuration},
-    tendon::Field{"former", &tendon::message::LifeStep::former},
-    tendon::Field{"thread", &tendon::message::LifeStep::thread},
-    tendon::Field{"leader", &tendon::message::LifeStep::leader},
-    tendon::Field{"state", &tendon::message::LifeStep::state},
-    tendon::Field{"connections", &tendon::message::LifeStep::connections});
+inline constexpr auto tendon::kPayload<tendon::message::LifecycleStep> = tendon::Describe(
+    "tendon.LifeStep", tendon::Field{"process", &tendon::message::LifecycleStep::process},
+    tendon::Field{"component", &tendon::message::LifecycleStep::component},
+    tendon::Field{"class_name", &tendon::message::LifecycleStep::class_name},
+    tendon::Field{"library", &tendon::message::LifecycleStep::library},
+    tendon::Field{"configuration", &tendon::message::LifecycleStep::configuration},
+    tendon::Field{"former", &tendon::message::LifecycleStep::former},
+    tendon::Field{"thread", &tendon::message::LifecycleStep::thread},
+    tendon::Field{"leader", &tendon::message::LifecycleStep::leader},
+    tendon::Field{"state", &tendon::message::LifecycleStep::state},
+    tendon::Field{"connections", &tendon::message::LifecycleStep::connections});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
@@ -270,7 +271,7 @@ inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
                      tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
                      tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
                      tendon::Field{"former", &tendon::message::HistoryEntry::former},
-                     tendon::Field{"life", &tendon::message::HistoryEntry::life},
+                     tendon::Field{"life", &tendon::message::HistoryEntry::lifecycle},
                      tendon::Field{"who", &tendon::message::HistoryEntry::who},
                      tendon::Field{"when", &tendon::message::HistoryEntry::when, "ns"},
                      tendon::Field{"instance", &tendon::message::HistoryEntry::instance},

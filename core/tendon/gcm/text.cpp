@@ -1,6 +1,6 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/history.h>
+#include <tendon/gcm/step_history.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/body.h>
 #include <tendon/payload/json/strict_json.h>
@@ -16,7 +16,7 @@
 namespace tendon {
 namespace {
 
-std::string ObjectOf(const message::LifeOrder& order) {
+std::string ObjectOf(const message::LifecycleOrder& order) {
   const std::string& object = order.component.empty() ? order.library : order.component;
   const std::string class_name = order.class_name.empty() ? "" : " of " + order.class_name;
   return std::string(ToString(order.verb)) + " " + order.process + "/" + object + class_name;
@@ -58,8 +58,8 @@ std::string AuditObject(MessageType type, std::span<const std::byte> body) {
     const auto order = DecodeBody<message::SetLogLevel>(body);
     return order ? order->process : std::string();
   }
-  if (type == message::kLife) {
-    const auto order = DecodeBody<message::LifeOrder>(body);
+  if (type == message::kLifecycleOrder) {
+    const auto order = DecodeBody<message::LifecycleOrder>(body);
     return order ? ObjectOf(*order) : std::string();
   }
   if (type == message::kProcess) {
@@ -139,9 +139,9 @@ std::string WholeText(const message::HistoryEntry& step) {
 }
 
 std::string ChangesText(const message::HistoryEntry& step) {
-  if (step.verb != ToString(LifeVerb::kConfigure)) return {};
-  const OrderedJson former = ObjectOf(step.life.former);
-  const OrderedJson now = ObjectOf(step.life.configuration);
+  if (step.verb != ToString(LifecycleVerb::kConfigure)) return {};
+  const OrderedJson former = ObjectOf(step.lifecycle.former);
+  const OrderedJson now = ObjectOf(step.lifecycle.configuration);
   std::set<std::string> keys;
   for (const auto& [key, value] : former.items()) keys.insert(key);
   for (const auto& [key, value] : now.items()) keys.insert(key);
@@ -155,14 +155,14 @@ std::string ChangesText(const message::HistoryEntry& step) {
   return text;
 }
 
-bool IsLifeCycleStep(const message::HistoryEntry& step) { return !step.life.process.empty(); }
+bool IsLifecycleStep(const message::HistoryEntry& step) { return !step.lifecycle.process.empty(); }
 
 bool IsProcessStep(const message::HistoryEntry& step) {
-  return IsLifeCycleStep(step) && step.life.component.empty();
+  return IsLifecycleStep(step) && step.lifecycle.component.empty();
 }
 
 const std::string& ProcessOf(const message::HistoryEntry& step) {
-  return IsLifeCycleStep(step) ? step.life.process : step.wire.required.process;
+  return IsLifecycleStep(step) ? step.lifecycle.process : step.wire.required.process;
 }
 
 std::string VersionText(const message::ProgramVersion& version) {

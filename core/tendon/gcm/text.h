@@ -71,8 +71,8 @@ struct OutdatedPlugin {
 /// other steps.
 [[nodiscard]] std::string ChangesText(const message::HistoryEntry& step);
 
-/// True if the step concerns the life cycle of a component or of a started process.
-[[nodiscard]] bool IsLifeCycleStep(const message::HistoryEntry& step);
+/// True if the step concerns the lifecycle of a component or of a started process.
+[[nodiscard]] bool IsLifecycleStep(const message::HistoryEntry& step);
 [[nodiscard]] bool IsProcessStep(const message::HistoryEntry& step);
 
 /// The process that executed the step, and that would undo it. If the step started a process, the

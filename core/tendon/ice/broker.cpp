@@ -44,7 +44,7 @@ std::string SettingsFor(const HostPort& place, const std::string& instance,
                         const std::string& transport) {
   const std::string host = transport + " -h \"" + place.host + "\" -p ";
   return std::string(kLimits) + "IceStorm.InstanceName=" + instance +
-         "\nIceBox.PrintServicesReady=fan-out at " + ToString(place) +
+         "\nIceBox.PrintServicesReady=broker at " + ToString(place) +
          "\nIceStorm.TopicManager.Endpoints=" + host + std::to_string(place.port) +
          "\nIceStorm.Publish.Endpoints=" + host + "0\n";
 }
@@ -87,7 +87,7 @@ Result<std::string> BrokerInstance(bool is_certified) {
   if (is_certified) return std::string("tendon");
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
-  const std::string covered = "fan-out of " + std::to_string(*cookie);
+  const std::string covered = "broker of " + std::to_string(*cookie);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   EVP_Digest(covered.data(), covered.size(), digest.data(), nullptr, EVP_sha256(), nullptr);
   std::ostringstream name;

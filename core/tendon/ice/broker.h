@@ -8,7 +8,7 @@
 namespace tendon::ice {
 
 /// The name of the broker, IceStorm, in its certificate.
-inline constexpr const char* kBrokerName = "fan-out";
+inline constexpr const char* kBrokerName = "broker";
 
 /// The common name of the broker's objects. With TLS it is public. Without TLS it is derived from
 /// the user's cookie, so that other users on this machine cannot find topics, because IceStorm

@@ -24,7 +24,7 @@ Result<std::shared_ptr<IceStorm::TopicManagerPrx>> BrokerConnection::Open(
 Result<std::shared_ptr<Ice::ObjectPrx>> BrokerConnection::Reach(
     const std::shared_ptr<Ice::ObjectPrx>& object) const {
   constexpr int kLongest = 3000;  // ms to wait for an answer
-  const auto connection = object->ice_connectionId("fan-out")->ice_getConnection();
+  const auto connection = object->ice_connectionId("broker")->ice_getConnection();
   if (auto good = CheckPeer(*connection); !good) return good.error();
   AdoptSocket(*connection);
   return connection->createProxy(object->ice_getIdentity())->ice_invocationTimeout(kLongest);
@@ -33,12 +33,12 @@ Result<std::shared_ptr<Ice::ObjectPrx>> BrokerConnection::Reach(
 Result<void> BrokerConnection::CheckPeer(const Ice::Connection& connection) const {
   if (const auto certificate = CertificateOf(connection)) {
     if (certificate->name == kBrokerName) return {};
-    return Error{ErrorCode::kDenied, "the fan-out shows the certificate of '" + certificate->name +
+    return Error{ErrorCode::kDenied, "the broker shows the certificate of '" + certificate->name +
                                          "', not that of '" + kBrokerName + "'"};
   }
   const auto info = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(connection.getInfo());
   if (info && os::IsHeldByUser(static_cast<std::uint16_t>(info->remotePort))) return {};
-  return Error{ErrorCode::kDenied, "the fan-out is not a program of this user"};
+  return Error{ErrorCode::kDenied, "the broker is not a program of this user"};
 }
 
 }  // namespace tendon::ice

@@ -103,7 +103,7 @@ std::string NumberText() {
 
 Error NotReached(const std::string& broker, const Ice::Exception& failure) {
   return {ErrorCode::kUnreachable,
-          "no fan-out answers at " + broker + " (" + failure.ice_id() + "); gcm fan-out starts it"};
+          "no broker answers at " + broker + " (" + failure.ice_id() + "); gcm broker starts it"};
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ IceBroadcast::~IceBroadcast() {
 std::unique_ptr<Broadcast::Topic> IceBroadcast::OpenTopic(const std::string& broker,
                                                           const std::string& name) {
   const std::scoped_lock lock(mutex_);
-  if (!worker_) worker_ = std::make_shared<Worker>("fan-out");
+  if (!worker_) worker_ = std::make_shared<Worker>("broker");
   return MakeTopic(connection_, worker_, broker, name);
 }
 
@@ -136,7 +136,7 @@ Result<std::unique_ptr<Broadcast::Subscription>> IceBroadcast::Subscribe(
     }
     if (!topic) {
       return Error{ErrorCode::kTimeout,
-                   "the fan-out at " + broker + " did not create topic '" + name + "' in time"};
+                   "the broker at " + broker + " did not create topic '" + name + "' in time"};
     }
     const auto reached = connection_.Reach(topic);
     if (!reached) return reached.error();

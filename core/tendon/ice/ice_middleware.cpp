@@ -48,11 +48,11 @@ class PendingCallsTimer final : public IceUtil::TimerTask {
 std::shared_ptr<Ice::Communicator> MakeCommunicator(const std::shared_ptr<Tls>& tls,
                                                     const std::shared_ptr<Links>& links) {
   auto settings = Settings();
-  const auto newcomers = std::make_shared<PendingHandshakes>(links);
-  settings.observer = newcomers;
+  const auto pending_handshakes = std::make_shared<PendingHandshakes>(links);
+  settings.observer = pending_handshakes;
   if (tls) tls->AddTo(*settings.properties);
   auto communicator = Ice::initialize(settings);
-  newcomers->Watch(communicator);
+  pending_handshakes->Watch(communicator);
   IceInternal::getInstanceTimer(communicator)
       ->scheduleRepeated(std::make_shared<PendingCallsTimer>(links),
                          IceUtil::Time::milliSeconds(PendingCalls::kOpenAtMost.count()));

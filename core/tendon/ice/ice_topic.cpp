@@ -61,7 +61,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
       Make();
     } catch (const Ice::Exception& failure) {
       Lose();
-      LogOnce("no fan-out answers at " + broker_ + " (" + failure.ice_id() + ")");
+      LogOnce("no broker answers at " + broker_ + " (" + failure.ice_id() + ")");
     }
     if (const auto alive = worker.lock()) {
       alive->PostAfter(kBetweenChecks,
@@ -138,7 +138,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
 
   /// Logs each reason once.
   void LogOnce(const std::string& reason) {
-    if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "fan-out", reason);
+    if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "broker", reason);
   }
 
   const BrokerConnection& connection_;  // used only on the worker

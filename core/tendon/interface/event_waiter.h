@@ -4,7 +4,7 @@
 #include <tendon/interface/offer.h>
 #include <tendon/lockfree/counter.h>
 #include <tendon/lockfree/flag.h>
-#include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/triple_buffer.h>
 #include <tendon/lockfree/try_lock.h>
 #include <tendon/lockfree/wakeup.h>
 
@@ -119,7 +119,7 @@ class EventWaiter {
 
   Published<Status::Code> ending_{Status::kNotConnected};  // result of a wait without an event
   TryLock<> raising_;
-  Snapshot<T> newest_;
+  TripleBuffer<T> newest_;
   SharedCounter<> missed_;
   Wakeup<> wakeup_;
 };

@@ -96,7 +96,7 @@ class LocalManager {
   /// number.
   virtual Result<void> Disconnect(const InterfaceName& required);
 
-  // Life cycle.
+  // Lifecycle.
 
   /// From its next start on, `component` makes a cycle after each cycle of `leader`, in the
   /// leader's thread: ThreadedTask::RunAfter(). kFailed if the component is not at rest, never has

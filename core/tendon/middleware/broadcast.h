@@ -18,8 +18,7 @@ namespace tendon {
 ///
 /// Broadcast is the interface; the broker is IceStorm, reached through ice/ice_broadcast.h. The
 /// rows of a table that go through the broker are one topic (RowTopic in
-/// process/telemetry/row_stream.h). The command that runs the broker is called `gcm fan-out`
-/// (docs/fan-out.md); the code says broker.
+/// process/telemetry/row_stream.h). `gcm broker` runs the broker (docs/broker.md).
 class Broadcast {
  public:
   /// The publisher's end of a topic. The topic ends when this object is destroyed, and is created

@@ -27,8 +27,8 @@ inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
 enum class Delivery {
   kQueued,
   /// For a request whose sender waits for the answer. If the peer answers at once, the answer may
-  /// use a shorter way back. Keeps the order relative to queued frames. A link without such a way
-  /// queues the frame.
+  /// take the direct path back. Keeps the order relative to queued frames. A link without such a
+  /// path queues the frame.
   kDirect,
 };
 
@@ -80,9 +80,9 @@ class LinkHandler {
   /// calls OnFrame().
   virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
-  /// OnFrame() for a frame with Delivery::kDirect, on a link with a shorter way back. A reply
-  /// written to `answer`, an empty slot, uses that way, behind all frames sent during the call. By
-  /// default, calls OnFrame().
+  /// OnFrame() for a frame with Delivery::kDirect, on a link with a direct path back. A reply
+  /// written to `answer`, an empty slot, takes that path, behind all frames sent during the call.
+  /// By default, calls OnFrame().
   virtual void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer);
 
   /// Called exactly once, after the last frame, for whatever reason the link ended.

@@ -36,9 +36,9 @@ class Responder {
   /// Reply() does.
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
-  /// Lets a later Reply() in kOwnLane, from any thread, still use the shorter way back of
+  /// Lets a later Reply() in kOwnLane, from any thread, still take the direct path back of
   /// Delivery::kDirect. Call it in the thread that handles the request, before it returns to the
-  /// channel. Returns false if the link has no such way.
+  /// channel. Returns false if the link has no such path.
   bool Defer();
   void Refuse(const Error& error);
 

@@ -3,7 +3,7 @@
 #include <tendon/process/connections/peer_session.h>
 #include <tendon/process/connections/remote_connections.h>
 #include <tendon/process/context.h>
-#include <tendon/process/life/life_cycle.h>
+#include <tendon/process/lifecycle/lifecycle_executor.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/process.h>
@@ -55,7 +55,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
                   .calls = MemberCalls(context_),
                   .telemetry = TelemetryServer(context_)},
         connections_(context_),
-        life_({.manager = process, .process = name, .loader = options.loader}) {}
+        lifecycle_({.manager = process, .process = name, .loader = options.loader}) {}
 
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
@@ -74,11 +74,11 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   }
 
   void WatchPlugins() {
-    life_.WatchPlugins([this] { OnChanged(); });
+    lifecycle_.WatchPlugins([this] { OnChanged(); });
   }
 
   /// Refuses orders from the GCM from now on.
-  void RefuseOrders() { life_.Close(); }
+  void RefuseOrders() { lifecycle_.Close(); }
 
   [[nodiscard]] bool HasCallsUnderWay(const Component& client) const {
     return connections_.HasCallsUnderWay(client.name());
@@ -86,7 +86,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
 
   /// Call it while the process still has its parts. Drops unfinished calls at `deadline`.
   void Close(SteadyTime deadline) {
-    life_.Stop();  // before the worker stops, because Stop() may wait for tasks of the worker
+    lifecycle_.Stop();  // before the worker stops, because Stop() may wait for tasks of the worker
     context_.opener->Stop();
     context_.gcm_opener->Stop();
     context_.worker->Stop();  // from now on only this thread changes connections
@@ -193,7 +193,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     const auto lock = process_.Lock();
     return {.components = process_.components(),
             .connections = process_.connections(),
-            .plugins = life_.plugins()};
+            .plugins = lifecycle_.plugins()};
   }
 
   [[nodiscard]] std::optional<ConnectionDescription> ConnectionOf(
@@ -249,18 +249,18 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     return process_.Disconnect(required);
   }
 
-  void ExecuteOrder(const message::LifeOrder& order, std::function<Result<void>()> begin,
-                    std::function<void(const Result<message::LifeOutcome>&)> done) override {
-    life_.ExecuteOrder(order, std::move(begin), OnWorker(std::move(done)));
+  void ExecuteOrder(const message::LifecycleOrder& order, std::function<Result<void>()> begin,
+                    std::function<void(const Result<message::LifecycleOutcome>&)> done) override {
+    lifecycle_.ExecuteOrder(order, std::move(begin), OnWorker(std::move(done)));
   }
 
   void ListClasses(std::function<void(const Result<message::Classes>&)> done) override {
-    life_.ListClasses(OnWorker(std::move(done)));
+    lifecycle_.ListClasses(OnWorker(std::move(done)));
   }
 
   /// A function that calls `done` on the worker.
   template <typename T>
-  LifeCycle::Done<T> OnWorker(std::function<void(const Result<T>&)> done) {
+  LifecycleExecutor::Done<T> OnWorker(std::function<void(const Result<T>&)> done) {
     return [&worker = *context_.worker, done = std::move(done)](const Result<T>& result) {
       worker.Post([done, result] { done(result); });
     };
@@ -271,7 +271,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   ProcessContext context_;
   Services services_;
   RemoteConnections connections_;
-  LifeCycle life_;
+  LifecycleExecutor lifecycle_;
   // Connections ordered by the GCM and not by the program; guarded by the manager's lock.
   std::vector<message::Wire> ordered_;
   mutable std::mutex address_mutex_;

@@ -14,7 +14,7 @@ namespace tendon {
 
 /// Represents, in this process, a component of another process. Holds one proxy for each connection
 /// from this process to its interfaces, and exists as long as there is such a connection. Unlike a
-/// component it has no life cycle, and no manager lists it.
+/// component it has no lifecycle, and no manager lists it.
 struct ComponentProxy {
   std::string process;
   std::string component;

@@ -42,7 +42,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
     {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
     {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
-    {0x20a, "watch a state table by the fan-out", Role::kViewer, Audit::kRefusals},  // broadcast
+    {0x20a, "watch a state table by the broker", Role::kViewer, Audit::kRefusals},  // broadcast
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // of a connection
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
     // process/membership/membership_messages.h
@@ -59,14 +59,14 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x314, "read the history", Role::kViewer, Audit::kRefusals},
     {0x315, "forget a process", Role::kOperator, Audit::kAll},
     {0x316, "replace a connection", Role::kOperator, Audit::kAll},
-    // process/life/life_messages.h
+    // process/lifecycle/lifecycle_messages.h
     {0x317, "give an order", Role::kOperator, Audit::kAll},
     {0x318, "list classes", Role::kViewer, Audit::kRefusals},
     {0x319, "begin an order", Role::kOperator, Audit::kRefusals},
     // gcm/gcm_messages.h
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
-    {0x31c, "find the fan-out", Role::kViewer, Audit::kRefusals},  // process/telemetry/
+    {0x31c, "find the broker", Role::kViewer, Audit::kRefusals},  // process/telemetry/
     {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},
     {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "skip a step", Role::kOperator, Audit::kAll},

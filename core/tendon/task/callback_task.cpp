@@ -1,5 +1,5 @@
 #include <tendon/task/callback_task.h>
-#include <tendon/task/task_life.h>
+#include <tendon/task/task_lifecycle.h>
 
 namespace tendon {
 
@@ -19,7 +19,7 @@ void CallbackTask::SkipCycles(std::uint64_t cycles) {
 
 Result<void> CallbackTask::Launch() {
   PrepareStart();
-  GiveOrder(LifeRequest::kStart);
+  GiveOrder(LifecycleRequest::kStart);
   return {};
 }
 
@@ -27,7 +27,7 @@ void CallbackTask::ServeWaiting() {
   const std::unique_lock lock(driving_, std::try_to_lock);
   if (!lock || !has_orders()) return;
   ObeyOrders();
-  TaskLife::Unbind(*this);  // this thread only waits; the driver's thread makes the cycles
+  TaskLifecycle::Unbind(*this);  // this thread only waits; the driver's thread makes the cycles
 }
 
 }  // namespace tendon

@@ -25,9 +25,9 @@ std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 /// Finds the transition for a request, or the error that says why it is refused. `mutex` guards
 /// state changes.
 Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
-                                 LifeRequest request) {
+                                 LifecycleRequest request) {
   const std::scoped_lock lock(mutex);  // the state and the flag change together
-  if (request == LifeRequest::kStop && (component.is_starting() || component.is_stopping())) {
+  if (request == LifecycleRequest::kStop && (component.is_starting() || component.is_stopping())) {
     return &TransitionOf(ComponentState::kActive, request);
   }
   if (component.is_stopping()) {
@@ -116,7 +116,7 @@ void Component::Seal() {
 }
 
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
-  const auto transition = Lookup(*this, mutex_, LifeRequest::kStart);
+  const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStart);
   if (!transition) return transition.error();
   const Error stopped{
       ErrorCode::kFailed,
@@ -148,14 +148,14 @@ Result<void> Component::Start(Patience patience, const std::function<bool()>& pr
 }
 
 Result<void> Component::Suspend(Patience patience) {
-  const auto transition = Lookup(*this, mutex_, LifeRequest::kSuspend);
+  const auto transition = Lookup(*this, mutex_, LifecycleRequest::kSuspend);
   if (!transition) return transition.error();
   Pause();
   return patience > kNoWait ? WaitForEffect(ComponentState::kSuspended, patience) : Result<void>();
 }
 
 Result<void> Component::Stop(Patience patience) {
-  const auto transition = Lookup(*this, mutex_, LifeRequest::kStop);
+  const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStop);
   if (!transition) return transition.error();
   {
     const std::scoped_lock lock(mutex_);  // the component may have ended by itself meanwhile

@@ -32,7 +32,7 @@ inline constexpr Patience kPatience = std::chrono::seconds(10);
 /// Do not wait: the state changes when the component's thread handles the request.
 inline constexpr Patience kNoWait{0};
 
-/// A named object with interfaces and a life cycle, but without a thread of its own: while it is
+/// A named object with interfaces and a lifecycle, but without a thread of its own: while it is
 /// active, its commands and event handlers run in the threads that call them. A Task adds a thread.
 ///
 /// An exception in one of the author's functions faults the component and nothing else. From then
@@ -41,7 +41,7 @@ inline constexpr Patience kNoWait{0};
 /// dropped. Its tables stay readable through its `state` interfaces.
 ///
 /// The constructor of a derived class adds the interfaces, and the class overrides Configure() and
-/// the functions after it as needed. A manager owns the component and drives its life cycle. Only
+/// the functions after it as needed. A manager owns the component and drives its lifecycle. Only
 /// one thread at a time may call the functions below "For managers".
 class Component {
  public:

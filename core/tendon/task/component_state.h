@@ -9,7 +9,7 @@
 
 namespace tendon {
 
-/// The life-cycle states of a component.
+/// The lifecycle states of a component.
 enum class ComponentState : std::int32_t {
   kConstructed,
   kReady,  ///< configured
@@ -38,12 +38,12 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
 }
 
 /// The requests of managers to a component.
-enum class LifeRequest : std::uint16_t { kStart, kSuspend, kStop };
+enum class LifecycleRequest : std::uint16_t { kStart, kSuspend, kStop };
 
 /// The effect of a request in one state.
 struct Transition {
   ComponentState from;
-  LifeRequest request;
+  LifecycleRequest request;
   ComponentState to;           ///< equal to `from` if the request is refused
   std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if legal
   bool configures_first = false;
@@ -53,7 +53,7 @@ struct Transition {
 /// from any state to faulted.
 inline constexpr std::array kTransitions = [] {
   using enum ComponentState;
-  using enum LifeRequest;
+  using enum LifecycleRequest;
   return std::array<Transition, 18>{{
       {kConstructed, kStart, kActive, "", true},
       {kConstructed, kSuspend, kConstructed, ", not active; start it first"},
@@ -76,7 +76,8 @@ inline constexpr std::array kTransitions = [] {
   }};
 }();
 
-[[nodiscard]] constexpr const Transition& TransitionOf(ComponentState from, LifeRequest request) {
+[[nodiscard]] constexpr const Transition& TransitionOf(ComponentState from,
+                                                       LifecycleRequest request) {
   constexpr std::size_t kRequests = 3;
   return kTransitions[static_cast<std::size_t>(from) * kRequests +
                       static_cast<std::size_t>(request)];

@@ -1,5 +1,5 @@
 #include <tendon/task/signal_task.h>
-#include <tendon/task/task_life.h>
+#include <tendon/task/task_lifecycle.h>
 
 #include <algorithm>
 #include <utility>
@@ -15,7 +15,7 @@ void SignalTask::Loop() {
   const auto is_due = [this] { return has_orders() || inbox()->has_queued(); };
   while (!has_orders()) {
     const SteadyTime latest = SteadyClock().Now() + kLong;
-    const SteadyTime expiry = TaskLife::NextExpiry(*this);
+    const SteadyTime expiry = TaskLifecycle::NextExpiry(*this);
     const bool was_called = wakeup().WaitUntil(is_due, std::min(latest, expiry));
     if (has_orders() || !(was_called || expiry < latest)) continue;
     if (!DoCycle(SteadyClock().Now())) return;

@@ -3,7 +3,7 @@
 #include <tendon/base/text.h>
 #include <tendon/task/cycle_log.h>
 #include <tendon/task/task.h>
-#include <tendon/task/task_life.h>
+#include <tendon/task/task_lifecycle.h>
 
 #include <algorithm>
 #include <memory>
@@ -81,7 +81,8 @@ Task::Task(std::string name, PostWakeup post_wakeup)
 
 Task::~Task() {
   (void)LeaveLeader(SteadyTime::max());
-  TaskLife::ForEachFollower(*this, [](Task& follower) { TaskLife::SetLeader(follower, nullptr); });
+  TaskLifecycle::ForEachFollower(
+      *this, [](Task& follower) { TaskLifecycle::SetLeader(follower, nullptr); });
 }
 
 std::vector<const StateTable*> Task::tables() const {
@@ -163,7 +164,7 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
     inbox()->Unbind();
     return false;
   }
-  TaskLife::ForEachFollower(*this, [this, due](Task& follower) {
+  TaskLifecycle::ForEachFollower(*this, [this, due](Task& follower) {
     if (follower.state() != ComponentState::kActive) return;
     follower.DoCycle(cycle_end_, due);
     cycle_end_ = follower.cycle_end_;
@@ -174,18 +175,19 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
 void Task::AddOverruns(std::uint64_t cycles) {
   if (cycles == 0) return;
   meter_.AddOverruns(cycles);
-  TaskLife::ForEachFollower(*this, [cycles](Task& follower) {
+  TaskLifecycle::ForEachFollower(*this, [cycles](Task& follower) {
     if (follower.state() == ComponentState::kActive) follower.AddOverruns(cycles);
   });
 }
 
 void Task::ObeyOrders() {
   orders_seen_ = orders_.Get();
-  TaskLife::ExecuteOrders(*this);
+  TaskLifecycle::ExecuteOrders(*this);
 }
 
 void Task::EndFollowers() {
-  TaskLife::ForEachFollower(*this, [](Task& follower) { TaskLife::EndWithLeader(follower); });
+  TaskLifecycle::ForEachFollower(*this,
+                                 [](Task& follower) { TaskLifecycle::EndWithLeader(follower); });
 }
 
 void Task::PrepareStart() {
@@ -198,10 +200,10 @@ void Task::PrepareStart() {
   }
 }
 
-void Task::GiveOrder(LifeRequest request, bool ends_start) {
+void Task::GiveOrder(LifecycleRequest request, bool ends_start) {
   order_.Set({.number = order_.Get().number + 1, .request = request, .ends_start = ends_start});
-  TaskLife::WakeThread(*this);
-  TaskLife::RootOf(*this).ServeWaiting();
+  TaskLifecycle::WakeThread(*this);
+  TaskLifecycle::RootOf(*this).ServeWaiting();
 }
 
 Result<void> Task::Resume() {
@@ -210,23 +212,24 @@ Result<void> Task::Resume() {
                                          "', which is suspended; start '" + leader()->name() +
                                          "' first"};
   }
-  GiveOrder(LifeRequest::kStart);
+  GiveOrder(LifecycleRequest::kStart);
   return {};
 }
 
 Result<void> Task::JoinLeader(Task& leader, SteadyTime deadline) {
   if (const auto left = LeaveLeader(deadline); !left) return left;
-  TaskLife::AddFollower(leader, *this);
+  TaskLifecycle::AddFollower(leader, *this);
   return {};
 }
 
 Result<void> Task::LeaveLeader(SteadyTime deadline) {
   Task* const leader = leader_.Get();
-  return leader == nullptr ? Result<void>() : TaskLife::RemoveFollower(*leader, *this, deadline);
+  return leader == nullptr ? Result<void>()
+                           : TaskLifecycle::RemoveFollower(*leader, *this, deadline);
 }
 
 void Task::DeliverPeerChange(RequiredInterface& interface) {
-  TaskLife::WakeThread(*this);
+  TaskLifecycle::WakeThread(*this);
   // The order matters: a start before CallThread() is visible here, and a start after it calls
   // OnConnected().
   if (is_at_rest()) interface.AdmitPeerAtRest();
@@ -234,7 +237,7 @@ void Task::DeliverPeerChange(RequiredInterface& interface) {
 
 void Task::DeliverDisconnectedClient(DisconnectedClient client) {
   QueueGoneClient(std::move(client));
-  TaskLife::WakeThread(*this);
+  TaskLifecycle::WakeThread(*this);
 }
 
 void Task::FaultFromOutside(const std::string& reason) {
@@ -244,7 +247,7 @@ void Task::FaultFromOutside(const std::string& reason) {
     outside_reason_ = reason;
   }
   has_failed_outside_.Set(true);
-  TaskLife::WakeThread(*this);
+  TaskLifecycle::WakeThread(*this);
 }
 
 }  // namespace tendon

@@ -17,7 +17,7 @@ namespace tendon {
 
 class CycleLog;
 class Task;
-class TaskLife;
+class TaskLifecycle;
 
 /// Whether a posted call wakes the thread that makes the cycles.
 enum class PostWakeup {
@@ -30,7 +30,7 @@ using TaskFollowers = std::vector<Task*>;
 /// A manager's order to a task.
 struct alignas(8) TaskOrder {  // one word, so that it is published without a lock
   std::uint32_t number = 0;
-  LifeRequest request = LifeRequest::kStop;
+  LifecycleRequest request = LifecycleRequest::kStop;
   bool ends_start = false;  ///< for a stop: also ends a start in progress
 };
 
@@ -110,10 +110,10 @@ class Task : public Component {
   void PrepareStart();
   /// Gives an order, which the thread that makes the cycles obeys; without such a thread, the
   /// calling thread obeys it.
-  void GiveOrder(LifeRequest request, bool ends_start = false);
-  void Pause() override { GiveOrder(LifeRequest::kSuspend); }
+  void GiveOrder(LifecycleRequest request, bool ends_start = false);
+  void Pause() override { GiveOrder(LifecycleRequest::kSuspend); }
   Result<void> Resume() override;
-  void Halt() override { GiveOrder(LifeRequest::kStop, is_starting()); }
+  void Halt() override { GiveOrder(LifecycleRequest::kStop, is_starting()); }
   /// Makes the task run after `leader` instead of its former leader. Both tasks must exist, and
   /// this one must be at rest. Errors are those of LeaveLeader().
   Result<void> JoinLeader(Task& leader, SteadyTime deadline);
@@ -123,7 +123,7 @@ class Task : public Component {
   void DeliverDisconnectedClient(DisconnectedClient client) override;
 
  private:
-  friend TaskLife;  // the rest of a task's work; see there
+  friend TaskLifecycle;  // the rest of a task's work; see there
 
   void EndExpiredNow();
 

@@ -45,7 +45,7 @@ Result<void> ThreadedTask::Launch() {
   Join();  // the thread of the last run has ended, or will soon
   options_in_use_ = options_;
   PrepareStart();
-  GiveOrder(LifeRequest::kStart);
+  GiveOrder(LifecycleRequest::kStart);
   if (first != nullptr) return {};
   try {
     thread_ = std::thread([this] { MakeCycles(); });
@@ -59,7 +59,7 @@ Result<void> ThreadedTask::Launch() {
 
 void ThreadedTask::Join() {
   if (!thread_.joinable()) return;
-  GiveOrder(LifeRequest::kStop);
+  GiveOrder(LifecycleRequest::kStop);
   thread_.join();
 }
 

@@ -48,7 +48,7 @@ class PromptClerk final : public ChannelHandler {
   std::vector<Responder> kept_;
 };
 
-/// Who asks waits for the answer, which may take a shorter way than other messages.
+/// Who asks waits for the answer, which may take the direct path.
 Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
                        std::chrono::milliseconds timeout = kLong) {
   auto answer = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,

@@ -155,7 +155,7 @@ class MutantMessages : public RemoteConnection {
   }
   std::shared_ptr<Channel> Open(const std::string& address) {
     auto opened = Channel::Open(
-        *stranger, address,
+        *middleware, address,
         {.instance = os::RandomNumber(), .name = "mutant", .cookie = *LoopbackCookie()},
         std::make_shared<ChannelHandler>(), kLongest);
     EXPECT_TRUE(opened.ok()) << opened.error().message;
@@ -175,7 +175,7 @@ class MutantMessages : public RemoteConnection {
 
   std::shared_ptr<test::RecordingMiddleware> recorder =
       std::make_shared<test::RecordingMiddleware>(NewMiddleware());
-  std::shared_ptr<Middleware> stranger = NewMiddleware();
+  std::shared_ptr<Middleware> middleware = NewMiddleware();
   std::string gcm_address;
   std::unique_ptr<GcmClient> viewer;
 };

@@ -28,11 +28,11 @@ Fingerprint MessagesOfVersion10() {
       message::Join, message::JoinReply, message::Report, message::ConnectionPlan,
       message::PeerList, ConnectionDescription, message::Health, message::GcmClock,
       // membership
-      message::Snapshot, message::Changes, message::Wire, message::HistoryEntry, message::History,
-      message::Forget, message::LogRecords, message::SetLogLevel, message::WatchLog,
-      message::WatchLogReply, message::LifeOrder, message::LifeOutcome, message::BeginOrder,
-      message::GetClasses, message::Classes, message::StepSelection, message::SystemHealth,
-      message::ProcessOrder, message::Children>();  // gcm
+      message::CatalogueSnapshot, message::Changes, message::Wire, message::HistoryEntry,
+      message::History, message::Forget, message::LogRecords, message::SetLogLevel,
+      message::WatchLog, message::WatchLogReply, message::LifecycleOrder, message::LifecycleOutcome,
+      message::BeginOrder, message::GetClasses, message::Classes, message::StepSelection,
+      message::SystemHealth, message::ProcessOrder, message::Children>();  // gcm
 }
 
 TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {

@@ -67,19 +67,20 @@ TEST(JsonField, OfAValueThatIsNestedTooDeepIsAnError) {
 }
 
 TEST(ChangesText, TellsWhatAConfigurationHadAndHas) {
-  message::HistoryEntry step{.verb = "configure", .life = {.process = "robot", .component = "arm"}};
-  step.life.former = R"({"noise":0.001,"home":[0,1],"gone":"x"})";
-  step.life.configuration = R"({"noise":0.5,"home":[0,1],"mode":"fast"})";
+  message::HistoryEntry step{.verb = "configure",
+                             .lifecycle = {.process = "robot", .component = "arm"}};
+  step.lifecycle.former = R"({"noise":0.001,"home":[0,1],"gone":"x"})";
+  step.lifecycle.configuration = R"({"noise":0.5,"home":[0,1],"mode":"fast"})";
   EXPECT_EQ(ChangesText(step),
             "gone \"x\" -> default, mode default -> \"fast\", noise 0.001 -> 0.5");
 
-  step.life.former.clear();
-  step.life.configuration = R"({"text":")" + std::string(1000, 'a') + R"("})";
+  step.lifecycle.former.clear();
+  step.lifecycle.configuration = R"({"text":")" + std::string(1000, 'a') + R"("})";
   EXPECT_LT(ChangesText(step).size(), 120U);
-  step.life.configuration = "no object";
+  step.lifecycle.configuration = "no object";
   EXPECT_EQ(ChangesText(step), "");
   step.verb = "create";
-  step.life.configuration = R"({"noise":0.5})";
+  step.lifecycle.configuration = R"({"noise":0.5})";
   EXPECT_EQ(ChangesText(step), "");
 }
 

@@ -121,7 +121,7 @@ TEST_F(MalformedRequest, TheServerAnswersOrHangsUpAndServesTheNext) {
   EXPECT_LT(conformance::MemoryInUse(), memory + (std::size_t{16} << 20U));
 }
 
-/// A request as long as a stranger may make it, of which all is right.
+/// A request as long as an unauthenticated peer may make it, of which all is right.
 Bytes LongRequest() {
   const Bytes frame = FrameOf(1, kMaxUnauthenticatedFrameSize - FrameHeader::kSize);
   const std::string_view text(reinterpret_cast<const char*>(frame.data()), frame.size());

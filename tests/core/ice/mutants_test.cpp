@@ -113,7 +113,7 @@ TEST_F(MutantsTest, FromInsideTlsTheHolderOfACertificateIsBorne) {
   ExpectBorne(*As({.name = "anna"}), MutantsInTls(), [&] { return insider.ConnectTo(place); });
 }
 
-TEST_F(MutantsTest, WhatStrangersSayUnderNoTlsIsNotEvenRead) {
+TEST_F(MutantsTest, UnencryptedMessagesAreNotRead) {
   const HostPort place = Serve(*robot_);
 
   ExpectBorne(*As({.name = "anna"}), kMutants, [&] { return PlainConnection(place); });
@@ -121,12 +121,12 @@ TEST_F(MutantsTest, WhatStrangersSayUnderNoTlsIsNotEvenRead) {
   EXPECT_EQ(heard(), 2);
 }
 
-TEST_F(MutantsTest, WhatStrangersSayUnderTlsIsNotEvenRead) {
+TEST_F(MutantsTest, MessagesWithoutACertificateAreNotRead) {
   const HostPort place = Serve(*robot_);
-  const TlsClient stranger(std::nullopt);
+  const TlsClient peer(std::nullopt);
   const int count = kMutants / 20;  // each takes a handshake
 
-  ExpectBorne(*As({.name = "anna"}), count, [&] { return stranger.ConnectTo(place); });
+  ExpectBorne(*As({.name = "anna"}), count, [&] { return peer.ConnectTo(place); });
 
   EXPECT_EQ(heard(), 2);
 }

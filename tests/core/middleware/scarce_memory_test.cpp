@@ -79,9 +79,9 @@ TEST_F(WhereMemoryIsScarce, WhoComesThenIsTurnedAwayAndLaterIsServed) {
   Bytes buffer(100);
   {
     const ScarceMemory scarce(256);
-    const os::Socket newcomer = Connect();
+    const os::Socket connecting = Connect();
 
-    EXPECT_TRUE(EventuallyTrue([&] { return !os::ReceiveSome(newcomer, buffer); }));
+    EXPECT_TRUE(EventuallyTrue([&] { return !os::ReceiveSome(connecting, buffer); }));
   }
   EXPECT_EQ(host_.count(), 2U);
   const os::Socket later = Connect();

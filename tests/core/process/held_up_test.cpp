@@ -238,8 +238,9 @@ class Empty final : public EmptyProcess, public tendon::MembershipDelegate {
     return Nothing();
   }
   void ExecuteOrder(
-      const tendon::message::LifeOrder& /*order*/, std::function<tendon::Result<void>()> /*begin*/,
-      std::function<void(const tendon::Result<tendon::message::LifeOutcome>&)> done) override {
+      const tendon::message::LifecycleOrder& /*order*/,
+      std::function<tendon::Result<void>()> /*begin*/,
+      std::function<void(const tendon::Result<tendon::message::LifecycleOutcome>&)> done) override {
     done(Nothing());
   }
   void ListClasses(

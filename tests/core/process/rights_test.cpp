@@ -26,12 +26,12 @@ const Types kLooks = {
 
 /// What an operator may send besides.
 const Types kActs = {
-    message::kOpenInterface, message::kCommands,   message::kRead,       message::kWait,
-    message::kEventsLost,    message::kCallMember, message::kJoin,       message::kReport,
-    message::kLeave,         message::kConnect,    message::kDisconnect, message::kUndo,
-    message::kForget,        message::kReplace,    message::kLogRecords, message::kSetLogLevel,
-    message::kLife,          message::kPassOver,   message::kBeginOrder, message::kReportHealth,
-    message::kProcess,       message::kMirror,     message::kPlanLock};
+    message::kOpenInterface,  message::kCommands,   message::kRead,       message::kWait,
+    message::kEventsLost,     message::kCallMember, message::kJoin,       message::kReport,
+    message::kLeave,          message::kConnect,    message::kDisconnect, message::kUndo,
+    message::kForget,         message::kReplace,    message::kLogRecords, message::kSetLogLevel,
+    message::kLifecycleOrder, message::kPassOver,   message::kBeginOrder, message::kReportHealth,
+    message::kProcess,        message::kMirror,     message::kPlanLock};
 
 /// By name: a number in the table that belongs to another message would show here.
 TEST(Rights, AreThoseOfTheMessages) {
@@ -55,7 +55,7 @@ TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
   // others.
   const Types written = {message::kCallMember, message::kLeave,       message::kConnect,
                          message::kDisconnect, message::kUndo,        message::kForget,
-                         message::kReplace,    message::kSetLogLevel, message::kLife,
+                         message::kReplace,    message::kSetLogLevel, message::kLifecycleOrder,
                          message::kPassOver,   message::kProcess};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))

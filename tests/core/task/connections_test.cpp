@@ -157,10 +157,10 @@ TEST_F(Connections, ATaskHearsOfItsPeerInItsOwnThreadBeforeItsNextCycle) {
 TEST_F(Connections, NoCallReachesANewPeerBeforeTheTaskHasHeard) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   std::atomic<std::int32_t> known = 1;
-  std::atomic<int> strangers = 0;
+  std::atomic<int> unknown_servers = 0;
   client.on_run = [&] {
     std::int32_t number = 0;
-    if (client.get_number(number) && number != known) ++strangers;
+    if (client.get_number(number) && number != known) ++unknown_servers;
   };
   client.on_connected = [&] {
     std::int32_t number = 0;
@@ -176,7 +176,7 @@ TEST_F(Connections, NoCallReachesANewPeerBeforeTheTaskHasHeard) {
   ASSERT_TRUE(HasRun(client));
   ASSERT_TRUE(manager.Stop("client"));
 
-  EXPECT_EQ(strangers, 0);
+  EXPECT_EQ(unknown_servers, 0);
 }
 
 TEST_F(Connections, OfAReplacementBothHalvesAreToldInTheirOrder) {

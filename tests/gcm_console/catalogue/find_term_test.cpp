@@ -5,9 +5,9 @@
 
 namespace {
 
-using console::CatalogueItem;
 using console::Expression;
 using console::FindTerm;
+using console::SystemItem;
 
 bool Finds(const std::string& expression, const std::string& text) {
   const auto parsed = Expression::Parse(expression);
@@ -90,15 +90,15 @@ TEST(Expression, CatastrophicPatternsMatchQuickly) {
   EXPECT_TRUE(Finds("^" + optional + std::string(50, 'a') + "$", std::string(50, 'a')));
 }
 
-const CatalogueItem kGoal{.path = "robot/arm/Control.MoveTo",
-                          .kind = "command",
-                          .type = "arm.JointGoal",
-                          .state = "",
-                          .host = "lab"};
-const CatalogueItem kRobot{
+const SystemItem kGoal{.path = "robot/arm/Control.MoveTo",
+                       .kind = "command",
+                       .type = "arm.JointGoal",
+                       .state = "",
+                       .host = "lab"};
+const SystemItem kRobot{
     .path = "desk/teleoperation/Robot", .kind = "required interface", .state = "active"};
 
-bool Finds(const std::string& word, const CatalogueItem& item) {
+bool Finds(const std::string& word, const SystemItem& item) {
   const auto term = FindTerm::Parse(word);
   EXPECT_TRUE(term) << term.error().message;
   return term && term->Fits(item);
@@ -123,9 +123,9 @@ TEST(FindTerm, TypeMatchesTheKindOrThePayload) {
 }
 
 TEST(FindTerm, TypeMatchesArgumentAndResult) {
-  const CatalogueItem pose{.path = "robot/arm/Control.GetLinkPose",
-                           .kind = "command",
-                           .type = "arm.LinkId -> geometry_msgs.Pose"};
+  const SystemItem pose{.path = "robot/arm/Control.GetLinkPose",
+                        .kind = "command",
+                        .type = "arm.LinkId -> geometry_msgs.Pose"};
   EXPECT_TRUE(Finds("type:arm.*", pose));
   EXPECT_TRUE(Finds("type:geometry_msgs.*", pose));
   EXPECT_TRUE(Finds("type:/LinkId -> geo/", pose));

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What needs no GCM: `gcm WORDS...` as a newcomer types it.
+/// What needs no GCM: `gcm WORDS...` as a beginner types it.
 class HelpTest : public SystemFixture {
  protected:
   /// Of `gcm help`.

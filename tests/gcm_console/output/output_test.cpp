@@ -31,7 +31,7 @@ std::filesystem::path SchemaFileOf(const std::string& group, const std::string& 
 }
 
 /// Verbs that print no JSON: they draw, are for people, or run other verbs.
-const std::set<std::string> kWithoutDocument = {"plot", "serve", "fan-out",   "shell",
+const std::set<std::string> kWithoutDocument = {"plot", "serve", "broker",    "shell",
                                                 "run",  "help",  "completion"};
 
 class OutputTest : public DemoFixture {

@@ -12,7 +12,7 @@ Commands Of(const std::string& line) {
   EXPECT_TRUE(commands) << line;
   Commands all;
   if (!commands) return all;
-  for (const Command& command : *commands) all.push_back(command.words);
+  for (const ShellCommand& command : *commands) all.push_back(command.words);
   return all;
 }
 
@@ -28,7 +28,7 @@ TEST(CommandParser, ASemicolonEndsACommandAndAHashStartsAComment) {
 }
 
 TEST(CommandParser, AnAmpersandMarksABackgroundCommand) {
-  const std::vector<Command> expected = {{{"watch", "a/b/c.d"}, true}, {{"ls"}, false}};
+  const std::vector<ShellCommand> expected = {{{"watch", "a/b/c.d"}, true}, {{"ls"}, false}};
   for (const char* line : {"watch a/b/c.d & ls", "watch a/b/c.d& & ls", "watch a/b/c.d &ls;"}) {
     const auto commands = ParseCommands(line);
     ASSERT_TRUE(commands);

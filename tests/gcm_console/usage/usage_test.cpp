@@ -160,7 +160,7 @@ std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folde
 }
 
 /// Those that do without one, wait for one, or say what is wrong with it.
-const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve", "fan-out",    "doctor",
+const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve", "broker",     "doctor",
                                           "shell",  "run",  "help",  "completion", "version"};
 
 TEST_F(UsageTest, EveryVerbExplainsHowToStartAGcm) {
@@ -185,17 +185,17 @@ TEST_F(UsageTest, ASecondGcmOnOnePortNamesTheFirst) {
                         " (gcm); use the running GCM, or give --gcm another port");
 }
 
-TEST_F(UsageTest, AFanOutOnATakenPortNamesItsHolder) {
+TEST_F(UsageTest, ABrokerOnATakenPortNamesItsHolder) {
   StartGcm();
 
-  ExpectOneSentence(Typed({"fan-out", "--listen", address}), program::kRefused,
+  ExpectOneSentence(Typed({"broker", "--listen", address}), program::kRefused,
                     address + " is in use by pid " + std::to_string(gcm->pid()) + " (gcm)");
 }
 
 TEST_F(UsageTest, RejectsOnePortForGcmAndFanOut) {
-  ExpectOneSentence(Typed({"serve", "--fan-out", "localhost:" + port}), program::kUsage,
-                    "--fan-out and --gcm are both " + address +
-                        ", but two programs cannot share a port; give --fan-out another one");
+  ExpectOneSentence(Typed({"serve", "--broker", "localhost:" + port}), program::kUsage,
+                    "--broker and --gcm are both " + address +
+                        ", but two programs cannot share a port; give --broker another one");
 }
 
 TEST_F(UsageTest, ServeWarnsIfItCannotKeepAHistory) {

@@ -90,11 +90,11 @@ TEST(ActivityModel, MarksAnUndoneStepAndAllowsTheNextUndo) {
 TEST(ActivityModel, LifecycleCommandsExceptRestartCanBeUndone) {
   ActivityModel model;
   Action stop;
-  stop.verb = Action::Verb::kSteer;
-  stop.life = LifeVerb::kStop;
+  stop.verb = Action::Verb::kLifecycle;
+  stop.lifecycle_verb = LifecycleVerb::kStop;
   stop.component = "robot/arm";
   Action restart = stop;
-  restart.life = LifeVerb::kRestart;
+  restart.lifecycle_verb = LifecycleVerb::kRestart;
   model.finish(model.begin(stop), 0.1, {});
   model.finish(model.begin(restart), 0.1, {});
 

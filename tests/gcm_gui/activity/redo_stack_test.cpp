@@ -73,8 +73,8 @@ TEST_F(RedoStackTest, ANewActionClearsTheStack) {
 TEST_F(RedoStackTest, DoesNotRedoAStop) {
   QSignalSpy notice(&redo_, &RedoStack::notice);
   Action stop;
-  stop.verb = Action::Verb::kSteer;
-  stop.life = LifeVerb::kStop;
+  stop.verb = Action::Verb::kLifecycle;
+  stop.lifecycle_verb = LifecycleVerb::kStop;
   stop.component = "robot/arm";
   Do(stop);
   Undo(stop);

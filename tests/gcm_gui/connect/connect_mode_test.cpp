@@ -31,7 +31,7 @@ TEST_F(ConnectModeTest, NumbersCompatibleCandidatesFirst) {
   ASSERT_NE(mode_.best(), nullptr);
   EXPECT_EQ(mode_.best()->port.name, kControl);
   EXPECT_EQ(mode_.best()->number, 1);
-  const Candidate* drives = mode_.find({Side::kProvided, {"robot", "arm", "Drives"}});
+  const PortCandidate* drives = mode_.find({Side::kProvided, {"robot", "arm", "Drives"}});
   ASSERT_NE(drives, nullptr);
   EXPECT_FALSE(drives->fits());
   EXPECT_EQ(drives->number, 0);
@@ -40,7 +40,7 @@ TEST_F(ConnectModeTest, NumbersCompatibleCandidatesFirst) {
 TEST_F(ConnectModeTest, ExplainsWhyALookAlikeDoesNotFit) {
   mode_.start({Side::kRequired, kRobot});
 
-  const Candidate* drives = mode_.bestLookAlike();
+  const PortCandidate* drives = mode_.bestLookAlike();
   ASSERT_NE(drives, nullptr);
   EXPECT_EQ(drives->port.name, (InterfaceName{"robot", "arm", "Drives"}));
   EXPECT_EQ(drives->reasons(), QStringList{"missing write command 'MoveTo' of arm.JointGoal"});
@@ -106,7 +106,7 @@ TEST_F(ConnectModeTest, AConnectedInterfaceCanBeReconnected) {
 TEST_F(ConnectModeTest, TheCurrentPeerIsNoCandidate) {
   mode_.start({Side::kProvided, {"robot", "arm", "Drives"}});
 
-  const Candidate* arm = mode_.find({Side::kRequired, {"robot", "controller", "Arm"}});
+  const PortCandidate* arm = mode_.find({Side::kRequired, {"robot", "controller", "Arm"}});
   ASSERT_NE(arm, nullptr);
   EXPECT_TRUE(arm->present);
   EXPECT_FALSE(arm->fits());

@@ -102,7 +102,7 @@ TEST_F(InteractionFlowTest, ConnectsByDigitReplacesByDragAndUndoesBoth) {
   window_->selection().select(QStringLiteral("desk/teleoperation/Robot"));
   QTest::keyClick(window_.get(), Qt::Key_C);
   ASSERT_TRUE(window_->connectMode().active());
-  const Candidate* arm = window_->connectMode().find(kHandOffers);
+  const PortCandidate* arm = window_->connectMode().find(kHandOffers);
   ASSERT_TRUE(arm != nullptr && arm->fits());
   KeepPictures(*window_, "flow-connect-mode");
   const auto digit = static_cast<Qt::Key>(Qt::Key_0 + arm->number);
@@ -136,7 +136,7 @@ TEST_F(InteractionFlowTest, CallsFromAFormAndShowsARefusal) {
   EXPECT_TRUE(session_->activity().command(0).contains("\"duration\":0.25"));
   KeepPictures(*window_, "flow-call-done");
 
-  session_->steer(LifeVerb::kStop, "robot", "arm");
+  session_->executeLifecycleOrder(LifecycleVerb::kStop, "robot", "arm");
   ASSERT_TRUE(Eventually([&] {
     const auto* arm = session_->store().catalogue().FindComponent("robot", "arm");
     return arm->state == ComponentState::kFinished;

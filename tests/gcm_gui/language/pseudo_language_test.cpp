@@ -43,7 +43,7 @@ class PseudoLanguageTest : private Marked, public WindowFixture {
  protected:
   /// Of what a person reads or hears, the words that are neither translated nor names of the model.
   void Read(const QObject& thing, const QString& text) {
-    if (thing.objectName().startsWith("steer.")) return;  // why not: the library says it
+    if (thing.objectName().startsWith("lifecycle.")) return;  // why not: the library says it
     QString rest = text;
     rest.replace(QRegularExpression("«[^«»]*(«[^«»]*»[^«»]*)*»"), QStringLiteral(" "));
     for (auto words = kWords.globalMatch(rest); words.hasNext();) {

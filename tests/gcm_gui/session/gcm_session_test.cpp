@@ -117,8 +117,9 @@ TEST_F(SessionTest, UndoOfAnothersStopNeedsASecondRequest) {
   GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
   std::atomic<bool> is_stopped = false;
-  console.ExecuteLifeOrder({.verb = LifeVerb::kStop, .process = "robot", .component = "plant"},
-                           [&](const auto& result) { is_stopped = result.ok(); });
+  console.ExecuteLifecycleOrder(
+      {.verb = LifecycleVerb::kStop, .process = "robot", .component = "plant"},
+      [&](const auto& result) { is_stopped = result.ok(); });
   ASSERT_TRUE(Eventually([&] { return is_stopped.load(); }));
 
   session_->undo();

@@ -16,7 +16,7 @@ message::HistoryEntry Step(std::uint64_t id, const std::string& who) {
           .verb = "connect",
           .wire = {{"desk", "hand", "Robot"}, {"robot", "arm", "Control"}},
           .former = {},
-          .life = {},
+          .lifecycle = {},
           .who = who,
           .when = kWallNow - 12'000'000'000};
 }
@@ -69,8 +69,8 @@ TEST(UndoChoice, StepsThatCauseMotionNeedASecondRequest) {
   UndoChoice choice("me");
   message::History history{{Step(7, "me")}};
   history.entries[0].verb = "stop";
-  history.entries[0].life.process = "robot";
-  history.entries[0].life.component = "arm";
+  history.entries[0].lifecycle.process = "robot";
+  history.entries[0].lifecycle.component = "arm";
 
   const auto asked = choice.Choose(history, kNow, kWallNow);
 

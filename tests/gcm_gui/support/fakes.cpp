@@ -32,8 +32,8 @@ void RecordingActions::forget(const std::string& process) {
   asked.append(QStringLiteral("forget ") + QString::fromStdString(process));
 }
 
-void RecordingActions::steer(LifeVerb verb, const std::string& process,
-                             const std::string& component) {
+void RecordingActions::executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
+                                             const std::string& component) {
   const std::string_view word = ToString(verb);
   asked.append(QString::fromStdString(std::string(word) + ' ' + process + '/' + component));
 }

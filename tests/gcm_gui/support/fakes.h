@@ -30,7 +30,8 @@ class RecordingActions final : public SystemActions {
   void disconnectInterface(const InterfaceName& required) override;
   void undo() override { asked.append(QStringLiteral("undo")); }
   void forget(const std::string& process) override;
-  void steer(LifeVerb verb, const std::string& process, const std::string& component) override;
+  void executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
+                             const std::string& component) override;
   void setLogLevel(const std::string& process, LogLevel level) override;
 
   QStringList asked;

@@ -57,7 +57,7 @@ TEST_F(ThemeTest, ALabelFollowsItsRoleAndTheTheme) {
 
 class BadInput61InTheWindow : public ThemeTest {};
 
-/// What a stranger may have named itself.
+/// A name that an unknown peer may have chosen.
 const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
 
 TEST_F(BadInput61InTheWindow, ALabelShowsMarkupVerbatim) {

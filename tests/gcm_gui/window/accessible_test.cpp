@@ -120,7 +120,7 @@ TEST_F(AccessibleTest, EveryCardHasNames) {
     ExpectNames(card);
     QTest::keyClick(window_.focusWidget(), Qt::Key_Escape);
   };
-  expect_names("steerCard", "robot/arm", Qt::Key_F8);
+  expect_names("lifecycleCard", "robot/arm", Qt::Key_F8);
   expect_names("whyCard", "robot/controller/Arm", Qt::Key_W);
   expect_names("keysCard", "robot/arm", Qt::Key_F1);
   expect_names("candidatePanel", "desk/teleoperation/Robot", Qt::Key_C);

@@ -99,11 +99,11 @@ TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
   ASSERT_TRUE(Eventually([&] { return HasStopped(robot_->pid()); }));
 
   const auto stopped = tendon::Wait<void>(std::chrono::seconds(20), [&](auto handler) {
-    viewer_->ExecuteLifeOrder({.verb = tendon::LifeVerb::kStop,
-                               .process = "robot",
-                               .component = "ledger",
-                               .patience = std::chrono::milliseconds(200)},
-                              std::move(handler));
+    viewer_->ExecuteLifecycleOrder({.verb = tendon::LifecycleVerb::kStop,
+                                    .process = "robot",
+                                    .component = "ledger",
+                                    .patience = std::chrono::milliseconds(200)},
+                                   std::move(handler));
   });
   robot_->Signal(SIGCONT);
 

@@ -128,16 +128,16 @@ INSTANTIATE_TEST_SUITE_P(Over, UntrustedPeers, testing::ValuesIn(Middlewares()),
 TEST_P(UntrustedPeers, OtherProtocolsAreDisconnected) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
-  std::vector<os::Socket> strangers;
+  std::vector<os::Socket> peers;
   for (const std::string& port : ports_) {
     for (const Bytes& hello : Hellos()) {
-      strangers.push_back(Knock(port));
-      (void)os::SendSome(strangers.back(), hello);
+      peers.push_back(Knock(port));
+      (void)os::SendSome(peers.back(), hello);
     }
   }
 
-  for (const os::Socket& stranger : strangers) EXPECT_TRUE(IsTurnedAway(stranger));
-  strangers.clear();
+  for (const os::Socket& peer : peers) EXPECT_TRUE(IsTurnedAway(peer));
+  peers.clear();
   ExpectNobodyDisturbed();
 }
 

@@ -186,13 +186,13 @@ void GcmLink::OnClosed(const SharedChannel& channel, const Error& reason) {
 }
 
 void GcmLink::Watch(const SharedChannel& channel) {
-  Ask<message::Snapshot>(*timer_, channel, message::kWatch, None{}, options_.timeout,
-                         [weak = weak_from_this(), channel](const auto& snapshot) {
-                           const auto self = weak.lock();
-                           if (!self) return;
-                           if (!snapshot) return channel->Close();
-                           self->Receive(channel, *snapshot);
-                         });
+  Ask<message::CatalogueSnapshot>(*timer_, channel, message::kWatch, None{}, options_.timeout,
+                                  [weak = weak_from_this(), channel](const auto& snapshot) {
+                                    const auto self = weak.lock();
+                                    if (!self) return;
+                                    if (!snapshot) return channel->Close();
+                                    self->Receive(channel, *snapshot);
+                                  });
 }
 
 void GcmLink::WatchLog(const SharedChannel& channel) {
@@ -206,7 +206,7 @@ void GcmLink::WatchLog(const SharedChannel& channel) {
                               });
 }
 
-void GcmLink::Receive(const SharedChannel& channel, message::Snapshot snapshot) {
+void GcmLink::Receive(const SharedChannel& channel, message::CatalogueSnapshot snapshot) {
   ShareDescriptions(snapshot.changes);
   Catalogue catalogue = Catalogue::At(snapshot.base);
   for (const CatalogueChange& change : snapshot.changes) {

@@ -69,7 +69,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   void WatchLog(const SharedChannel& channel);
   template <typename Take>
   void ReportLog(const SharedChannel& channel, Take&& take);
-  void Receive(const SharedChannel& channel, message::Snapshot snapshot);
+  void Receive(const SharedChannel& channel, message::CatalogueSnapshot snapshot);
   void Receive(const SharedChannel& channel, message::Changes changes);
   void Receive(const SharedChannel& channel, message::LogRecords records);
   void ShareDescriptions(std::vector<CatalogueChange>& changes);

@@ -1,6 +1,6 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/members/sanitize.h>
-#include <tendon/process/life/life_messages.h>
+#include <tendon/process/lifecycle/lifecycle_messages.h>
 
 #include <set>
 #include <vector>

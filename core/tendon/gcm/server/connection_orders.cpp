@@ -1,6 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/gcm/conflicting_types.h>
-#include <tendon/gcm/life/undo_check.h>
+#include <tendon/gcm/lifecycle/undo_check.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/server/connection_orders.h>
 #include <tendon/gcm/text.h>
@@ -145,7 +145,7 @@ void ConnectionOrders::Undo(const message::StepSelection& which, const std::stri
         [&](ConnectionOrders& orders) { orders.FinishUndo(step, who, OutcomeOf(outcome), done); });
   };
   if (IsProcessStep(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
-  if (IsLifeCycleStep(*step)) return UndoLife(*step, which.patience, finish);
+  if (IsLifecycleStep(*step)) return UndoLifecycle(*step, which.patience, finish);
   UndoWire(*step, who, finish);
 }
 
@@ -333,12 +333,12 @@ void ConnectionOrders::SendBreak(const InterfaceName& required, Done<None> done)
              heard);
 }
 
-void ConnectionOrders::UndoLife(const message::HistoryEntry& step,
-                                std::chrono::nanoseconds patience, const Done<None>& done) {
+void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
+                                     std::chrono::nanoseconds patience, const Done<None>& done) {
   const auto connect = [locked = locked_, step](const Done<None>& connected) {
     locked([&](ConnectionOrders& orders) { orders.MakeAgain(step, connected); });
   };
-  parts_.life.Undo(step, patience, connect, done);
+  parts_.lifecycle.Undo(step, patience, connect, done);
 }
 
 /// Restores the connections of a component that was created again. If one fails, the component is
@@ -349,7 +349,7 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
     Result<None> outcome;
   };
   const auto answers = std::make_shared<Answers>(
-      Answers{1 + step.life.connections.size(), None{}});  // under the lock
+      Answers{1 + step.lifecycle.connections.size(), None{}});  // under the lock
   const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
                                                           const auto& made) {
     locked([&](ConnectionOrders& orders) {
@@ -363,7 +363,7 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
       if (--answers->missing == 0) orders.Answer(done, answers->outcome);
     });
   };
-  for (const message::Wire& wire : step.life.connections) {
+  for (const message::Wire& wire : step.lifecycle.connections) {
     Make(wire, [answered, wire](const auto& made) { answered(wire, made); });
   }
   Answer<ConnectionDescription>([answered](const auto& none) { answered({}, none); },

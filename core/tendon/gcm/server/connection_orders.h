@@ -1,10 +1,10 @@
 #pragma once
 
-#include <tendon/gcm/history.h>
-#include <tendon/gcm/life/life_orders.h>
+#include <tendon/gcm/lifecycle/lifecycle_orders.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/members/order_sender.h>
 #include <tendon/gcm/members/registry.h>
+#include <tendon/gcm/step_history.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/process/worker.h>
 
@@ -32,11 +32,11 @@ class ConnectionOrders : private OrderSender {
 
   struct Parts {
     Registry& registry;
-    History& history;
+    StepHistory& history;
     DeferredActions& deferred;
-    Worker& worker;          ///< provides timeouts
-    LifeOrders& life;        ///< undoes its own steps
-    Supervisor& supervisor;  ///< undoes its own steps
+    Worker& worker;              ///< provides timeouts
+    LifecycleOrders& lifecycle;  ///< undoes its own steps
+    Supervisor& supervisor;      ///< undoes its own steps
   };
   ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
@@ -88,8 +88,8 @@ class ConnectionOrders : private OrderSender {
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;
   void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);
-  void UndoLife(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
-                const Done<None>& done);
+  void UndoLifecycle(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+                     const Done<None>& done);
   void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
   void FinishUndo(message::HistoryEntry step, const std::string& who, const Result<void>& outcome,

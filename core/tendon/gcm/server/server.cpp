@@ -130,14 +130,15 @@ auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
 }
 
 void Server::Start() {
-  life_orders_ =
-      std::make_unique<LifeOrders>(LifeOrders::Parts{registry_, history_, deferred_, worker_},
-                                   LockedWith(&Server::life_orders_), options_.order_timeout);
+  lifecycle_orders_ = std::make_unique<LifecycleOrders>(
+      LifecycleOrders::Parts{registry_, history_, deferred_, worker_},
+      LockedWith(&Server::lifecycle_orders_), options_.order_timeout);
   supervisor_ = std::make_unique<Supervisor>(
       Supervisor::Parts{registry_, history_, deferred_, *options_.clock, options_.launcher},
       LockedWith(&Server::supervisor_));
   connection_orders_ = std::make_unique<ConnectionOrders>(
-      ConnectionOrders::Parts{registry_, history_, deferred_, worker_, *life_orders_, *supervisor_},
+      ConnectionOrders::Parts{registry_, history_, deferred_, worker_, *lifecycle_orders_,
+                              *supervisor_},
       LockedWith(&Server::connection_orders_), options_.order_timeout);
   KeepTicking();
 }
@@ -234,7 +235,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kReplace, &Server::Replace},
       {message::kWatchLog, &Server::WatchLog},
       {message::kSetLogLevel, &Server::SetLogLevel},
-      {message::kLife, &Server::ExecuteLifeOrder},
+      {message::kLifecycleOrder, &Server::ExecuteLifecycleOrder},
       {message::kGetClasses, &Server::ListClasses},
       {message::kPassOver, &Server::PassOver},
       {message::kPlanLock, &Server::TakePlanLock},
@@ -319,7 +320,8 @@ void Server::Leave(const Request& request) {
 void Server::Watch(const Request& request) {
   Locked([&] {
     const Catalogue& catalogue = registry_.catalogue();
-    message::Snapshot snapshot{.gcm_instance = options_.instance, .changes = catalogue.AsChanges()};
+    message::CatalogueSnapshot snapshot{.gcm_instance = options_.instance,
+                                        .changes = catalogue.AsChanges()};
     snapshot.base = catalogue.revision() - snapshot.changes.size();
     Answer(request, Result(std::move(snapshot)));
     deferred_.Add([this, channel = request.channel, revision = catalogue.revision()] {
@@ -350,12 +352,12 @@ void Server::Disconnect(const Request& request) {
   });
 }
 
-void Server::ExecuteLifeOrder(const Request& request) {
-  const auto order = DecodeBody<message::LifeOrder>(request.body);
+void Server::ExecuteLifecycleOrder(const Request& request) {
+  const auto order = DecodeBody<message::LifecycleOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
     supervisor_->NoteChange(order->process);
-    life_orders_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
+    lifecycle_orders_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
   });
 }
 
@@ -370,7 +372,7 @@ void Server::ExecuteProcessOrder(const Request& request) {
 void Server::ListClasses(const Request& request) {
   const auto wanted = DecodeBody<message::GetClasses>(request.body);
   if (!wanted) return request.responder->Refuse(wanted.error());
-  Locked([&] { life_orders_->ListClasses(wanted->process, AnswerOf(request.responder)); });
+  Locked([&] { lifecycle_orders_->ListClasses(wanted->process, AnswerOf(request.responder)); });
 }
 
 void Server::BeginOrder(const Request& request) {
@@ -380,7 +382,7 @@ void Server::BeginOrder(const Request& request) {
     const ProcessDescription* const member = registry_.FindMember(request.peer.session);
     const std::string name = member == nullptr ? "" : member->name;
     supervisor_->NoteChange(name);
-    Answer(request, life_orders_->Begin(order->id, name));
+    Answer(request, lifecycle_orders_->Begin(order->id, name));
   });
 }
 

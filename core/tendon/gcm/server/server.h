@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/base/rate_limited_warning.h>
-#include <tendon/gcm/life/life_orders.h>
+#include <tendon/gcm/lifecycle/lifecycle_orders.h>
 #include <tendon/gcm/members/deferred_actions.h>
 #include <tendon/gcm/members/registry.h>
 #include <tendon/gcm/server/connection_orders.h>
@@ -95,7 +95,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Connect(const Request& request);
   void Replace(const Request& request);
   void Disconnect(const Request& request);
-  void ExecuteLifeOrder(const Request& request);
+  void ExecuteLifecycleOrder(const Request& request);
   void ExecuteProcessOrder(const Request& request);
   void ListClasses(const Request& request);
   void BeginOrder(const Request& request);
@@ -121,7 +121,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void Answer(const Request& request, Result<T> result);
 
   const Options options_;
-  History history_;
+  StepHistory history_;
   RateLimitedWarning malformed_{"gcm"};
   DeferredActions deferred_;
   Watchers watchers_;     // used only in deferred actions
@@ -130,7 +130,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   LogQueue own_log_;
   mutable std::mutex mutex_;
   Registry registry_;
-  std::unique_ptr<LifeOrders> life_orders_;
+  std::unique_ptr<LifecycleOrders> lifecycle_orders_;
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<ConnectionOrders> connection_orders_;
   PlanLockHolder plan_lock_;

@@ -88,7 +88,7 @@ message::Children Supervisor::children() const {
 }
 
 Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
-  const std::string& process = step.life.process;
+  const std::string& process = step.lifecycle.process;
   if (auto ours = CheckKill(process); !ours) return ours;
   const ProcessEntry* entry = parts_.registry.catalogue().FindProcess(process);
   if (entry == nullptr || entry->components.empty()) return {};
@@ -97,7 +97,7 @@ Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
 
 void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
                       Done done) {
-  Kill(step.life.process, PatienceOf(patience), std::move(done));
+  Kill(step.lifecycle.process, PatienceOf(patience), std::move(done));
 }
 
 void Supervisor::Start(const message::ProcessOrder& order, const std::string& who, Done done) {
@@ -235,7 +235,7 @@ void Supervisor::OnJoined(const std::string& process, Child& child) {
   child.is_known = true;
   if (!child.done) return;
   message::HistoryEntry step{.verb = std::string(ToString(ProcessVerb::kStart)),
-                             .life = {.process = process},
+                             .lifecycle = {.process = process},
                              .who = child.who,
                              .when = WallTime(),
                              .instance = InstanceOf(parts_.registry.catalogue(), process)};

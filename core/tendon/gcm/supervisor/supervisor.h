@@ -2,9 +2,9 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/gcm/history.h>
 #include <tendon/gcm/members/deferred_actions.h>
 #include <tendon/gcm/members/registry.h>
+#include <tendon/gcm/step_history.h>
 #include <tendon/gcm/supervisor/launcher.h>
 #include <tendon/gcm/supervisor/restart_schedule.h>
 #include <tendon/middleware/body.h>
@@ -36,7 +36,7 @@ class Supervisor {
 
   struct Parts {
     Registry& registry;
-    History& history;
+    StepHistory& history;
     DeferredActions& deferred;
     const Clock& clock;
     std::shared_ptr<Launcher> launcher;

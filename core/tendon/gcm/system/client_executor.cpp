@@ -34,12 +34,12 @@ bool IsOutcomeUnknown(const Error& error) {
 }
 
 /// True if the component is already in the state after `verb`, whatever the cause.
-bool IsSo(const Catalogue& catalogue, LifeVerb verb, const PlanStep& step) {
+bool IsSo(const Catalogue& catalogue, LifecycleVerb verb, const PlanStep& step) {
   const auto* now = catalogue.FindComponent(step.process, step.component.name);
-  if (now == nullptr) return verb == LifeVerb::kRemove;
-  if (verb == LifeVerb::kStop) return !IsRunning(now->state);
-  if (verb == LifeVerb::kStart) return now->state == ComponentState::kActive;
-  return verb == LifeVerb::kSuspend && now->state == ComponentState::kSuspended;
+  if (now == nullptr) return verb == LifecycleVerb::kRemove;
+  if (verb == LifecycleVerb::kStop) return !IsRunning(now->state);
+  if (verb == LifecycleVerb::kStart) return now->state == ComponentState::kActive;
+  return verb == LifecycleVerb::kSuspend && now->state == ComponentState::kSuspended;
 }
 
 /// The result of `read` on the current catalogue.
@@ -86,22 +86,22 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
   if (auto checked = CheckInstance(step); !checked) return checked;
   switch (step.kind) {
     case Kind::kStop:
-      return ExecuteLifeOrder(LifeVerb::kStop, step);
+      return ExecuteLifecycleOrder(LifecycleVerb::kStop, step);
     case Kind::kSuspend:
-      return ExecuteLifeOrder(LifeVerb::kSuspend, step);
+      return ExecuteLifecycleOrder(LifecycleVerb::kSuspend, step);
     case Kind::kDisconnect:
       return Wait<void>(timeout_ + kLonger,
                         [&](auto handler) { client_.Disconnect(step.wire.required, handler); });
     case Kind::kRemove:
-      return ExecuteLifeOrder(LifeVerb::kRemove, step);
+      return ExecuteLifecycleOrder(LifecycleVerb::kRemove, step);
     case Kind::kStartProcess:
       return ExecuteProcessOrder(ProcessVerb::kStart, step);
     case Kind::kEndProcess:
       return ExecuteProcessOrder(ProcessVerb::kKill, step);
     case Kind::kConfigure:
-      return ExecuteLifeOrder(LifeVerb::kConfigure, step);
+      return ExecuteLifecycleOrder(LifecycleVerb::kConfigure, step);
     case Kind::kCreate:
-      return ExecuteLifeOrder(LifeVerb::kCreate, step);
+      return ExecuteLifecycleOrder(LifecycleVerb::kCreate, step);
     case Kind::kConnect:
     case Kind::kReplace:
       return Connect(step);
@@ -110,7 +110,7 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
       break;
   }
   if (auto connected = AwaitConnections(step); !connected) return connected;
-  return step.kind == Kind::kStart ? ExecuteLifeOrder(LifeVerb::kStart, step)
+  return step.kind == Kind::kStart ? ExecuteLifecycleOrder(LifecycleVerb::kStart, step)
                                    : StartSuspended(step);
 }
 
@@ -173,24 +173,25 @@ Result<void> ClientExecutor::ExecuteProcessOrder(ProcessVerb verb, const PlanSte
   });
 }
 
-Result<void> ClientExecutor::ExecuteLifeOrder(LifeVerb verb, const PlanStep& step) {
-  message::LifeOrder order{.verb = verb,
-                           .process = step.process,
-                           .instance = step.instance,
-                           .component = step.component.name};
-  if (verb == LifeVerb::kCreate) {
+Result<void> ClientExecutor::ExecuteLifecycleOrder(LifecycleVerb verb, const PlanStep& step) {
+  message::LifecycleOrder order{.verb = verb,
+                                .process = step.process,
+                                .instance = step.instance,
+                                .component = step.component.name};
+  if (verb == LifecycleVerb::kCreate) {
     order.class_name = step.component.class_name;
     order.library = step.component.library;
     if (step.component.thread) order.thread = ToJson(*step.component.thread);
     order.leader = step.component.runs_after;
   }
-  if (verb == LifeVerb::kStart) order.is_strict = step.is_strict;
-  if (verb == LifeVerb::kCreate || verb == LifeVerb::kConfigure) {
+  if (verb == LifecycleVerb::kStart) order.is_strict = step.is_strict;
+  if (verb == LifecycleVerb::kCreate || verb == LifecycleVerb::kConfigure) {
     order.configuration = step.component.configuration;
     order.based_on = step.based_on;
   }
-  const auto made = Wait<void>(GcmClient::kLifeOrderTimeouts * timeout_ + kLonger,
-                               [&](auto handler) { client_.ExecuteLifeOrder(order, handler); });
+  const auto made =
+      Wait<void>(GcmClient::kLifecycleOrderTimeouts * timeout_ + kLonger,
+                 [&](auto handler) { client_.ExecuteLifecycleOrder(order, handler); });
   const bool is_refused = !made && made.error().code == ErrorCode::kFailed;
   const auto is_so = [&](const Catalogue& now) { return IsSo(now, verb, step); };
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
@@ -198,11 +199,11 @@ Result<void> ClientExecutor::ExecuteLifeOrder(LifeVerb verb, const PlanStep& ste
 
 /// Starts and suspends a component. If it cannot be suspended, stops it, because it must not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
-  const auto started = ExecuteLifeOrder(LifeVerb::kStart, step);
+  const auto started = ExecuteLifecycleOrder(LifecycleVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;
-  const auto done = started ? ExecuteLifeOrder(LifeVerb::kSuspend, step) : started;
+  const auto done = started ? ExecuteLifecycleOrder(LifecycleVerb::kSuspend, step) : started;
   if (done) return done;
-  const auto stopped = ExecuteLifeOrder(LifeVerb::kStop, step);
+  const auto stopped = ExecuteLifecycleOrder(LifecycleVerb::kStop, step);
   const std::string before = "it could not be suspended: " + done.error().message;
   if (stopped) return Error{done.error().code, before + "; it was stopped instead"};
   return Error{done.error().code,

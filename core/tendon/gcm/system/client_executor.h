@@ -33,7 +33,7 @@ class ClientExecutor final : public PlanExecutor {
   Result<void> Connect(const PlanStep& step);
   [[nodiscard]] bool IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const;
   Result<void> ExecuteProcessOrder(ProcessVerb verb, const PlanStep& step);
-  Result<void> ExecuteLifeOrder(LifeVerb verb, const PlanStep& step);
+  Result<void> ExecuteLifecycleOrder(LifecycleVerb verb, const PlanStep& step);
   Result<void> StartSuspended(const PlanStep& step);
 
   GcmClient& client_;

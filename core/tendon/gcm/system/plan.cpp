@@ -6,7 +6,7 @@
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
 #include <tendon/manager/unsatisfied_interface.h>
-#include <tendon/process/life/configuration_base.h>
+#include <tendon/process/lifecycle/configuration_base.h>
 
 #include <algorithm>
 #include <map>

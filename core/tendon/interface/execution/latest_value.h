@@ -2,7 +2,7 @@
 
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/mailbox.h>
-#include <tendon/lockfree/snapshot.h>
+#include <tendon/lockfree/triple_buffer.h>
 #include <tendon/lockfree/try_lock.h>
 
 #include <cassert>
@@ -46,7 +46,7 @@ class LatestValue {
  private:
   Mailbox& mailbox_;
   TryLock<> writing_;
-  Snapshot<T> newest_;
+  TripleBuffer<T> newest_;
 };
 
 }  // namespace tendon

@@ -19,7 +19,7 @@ void MirroredCommands::Remove(const std::string& component) {
 void MirroredCommands::Report() {
   std::erase_if(known_, [](const Known& one) { return !one.command.channel->is_open(); });
   for (Known& one : known_) {
-    const Command& command = one.command;
+    const MirroredCommand& command = one.command;
     const bool is_enabled = command.enabled->Get();
     if (is_enabled == one.is_enabled) continue;
     const Status told =

@@ -15,7 +15,7 @@ namespace tendon {
 class MirroredCommands {
  public:
   /// A mirrored command and its channel.
-  struct Command {
+  struct MirroredCommand {
     std::string component;
     const Flag* enabled = nullptr;  ///< valid until Remove(component)
     std::shared_ptr<Channel> channel;
@@ -23,7 +23,7 @@ class MirroredCommands {
     Lane lane = kCommonLane;   ///< lane of its copies
   };
 
-  void Add(Command command) { known_.push_back({.command = std::move(command)}); }
+  void Add(MirroredCommand command) { known_.push_back({.command = std::move(command)}); }
   void Remove(const Channel& channel, std::uint32_t handle);
   void Remove(const std::string& component);
   /// Reports changes; call it regularly.
@@ -31,7 +31,7 @@ class MirroredCommands {
 
  private:
   struct Known {
-    Command command;
+    MirroredCommand command;
     bool is_enabled = true;  // as last reported
   };
 

@@ -58,8 +58,8 @@ class Membership::GcmHandler final : public ChannelHandler {
         membership.Report();
         shared->Answer(broken);
       });
-    } else if (header.type == message::kLife) {
-      const auto order = DecodeBody<message::LifeOrder>(body);
+    } else if (header.type == message::kLifecycleOrder) {
+      const auto order = DecodeBody<message::LifecycleOrder>(body);
       if (!order) return shared->Refuse(order.error());
       const auto begin = [channel, id = order->id]() -> Result<void> {
         const message::BeginOrder asked{id};

@@ -4,7 +4,7 @@
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/process/context.h>
-#include <tendon/process/life/life_messages.h>
+#include <tendon/process/lifecycle/lifecycle_messages.h>
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
 #include <tendon/process/membership/health_reporter.h>
@@ -37,8 +37,9 @@ class MembershipDelegate {
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
   /// `begin` is called in a thread that may block; an error cancels the order. `done` is called on
   /// the worker.
-  virtual void ExecuteOrder(const message::LifeOrder& order, std::function<Result<void>()> begin,
-                            std::function<void(const Result<message::LifeOutcome>&)> done) = 0;
+  virtual void ExecuteOrder(const message::LifecycleOrder& order,
+                            std::function<Result<void>()> begin,
+                            std::function<void(const Result<message::LifecycleOutcome>&)> done) = 0;
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 

@@ -166,7 +166,7 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::JoinTopicReply& joined) {
   if (HasFailedRecently(broker)) {  // another subscription at this broker has failed meanwhile
-    return Error{ErrorCode::kUnreachable, "the fan-out at " + broker + " has just failed"};
+    return Error{ErrorCode::kUnreachable, "the broker at " + broker + " has just failed"};
   }
   const auto line = std::make_shared<TopicState>();
   const auto hear = [weak = weak_from_this(), line,
@@ -209,7 +209,7 @@ void RowSource::MonitorTopic(const SharedSubscription& subscription,
     Item* item = self->Find(subscription);
     if (item == nullptr || item->line != line || !self->channel_) return;
     if (line->silence() < kLongestSilence) return self->MonitorTopic(subscription, line);
-    const Error silent{ErrorCode::kUnreachable, "the fan-out has delivered nothing for 5 s"};
+    const Error silent{ErrorCode::kUnreachable, "the broker has delivered nothing for 5 s"};
     self->Unsubscribe(*self->channel_, item->handle);
     subscription->Interrupt(silent);
     self->FallBack(*item, silent);

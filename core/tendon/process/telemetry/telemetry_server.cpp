@@ -145,10 +145,10 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
   if (context_.middleware->broadcast() == nullptr || broker_.empty()) {
-    return Error{ErrorCode::kNotFound, "process '" + context_.name + "' has no fan-out"};
+    return Error{ErrorCode::kNotFound, "process '" + context_.name + "' has no broker"};
   }
   if (wanted.rows != RowChoice{}) {
-    return Error{ErrorCode::kInvalid, "a fan-out carries every row, or none"};
+    return Error{ErrorCode::kInvalid, "a broker carries every row, or none"};
   }
   std::size_t row = 0;
   for (const std::size_t column : source.columns) {
@@ -157,7 +157,7 @@ Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
   constexpr std::size_t kLargestRow = Broadcast::kMaxMessage / 4;  // half a batch
   if (row <= kLargestRow) return {};
   return Error{ErrorCode::kInvalid, "rows of " + std::to_string(row) +
-                                        " bytes are too large for a fan-out, which carries " +
+                                        " bytes are too large for a broker, which carries " +
                                         std::to_string(kLargestRow)};
 }
 

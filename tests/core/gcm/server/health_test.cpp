@@ -128,8 +128,8 @@ TEST_P(Health, IsToldToAnyViewerWhoAsksAndToNobodyElse) {
 }
 
 TEST_P(Health, WhoIsNoMemberHasNone) {
-  test::FakeProcess stranger(NewMiddleware(), "robot");
-  EXPECT_FALSE(stranger.ReportHealth({}));
+  test::FakeProcess unjoined(NewMiddleware(), "robot");
+  EXPECT_FALSE(unjoined.ReportHealth({}));
 
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->Leave());

@@ -194,7 +194,7 @@ TEST_P(Watching, AClientOfAnotherProtocolIsToldAtOnce) {
   const auto middleware = NewMiddleware();
   const auto handler = std::make_shared<ChannelHandler>();
   const auto channel = Channel::Open(
-      *middleware, address_, {.instance = 1, .name = "stranger", .cookie = 17}, handler, kLong);
+      *middleware, address_, {.instance = 1, .name = "unknown", .cookie = 17}, handler, kLong);
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kDenied);

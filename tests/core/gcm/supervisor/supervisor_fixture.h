@@ -186,7 +186,7 @@ class SupervisorTest : public testing::Test {
   ManualClock clock_;
   std::mutex mutex_;
   Registry registry_{Leases{}, clock_};
-  History history_{folder_.path() / "history.jsonl"};
+  StepHistory history_{folder_.path() / "history.jsonl"};
   DeferredActions deferred_;
   SessionToken session_ = 0;
   const std::shared_ptr<FakeLauncher> launcher_ = std::make_shared<FakeLauncher>();

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <tendon/gcm/gcm_messages.h>
+#include <tendon/process/worker.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon {
+
+/// The text of a step: "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm",
+/// "start robot".
+[[nodiscard]] std::string ToString(const message::HistoryEntry& step);
+
+/// The undo of a step: the program and the time.
+struct UndoMark {
+  std::string who;        ///< the program that requested it; empty if unknown
+  std::int64_t when = 0;  ///< ns since 1970
+};
+
+/// The steps of users, in a file with one JSON object per line, so that they can also be undone
+/// after a restart. Keeps the newest kMaxSteps, or as many as fit into kMaxBytes, and rewrites the
+/// file when it is twice as large. Ignores a last line that a crash cut off; ignores other invalid
+/// lines with a warning.
+///
+/// A step is in memory at once. A separate thread writes it, so that a slow disk delays only
+/// callers that wait for `done`. A crash can lose only steps whose `done` was not called. A write
+/// error is logged, and the step stays in memory until the process ends; the constructor checks
+/// that the file can be written.
+///
+/// Thread safety: all functions except Close() at any time.
+class StepHistory {
+ public:
+  static constexpr std::size_t kMaxSteps = 1000;
+  static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
+  /// Called once, in the order of the steps, by the history's thread or by Close().
+  using Done = std::function<void()>;
+
+  /// Reads the file, if it exists. The history's thread logs if the file cannot be written.
+  explicit StepHistory(std::filesystem::path file);
+  StepHistory(const StepHistory&) = delete;
+  StepHistory& operator=(const StepHistory&) = delete;
+  /// Calls Close().
+  ~StepHistory();
+
+  /// Adds a step; returns its number.
+  std::uint64_t Record(message::HistoryEntry step, Done done);
+  void MarkUndone(std::uint64_t id, Done done, const UndoMark& by = {});
+  void MarkPassedOver(std::uint64_t id, Done done);
+  /// Waits until everything is on the disk. Afterwards, no steps may be added.
+  void Close();
+
+  /// Oldest first.
+  [[nodiscard]] message::History steps() const;
+  /// For an undone step; `who` is empty if it is not known.
+  [[nodiscard]] UndoMark undo_of(std::uint64_t id) const;
+  /// The newest step that was neither undone nor skipped.
+  [[nodiscard]] std::optional<message::HistoryEntry> last() const;
+
+ private:
+  struct Line {
+    std::string text;
+    Done done;
+  };
+
+  void Mark(std::uint64_t id, const char* what, Done done, const UndoMark& by = {});
+  void Load();
+  void Probe() const;
+  void Keep(message::HistoryEntry step, std::size_t bytes);
+  [[nodiscard]] std::string Text() const;
+  bool Replace(const std::string& text);
+  bool Append(const std::vector<Line>& lines);
+  void Write();
+
+  const std::filesystem::path file_;
+  // Used only in the writing thread.
+  bool is_torn_ = false;  // the file may end in the middle of a line
+  std::size_t file_bytes_ = 0;
+
+  mutable std::mutex mutex_;  // guards the members below
+  std::vector<message::HistoryEntry> steps_;
+  std::deque<std::size_t> bytes_;  // size of each step's line
+  std::size_t all_bytes_ = 0;
+  std::map<std::uint64_t, UndoMark> undos_;  // by number of the step
+  std::uint64_t last_id_ = 0;
+  std::vector<Line> unwritten_;
+  Worker writer_{"gcm-history"};
+};
+
+}  // namespace tendon

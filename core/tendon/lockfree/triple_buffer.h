@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tendon/lockfree/atomics.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace tendon {
+
+/// Passes the newest value from one thread to another one, never a partial value; a newer value
+/// replaces an older one. Values are assigned, so that dynamic types keep their memory.
+///
+/// Thread safety: one thread calls Write(), one other Take(), any is_fresh(). Wait-free.
+///
+/// A triple buffer: one of three values belongs to the writer and one to the reader. Each side
+/// exchanges its own value with the third, the middle one.
+template <typename T, typename Atomics = StdAtomics>
+class TripleBuffer {
+ public:
+  /// Returns true if this replaces a value that the reader never took.
+  bool Write(const T& value) {
+    values_[mine_] = value;
+    // (A) publishes the value; (B) gives the writer a value that the reader no longer uses.
+    const std::uint32_t old = middle_.exchange(mine_ | kFresh, std::memory_order_acq_rel);
+    mine_ = old & kPlace;
+    return (old & kFresh) != 0;
+  }
+
+  /// The newest value, valid until the reader's next Take(); null if it was already taken.
+  T* Take() noexcept {
+    if (!is_fresh()) return nullptr;
+    // (B) hands the reader's value back; pairs with (A).
+    theirs_ = middle_.exchange(theirs_, std::memory_order_acq_rel) & kPlace;
+    return &values_[theirs_];
+  }
+
+  /// True if a value waits to be taken. Only the writer makes it true, only the reader false.
+  [[nodiscard]] bool is_fresh() const noexcept {
+    return (middle_.load(std::memory_order_relaxed) & kFresh) != 0;  // orders nothing
+  }
+
+ private:
+  static constexpr std::uint32_t kPlace = 3;
+  static constexpr std::uint32_t kFresh = 4;
+
+  std::array<T, 3> values_{};
+  std::uint32_t mine_ = 0;    // index of the writer's value
+  std::uint32_t theirs_ = 1;  // index of the reader's value
+  typename Atomics::template Atomic<std::uint32_t> middle_{2};
+};
+
+}  // namespace tendon

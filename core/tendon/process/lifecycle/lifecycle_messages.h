@@ -1,0 +1,170 @@
+#pragma once
+
+#include <tendon/manager/component_description.h>
+#include <tendon/middleware/frame.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/payload.h>
+#include <tendon/task/component_state.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tendon {
+
+/// The kinds of orders for a process or its components.
+enum class LifecycleVerb : std::int32_t {
+  kLoad,       ///< loads a plug-in
+  kCreate,     ///< creates a component of a class
+  kConfigure,  ///< creates a stopped component anew with another configuration
+  kStart,
+  kSuspend,
+  kStop,
+  kRestart,  ///< stops the component if it runs, then starts it
+  kRemove,
+};
+
+template <>
+inline constexpr auto kPayload<LifecycleVerb> = DescribeEnum(
+    "tendon.LifeVerb", Enumerator{"load", LifecycleVerb::kLoad},
+    Enumerator{"create", LifecycleVerb::kCreate},
+    Enumerator{"configure", LifecycleVerb::kConfigure}, Enumerator{"start", LifecycleVerb::kStart},
+    Enumerator{"suspend", LifecycleVerb::kSuspend}, Enumerator{"stop", LifecycleVerb::kStop},
+    Enumerator{"restart", LifecycleVerb::kRestart}, Enumerator{"remove", LifecycleVerb::kRemove});
+
+/// "load", "create", ...
+[[nodiscard]] constexpr std::string_view ToString(LifecycleVerb verb) noexcept {
+  return NameOf(verb);
+}
+
+/// A class from which a process can create components.
+struct ClassDescription {
+  std::string name;
+  std::string library;
+  std::string configuration;  ///< Schema::TextWithHelp(); that of None: no configuration
+  std::string defaults;       ///< the default configuration, as JSON
+
+  bool operator==(const ClassDescription&) const = default;
+};
+
+}  // namespace tendon
+
+/// Orders for the lifecycle of components, from a viewer to its GCM and from there to the LCM.
+/// Each struct is the body of a frame; all are requests.
+namespace tendon::message {
+
+// LifecycleOrder -> LifecycleOutcome; the LCM reports the changes before it replies
+inline constexpr auto kLifecycleOrder = static_cast<MessageType>(0x317);
+inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
+// From an LCM to its GCM, BeginOrder -> None, before it executes an order. A refusal cancels the
+// order if nobody waits for it any more. So a process that was suspended or busy does not execute
+// an outdated order.
+inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
+
+/// The longest configuration, in bytes.
+inline constexpr std::size_t kLongestConfiguration = std::size_t{1} << 16U;
+
+/// One order, for one component or library. Fields that its verb does not use are empty.
+struct LifecycleOrder {
+  std::uint64_t id = 0;  ///< issued by the GCM
+  LifecycleVerb verb = LifecycleVerb::kStart;
+  std::string process;
+  std::uint64_t instance = 0;  ///< instance of the target process; 0: any
+  std::string component;       ///< all but load
+  std::string class_name;      ///< create
+  /// For load and create. For create, empty means the only loaded library that has this class.
+  std::string library;
+  std::string configuration;  ///< create, configure: JSON; empty for the defaults
+  /// For configure: BaseOf() of the configuration that this one is based on. The order is refused
+  /// if the component's configuration has changed since. All zeros: replaces any configuration.
+  Fingerprint based_on;
+  std::string thread;  ///< create: ThreadOptions as JSON; empty: as the class chooses
+  std::string leader;  ///< create: the component after which it runs, or empty
+  /// Start: refuses if a required interface that the component needs is not connected.
+  bool is_strict = false;
+  /// The time limit; 0: chosen by the program that forwards the order. An order that has not begun
+  /// by then is not executed.
+  std::chrono::nanoseconds patience{0};
+};
+
+/// The result of an executed order, and the state before it.
+struct LifecycleOutcome {
+  ComponentState state = ComponentState::kConstructed;  ///< all but load and create
+  std::string class_name;                               ///< all but load
+  std::string library;                                  ///< all but load
+  std::string former;                                   ///< configure, remove: the old one
+  std::string configuration;                            ///< create, configure: the complete one
+  std::string thread;                                   ///< remove: as in LifecycleOrder
+  std::string leader;                                   ///< remove: as in LifecycleOrder
+  std::string warning;  ///< how the result differs from the order, if it does
+};
+
+/// The order that an LCM is about to execute.
+struct BeginOrder {
+  std::uint64_t id = 0;
+};
+
+/// Asks for the classes from which a process can create components.
+struct GetClasses {
+  std::string process;
+};
+
+/// The answer to GetClasses.
+struct Classes {
+  std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, sorted by library and name
+  std::vector<std::string> plugins;         ///< all libraries in the plug-in folders of the process
+  std::vector<PluginDescription> loaded{};  ///< the loaded plug-ins
+};
+
+}  // namespace tendon::message
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::ClassDescription> = tendon::Describe(
+    "tendon.ClassDescription", tendon::Field{"name", &tendon::ClassDescription::name},
+    tendon::Field{"library", &tendon::ClassDescription::library},
+    tendon::Field{"configuration", &tendon::ClassDescription::configuration},
+    tendon::Field{"defaults", &tendon::ClassDescription::defaults});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifecycleOrder> = tendon::Describe(
+    "tendon.LifeOrder", tendon::Field{"id", &tendon::message::LifecycleOrder::id},
+    tendon::Field{"verb", &tendon::message::LifecycleOrder::verb},
+    tendon::Field{"process", &tendon::message::LifecycleOrder::process},
+    tendon::Field{"instance", &tendon::message::LifecycleOrder::instance},
+    tendon::Field{"component", &tendon::message::LifecycleOrder::component},
+    tendon::Field{"class_name", &tendon::message::LifecycleOrder::class_name},
+    tendon::Field{"library", &tendon::message::LifecycleOrder::library},
+    tendon::Field{"configuration", &tendon::message::LifecycleOrder::configuration},
+    tendon::Field{"based_on", &tendon::message::LifecycleOrder::based_on},
+    tendon::Field{"thread", &tendon::message::LifecycleOrder::thread},
+    tendon::Field{"leader", &tendon::message::LifecycleOrder::leader},
+    tendon::Field{"is_strict", &tendon::message::LifecycleOrder::is_strict},
+    tendon::Field{"patience", &tendon::message::LifecycleOrder::patience});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::LifecycleOutcome> = tendon::Describe(
+    "tendon.LifeOutcome", tendon::Field{"state", &tendon::message::LifecycleOutcome::state},
+    tendon::Field{"class_name", &tendon::message::LifecycleOutcome::class_name},
+    tendon::Field{"library", &tendon::message::LifecycleOutcome::library},
+    tendon::Field{"former", &tendon::message::LifecycleOutcome::former},
+    tendon::Field{"configuration", &tendon::message::LifecycleOutcome::configuration},
+    tendon::Field{"thread", &tendon::message::LifecycleOutcome::thread},
+    tendon::Field{"leader", &tendon::message::LifecycleOutcome::leader},
+    tendon::Field{"warning", &tendon::message::LifecycleOutcome::warning});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::BeginOrder> =
+    tendon::Describe("tendon.BeginOrder", tendon::Field{"id", &tendon::message::BeginOrder::id});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::GetClasses> = tendon::Describe(
+    "tendon.GetClasses", tendon::Field{"process", &tendon::message::GetClasses::process});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::Classes> =
+    tendon::Describe("tendon.Classes", tendon::Field{"classes", &tendon::message::Classes::classes},
+                     tendon::Field{"plugins", &tendon::message::Classes::plugins},
+                     tendon::Field{"loaded", &tendon::message::Classes::loaded});

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <tendon/process/lifecycle/lifecycle_messages.h>
+#include <tendon/task/component_state.h>
+
+#include <QString>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace tendon::gui {
+
+/// The verbs for an existing component, in the order of buttons and menus.
+inline constexpr std::array kLifecycleVerbs{LifecycleVerb::kStart, LifecycleVerb::kSuspend,
+                                            LifecycleVerb::kStop, LifecycleVerb::kRestart};
+
+/// The word for a button: "Start".
+[[nodiscard]] QString WordOf(LifecycleVerb verb);
+/// "Hold to start".
+[[nodiscard]] QString HoldWordOf(LifecycleVerb verb);
+/// "Stop the component", "Stop 2 components".
+[[nodiscard]] QString TitleOf(LifecycleVerb verb, std::size_t components);
+/// The effect of a verb on a component in this state, in words that hold for every component. Empty
+/// if the verb itself says enough.
+[[nodiscard]] QString EffectOf(LifecycleVerb verb, ComponentState state);
+/// "robot/arm · suspended for 4 min": the state, and its duration if `since`, ns since 1970, is
+/// known.
+[[nodiscard]] QString StateWithDuration(const QString& path, ComponentState state,
+                                        std::optional<std::int64_t> since, std::int64_t now);
+/// The risk of a verb and how to confirm it: "It can set something in motion: hold …".
+[[nodiscard]] QString ButtonAdviceOf(LifecycleVerb verb);
+[[nodiscard]] QString CardAdviceOf(LifecycleVerb verb);
+
+}  // namespace tendon::gui
