@@ -1,4 +1,5 @@
 #include <program/network_options.h>
+#include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/process.h>
@@ -58,7 +59,7 @@ MiddlewareResult Make(const MiddlewareFactory& factory, const NetworkOptions& op
 }  // namespace
 
 std::filesystem::path AuthorityOf(const NetworkOptions& options) {
-  return options.authority.empty() ? tendon::UsualAuthority()
+  return options.authority.empty() ? tendon::os::StateFolder() / "ca"
                                    : std::filesystem::path(options.authority);
 }
 

@@ -1,8 +1,6 @@
 #include <components/simulated_arm/arm_configuration.h>
 #include <tendon/base/error.h>
 
-#include <cmath>
-
 namespace arm {
 namespace {
 

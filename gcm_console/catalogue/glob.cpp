@@ -2,7 +2,6 @@
 #include <tendon/base/path.h>
 
 #include <set>
-#include <utility>
 
 namespace console {
 namespace {

@@ -128,12 +128,11 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
 class NewestRow final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
-    if (batch.count == 0) return 0;
+  void OnRows(const tendon::RowBatch& batch) override {
+    if (batch.count == 0) return;
     const std::scoped_lock lock(mutex_);
     written_ = NewestTimeOf(batch);
     came_.notify_all();
-    return 0;
   }
   void OnStale(const tendon::Error& /*reason*/) override {}
 

@@ -56,7 +56,7 @@ void CurveFeed::Add(const RowInbox::Wanted& wanted, const tendon::Schema& schema
   }
 }
 
-std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
+void CurveFeed::OnRows(const tendon::RowBatch& batch) {
   constexpr double kNanosecond = 1e-9;
   const std::scoped_lock lock(mutex_);
   for (std::size_t row = 0; row < batch.count; ++row) {
@@ -78,7 +78,6 @@ std::size_t CurveFeed::OnRows(const tendon::RowBatch& batch) {
     is_cut_ = true;
     samples.erase(samples.begin(), samples.end() - kMostSamples);
   }
-  return 0;
 }
 
 void CurveFeed::OnStale(const tendon::Error& reason) {

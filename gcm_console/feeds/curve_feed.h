@@ -38,7 +38,7 @@ class CurveFeed final : public tendon::RowSink {
       : wanted_(std::move(wanted)), window_(window) {}
 
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
-  std::size_t OnRows(const tendon::RowBatch& batch) override;
+  void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
   [[nodiscard]] std::vector<Curve> curves() const;

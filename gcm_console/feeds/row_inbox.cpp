@@ -38,10 +38,9 @@ void RowInbox::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   left_out_.clear();
 }
 
-std::size_t RowInbox::OnRows(const tendon::RowBatch& batch) {
+void RowInbox::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
-  if (!columns_) return batch.count;
-  std::size_t dropped = 0;
+  if (!columns_) return;
   lost_ += batch.lost;
   for (std::size_t row = 0; row < batch.count; ++row) {
     KeptRow kept{.time_ns = batch.times[row],
@@ -59,11 +58,9 @@ std::size_t RowInbox::OnRows(const tendon::RowBatch& batch) {
     rows_.Push(std::move(kept), size, [&](const KeptRow& oldest) {
       gap += oldest.lost_before;
       ++gap.viewer;
-      ++dropped;
     });
     if (delivery_ == tendon::RowDelivery::kAll) rows_.front().lost_before += gap;
   }
-  return delivery_ == tendon::RowDelivery::kAll ? dropped : 0;
 }
 
 void RowInbox::OnStale(const tendon::Error& reason) {

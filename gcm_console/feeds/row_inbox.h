@@ -43,7 +43,7 @@ class RowInbox final : public tendon::RowSink {
                     tendon::RowDelivery delivery = tendon::RowDelivery::kAll);
 
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
-  std::size_t OnRows(const tendon::RowBatch& batch) override;
+  void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
   /// Takes the oldest waiting rows, at most kMostTaken. Call it in the printing thread only.

@@ -49,9 +49,9 @@ class TaskFeed::Listener final : public tendon::RowSink {
     compute_ = find(0, ".compute.mean");
     skipped_ = find(1, ".overruns");
   }
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
+  void OnRows(const tendon::RowBatch& batch) override {
     const std::scoped_lock lock(mutex_);
-    if (batch.count == 0) return 0;
+    if (batch.count == 0) return;
     const std::size_t row = batch.count - 1;
     written_ = NewestTimeOf(batch);
     const auto value = [&](const std::optional<tendon::NumericField>& field, std::size_t column) {
@@ -60,13 +60,12 @@ class TaskFeed::Listener final : public tendon::RowSink {
     figures_.skipped = static_cast<std::uint64_t>(value(skipped_, 1));
     const double period = value(period_, 0);
     figures_.is_known = value(cycles_, 0) > 0 && period > 0.0;
-    if (!figures_.is_known) return 0;
+    if (!figures_.is_known) return;
     figures_.rate = 1.0 / period;
     figures_.late = value(late_, 0);
     figures_.latest = value(latest_, 0);
     figures_.compute = value(compute_, 0);
     figures_.load = figures_.compute / period;
-    return 0;
   }
   void OnStale(const tendon::Error& /*reason*/) override {
     const std::scoped_lock lock(mutex_);

@@ -1,5 +1,4 @@
 #include <gcm_console/output/table.h>
-#include <gcm_console/output/text.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/os/process.h>
@@ -42,11 +41,6 @@ struct Finding {
 };
 using Findings = std::vector<Finding>;
 
-std::string Milliseconds(std::chrono::nanoseconds time) {
-  constexpr double kMillisecond = 1e6;
-  return Fixed(static_cast<double>(time.count()) / kMillisecond, 1) + " ms";
-}
-
 /// The clock offset of a process, from the first rows of any of its tables.
 class ClockListener final : public tendon::RowSink {
  public:
@@ -56,11 +50,10 @@ class ClockListener final : public tendon::RowSink {
   };
 
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
+  void OnRows(const tendon::RowBatch& batch) override {
     const bool is_estimated = batch.clock_uncertainty != std::chrono::nanoseconds::max();
     const std::scoped_lock lock(mutex_);
     if (is_estimated) clock_ = {batch.clock_offset, batch.clock_uncertainty};
-    return 0;
   }
   void OnStale(const Error& /*reason*/) override {}
 
@@ -171,7 +164,7 @@ class Doctor {
       return;
     }
     AddVersion("GCM", AskForVersion(""),
-               place + ", answers within " + Milliseconds(passed) + ", revision " +
+               place + ", answers within " + tendon::MillisecondsText(passed) + ", revision " +
                    std::to_string(client.catalogue().revision()),
                "restart it with this release of gcm serve; the system keeps running meanwhile");
   }
@@ -225,8 +218,8 @@ class Doctor {
       return false;
     }
     AddVersion(what, told,
-               place + ", at " + process.address + ", answers within " + Milliseconds(passed) +
-                   UsageText(process) + ClockText(client, entry),
+               place + ", at " + process.address + ", answers within " +
+                   tendon::MillisecondsText(passed) + UsageText(process) + ClockText(client, entry),
                "rebuild it with this release, or use a gcm of its release");
     return true;
   }
@@ -267,8 +260,8 @@ class Doctor {
       client.telemetry().Unsubscribe(id);
       const auto clock = listener->clock();
       if (!clock) continue;
-      return ", clock " + Milliseconds(clock->offset) + " off (+-" +
-             Milliseconds(clock->uncertainty) + ")";
+      return ", clock " + tendon::MillisecondsText(clock->offset) + " off (+-" +
+             tendon::MillisecondsText(clock->uncertainty) + ")";
     }
     return "";
   }

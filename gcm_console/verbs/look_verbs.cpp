@@ -1,7 +1,6 @@
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/system_items.h>
-#include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>

@@ -3,7 +3,6 @@
 #include <gcm_console/output/text.h>
 #include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>
-#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
 
 #include <cmath>

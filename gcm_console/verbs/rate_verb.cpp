@@ -48,7 +48,7 @@ struct Rate {
 class RateMeter final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
+  void OnRows(const tendon::RowBatch& batch) override {
     constexpr double kNanosecond = 1e-9;
     const std::scoped_lock lock(mutex_);
     rate_.lost += batch.lost.all();
@@ -61,7 +61,6 @@ class RateMeter final : public tendon::RowSink {
       last_time_ = batch.times[row];
       epoch_ = batch.epoch;
     }
-    return 0;
   }
   void OnStale(const tendon::Error& reason) override {
     const std::scoped_lock lock(mutex_);

@@ -5,7 +5,6 @@
 #include <gcm_console/verbs/verb.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lifecycle/parameters.h>
-#include <tendon/gcm/lookup.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/process/lifecycle/configuration_base.h>
 

@@ -1,6 +1,5 @@
 #include <gcm_console/verbs/verb.h>
 
-#include <iterator>
 #include <utility>
 
 namespace console {

@@ -4,7 +4,6 @@
 #include <gcm_gui/console/console_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link_button.h>

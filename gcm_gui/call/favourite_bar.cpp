@@ -4,7 +4,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/theme/metrics.h>
 #include <tendon/base/path.h>
 
 #include <QApplication>

@@ -18,7 +18,6 @@
 #include <QStyleOptionFrame>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 namespace tendon::gui {
 namespace {

@@ -7,7 +7,6 @@
 #include <QFontMetrics>
 #include <QHeaderView>
 #include <QPainter>
-#include <algorithm>
 
 namespace tendon::gui {
 namespace {

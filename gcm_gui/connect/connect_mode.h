@@ -4,7 +4,7 @@
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/system_requests.h>
 #include <tendon/interface/compatibility.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <QObject>
 #include <QString>

@@ -17,7 +17,6 @@
 
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
-#include <algorithm>
 #include <array>
 #include <utility>
 

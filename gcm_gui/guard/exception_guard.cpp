@@ -10,7 +10,6 @@
 #include <chrono>
 #include <exception>
 #include <new>
-#include <utility>
 
 namespace tendon::gui {
 namespace {

@@ -56,7 +56,6 @@ void Tour::end() {
   follow(nullptr);
   hide();
   if (had_focus && before_ != nullptr) before_->setFocus(Qt::OtherFocusReason);
-  Q_EMIT ended();
 }
 
 void Tour::next() {

@@ -39,9 +39,6 @@ class Tour : public QWidget {
   /// The area that is not dimmed, in the window's coordinates.
   [[nodiscard]] const QRect& hole() const { return hole_; }
 
- Q_SIGNALS:
-  void ended();
-
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;

@@ -21,13 +21,15 @@ class Selection : public QObject {
 
  public Q_SLOTS:
   void select(const QString& path) { setPaths(path.isEmpty() ? QStringList() : QStringList(path)); }
-  void setPaths(const QStringList& paths);
+  void setPaths(const QStringList& paths) {
+    if (paths == paths_) return;
+    paths_ = paths;
+    Q_EMIT changed(paths_);
+  }
   void clear() { setPaths({}); }
 
  Q_SIGNALS:
   void changed(const QStringList& paths);
-  /// The user wants to show `path` in the other views (F4).
-  void revealRequested(const QString& path);
 
  private:
   QStringList paths_;

@@ -3,7 +3,6 @@
 #include <tendon/gcm/staleness.h>
 
 #include <QDateTime>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 

@@ -7,7 +7,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <chrono>
-#include <utility>
 #include <vector>
 
 namespace tendon::gui {

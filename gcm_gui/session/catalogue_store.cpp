@@ -1,7 +1,6 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/catalogue_store.h>
 
-#include <chrono>
 #include <utility>
 
 namespace tendon::gui {

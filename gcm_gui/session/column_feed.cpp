@@ -109,10 +109,10 @@ void ColumnFeed::resolve(const std::string& field_path, Tap& tap) const {
   }
 }
 
-std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
+void ColumnFeed::OnRows(const RowBatch& batch) {
   const std::lock_guard lock(mutex_);
   losses_ += batch.lost;
-  if (!schema_ || batch.count == 0) return 0;
+  if (!schema_ || batch.count == 0) return;
   const bool new_epoch = batch.epoch != epoch_;
   epoch_ = batch.epoch;
   std::size_t left_out = 0;
@@ -120,7 +120,6 @@ std::size_t ColumnFeed::OnRows(const RowBatch& batch) {
   keepNewest(batch);
   rows_ += batch.count;
   losses_.viewer += left_out;
-  return left_out;
 }
 
 void ColumnFeed::keepNewest(const RowBatch& batch) {

@@ -38,7 +38,7 @@ class ColumnFeed final : public RowSink {
   };
 
   void OnSubscribed(const std::vector<Schema>& columns) override;
-  std::size_t OnRows(const RowBatch& batch) override;
+  void OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
   /// Takes the row that existed before the subscription, because the source may write no further
   /// row. Ignored if rows have already arrived.
@@ -96,7 +96,7 @@ class ColumnFeed final : public RowSink {
   std::vector<std::byte> newest_row_;
   std::int64_t newest_time_ = 0;
   std::uint64_t rows_ = 0;
-  LostRows losses_;            // as counted by the subscription: a copy without its lock
+  LostRows losses_;
   RowLosses known_losses_;     // GUI thread only
   std::vector<Order> orders_;  // GUI thread only
   bool fresh_ = false;

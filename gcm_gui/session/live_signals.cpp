@@ -3,6 +3,7 @@
 #include <gcm_gui/session/live_signals.h>
 
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -21,10 +22,7 @@ class InitialRowSink final : public RowSink {
   explicit InitialRowSink(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
 
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
-  std::size_t OnRows(const RowBatch& batch) override {
-    feed_->takeInitialRow(batch);
-    return 0;
-  }
+  void OnRows(const RowBatch& batch) override { feed_->takeInitialRow(batch); }
   void OnStale(const Error& /*reason*/) override {}
 
  private:
@@ -131,27 +129,21 @@ void LiveSignals::retry(const QString& column) {
 }
 
 void LiveSignals::drain() {
-  // A receiver may subscribe or release in its handler: iterate over a copy of the names.
-  QList<std::pair<QString, QString>> signals_of_columns;
+  // Takes everything first, because a receiver may subscribe or release in its handler.
+  std::vector<std::pair<QString, ColumnFeed::NewSamples>> arrived;
   for (const auto& [path, column] : columns_) {
-    for (const auto& [signal, user] : column.users) signals_of_columns.append({path, signal});
+    for (const auto& [signal, user] : column.users) {
+      arrived.emplace_back(signal, column.feed->take(user.field));
+    }
   }
-  for (const auto& [path, signal] : signals_of_columns) {
-    const auto it = columns_.find(path);
-    if (it == columns_.end()) continue;
-    const auto user = it->second.users.find(signal);
-    if (user != it->second.users.end()) drainSignal(*it->second.feed, signal, user->second.field);
+  for (const auto& [signal, taken] : arrived) {
+    if (taken.names) Q_EMIT namesLearned(signal, *taken.names);
+    for (const auto& run : taken.runs) {
+      if (run.begins_epoch) Q_EMIT epochBegan(signal);
+      if (!run.samples.empty()) Q_EMIT samplesArrived(signal, run.samples);
+    }
+    if (taken.stale) Q_EMIT wentStale(signal, *taken.stale);
   }
-}
-
-void LiveSignals::drainSignal(ColumnFeed& feed, const QString& signal, const std::string& field) {
-  const ColumnFeed::NewSamples taken = feed.take(field);
-  if (taken.names) Q_EMIT namesLearned(signal, *taken.names);
-  for (const auto& run : taken.runs) {
-    if (run.begins_epoch) Q_EMIT epochBegan(signal);
-    if (!run.samples.empty()) Q_EMIT samplesArrived(signal, run.samples);
-  }
-  if (taken.stale) Q_EMIT wentStale(signal, *taken.stale);
 }
 
 void LiveSignals::drainValues() {

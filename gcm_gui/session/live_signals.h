@@ -68,7 +68,6 @@ class LiveSignals : public SignalSource {
   /// does so again after a lost link, because there may be another row.
   void requestInitialRow(Column& column);
   void endInitialRow(Column& column);
-  void drainSignal(ColumnFeed& feed, const QString& signal, const std::string& field);
   void end(const Column& column);
 
   TelemetryClient& telemetry_;

@@ -22,7 +22,6 @@ ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
 ALL_OF_CORE = "core/tendon/tendon.h"
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
 CORE = {folder for row in CORE_ROWS for folder in row}
-LAYERS_WITH_CYCLES = {"process"}  # its connections, membership and telemetry include each other
 
 # The other parts that each part of the tree may include.
 PARTS = {
@@ -316,7 +315,7 @@ def folders_of_a_layer_have_no_cycle(files):
     for _, _, above, below in includes:
         below_of.setdefault(above, set()).add(below)
     for file, include, above, below in includes:
-        if above.split("/")[0] not in LAYERS_WITH_CYCLES and above in all_below(below, below_of):
+        if above in all_below(below, below_of):
             yield (f"{file.path}:{include.line}: {above} may not include <{include.name}>, because {below} includes "
                    f"files of {above}, itself or through others; move what both need to the lower folder")
 

@@ -29,6 +29,13 @@ struct Error {
   bool operator==(const Error&) const = default;
 };
 
+/// True if a retry is pointless, because the other end has refused. kExists: it has the name, or
+/// the connection, already.
+[[nodiscard]] constexpr bool IsFinal(ErrorCode code) noexcept {
+  return code == ErrorCode::kIncompatible || code == ErrorCode::kInvalid ||
+         code == ErrorCode::kDenied || code == ErrorCode::kExists;
+}
+
 /// "failed", "not found", ...
 [[nodiscard]] std::string_view ToString(ErrorCode code) noexcept;
 

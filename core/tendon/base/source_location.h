@@ -25,6 +25,9 @@ class SourceLocation {
 };
 
 /// "arm.cpp:23"
-[[nodiscard]] std::string ToString(const SourceLocation& location);
+[[nodiscard]] inline std::string ToString(const SourceLocation& location) {
+  const std::string_view path = location.file_name();
+  return std::string(path.substr(path.rfind('/') + 1)) + ":" + std::to_string(location.line());
+}
 
 }  // namespace tendon

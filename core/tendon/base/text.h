@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -18,6 +19,13 @@ namespace tendon {
 [[nodiscard]] inline std::string Counted(std::uint64_t count, const std::string& one,
                                          const std::string& several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
+}
+
+/// "250 ms": whole milliseconds, rounded towards zero.
+template <typename Rep, typename Period>
+[[nodiscard]] std::string Milliseconds(std::chrono::duration<Rep, Period> time) {
+  using std::chrono::milliseconds;
+  return std::to_string(std::chrono::duration_cast<milliseconds>(time).count()) + " ms";
 }
 
 /// The element of a list with this `name`, or null. A linear search.

@@ -7,7 +7,7 @@
 #include <tendon/gcm/client/process_requests.h>
 #include <tendon/gcm/conflicting_types.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/broadcast_messages.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/catalogue.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/viewer_messages.h>
 
 #include <map>

@@ -48,9 +48,7 @@ std::string ToString(const ConnectionFlaw& flaw) {
     case FlawKind::kLate:
       break;
   }
-  using std::chrono::milliseconds;
-  return "answers after " +
-         std::to_string(std::chrono::duration_cast<milliseconds>(flaw.round_trip).count()) + " ms";
+  return "answers after " + Milliseconds(flaw.round_trip);
 }
 
 }  // namespace tendon

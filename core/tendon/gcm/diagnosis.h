@@ -4,7 +4,7 @@
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/connection_health.h>
 #include <tendon/interface/compatibility.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <chrono>
 #include <optional>

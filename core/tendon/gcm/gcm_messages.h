@@ -4,7 +4,7 @@
 #include <tendon/gcm/supervisor/restart_policy.h>
 #include <tendon/process/lifecycle/lifecycle_messages.h>
 #include <tendon/process/log/log_messages.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <chrono>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <vector>
 
 /// The messages between a GCM and its viewers. For messages to LCMs, see
-/// process/membership/membership_messages.h and process/lifecycle/lifecycle_messages.h. Each struct
+/// process/membership_messages.h and process/lifecycle/lifecycle_messages.h. Each struct
 /// is the body of a frame.
 namespace tendon {
 

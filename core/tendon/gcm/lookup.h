@@ -4,7 +4,7 @@
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/gcm_messages.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <cstdint>
 #include <string>

@@ -30,11 +30,6 @@ std::string OneDigit(double value) {
   return {text.data(), end};
 }
 
-std::string Milliseconds(std::chrono::nanoseconds time) {
-  constexpr double kMillisecond = 1e6;
-  return OneDigit(static_cast<double>(time.count()) / kMillisecond) + " ms";
-}
-
 using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson ObjectOf(const std::string& configuration) {
@@ -101,10 +96,15 @@ std::string MemoryText(const message::ProcessHealth* health) {
   return OneDigit(static_cast<double>(health->memory) / kMiB) + " MiB";
 }
 
+std::string MillisecondsText(std::chrono::nanoseconds time) {
+  constexpr double kMillisecond = 1e6;
+  return OneDigit(static_cast<double>(time.count()) / kMillisecond) + " ms";
+}
+
 std::string ClockText(const message::ProcessHealth* health) {
   if (health == nullptr || health->clock_uncertainty < std::chrono::nanoseconds(0)) return kUnknown;
-  return Milliseconds(health->clock_offset) + " off (+-" + Milliseconds(health->clock_uncertainty) +
-         ")";
+  return MillisecondsText(health->clock_offset) + " off (+-" +
+         MillisecondsText(health->clock_uncertainty) + ")";
 }
 
 std::string PluginText(const PluginDescription& plugin) {

@@ -32,6 +32,9 @@ inline constexpr std::chrono::seconds kFreshHealth(3);
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
+/// "0.1 ms".
+[[nodiscard]] std::string MillisecondsText(std::chrono::nanoseconds time);
+
 // These return "-" for null, or if the value is not known yet.
 
 /// "12.5 %" of one core.

@@ -3,6 +3,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
+#include <tendon/base/text.h>
 #include <tendon/ice/ice_broadcast.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/pending_handshakes.h>
@@ -77,8 +78,8 @@ Error WhyNotListening(const HostPort& place) {
 /// `tls` is null without TLS, also below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {ErrorCode::kTimeout,
-          "no answer from " + ToString(place) + " within " + std::to_string(timeout.count()) +
-              " ms" + (tls != nullptr ? "" : ": it hangs, or requires a --certificate")};
+          "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
+              (tls != nullptr ? "" : ": it hangs, or requires a --certificate")};
 }
 
 /// Thrown when nobody waits for the link any more.

@@ -1,3 +1,4 @@
+#include <tendon/base/text.h>
 #include <tendon/interface/required_interface.h>
 
 #include <algorithm>
@@ -80,7 +81,7 @@ void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {
 void RequiredInterface::SetReadDeadline(std::chrono::milliseconds deadline) {
   if (deadline < std::chrono::milliseconds(1)) {
     throw ConfigurationError("read deadline of '" + name_ + "' must be at least 1 ms, got " +
-                             std::to_string(deadline.count()) + " ms");
+                             Milliseconds(deadline));
   }
   read_deadline_ = deadline;
 }

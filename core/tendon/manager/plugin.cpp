@@ -135,8 +135,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   const auto outcome = os::RunProgram(program, {file.string(), original.string()}, patience);
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
-    return LoadError(original, kLoads + ("it has not finished after " +
-                                         std::to_string(patience.count()) + " ms"));
+    return LoadError(original, kLoads + ("it has not finished after " + Milliseconds(patience)));
   }
   // The output is checked too, because the plug-in itself may print text or end the process with
   // any exit code.

@@ -10,7 +10,7 @@ namespace tendon {
 namespace {
 
 /// "10 ms", "0.5 ms".
-std::string Milliseconds(std::chrono::duration<double> time) {
+std::string InFourDigits(std::chrono::duration<double> time) {
   constexpr int kDigits = 4;
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.begin(), text.end(), time.count() * 1e3,
@@ -73,14 +73,14 @@ void Watchdog::Check(Watched& watched, SteadyTime now, std::vector<Finding>& fin
   if (is_overdue) {
     watched.since = now - elapsed;
     watched.warning = "missed " + std::to_string(static_cast<std::int64_t>(elapsed / period)) +
-                      " x " + Milliseconds(period);
+                      " x " + InFourDigits(period);
     findings.push_back(
         {task.name(), LogLevel::kWarning,
-         watched.warning + ": its last cycle began " + Milliseconds(elapsed) + " ago"});
+         watched.warning + ": its last cycle began " + InFourDigits(elapsed) + " ago"});
   } else {
     watched.warning.clear();
     findings.push_back({task.name(), LogLevel::kInfo,
-                        "is no longer overdue, after " + Milliseconds(now - watched.since)});
+                        "is no longer overdue, after " + InFourDigits(now - watched.since)});
   }
 }
 

@@ -54,17 +54,6 @@ double NumericValue::real() const {
   return static_cast<double>(integer());
 }
 
-double NumericValue::Minus(const NumericValue& other) const {
-  if (is_real() || kind_ != other.kind_) return real() - other.real();
-  const bool is_unsigned = kind_ == Kind::kUnsigned;
-  const bool is_below = is_unsigned ? bits_ < other.bits_ : integer() < other.integer();
-  // Subtracts as unsigned, because even the distance from the lowest to the highest integer must
-  // fit.
-  const auto distance = static_cast<double>(is_below ? other.bits_ - bits_ : bits_ - other.bits_);
-  const double size = is_below ? -distance : distance;
-  return kind_ == Kind::kDuration ? size / kPerSecond : size;
-}
-
 std::string ToString(const NumericValue& value) {
   switch (value.kind()) {
     case NumericValue::Kind::kFloat32:

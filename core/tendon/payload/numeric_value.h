@@ -35,9 +35,6 @@ class NumericValue {
   [[nodiscard]] double real() const;
   /// The integer, or the duration in nanoseconds. A kUnsigned beyond its range wraps around.
   [[nodiscard]] std::int64_t integer() const { return static_cast<std::int64_t>(bits_); }
-  /// This value minus `other`, of the same field. Integers and durations are exact up to one
-  /// rounding at the end. Infinite if no double can hold the result.
-  [[nodiscard]] double Minus(const NumericValue& other) const;
 
   /// True if the bits are equal: not-a-number equals itself, and -0 differs from 0.
   bool operator==(const NumericValue&) const = default;

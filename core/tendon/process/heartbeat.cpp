@@ -1,10 +1,10 @@
+#include <tendon/base/text.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/heartbeat.h>
 #include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace tendon {
@@ -33,8 +33,7 @@ void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Ch
         if (answer || answer.error().code != ErrorCode::kTimeout) return;
         const auto silent = weak.lock();
         if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kLongestPeerSilence)) {
-          silent->CutOff("has not answered for " + std::to_string(kLongestPeerSilence.count()) +
-                         " ms");
+          silent->CutOff("has not answered for " + Milliseconds(kLongestPeerSilence));
         }
       },
       kOwnLane);

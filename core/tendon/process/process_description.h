@@ -24,7 +24,9 @@ inline constexpr auto kPayload<ProcessState> = DescribeEnum(
     Enumerator{"suspect", ProcessState::kSuspect}, Enumerator{"lost", ProcessState::kLost},
     Enumerator{"left", ProcessState::kLeft}, Enumerator{"starting", ProcessState::kStarting});
 
-[[nodiscard]] std::string_view ToString(ProcessState state) noexcept;
+[[nodiscard]] constexpr std::string_view ToString(ProcessState state) noexcept {
+  return NameOf(state);
+}
 
 /// The description of a process, without its components.
 struct ProcessDescription {

@@ -18,6 +18,12 @@ namespace tendon {
 /// The numbers of lost rows, by the place where they were lost. Each loss is counted once: `table`
 /// and `network` by the subscription (process/telemetry/row_subscription.h), from the numbers that
 /// the table's process sends with its batches; `viewer` by the sink that drops the rows.
+///
+/// For a subscription to every row, the rows that the sink has received plus `table` plus `network`
+/// are the rows written since the first announced one, also across a broken link. Rows that a
+/// source wrote after a restart and before the subscription was active again are not counted. With
+/// a period, rows that were not chosen and rows written while the link was down are not counted;
+/// `table` counts all rows, chosen or not. With only the newest row, `table` stays 0.
 struct LostRows {
   std::uint64_t table = 0;    ///< overwritten before the table's process could read them
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
@@ -58,8 +64,7 @@ class RowSink {
   /// The subscription is active; `columns` are in the order of the request. Called again after each
   /// recovery.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
-  /// Returns how many rows the viewer had to drop, of this batch or earlier ones.
-  virtual std::size_t OnRows(const RowBatch& batch) = 0;
+  virtual void OnRows(const RowBatch& batch) = 0;
   /// There are no rows for now, because the process is absent or has refused; the client keeps
   /// trying.
   virtual void OnStale(const Error& reason) = 0;
@@ -72,19 +77,6 @@ struct TableSubscription {
   std::string table;  ///< the name of its interface: "state" or "state-NAME"
   std::vector<std::string> columns;
   RowChoice rows = {};  ///< every row by default
-};
-
-/// The counts of rows of a subscription since it was made. For a subscription to every row,
-/// received + lost.table + lost.network equals the number of rows written since the first announced
-/// one, also across a broken link, as soon as the next batch has arrived. After a restart of the
-/// source, the counts continue, without rows written before the subscription was active again. With
-/// a period, rows that were not chosen and rows written while the link was down are not counted;
-/// lost.table counts all rows, chosen or not. With only the newest row, lost.table stays 0.
-struct RowCounts {
-  std::uint64_t received = 0;  ///< rows given to the sink, including lost.viewer
-  LostRows lost;
-
-  bool operator==(const RowCounts&) const = default;
 };
 
 /// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. Recovers by
@@ -103,8 +95,6 @@ class TelemetryClient {
   /// Tries the subscriptions of a process again at once. Call it when the process has come back or
   /// moved.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
-  /// Zeroes if there is no such subscription. Must not be called from a sink.
-  [[nodiscard]] virtual RowCounts CountsOf(Id id) const = 0;
 };
 
 }  // namespace tendon

@@ -10,7 +10,4 @@ struct Credentials {
   std::filesystem::path authority;    ///< the folder of the CA's ca.crt and crl.pem
 };
 
-/// The default folder of this user's CA.
-[[nodiscard]] std::filesystem::path UsualAuthority();
-
 }  // namespace tendon

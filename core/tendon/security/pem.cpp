@@ -2,7 +2,6 @@
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <tendon/base/name.h>
-#include <tendon/base/text.h>
 #include <tendon/security/pem.h>
 
 #include <ctime>

@@ -45,7 +45,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x20a, "watch a state table by the broker", Role::kViewer, Audit::kRefusals},  // broadcast
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // of a connection
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
-    // process/membership/membership_messages.h
+    // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // members are logged
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "send a ping", Role::kViewer, Audit::kRefusals},

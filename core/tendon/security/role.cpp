@@ -1,8 +1,6 @@
 #include <tendon/base/text.h>
 #include <tendon/security/role.h>
 
-#include <string>
-
 namespace tendon {
 
 std::string_view ToString(Role role) noexcept {

@@ -5,7 +5,6 @@
 #include <tendon/task/component.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 namespace tendon {

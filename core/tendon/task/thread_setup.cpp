@@ -3,10 +3,8 @@
 #include <tendon/base/os/thread.h>
 #include <tendon/task/thread_setup.h>
 
-#include <algorithm>
 #include <chrono>
 #include <mutex>
-#include <utility>
 
 namespace tendon {
 namespace {

@@ -3,7 +3,6 @@
 #include <gcm_gui/plot/series/axis_range.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tendon::gui {
 namespace {

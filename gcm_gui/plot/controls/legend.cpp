@@ -1,7 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/legend.h>
 #include <gcm_gui/theme/icon.h>
-#include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QApplication>

@@ -5,7 +5,6 @@
 #include <QEvent>
 #include <QFontMetrics>
 #include <QPainter>
-#include <algorithm>
 
 namespace tendon::gui {
 

@@ -1,7 +1,6 @@
 #include <gcm_gui/plot/series/axis_frame.h>
 
 #include <QLocale>
-#include <algorithm>
 #include <cmath>
 
 namespace tendon::gui {

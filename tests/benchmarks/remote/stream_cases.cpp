@@ -22,8 +22,8 @@ class Counter final : public RowSink {
     stands_ = true;
     changed_.notify_one();
   }
-  std::size_t OnRows(const RowBatch& batch) override {
-    if (batch.count == 0) return 0;
+  void OnRows(const RowBatch& batch) override {
+    if (batch.count == 0) return;
     for (std::size_t row = 0; row < batch.count; ++row) {
       const auto cell = batch.cell(row, 0);
       Use(cell);
@@ -37,7 +37,6 @@ class Counter final : public RowSink {
     rows_ += batch.count;
     lost_ += batch.lost.all();
     changed_.notify_one();
-    return 0;
   }
   void OnStale(const Error& /*reason*/) override {}
 

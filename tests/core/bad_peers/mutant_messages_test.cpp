@@ -19,7 +19,7 @@ constexpr std::chrono::seconds kLongest(20);
 
 struct DeafRows final : RowSink {
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override { is_subscribed = true; }
-  std::size_t OnRows(const RowBatch& /*batch*/) override { return 0; }
+  void OnRows(const RowBatch& /*batch*/) override {}
   void OnStale(const Error& /*reason*/) override {}
   std::atomic<bool> is_subscribed{false};
 };

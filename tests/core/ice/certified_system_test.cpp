@@ -3,7 +3,7 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/process.h>
 
 #include <string>

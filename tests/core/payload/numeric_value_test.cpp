@@ -66,19 +66,6 @@ TEST(NumericValue, DurationsKeepTheirNanoseconds) {
   EXPECT_EQ(ValueOf(nanoseconds(1'500'000'000)).real(), 1.5);
 }
 
-TEST(NumericValue, DifferencesOfIntegersAreExactWhereDoublesSkipThem) {
-  const std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(ValueOf(kExact + 1).Minus(ValueOf(kExact)), 1.0);
-  EXPECT_EQ(ValueOf(most).Minus(ValueOf(most - 3)), 3.0);
-  EXPECT_EQ(ValueOf(most - 3).Minus(ValueOf(most)), -3.0);
-  EXPECT_EQ(ValueOf(std::numeric_limits<std::int64_t>::max())
-                .Minus(ValueOf(std::numeric_limits<std::int64_t>::min())),
-            18446744073709551615.0);
-  EXPECT_EQ(ValueOf(std::chrono::nanoseconds(kExact + 1))
-                .Minus(ValueOf(std::chrono::nanoseconds(kExact))),
-            1e-9);
-}
-
 TEST(NumericValue, EqualsWhatHasTheSameBits) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(NumericValue(none), NumericValue(none));

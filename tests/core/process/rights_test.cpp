@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/gcm_messages.h>
+#include <tendon/process/broadcast_messages.h>
 #include <tendon/process/guarded_handler.h>
-#include <tendon/process/membership/membership_messages.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/connection_messages.h>

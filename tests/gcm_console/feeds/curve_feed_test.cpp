@@ -40,7 +40,7 @@ void Send(CurveFeed& feed, std::chrono::nanoseconds when, std::array<double, 2> 
   batch.cell = [&](std::size_t /*row*/, std::size_t column) {
     return std::span<const std::byte>(cells.at(column));
   };
-  EXPECT_EQ(feed.OnRows(batch), 0U);
+  feed.OnRows(batch);
 }
 std::vector<std::string> Titles(const CurveFeed& feed) {
   std::vector<std::string> titles;

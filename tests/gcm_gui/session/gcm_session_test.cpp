@@ -4,7 +4,7 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/middleware/loopback.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/process.h>
 
 #include <QTemporaryDir>

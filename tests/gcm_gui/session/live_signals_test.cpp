@@ -32,7 +32,6 @@ class ScriptedTelemetry final : public TelemetryClient {
     return last_id_;
   }
   void Unsubscribe(Id id) override { entries.erase(id); }
-  [[nodiscard]] RowCounts CountsOf(Id /*id*/) const override { return {}; }
 
   std::map<Id, Entry> entries;
 

@@ -25,9 +25,9 @@ class SlowReader final : public tendon::RowSink {
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
     sink().OnSubscribed(columns);
   }
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
+  void OnRows(const tendon::RowBatch& batch) override {
     std::this_thread::sleep_for(nap_.load());
-    return sink().OnRows(batch);
+    sink().OnRows(batch);
   }
   void OnStale(const tendon::Error& reason) override { sink().OnStale(reason); }
   [[nodiscard]] tendon::RowSink& sink() const { return *checker_; }

@@ -3,7 +3,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <tendon/base/os/child_process.h>
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
+#include <tendon/base/text.h>
 #include <unistd.h>
 
 #include <array>
@@ -128,7 +129,7 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
   const int status = WaitForEnd(child);
   if (!ended) {
     return Error{ErrorCode::kTimeout,
-                 program.string() + " did not end in " + std::to_string(patience.count()) + " ms"};
+                 program.string() + " did not end in " + Milliseconds(patience)};
   }
   ProgramOutcome outcome = OutcomeOf(status);
   outcome.out = std::move(out);

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <tendon/base/os/descriptor.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
@@ -144,6 +143,11 @@ std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+void Descriptor::Close() noexcept {
+  if (value_ >= 0) close(value_);
+  value_ = -1;
+}
 
 Result<void> AppendDurably(const fs::path& file, std::string_view text) {
   const Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kMode));

@@ -9,6 +9,22 @@
 
 namespace tendon::os {
 
+/// Owns a file descriptor and closes it in the destructor. A value below 0 means no descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) noexcept : value_(value) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { Close(); }
+
+  [[nodiscard]] int get() const noexcept { return value_; }
+  /// Closes the descriptor now. A second call does nothing.
+  void Close() noexcept;
+
+ private:
+  int value_;
+};
+
 /// Appends `text` to a file, which is created if missing, and waits until it is on the disk.
 Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text);
 

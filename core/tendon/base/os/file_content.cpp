@@ -1,6 +1,6 @@
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/file_content.h>
 #include <unistd.h>
 #include <xxhash.h>
@@ -11,7 +11,6 @@
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 namespace tendon::os {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/file_content.h>
 #include <tendon/base/result.h>
 

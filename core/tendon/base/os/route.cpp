@@ -1,6 +1,6 @@
 #include <netdb.h>
 #include <sys/socket.h>
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/route.h>
 

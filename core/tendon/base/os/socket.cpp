@@ -7,6 +7,7 @@
 #include <sys/socket.h>
 #include <tendon/base/os/route.h>
 #include <tendon/base/os/socket.h>
+#include <tendon/base/text.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -284,8 +285,8 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
     return socket;
   }
   if (failure == ETIMEDOUT) {
-    return Error{ErrorCode::kTimeout, "no answer from " + Name(host, port) + " within " +
-                                          std::to_string(timeout.count()) + " ms"};
+    return Error{ErrorCode::kTimeout,
+                 "no answer from " + Name(host, port) + " within " + Milliseconds(timeout)};
   }
   return Error{ErrorCode::kUnreachable, WhyNotReached(Name(host, port), failure)};
 }

@@ -38,12 +38,6 @@ std::vector<GcmLink::MovedProcess> Moves(const ProcessAddresses& before,
   return moved;
 }
 
-/// True if a retry is pointless.
-bool IsFinal(const Error& error) {
-  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kDenied ||
-         error.code == ErrorCode::kInvalid;
-}
-
 Error PauseError(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
   return {ErrorCode::kUnreachable, "this program was stopped for " + std::to_string(tenths / 10) +
@@ -112,7 +106,7 @@ void GcmLink::Stop() {
 Result<void> GcmLink::WaitUntilWatching() {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, options_.timeout,
-                    [this] { return !is_waiting_ || (lost_ && IsFinal(*lost_)); });
+                    [this] { return !is_waiting_ || (lost_ && IsFinal(lost_->code)); });
   if (!is_waiting_) return {};
   return NoGcm();
 }
@@ -325,7 +319,7 @@ void GcmLink::OnLost(const Error& reason) {
   {
     const std::scoped_lock lock(mutex_);
     const auto pause = RecentPause();
-    const bool is_new = !lost_ || IsFinal(*lost_) != IsFinal(reason);
+    const bool is_new = !lost_ || IsFinal(lost_->code) != IsFinal(reason.code);
     if (is_new && pause >= kLongestPeerSilence / 2) {
       awake_since_ = {};
       last_tick_ = SteadyClock().Now();

@@ -5,7 +5,7 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 

@@ -2,7 +2,7 @@
 
 #include <tendon/gcm/event_sink.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/clock_offset.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>

@@ -9,7 +9,6 @@
 #include <tendon/payload/json.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace tendon {
 namespace {

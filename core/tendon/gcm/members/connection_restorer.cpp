@@ -6,12 +6,6 @@
 namespace tendon::server {
 namespace {
 
-/// True if a retry is pointless. kExists: the process has connected by itself.
-bool IsFinal(const Error& error) {
-  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
-         error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
-}
-
 std::string ClassOf(const Catalogue& catalogue, const InterfaceName& end) {
   const ComponentDescription* component = catalogue.FindComponent(end.process, end.component);
   return component == nullptr ? std::string() : component->class_name;
@@ -54,7 +48,7 @@ ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire
   const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
     return one.is_ordered && one.wire == wire;
   });
-  if (kept == kept_.end() || outcome || IsFinal(outcome.error())) {
+  if (kept == kept_.end() || outcome || IsFinal(outcome.error().code)) {
     if (kept != kept_.end()) kept_.erase(kept);
     return outcome ? Verdict::kDone : Verdict::kGivenUp;
   }

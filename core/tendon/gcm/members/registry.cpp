@@ -1,4 +1,5 @@
 #include <tendon/base/os/process.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/members/registry.h>
 #include <tendon/gcm/members/sanitize.h>
@@ -12,11 +13,6 @@ namespace tendon::server {
 namespace {
 
 using Kind = CatalogueChange::Kind;
-
-std::string Milliseconds(std::chrono::nanoseconds time) {
-  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
-         " ms";
-}
 
 /// The number of cores that a process kept busy between two reports, by its own clock; negative if
 /// the reports are inconsistent.

@@ -5,7 +5,7 @@
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/members/connection_restorer.h>
 #include <tendon/process/description_pool.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <chrono>
 #include <cstdint>

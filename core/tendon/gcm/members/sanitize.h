@@ -2,7 +2,7 @@
 
 #include <tendon/base/result.h>
 #include <tendon/process/log/log_messages.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <string>
 

@@ -7,9 +7,9 @@
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/process/ask.h>
+#include <tendon/process/broadcast_messages.h>
 #include <tendon/process/guarded_handler.h>
 #include <tendon/process/heartbeat.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
 #include <tendon/process/version_messages.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/gcm/system/running_system.h>
@@ -211,8 +212,7 @@ void Supervisor::Check(const std::string& process, Child& child) {
   switch (child.phase) {
     case Phase::kJoining:
       if (IsMember(process, child)) return OnJoined(process, child);
-      if (is_over)
-        EndFaulty(child, "has not joined within " + std::to_string(child.patience.count()) + " ms");
+      if (is_over) EndFaulty(child, "has not joined within " + Milliseconds(child.patience));
       return;
     case Phase::kEnding:
       if (is_over) child.program->Kill();
@@ -290,7 +290,7 @@ void Supervisor::ScheduleRestart(const std::string& process, Child& child, const
                              std::to_string(RestartSchedule::kMostFailures) +
                              " times within a minute; after the repair: gcm apply");
   }
-  Report(process, how + "; it is restarted in " + std::to_string(pause->count()) + " ms");
+  Report(process, how + "; it is restarted in " + Milliseconds(*pause));
   if (child.is_changed || !child.system) child.system = SystemWith(process);
   child.phase = Phase::kPausing;
   child.until = now + *pause;

@@ -4,7 +4,7 @@
 #include <tendon/gcm/catalogue.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/fingerprint.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -19,8 +19,10 @@ class Expiry {
   /// `end` runs if the command was not executed for `after`.
   Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
       : command_(std::move(command)),
-        message_("command '" + command_ + "' was not renewed within " + Milliseconds(after) +
-                 " ms: the action that it started is ended"),
+        message_(
+            "command '" + command_ + "' was not renewed within " +
+            std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(after).count()) +
+            " ms: the action that it started is ended"),
         after_(after),
         end_(std::move(end)) {}
 
@@ -48,10 +50,6 @@ class Expiry {
   }
 
  private:
-  static std::string Milliseconds(std::chrono::nanoseconds time) {
-    return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count());
-  }
-
   std::string command_;
   std::string message_;
   std::chrono::nanoseconds after_;

@@ -1,5 +1,5 @@
 #include <tendon/process/ask.h>
-#include <tendon/process/connections/opening.h>
+#include <tendon/process/channel_opening.h>
 #include <tendon/process/connections/peer_link.h>
 #include <tendon/process/heartbeat.h>
 #include <tendon/process/schema_exchange.h>
@@ -11,6 +11,48 @@
 #include <utility>
 
 namespace tendon {
+namespace {
+
+constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
+
+using Done = std::function<void(const OpenedInterface&)>;
+
+OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
+                          const Result<message::OpenInterfaceReply>& answer,
+                          const InterfaceRequest& wanted, const PeerLink::MirroredValues& copies) {
+  if (!answer) return answer.error();
+  const std::shared_ptr<Channel>& channel = link.channel();
+  ProvidedInterfaceProxy::Remote remote{.channel = channel,
+                                        .opened = *answer,
+                                        .name = wanted.open.provided,
+                                        .mirrored = {},
+                                        .line = wanted.line};
+  for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
+  try {
+    return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,
+                                                    wanted.read_deadline);
+  } catch (const ConfigurationError& error) {
+    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+    return Error{ErrorCode::kInvalid,
+                 channel->peer().name + " sent an invalid answer: " + error.what()};
+  }
+}
+
+void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
+          const InterfaceRequest& wanted, const PeerLink::MirroredValues& copies,
+          const Done& done) {
+  const auto on_answer = [network, link, wanted, copies,
+                          done](const Result<message::OpenInterfaceReply>& answer) {
+    const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
+    if (proxy) link->handles().Put(wanted.open.handle, *proxy);
+    done(proxy);
+  };
+  const std::shared_ptr<Channel>& channel = link->channel();
+  channel->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, wanted.open,
+                                                kAsLongAsTheLink, on_answer);
+}
+
+}  // namespace
 
 void PeerLink::Open(const ProcessContext& context, PeerListener& listener,
                     const std::string& process, const std::string& address, Opened opened) {
@@ -147,6 +189,25 @@ void PeerLink::OnClosed(const std::shared_ptr<Channel>& /*channel*/, const Error
   for (const auto& proxy : handles_.objects()) proxy->Sever();
   worker_->Post(
       [self = shared_from_this(), reason] { self->listener_.OnLinkClosed(*self, reason); });
+}
+
+void OpenProvided(const std::shared_ptr<NetworkThread>& network,
+                  const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
+                  const Done& done) {
+  if (wanted.mirrored.empty()) return Open(network, link, wanted, {}, done);
+  link->channel()->Request<message::MirrorReply>(
+      message::kMirror, 0, message::Mirror{wanted.open.provided, wanted.mirrored}, kAsLongAsTheLink,
+      [network, link, wanted, done](const Result<message::MirrorReply>& answer) {
+        if (!answer) return done(answer.error());
+        if (answer->columns.size() != wanted.mirrored.size()) {
+          return done(
+              Error{ErrorCode::kInvalid,
+                    link->channel()->peer().name + " offers other mirrored values than requested"});
+        }
+        const auto copies = link->MakeCopies(*answer);
+        if (!copies) return done(copies.error());
+        Open(network, link, wanted, *copies, done);
+      });
 }
 
 }  // namespace tendon

@@ -2,8 +2,8 @@
 
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
+#include <tendon/process/clock_offset.h>
 #include <tendon/process/context.h>
-#include <tendon/process/telemetry/clock_offset.h>
 #include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/handle_table.h>
 #include <tendon/proxy/provided_interface_proxy.h>
@@ -90,5 +90,22 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   ClockOffset clock_;                                               // the peer's clock
   std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's handles
 };
+
+/// A request for the provided interface of another process that a required interface here needs.
+struct InterfaceRequest {
+  message::OpenInterface open;
+  std::chrono::milliseconds read_deadline{0};
+  std::vector<std::string> mirrored{};     ///< functions that read local copies
+  std::shared_ptr<SerialExecutor> line{};  ///< line for its events, if needed
+};
+
+using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
+
+/// Asks the peer for the interface and makes its proxy, which is registered at the link under
+/// `wanted.open.handle`. Calls `done` in a thread of the middleware, before anything that the peer
+/// sends to the proxy.
+void OpenProvided(const std::shared_ptr<NetworkThread>& network,
+                  const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
+                  const std::function<void(const OpenedInterface&)>& done);
 
 }  // namespace tendon

@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kOpenTimeout(1000);
 
-/// True if a retry with the same process is pointless.
-bool IsFinal(const Error& error) {
-  return error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid ||
-         error.code == ErrorCode::kDenied || error.code == ErrorCode::kExists;
-}
-
 void LogConnection(LogLevel level, const ConnectionDescription& connection,
                    const std::string& what) {
   Log(level, "connection",
@@ -202,8 +196,8 @@ void RemoteConnections::Finish(const Attempt& attempt, const OpenedInterface& op
     }
   }
   if (!outcome) {
-    return IsFinal(outcome.error()) ? Refuse(attempt.id, outcome.error())
-                                    : Postpone(attempt.id, outcome.error().message);
+    return IsFinal(outcome.error().code) ? Refuse(attempt.id, outcome.error())
+                                         : Postpone(attempt.id, outcome.error().message);
   }
   context_.process.StructureChanged();
   if (done) done(description);

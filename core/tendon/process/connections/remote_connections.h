@@ -2,9 +2,8 @@
 
 #include <tendon/base/backoff.h>
 #include <tendon/interface/connection.h>
-#include <tendon/process/connections/opening.h>
 #include <tendon/process/connections/peer_links.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <chrono>
 #include <functional>

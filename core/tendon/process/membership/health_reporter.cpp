@@ -1,6 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/process/membership/health_reporter.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <algorithm>
 #include <chrono>

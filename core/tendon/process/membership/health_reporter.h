@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/clock_offset.h>
 
 #include <memory>
 #include <mutex>

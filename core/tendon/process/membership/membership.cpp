@@ -1,13 +1,14 @@
 #include <tendon/base/log.h>
 #include <tendon/base/os/route.h>
+#include <tendon/base/text.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/connections/opening.h>
+#include <tendon/process/broadcast_messages.h>
+#include <tendon/process/channel_opening.h>
 #include <tendon/process/log/log_messages.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/schema_exchange.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
 
 #include <algorithm>
 #include <utility>
@@ -22,12 +23,6 @@ constexpr std::chrono::milliseconds kBeginTimeout(1000);
 constexpr std::chrono::milliseconds kBetweenRenewals(250);
 constexpr std::chrono::milliseconds kRenewalTimeout(500);
 constexpr std::chrono::milliseconds kSilence(1500);  // after this silence, the GCM is lost
-
-/// True if a GCM has refused, so that an early retry is pointless.
-bool IsRefusal(const Error& error) {
-  return error.code == ErrorCode::kExists || error.code == ErrorCode::kDenied ||
-         error.code == ErrorCode::kIncompatible || error.code == ErrorCode::kInvalid;
-}
 
 }  // namespace
 
@@ -133,12 +128,12 @@ void Membership::Leave() {
 Result<void> Membership::WaitUntilJoined(std::chrono::milliseconds timeout) const {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, timeout, [this] {
-    return channel_ || (failure_ && (IsRefusal(*failure_) || !options_.retry));
+    return channel_ || (failure_ && (IsFinal(failure_->code) || !options_.retry));
   });
   if (channel_) return {};
   if (failure_) return *failure_;
-  return Error{ErrorCode::kTimeout, "the GCM at " + options_.gcm + " has not answered within " +
-                                        std::to_string(timeout.count()) + " ms"};
+  return Error{ErrorCode::kTimeout,
+               "the GCM at " + options_.gcm + " has not answered within " + Milliseconds(timeout)};
 }
 
 bool Membership::is_joined() const {
@@ -249,7 +244,8 @@ void Membership::Fail(const Error& error) {
   }
   changed_.notify_all();
   if (!options_.retry) return;
-  Log(IsRefusal(error) ? "keeps running, but is not registered: " + error.message : error.message);
+  Log(IsFinal(error.code) ? "keeps running, but is not registered: " + error.message
+                          : error.message);
   TryLater();
 }
 

@@ -8,7 +8,7 @@
 #include <tendon/process/log/log_forwarder.h>
 #include <tendon/process/membership/differences.h>
 #include <tendon/process/membership/health_reporter.h>
-#include <tendon/process/membership/membership_messages.h>
+#include <tendon/process/membership_messages.h>
 
 #include <chrono>
 #include <condition_variable>

@@ -39,14 +39,6 @@ class ChannelTelemetryClient final : public TelemetryClient {
         [this, subscription = node.mapped()] { SourceOf(*subscription).Remove(subscription); });
   }
 
-  [[nodiscard]] RowCounts CountsOf(Id id) const override {
-    std::unique_lock lock(mutex_);
-    const auto found = subscriptions_.find(id);
-    const auto subscription = found == subscriptions_.end() ? nullptr : found->second;
-    lock.unlock();
-    return subscription ? subscription->counts() : RowCounts{};
-  }
-
   void Retry(const std::string& process) override {
     worker_->Post([this, process] {
       const auto found = sources_.find(process);

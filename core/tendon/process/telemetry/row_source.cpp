@@ -186,7 +186,8 @@ Result<void> RowSource::Follow(Item& item, const std::string& broker,
     (*access_.failed_brokers)[broker] = SteadyClock().Now();
     return reception.error();
   }
-  const auto beginning = item.subscription->BeginTopic(joined.subscribed);
+  const auto beginning =
+      item.subscription->Begin(joined.subscribed, RowSubscription::Start::kFirstBatch);
   if (!beginning) return beginning.error();
   {
     const std::scoped_lock lock(mutex_);

@@ -4,8 +4,8 @@
 #include <tendon/base/clock.h>
 #include <tendon/middleware/broadcast.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/broadcast_messages.h>
+#include <tendon/process/clock_offset.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
 #include <tendon/process/telemetry/row_subscription.h>
 #include <tendon/process/worker.h>

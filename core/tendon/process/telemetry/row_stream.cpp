@@ -1,7 +1,6 @@
 #include <tendon/process/telemetry/row_stream.h>
 #include <tendon/process/viewer_messages.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace tendon {

@@ -6,14 +6,6 @@
 
 namespace tendon {
 
-Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed) {
-  return Begin(subscribed, Start::kFirstTick);
-}
-
-Result<std::uint64_t> RowSubscription::BeginTopic(const message::SubscribeReply& subscribed) {
-  return Begin(subscribed, Start::kFirstBatch);
-}
-
 Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subscribed,
                                              Start start) {
   if (subscribed.schemas.size() != wanted_.columns.size()) {
@@ -86,9 +78,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   batch.cell = [&reader](std::size_t row, std::size_t column) { return reader->cell(row, column); };
   rows_ = header.rows_before + header.rows;
   next_tick_ = header.next_tick;
-  counts_.received += batch.count;
-  counts_.lost += batch.lost;
-  if (sink_) counts_.lost.viewer += sink_->OnRows(batch);
+  if (sink_) sink_->OnRows(batch);
 }
 
 /// True if all rows of the batch are new. Gaps between ticks are lost rows.
@@ -147,13 +137,6 @@ void RowSubscription::Interrupt(const Error& reason) {
 void RowSubscription::End() {
   const std::scoped_lock lock(mutex_);
   sink_.reset();
-}
-
-RowCounts RowSubscription::counts() const {
-  const std::scoped_lock lock(mutex_);
-  RowCounts counts = counts_;
-  counts.lost.network += lost_between_;
-  return counts;
 }
 
 }  // namespace tendon

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/clock_offset.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/process/viewer_messages.h>
 
@@ -24,11 +24,13 @@ class RowSubscription {
 
   [[nodiscard]] const TableSubscription& wanted() const { return wanted_; }
 
+  /// The first row that counts: the announced one, or, for rows through a topic, the first that
+  /// arrives.
+  enum class Start { kFirstTick, kFirstBatch };
   /// The subscription is active. Returns an error if the answer is invalid; otherwise the number of
   /// this activation, which its batches carry. Rows written while it was inactive count as lost.
-  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed);
-  /// Begin() for rows through a topic: rows are counted from the first batch that arrives.
-  Result<std::uint64_t> BeginTopic(const message::SubscribeReply& subscribed);
+  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed,
+                              Start start = Start::kFirstTick);
   /// Delivers a batch that carries the number `beginning`, returned by Begin(). Ignores batches
   /// that are malformed, out of order or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
@@ -36,11 +38,7 @@ class RowSubscription {
   void Interrupt(const Error& reason);
   void End();
 
-  [[nodiscard]] RowCounts counts() const;
-
  private:
-  enum class Start { kFirstTick, kFirstBatch };
-  Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed, Start start);
   /// Counts the rows since the last one as lost, and continues at `first_tick`.
   void GoOn(std::uint64_t first_tick);
   /// Returns false if the batch is older than the last row.
@@ -53,7 +51,7 @@ class RowSubscription {
   [[nodiscard]] std::chrono::nanoseconds Correction(const ClockOffset& clock);
 
   const TableSubscription wanted_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   std::shared_ptr<RowSink> sink_;
   Error interruption_;
   std::uint64_t beginnings_ = 0;
@@ -66,7 +64,6 @@ class RowSubscription {
   std::uint64_t rows_ = 0;            // rows known to be sent since the activation
   std::uint64_t lost_between_ = 0;    // rows lost while inactive; reported with the next batch
   std::optional<SteadyTime> newest_;  // corrected time of the newest row
-  RowCounts counts_;
   std::vector<std::uint64_t> ticks_;
   std::vector<std::int64_t> times_;
 };

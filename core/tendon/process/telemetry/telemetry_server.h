@@ -2,9 +2,9 @@
 
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/channel.h>
-#include <tendon/process/connections/mirrored_commands.h>
+#include <tendon/process/broadcast_messages.h>
 #include <tendon/process/context.h>
-#include <tendon/process/telemetry/broadcast_messages.h>
+#include <tendon/process/mirrored_commands.h>
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/connection_messages.h>

@@ -1,7 +1,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/library_copy.h>
 
 #include <cstdlib>

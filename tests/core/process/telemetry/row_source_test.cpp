@@ -43,7 +43,7 @@ class Forgotten final : public RecordingHandler {
 class DeafSink final : public RowSink {
  public:
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
-  std::size_t OnRows(const RowBatch& /*batch*/) override { return 0; }
+  void OnRows(const RowBatch& /*batch*/) override {}
   void OnStale(const Error& /*reason*/) override {}
 };
 

@@ -20,9 +20,9 @@ class GatedReader final : public tendon::RowSink {
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
     sink().OnSubscribed(columns);
   }
-  std::size_t OnRows(const tendon::RowBatch& batch) override {
+  void OnRows(const tendon::RowBatch& batch) override {
     const std::scoped_lock lock(gate_);
-    return sink().OnRows(batch);
+    sink().OnRows(batch);
   }
   void OnStale(const tendon::Error& reason) override { sink().OnStale(reason); }
   [[nodiscard]] tendon::RowSink& sink() const { return *checker_; }

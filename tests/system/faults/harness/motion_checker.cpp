@@ -47,7 +47,7 @@ std::size_t MotionChecker::rows() const {
   return rows_;
 }
 
-std::size_t MotionChecker::OnRows(const tendon::RowBatch& batch) {
+void MotionChecker::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
   for (std::size_t row = 0; row < batch.count; ++row) {
     arm::JointState joints;
@@ -70,7 +70,6 @@ std::size_t MotionChecker::OnRows(const tendon::RowBatch& batch) {
     joints_ = joints;
     ++rows_;
   }
-  return 0;
 }
 
 }  // namespace faults

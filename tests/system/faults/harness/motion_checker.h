@@ -36,7 +36,7 @@ class MotionChecker final : public tendon::RowSink {
 
  private:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
-  std::size_t OnRows(const tendon::RowBatch& batch) override;
+  void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& /*reason*/) override {}
 
   mutable std::mutex mutex_;

@@ -20,7 +20,7 @@ void StreamChecker::OnStale(const tendon::Error& reason) {
   verdict_.stale.push_back(reason.message);
 }
 
-std::size_t StreamChecker::OnRows(const tendon::RowBatch& batch) {
+void StreamChecker::OnRows(const tendon::RowBatch& batch) {
   const std::scoped_lock lock(mutex_);
   verdict_.counted += batch.lost.all();
   for (std::size_t row = 0; row < batch.count; ++row) {
@@ -31,7 +31,6 @@ std::size_t StreamChecker::OnRows(const tendon::RowBatch& batch) {
     const bool is_whole = tendon::Decode(batch.cell(row, 0), sample) && IsWhole(sample);
     is_whole ? Take(sample) : static_cast<void>(++verdict_.damaged);
   }
-  return 0;  // there is room for all
 }
 
 void StreamChecker::Take(const Numbered& sample) {

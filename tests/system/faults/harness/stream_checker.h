@@ -31,7 +31,7 @@ class StreamChecker final : public tendon::RowSink {
 
  private:
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
-  std::size_t OnRows(const tendon::RowBatch& batch) override;
+  void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
   void Take(const Numbered& sample);
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <fcntl.h>
-#include <tendon/base/os/descriptor.h>
+#include <tendon/base/os/file.h>
 #include <tendon/payload/payload.h>
 #include <unistd.h>
 

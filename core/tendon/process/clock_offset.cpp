@@ -1,4 +1,4 @@
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/clock_offset.h>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <tendon/process/connections/mirrored_commands.h>
+#include <tendon/process/mirrored_commands.h>
 #include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/process/telemetry/clock_offset.h>
+#include <tendon/process/clock_offset.h>
 
 #include <random>
 
