@@ -26,7 +26,7 @@ bool IsDumbTerminal() {
 
 tendon::Error NoInput(const std::string& verb) {
   return {tendon::ErrorCode::kInvalid,
-          "nothing can be piped into this console; in a terminal: gcm " + verb + " -"};
+          "this console has no standard input; use a terminal: gcm " + verb + " -"};
 }
 
 Context::Context(Settings settings, std::string verb, const Streams& streams, ShellSession* session)

@@ -29,8 +29,8 @@
 
 namespace {
 
-constexpr auto kReadOnly =
-    QT_TRANSLATE_NOOP("Words", "this window only looks: it was started with --read-only");
+constexpr auto kReadOnly = QT_TRANSLATE_NOOP(
+    "Words", "this window cannot change anything: it was started with --read-only");
 
 struct Options {
   std::string gcm;
@@ -49,7 +49,8 @@ void AddOptions(CLI::App& app, Options& options) {
       program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
   app.add_option("file", options.file, "system file to apply, after you have seen its plan");
-  app.add_flag("--read-only", options.read_only, "connect as a viewer, who cannot change anything");
+  app.add_flag("--read-only", options.read_only,
+               "connect with the role viewer, which cannot change anything");
   app.add_option("--layout", options.layout,
                  "initial layout of the plots, a file that the window has saved")
       ->check(CLI::ExistingFile)

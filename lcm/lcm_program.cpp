@@ -79,10 +79,10 @@ Error NoLibrary(const tendon::SystemFile::Component& wanted,
                 const tendon::ComponentLoader& loader) {
   std::string all;
   for (const std::string& known : loader.available()) all += (all.empty() ? "" : ", ") + known;
-  return {ErrorCode::kInvalid, "component '" + wanted.name +
-                                   "' has no \"library\" in the file: name the plug-in there that "
-                                   "has its class " +
-                                   wanted.class_name + "; there is: " + all};
+  return {ErrorCode::kInvalid,
+          "component '" + wanted.name +
+              "' has no \"library\" in the file: add the name of the plug-in that has class " +
+              wanted.class_name + "; available: " + all};
 }
 
 Result<std::vector<CreatedComponent>> MakeComponents(const ProcessPart& part,
@@ -91,8 +91,8 @@ Result<std::vector<CreatedComponent>> MakeComponents(const ProcessPart& part,
   for (const auto& one : part.components) {
     if (one.class_name.empty()) {
       return Error{ErrorCode::kInvalid, "component '" + one.name +
-                                            "' has no class in the file, because its own program "
-                                            "creates it: start that program, not lcm"};
+                                            "' has no class in the file, because another program "
+                                            "creates it: start that program instead of lcm"};
     }
     if (one.library.empty()) return NoLibrary(one, loader);
     auto component = loader.Create(one.library, one.class_name, one.name, one.configuration);
@@ -125,7 +125,8 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
                                                                     .loader = loader});
   } catch (const tendon::ConfigurationError& error) {
     const bool is_taken = error.code() == ErrorCode::kExists;
-    const std::string hint = is_taken ? "; give --listen another port, or 0 for a free one" : "";
+    const std::string hint =
+        is_taken ? "; give another port with --listen, or 0 for a free port" : "";
     return Error{error.code(), error.what() + hint};
   }
 }
@@ -245,10 +246,9 @@ StartResult Start(const ProcessPart& part, tendon::Process& process, const Optio
     }
   }
   if (tendon::os::RunsAsRoot()) {
-    tendon::Log(
-        tendon::LogLevel::kWarning, options.name,
-        "runs as root, and so does every plug-in; start it as a user with the limits rtprio "
-        "and memlock instead");
+    tendon::Log(tendon::LogLevel::kWarning, options.name,
+                "runs as root, so each plug-in also has the rights of root; start lcm as another "
+                "user, with the limits rtprio and memlock");
   }
   tendon::Log(tendon::LogLevel::kInfo, options.name,
               "runs " + tendon::Counted(part.components.size(), "component", "components") +

@@ -17,16 +17,17 @@ int main(int argc, char** argv) {
   CLI::App app("Runs the components of one process and joins a GCM.", "lcm");
   app.add_option("--name", options.name, "name of this process")->required();
   program::AddGcmOption(app, options.gcm);
-  app.add_option("--system", options.system, "system file with this process' components");
-  app.add_option("--listen", options.listen, "address for viewers and peers")
+  app.add_option("--system", options.system, "system file with the components of this process");
+  app.add_option("--listen", options.listen,
+                 "address at which this process listens for viewers and other processes")
       ->capture_default_str();
   app.add_option("--advertise", options.advertise,
-                 "address that other processes connect to; a host alone means the port of --listen "
-                 "(default: the address of --listen; for 0.0.0.0 and [::] the address from which "
-                 "this process reaches the GCM)");
+                 "address that other processes use to connect; without a port, the port of "
+                 "--listen is used (default: the address of --listen, or if that is 0.0.0.0 or "
+                 "[::], the address from which this process reaches the GCM)");
   app.set_version_flag("--version", "lcm " + tendon::OwnVersion().release);
   app.add_option("--timeout", timeout_ms,
-                 "how long to wait for the GCM at the start: 500ms, 5s, 2min or a number of ms")
+                 "longest time to wait for the GCM at the start: 500ms, 5s, 2min or a number of ms")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
       ->default_str("3s");

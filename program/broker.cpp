@@ -24,7 +24,7 @@ Result<std::string> BrokerSettings(const std::string& address, const NetworkOpti
   }
   return Error{ErrorCode::kDenied,
                "the broker needs the certificate of a process 'broker' (gcm cert issue broker "
-               "--role viewer --process); this is that of '" +
+               "--role viewer --process); the given certificate belongs to '" +
                    own.name + "', a " + std::string(ToString(own.holder))};
 }
 
@@ -32,7 +32,7 @@ Result<std::string> BrokerSettings(const std::string& address, const NetworkOpti
 
 Result<std::string> BrokerSettings(const std::string& /*address*/,
                                    const NetworkOptions& /*options*/) {
-  return Error{ErrorCode::kInvalid, "this program was built without Ice, which has the broker"};
+  return Error{ErrorCode::kInvalid, "this program was built without Ice, which the broker needs"};
 }
 
 #endif

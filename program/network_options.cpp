@@ -78,13 +78,14 @@ std::string IceVersion() {
 }
 
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
-  app.add_option("--middleware", options.middleware, "middleware between the processes")
+  app.add_option("--middleware", options.middleware,
+                 "middleware for the connections between processes")
       ->check(CLI::IsMember(MiddlewareNames()))
       ->capture_default_str();
   auto* certificate =
-      app.add_option(
-             "--certificate", options.certificate,
-             "use TLS with this certificate (made by gcm cert issue); its key must be beside it")
+      app.add_option("--certificate", options.certificate,
+                     "use TLS with this certificate (made by gcm cert issue); the file with its "
+                     "key (.key) must be in the same folder")
           ->type_name("FILE")
           ->check([](const std::string& file) {
             return std::string(file.empty() ? "--certificate is empty: name a file" : "");
@@ -95,7 +96,8 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
                      "folder with ca.crt and crl.pem of the CA (default: a folder of the user)")
           ->type_name("FILE");
   if (options.authority.empty()) authority->envname("TENDON_CA");
-  app.add_flag("--insecure", options.insecure, "allow addresses off this machine, unencrypted")
+  app.add_flag("--insecure", options.insecure,
+               "allow unencrypted connections to and from other machines")
       ->excludes(certificate);
 }
 
@@ -120,7 +122,7 @@ Result<std::shared_ptr<Middleware>> MakeMiddleware(const NetworkOptions& options
   std::string all;
   for (const std::string& known : MiddlewareNames()) all += (all.empty() ? "" : ", ") + known;
   return Error{ErrorCode::kInvalid,
-               "no middleware '" + options.middleware + "' in this program; there is: " + all};
+               "no middleware '" + options.middleware + "' in this program; available: " + all};
 }
 
 std::string GcmAddress(const std::string& option) {
@@ -143,7 +145,7 @@ Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& o
   return Error{ErrorCode::kInvalid,
                "--gcm: '" + tendon::Printable(host) +
                    "' is not an address on this machine, such as 127.0.0.1:10705; "
-                   "to use a host of that name, give a --certificate"};
+                   "to use a host with this name, give a --certificate"};
 }
 
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,

@@ -37,7 +37,9 @@ Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
     return {ErrorCode::kNotFound, "'" + pattern + "' has no events"};
   }
   return {ErrorCode::kInvalid,
-          "'" + pattern + "' is not an interface: name one, or all with '" + pattern + "/**'"};
+          "'" + pattern +
+              "' is not an interface: give the path of an interface, or for all its interfaces '" +
+              pattern + "/**'"};
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue
 
 Error NoGlobAllowed(const std::string& command, const std::string& glob) {
   return {ErrorCode::kInvalid, "'" + glob + "' may match several things, but " + command +
-                                   " takes one name; list them with: gcm find '" + glob + "'"};
+                                   " needs exactly one name; list the matches with: gcm find '" +
+                                   glob + "'"};
 }
 
 }  // namespace console

@@ -23,10 +23,10 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
   const std::string text = ToString(path);
   if (auto process = LookUpProcess(catalogue, path.process); !process) return process.error();
   if (path.component.empty()) {
-    return Error{ErrorCode::kInvalid, "'" + text +
-                                          "' is a process: name a column of a component's "
-                                          "state table, such as " +
-                                          text + "/arm/state.Joints"};
+    return Error{ErrorCode::kInvalid,
+                 "'" + text +
+                     "' is a process: give a column of a component's state table, such as " + text +
+                     "/arm/state.Joints"};
   }
   const auto component = LookUpComponent(catalogue, path.process, path.component);
   if (!component) return component.error();
@@ -51,7 +51,7 @@ Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string
   const std::string table = ToString(path.interface_name());
   if (path.member.empty()) {
     return Error{ErrorCode::kInvalid,
-                 "'" + table + "' is a whole table: name one of its columns (" +
+                 "'" + table + "' is a whole table: give one of its columns (" +
                      Joined(columns, ", ") + "), such as " + table + "." + columns.front()};
   }
   if (std::find(columns.begin(), columns.end(), path.member) != columns.end()) return {};
@@ -74,10 +74,11 @@ Result<std::vector<std::string>> Expand(const tendon::Catalogue& catalogue,
                                         const std::string& pattern) {
   const auto [glob, field] = SplitField(pattern);
   if (field.find('*') != field.npos) {
-    return Error{ErrorCode::kInvalid, "'" + pattern +
-                                          "': a * stands for columns, not for parts of one; name "
-                                          "the part, or take all of it: " +
-                                          glob};
+    return Error{ErrorCode::kInvalid,
+                 "'" + pattern +
+                     "': * can stand for columns, but not for parts of a column; write the part "
+                     "without *, or use the whole column: " +
+                     glob};
   }
   std::vector<std::string> paths;
   for (const auto& [process, entry] : catalogue.processes()) {

@@ -110,7 +110,7 @@ Result<std::string> StructureOf(const Schema& schema, const std::vector<std::str
 Result<std::string> ValueOf(const Schema& schema, const std::vector<std::string>& words) {
   if (words.size() > 1) {
     return Error{ErrorCode::kInvalid, "'" + tendon::Printable(words[1], 64) +
-                                          "' is one word too many: it takes one value of " +
+                                          "' is one word too many: expected one value of type " +
                                           schema.TypeName()};
   }
   const auto value = tendon::TypedValue(schema, "the argument", words[0]);

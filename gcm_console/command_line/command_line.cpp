@@ -173,24 +173,26 @@ void CommandLine::AddSettings() {
   app_.set_version_flag("--version", VersionLine(), "print the version of gcm");
   program::AddGcmOption(app_, settings_.gcm);
   timeout_ms_ = static_cast<int>(settings_.timeout.count());
-  app_.add_option("--timeout", timeout_ms_,
-                  "how long an answer may take: 500ms, 5s, 2min or a number of ms (default: 2s)")
+  app_.add_option(
+          "--timeout", timeout_ms_,
+          "longest time to wait for an answer: 500ms, 5s, 2min or a number of ms (default: 2s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""));
-  app_.add_flag("--json,--jsonl", settings_.json, "print JSON: one document, or one for each row");
-  app_.add_flag("--no-header", has_no_titles_, "print tables on a terminal without their titles");
+  app_.add_flag("--json,--jsonl", settings_.json,
+                "print JSON: one document, or one document for each row");
+  app_.add_flag("--no-header", has_no_titles_, "print tables on a terminal without column titles");
   for (const auto& [name, choice] : Colors()) {
     if (choice == settings_.color) color_ = name;
   }
   app_.add_option("--color", color_, "when to use colours")
       ->check(CLI::IsMember(Colors()))
       ->capture_default_str();
-  auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "no remarks beside results and errors");
+  auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "print only results and errors, no remarks");
   app_.add_flag("-v,--verbose", is_verbose_,
                 "print the address of the GCM, and how fast it answers")
       ->excludes(quiet);
   app_.add_flag("--read-only", settings_.read_only,
-                "connect as a viewer, who cannot change anything");
+                "connect with the role viewer, which cannot change anything");
   program::AddNetworkOptions(app_, settings_.network);
 }
 

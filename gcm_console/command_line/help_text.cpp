@@ -156,10 +156,11 @@ std::string HelpText(const Page& page, int columns) {
     if (!rows.empty()) text += "\n" + title + "\n" + Listed(rows, width);
   }
   text += "\n";
-  text += Wrapped(IsWhole(page)
-                      ? "Options go before or after the verb. More: gcm help VERB"
-                      : "--gcm, --timeout, --json and other options go with every verb: gcm help",
-                  0, width);
+  text += Wrapped(
+      IsWhole(page)
+          ? "Options can be written before or after the verb. Help for a verb: gcm help VERB"
+          : "All verbs also accept --gcm, --timeout, --json and other options: gcm help",
+      0, width);
   return text;
 }
 
@@ -191,17 +192,21 @@ const std::vector<Topic>& Topics() {
       {"exit-codes",
        "the exit codes of gcm",
        {{"0", "done"},
-        {"1", "refused or failed; the message says why; connect: the connection is not made yet"},
+        {"1",
+         "refused or failed (the message gives the reason); for connect: the connection is not "
+         "made yet"},
         {"2", "the command line is invalid"},
         {"3", "no GCM answers at the address"},
-        {"4", "no such name, or several that match; connect: the GCM has never known the process"},
-        {"5", "the two interfaces do not fit; plan: this is the only obstacle"},
+        {"4",
+         "the name does not exist, or matches several; for connect: the GCM has never known the "
+         "process"},
+        {"5", "the two interfaces do not fit; for plan: this is the only obstacle"},
         {"6", "no answer in time; the outcome is unknown"},
-        {"7", "denied: the role does not suffice, or a file is not safe"},
-        {"8", "only some of several things were done"},
+        {"7", "denied: your role is not sufficient, or a file has unsafe permissions"},
+        {"8", "only a part of the command was done"},
         {"130", "interrupted"}}},
       {"paths",
-       "how things are named",
+       "how paths and patterns are written",
        {{"process/component/interface.member, or only the first parts of it"},
         {"robot", "a process"},
         {"robot/arm", "a component"},
@@ -209,29 +214,31 @@ const std::vector<Topic>& Topics() {
         {"robot/arm/Control.MoveTo", "a member: a command, event, function or event handler"},
         {"robot/arm/state.Joints", "a column of the component's state table"},
         {"robot/arm/state.Joints.position[0]", "a part of its value"},
-        {"In patterns, * stands for any letters except / and ., and ** for any letters."},
-        {"Verbs that take one name do not take a pattern; gcm find lists the names that a pattern "
-         "matches."},
-        {"In gcm shell, paths are relative to the path of cd; /robot/arm begins at the top, .. "
-         "goes one level up."}}},
+        {"In patterns, * matches any characters except / and '.', and ** matches any characters."},
+        {"Verbs that need exactly one name do not accept patterns; gcm find lists the names that "
+         "match a pattern."},
+        {"In gcm shell, paths are relative to the place that cd has set; /robot/arm begins at the "
+         "top, .. goes one level up."}}},
       {"prompt",
        "the commands of gcm shell besides the verbs",
-       {{"cd PATH", "make paths relative to PATH; to the top without a path"},
+       {{"cd PATH", "make paths relative to PATH; without PATH, return to the top"},
         {"..", "go one level up"},
-        {"VERB &", "run a watch, events, hz or log --follow in the background"},
-        {"jobs, end NUMBER", "list the background jobs; end one of them, or all without a number"},
+        {"VERB &", "run watch, events, hz or log --follow in the background"},
+        {"jobs, end NUMBER",
+         "list the background jobs; end the job with this number, or all jobs without a number"},
         {"exit", "end the shell and all background jobs"},
-        {"VERB; VERB", "one after the other"},
+        {"VERB; VERB", "run several verbs one after the other"},
         {"# WORDS", "a remark"},
-        {"A gcm before the verb, as in a copied line, is ignored."}}},
+        {"A line may also begin with gcm, as in a terminal."}}},
       {"output",
        "the format of the output, and where it goes",
        {{"Results go to the standard output, remarks and errors to the standard error."},
         {"terminal", "tables with titles; --no-header leaves the titles out"},
         {"pipe or file", "one line for each row, cells separated by tabs, no titles"},
         {"--json",
-         "one document with \"schema\": 1; one line for each row, event, log record or gap"},
-        {"-q, -v", "no remarks; or more of them"},
+         "one document with \"schema\": 1; watch, events, hz and log: one document in each line, "
+         "for each row, event, log record or gap"},
+        {"-q, -v", "print no remarks; print more remarks"},
         {"--color WHEN", "auto: on a terminal, unless NO_COLOR is set or TERM is dumb"}}}};
   return kTopics;
 }

@@ -17,7 +17,8 @@ bool IsBroken(const std::istream& in) {
 }
 
 Error Broken() {
-  return {ErrorCode::kInvalid, "the input cannot be read completely: give a file, or a pipe"};
+  return {ErrorCode::kInvalid,
+          "the standard input could not be read to its end: use a file or a pipe"};
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ bool InputLines::Next(std::string& line) {
     in_.setstate(std::ios::badbit);
   }
   if (line.size() > kLongest) {
-    error_ = {ErrorCode::kInvalid, "a line is longer than 1 MiB: is the input a text?"};
+    error_ = {ErrorCode::kInvalid, "a line is longer than 1 MiB: check that the input is a text"};
   } else if (IsBroken(in_)) {
     error_ = Broken();
   }

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kPatience(300);
 
 constexpr const char* kBash = R"(# bash completion of gcm
 _gcm() {
-  # bash parts words at ':' and '=', as in HOST:PORT; what no blank parts is one word here.
+  # bash splits words also at ':' and '=', as in HOST:PORT; this joins the parts again.
   local -a words=()
   local i piece rest=$COMP_LINE
   for ((i = 0; i <= COMP_CWORD; ++i)); do
@@ -28,7 +28,7 @@ _gcm() {
     rest=${rest#"$piece"}
   done
   local word="${words[${#words[@]}-1]}" line
-  local breaks= begin=  # what stands already, and is no part of what bash completes
+  local breaks= begin=  # the beginning of the word, which bash keeps
   [[ $COMP_WORDBREAKS == *:* ]] && breaks+=:
   [[ $COMP_WORDBREAKS == *=* ]] && breaks+==
   [[ -n $breaks ]] && begin=${word%"${word##*[$breaks]}"}

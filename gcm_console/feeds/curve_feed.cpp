@@ -104,8 +104,9 @@ std::vector<std::string> CurveFeed::notes() const {
   const std::scoped_lock lock(mutex_);
   std::vector<std::string> notes = left_out_;
   if (is_cut_) {
-    notes.push_back("the newest " + std::to_string(kMostSamples) +
-                    " samples of each curve are drawn; a shorter --window shows all of its time");
+    notes.push_back(
+        "the newest " + std::to_string(kMostSamples) +
+        " samples of each curve are drawn; to see the whole window, use a shorter --window");
   }
   if (!complaint_.empty()) notes.push_back(complaint_);
   return notes;

@@ -45,7 +45,7 @@ std::string JobLines::Take() {
   for (const std::string& line : lines_) all += line + '\n';
   if (left_out_ > 0) {
     all += "gcm: " + tendon::Counted(left_out_, "line is left out", "lines are left out") +
-           ": there was no room for more\n";
+           ": the buffer for their output is full\n";
   }
   lines_.clear();
   left_out_ = 0;
@@ -136,7 +136,7 @@ Result<void> Jobs::Begin(const Words& words, const Settings& settings, int colum
   if (std::ranges::find(kLasting, words[0]) == kLasting.end()) {
     return Error{ErrorCode::kInvalid,
                  "only watch, events, hz and log can run in the background, but '" + words[0] +
-                     "' cannot; leave out the &"};
+                     "' cannot: write the line without the &"};
   }
   ForgetEnded();
   jobs_.push_back(std::make_unique<Job>(++last_number_, words, settings, columns, lines_));

@@ -27,12 +27,12 @@ Page WithOwnWords(Page page) {
   Page::Argument path;
   path.name = "path";
   path.kind = WordKind::kPath;
-  add("cd", "make paths relative to PATH; to the top without a path", {path});
+  add("cd", "make paths relative to PATH; without PATH, return to the top", {path});
   add("..", "go one level up", {});
   Page::Argument number;
   number.name = "number";
-  add("jobs", "list the jobs that & has started in the background", {});
-  add("end", "end the background job of a number, or all jobs", {number});
+  add("jobs", "list the background jobs that were started with &", {});
+  add("end", "end one background job, or all of them without a number", {number});
   add("exit", "end this", {});
   return page;
 }
@@ -114,7 +114,7 @@ std::optional<Result<void>> Shell::RunOwnWord(const Words& words, const Streams&
 
 Result<void> Shell::BeginInBackground(const Words& words, const Streams& streams) {
   if (streams.make_line_reader == nullptr || session_.settings().scripts > 0) {
-    return Error{ErrorCode::kInvalid, "& works only at a prompt, and there is no prompt here"};
+    return Error{ErrorCode::kInvalid, "& can be used only at the prompt of gcm shell"};
   }
   return jobs_.Begin(words, session_.settings(), streams.columns);
 }
@@ -131,7 +131,8 @@ Result<void> Shell::GoTo(const std::string& typed) {
     const auto target = FindTarget(catalogue, path);
     if (!target) return target.error();
     if (target->member != nullptr) {
-      return Error{ErrorCode::kInvalid, "nothing is in '" + path + "': go to its interface"};
+      return Error{ErrorCode::kInvalid,
+                   "'" + path + "' contains nothing: use cd with its interface"};
     }
   }
   session_.GoTo(path);

@@ -103,15 +103,13 @@ std::vector<Verb> ActVerbs() {
              WithKind(app.add_option("path", words->path, "process/component/interface.command"),
                       WordKind::kCommand)
                  ->required();
-             WithKind(
-                 app.add_option(
-                     "argument", words->argument,
-                     "the argument, if the command takes one: JSON, or the fields of "
-                     "a structure as words, in their order or as name=value; - reads JSON from "
-                     "stdin"),
-                 WordKind::kArgument);
+             WithKind(app.add_option("argument", words->argument,
+                                     "the argument, if the command has one: JSON, or one word for "
+                                     "each field of a structure, in the order of the fields or as "
+                                     "name=value; with -, JSON is read from stdin"),
+                      WordKind::kArgument);
              app.add_flag("--dry-run", words->dry_run,
-                          "check whether it can be called, but do not call it");
+                          "only check whether the command can be called");
              return [words](Context& context) { return Call(context, *words); };
            },
            {"gcm call robot/arm/Control.Stop",

@@ -173,18 +173,18 @@ Result<ExitCode> Revoke(Context& context, const CertArguments& arguments) {
       context.out() << arguments.name << (is_dry ? "  would be revoked  " : "  revoked  ") << serial
                     << '\n';
     }
-    if (!is_dry) context.err() << "gcm: other hosts need a copy of " << Plain(list) << '\n';
+    if (!is_dry) context.err() << "gcm: copy this list to all other hosts: " << Plain(list) << '\n';
   }
   return program::kOk;
 }
 
 void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   app.add_option("name", arguments.name,
-                 "owner of the certificate; for a process, the name by which it joins")
+                 "owner of the certificate: a person, or the name of a process")
       ->required();
   app.add_option("--role", arguments.role, "viewer or operator")->required();
-  CLI::Option* process =
-      app.add_flag("--process", arguments.is_process, "for an LCM or a GCM, not for a person");
+  CLI::Option* process = app.add_flag("--process", arguments.is_process,
+                                      "the owner is a process (an LCM or a GCM), not a person");
   app.add_option("--host", arguments.hosts, "a name or address at which the process listens")
       ->needs(process)
       ->allow_extra_args(false);
@@ -192,7 +192,7 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
       ->transform(CLI::Validator(&program::TransformCount, ""))
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
-  WithKind(app.add_option("--out", arguments.out, "folder of NAME.crt and NAME.key"),
+  WithKind(app.add_option("--out", arguments.out, "folder for the files NAME.crt and NAME.key"),
            WordKind::kFile)
       ->capture_default_str();
   AddDryRun(app, arguments.is_dry);

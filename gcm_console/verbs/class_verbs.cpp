@@ -59,7 +59,7 @@ Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& nam
                  "NAME"};
   }
   return Error{ErrorCode::kInvalid,
-               "there are several processes: name one of " + Joined(present, ", ")};
+               "there are several processes: give one of " + Joined(present, ", ")};
 }
 
 /// The configuration from the command line or a file; empty if neither is given.
@@ -173,7 +173,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   if (!configuration) return configuration.error();
   if (arguments.class_name.empty()) {
     return Error{ErrorCode::kInvalid, "no class is given; gcm classes " + *process +
-                                          " lists those that '" + *process + "' has"};
+                                          " lists the classes of '" + *process + "'"};
   }
   const LifecycleOrder order{.verb = LifecycleVerb::kCreate,
                              .process = *process,
@@ -190,7 +190,7 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   const auto found = LookUpComponents((*client)->catalogue(), arguments.component);
   if (!found) return found.error();
   if (found->size() > 1) {
-    return Error{ErrorCode::kInvalid, "'" + arguments.component + "' names " +
+    return Error{ErrorCode::kInvalid, "'" + arguments.component + "' matches " +
                                           std::to_string(found->size()) +
                                           " components; configure one at a time"};
   }
@@ -198,8 +198,8 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   if (!configuration) return configuration.error();
   if (configuration->empty()) {
     return Error{ErrorCode::kInvalid,
-                 "the configuration is missing: give --arg or --configure; --arg {} means the "
-                 "defaults"};
+                 "the configuration is missing: give --arg or --configure; for the default values: "
+                 "--arg {}"};
   }
   const LifecycleOrder order{.verb = LifecycleVerb::kConfigure,
                              .process = found->front().process,
@@ -252,7 +252,7 @@ Result<void> Choose(Classes& all, const std::string& class_name) {
   for (const ClassDescription& one : all.classes) names.push_back(one.name);
   const auto chosen = std::ranges::find(all.classes, class_name, &ClassDescription::name);
   if (chosen == all.classes.end()) {
-    return Error{ErrorCode::kNotFound, "no class '" + class_name + "' is loaded there" +
+    return Error{ErrorCode::kNotFound, "the process has no loaded class '" + class_name + "'" +
                                            tendon::DidYouMean(class_name, names)};
   }
   all.classes = {ClassDescription(*chosen)};
@@ -293,7 +293,8 @@ Result<ExitCode> List(Context& context, const ClassArguments& arguments) {
     const auto is_loaded = [&](const ClassDescription& one) { return one.library == plugin; };
     if (std::ranges::none_of(all->classes, is_loaded)) more += " " + plugin;
   }
-  if (!more.empty()) context.err() << "gcm: can also be loaded:" << Plain(more) << '\n';
+  if (!more.empty())
+    context.err() << "gcm: plug-ins that can also be loaded:" << Plain(more) << '\n';
   return program::kOk;
 }
 
@@ -301,16 +302,19 @@ void AddConfiguration(CLI::App& app, ClassArguments& arguments) {
   const auto check_given = [](const std::string& text) -> std::string {
     return text.empty() ? "expected a JSON object such as {}, got ''" : "";
   };
-  auto* json = app.add_option("--arg", arguments.json, "its configuration, as a JSON object")
-                   ->check(check_given);
-  WithKind(app.add_option("--configure", arguments.file, "a file with its configuration"),
+  auto* json =
+      app.add_option("--arg", arguments.json, "configuration of the component, as a JSON object")
+          ->check(check_given);
+  WithKind(app.add_option("--configure", arguments.file,
+                          "a file with the configuration of the component"),
            WordKind::kFile)
       ->excludes(json);
 }
 
 void AddProcess(CLI::App& app, ClassArguments& arguments) {
-  WithKind(app.add_option("--in", arguments.process, "the process, if there are several"),
-           WordKind::kProcess);
+  WithKind(
+      app.add_option("--in", arguments.process, "the process; only needed if there are several"),
+      WordKind::kProcess);
 }
 
 }  // namespace
@@ -320,8 +324,9 @@ std::vector<Verb> ClassVerbs() {
       {"load", "load a plug-in into a process",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         WithKind(app.add_option("library", arguments->library, "its name, without path"),
-                  WordKind::kPlugIn)
+         WithKind(
+             app.add_option("library", arguments->library, "name of the plug-in, without path"),
+             WordKind::kPlugIn)
              ->required();
          AddProcess(app, *arguments);
          AddDryRun(app, arguments->dry_run);
@@ -330,11 +335,12 @@ std::vector<Verb> ClassVerbs() {
       {"classes", "list the classes of which a process can create components",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         WithKind(app.add_option("process", arguments->process, "needed if there are several"),
+         WithKind(app.add_option("process", arguments->process,
+                                 "the process; only needed if there are several"),
                   WordKind::kProcess);
-         WithKind(
-             app.add_option("class", arguments->class_name, "show the fields of its configuration"),
-             WordKind::kClass);
+         WithKind(app.add_option("class", arguments->class_name,
+                                 "show the fields of the configuration of this class"),
+                  WordKind::kClass);
          return [arguments](Context& context) { return List(context, *arguments); };
        }},
       {"create", "create a component of a class",
@@ -343,18 +349,18 @@ std::vector<Verb> ClassVerbs() {
          WithKind(app.add_option("class", arguments->class_name, "see: gcm classes"),
                   WordKind::kClass)
              ->required();
-         app.add_option("name", arguments->component, "process/component, or component")
+         app.add_option("name", arguments->component, "process/component, or only the component")
              ->required();
          AddProcess(app, *arguments);
-         WithKind(
-             app.add_option("--library", arguments->library,
-                            "the plug-in with the class; it is loaded if it is not loaded yet"),
-             WordKind::kPlugIn);
+         WithKind(app.add_option("--library", arguments->library,
+                                 "the plug-in with the class; it is loaded if necessary"),
+                  WordKind::kPlugIn);
          AddConfiguration(app, *arguments);
          AddDryRun(app, arguments->dry_run);
          return [arguments](Context& context) { return Create(context, *arguments); };
        }},
-      {"configure", "recreate a component that does not run, with another configuration",
+      {"configure",
+       "replace the configuration of a component that does not run: the component is created again",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
          WithKind(app.add_option("component", arguments->component, "process/component"),

@@ -6,7 +6,7 @@
 namespace console {
 
 void AddDryRun(CLI::App& app, bool& is_dry) {
-  app.add_flag("--dry-run", is_dry, "print what would be done, but do nothing");
+  app.add_flag("--dry-run", is_dry, "only print what would be done");
 }
 
 void AddCount(CLI::App& app, std::uint64_t& count, const std::string& help) {
@@ -21,7 +21,7 @@ void AddDuration(CLI::App& app, double& seconds, const std::string& help) {
 
 void AddNoReconnect(CLI::App& app, bool& ends_with_link) {
   app.add_flag("--no-reconnect", ends_with_link,
-               "end if the GCM or a process is lost, instead of waiting for it");
+               "if the GCM or a process is lost, end instead of waiting for it");
 }
 
 }  // namespace console

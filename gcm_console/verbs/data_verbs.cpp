@@ -77,7 +77,7 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
       }
       return Error{ErrorCode::kInvalid, "'" + text + "' is a " +
                                             std::string(ToString(command.signature.kind)) +
-                                            " command, which get does not call; use gcm call"};
+                                            " command, which get cannot call: use gcm call"};
     }
   }
   const auto value = context.Ask<std::string>(
@@ -110,8 +110,8 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
   if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
   if (!paths.empty()) return paths;
   if (!items) return columns.error();
-  return Error{ErrorCode::kNotFound, "no value that '" + glob +
-                                         "' matches can be read; gcm find '" + glob +
+  return Error{ErrorCode::kNotFound, "'" + glob +
+                                         "' matches no value that can be read; gcm find '" + glob +
                                          "' lists the matches"};
 }
 
@@ -250,7 +250,7 @@ class WatchedTables {
       is_any_left |= !table.inbox->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "no column that fits has that part"};
+    return Error{tendon::ErrorCode::kNotFound, "none of the matching columns has this part"};
   }
   /// The reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
@@ -277,7 +277,7 @@ class WatchedTables {
 
 std::string LostText(const tendon::LostRows& lost) {
   return std::to_string(lost.table) + " in the table, " + std::to_string(lost.network) +
-         " on the network, " + std::to_string(lost.viewer) + " here";
+         " on the network, " + std::to_string(lost.viewer) + " in gcm";
 }
 
 /// Prints rows; on a terminal with titles. A row has "-" in the columns of other tables. Reports
@@ -514,8 +514,8 @@ std::vector<Verb> DataVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
          WithKind(app.add_option("path", *path,
-                                 "a read command or column, such as "
-                                 "robot/arm/state.Joints.position[0]; with *: all that it matches"),
+                                 "a read command or a column, such as "
+                                 "robot/arm/state.Joints.position[0]; * matches several"),
                   WordKind::kReadable)
              ->required();
          return [path](Context& context) {
@@ -523,19 +523,20 @@ std::vector<Verb> DataVerbs() {
          };
        }},
       {"watch",
-       "print every row of columns of state tables: ns, tick, values",
+       "print every new row of state tables: time in ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
          WithKind(app.add_option(
                       "paths", options->paths,
-                      "columns, also with * and **, or a part of each (.position[0]); "
-                      "each row belongs to one table, and has - in the columns of other tables"),
+                      "columns of state tables, or a part of a column (.position[0]); * and ** "
+                      "match several; a row of one table has - in the columns of the other tables"),
                   WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate, "at most this many rows per second (default: all)")
              ->transform(CLI::Validator(&program::TransformPositive, ""));
-         app.add_flag("--latest", options->is_latest,
-                      "print only the newest row; skip rows that come too fast to be printed");
+         app.add_flag(
+             "--latest", options->is_latest,
+             "print only the newest row; skip rows if they come faster than they can be printed");
          AddCount(app, options->count, "end after this many rows");
          AddDuration(app, options->seconds);
          AddNoReconnect(app, options->ends_with_link);

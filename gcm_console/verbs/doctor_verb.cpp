@@ -78,8 +78,8 @@ class Doctor {
     if (!client) {
       Bad("GCM", client.error().message,
           client.error().code == ErrorCode::kUnreachable
-              ? "gcm serve, or --gcm with the address of the right GCM"
-              : "gcm help, about --gcm, --certificate and --insecure");
+              ? "start a GCM with gcm serve, or give the address of a running GCM with --gcm"
+              : "see --gcm, --certificate and --insecure in gcm help");
       if (client.error().code == ErrorCode::kUnreachable) ExaminePort();
       return std::move(findings_);
     }
@@ -114,8 +114,8 @@ class Doctor {
     Good("gcm", tendon::VersionText(own_) + ", over " + context_.settings().network.middleware +
                     ", on host " + tendon::os::HostName());
     if (tendon::os::RunsAsRoot()) {
-      findings_.push_back(
-          {"user", Finding::Verdict::kUnknown, "root; no program of Tendon needs these rights"});
+      findings_.push_back({"user", Finding::Verdict::kUnknown,
+                           "gcm runs as root; no program of Tendon needs the rights of root"});
     }
   }
   void ExamineSecrets() {
@@ -125,7 +125,7 @@ class Doctor {
       if (cookie) {
         Good("cookie", "read in " + tendon::os::RuntimeFolder().string());
       } else {
-        Bad("cookie", cookie.error().message, "chmod 600 of the file, as the user who owns it");
+        Bad("cookie", cookie.error().message, "as the owner of the file: chmod 600");
       }
       return;
     }
@@ -147,10 +147,11 @@ class Doctor {
     const auto place = tendon::ParseAddress(gcm, 1);
     if (!place || !tendon::IsOfOneHost(gcm)) return;
     if (const auto holder = tendon::os::HolderOf(place->port)) {
-      Bad("port", gcm + " is held by " + *holder + ", which does not answer as a GCM",
-          "end it, or choose another port: gcm serve --gcm HOST:PORT, here and in $TENDON_GCM");
+      Bad("port", gcm + " is used by " + *holder + ", which does not answer as a GCM",
+          "end that program, or choose another port: gcm serve --gcm HOST:PORT, and the same "
+          "address in $TENDON_GCM");
     } else {
-      Good("port", gcm + " is free: nobody listens there");
+      Good("port", gcm + " is free: no program listens there");
     }
   }
   void ExamineGcm(tendon::GcmClient& client) {
@@ -163,10 +164,11 @@ class Doctor {
       Bad("GCM", place + ": " + history.error().message, "gcm log --level error");
       return;
     }
-    AddVersion("GCM", AskForVersion(""),
-               place + ", answers within " + tendon::MillisecondsText(passed) + ", revision " +
-                   std::to_string(client.catalogue().revision()),
-               "restart it with this release of gcm serve; the system keeps running meanwhile");
+    AddVersion(
+        "GCM", AskForVersion(""),
+        place + ", answers within " + tendon::MillisecondsText(passed) + ", revision " +
+            std::to_string(client.catalogue().revision()),
+        "restart the GCM with gcm serve of this release; the system keeps running meanwhile");
   }
   /// Returns true if the process answers.
   bool ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
@@ -220,7 +222,7 @@ class Doctor {
     AddVersion(what, told,
                place + ", at " + process.address + ", answers within " +
                    tendon::MillisecondsText(passed) + UsageText(process) + ClockText(client, entry),
-               "rebuild it with this release, or use a gcm of its release");
+               "build the process with this release, or use a gcm of its release");
     return true;
   }
   /// The version of a process, or of the GCM if `process` is empty.
@@ -283,7 +285,7 @@ class Doctor {
         Good(what, PluginText(plugin));
       } else {
         findings_.push_back({what, Finding::Verdict::kUnknown,
-                             PluginText(plugin) + ", as the process has reported last"});
+                             PluginText(plugin) + ", according to the last report of the process"});
       }
     }
   }

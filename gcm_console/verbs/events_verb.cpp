@@ -86,8 +86,8 @@ class EventWriter {
  private:
   void WriteLost(const LostEvents& events) {
     for (const auto& [path, lost] : events.by_path) {
-      context_.err() << "gcm: lost " << lost << " of " << Plain(path)
-                     << ": they came faster than they were read\n";
+      context_.err() << "gcm: " << lost << " events of " << Plain(path)
+                     << " are lost: they came faster than they were read\n";
       if (context_.settings().json) {
         context_.PrintJsonLine({{"gap", {{"path", path}, {"lost", lost}}}});
       }
@@ -219,7 +219,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
 Verb::Run PrepareEvents(CLI::App& app) {
   auto options = std::make_shared<EventsOptions>();
   WithKind(app.add_option("paths", options->patterns,
-                          "events or provided interfaces, with * and ** for several"),
+                          "events or provided interfaces; * and ** match several"),
            WordKind::kEvent)
       ->required();
   AddCount(app, options->count, "end after this many events");

@@ -198,7 +198,8 @@ Result<ExitCode> Explain(Context& context, const ExplainedEnds& ends) {
 
 std::vector<Verb> ExplainVerbs() {
   return {
-      {"candidates", "list the provided interfaces that fit a required interface, the best first",
+      {"candidates",
+       "list the provided interfaces that can be connected to a required interface, the best first",
        [](CLI::App& app) -> Verb::Run {
          auto required = std::make_shared<std::string>();
          WithKind(app.add_option("required", *required, "process/component/interface"),
@@ -206,17 +207,16 @@ std::vector<Verb> ExplainVerbs() {
              ->required();
          return [required](Context& context) { return Candidates(context, *required); };
        }},
-      {"explain", "check a connection step by step and report what prevents it from working",
+      {"explain", "check a connection step by step, and report why it does not work",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ExplainedEnds>();
          WithKind(app.add_option("required", ends->required, "process/component/interface"),
                   WordKind::kRequired)
              ->required();
-         WithKind(
-             app.add_option("provided", ends->provided,
-                            "the provided interface (default: the connected one, else the best "
-                            "candidate)"),
-             WordKind::kProvided);
+         WithKind(app.add_option("provided", ends->provided,
+                                 "the provided interface (default: the connected one; if there is "
+                                 "none, the best candidate)"),
+                  WordKind::kProvided);
          return [ends](Context& context) { return Explain(context, *ends); };
        }},
   };

@@ -277,9 +277,9 @@ Verb::Run PrepareGraph(CLI::App& app) {
   auto options = std::make_shared<GraphOptions>();
   auto* dot = app.add_flag("--dot", options->is_dot, "for Graphviz");
   auto* svg =
-      app.add_flag("--svg", options->is_svg, "a picture of the whole system")->excludes(dot);
+      app.add_flag("--svg", options->is_svg, "print a picture of the whole system")->excludes(dot);
   app.add_flag("--text")
-      ->description("a line for each interface that is used (default)")
+      ->description("print a line for each interface that is used (default)")
       ->excludes(dot)
       ->excludes(svg);
   return [options](Context& context) { return Graph(context, *options); };
@@ -296,17 +296,16 @@ std::vector<Verb> FindVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto terms = std::make_shared<std::vector<std::string>>();
          app.add_option("expression", *terms,
-                        "a part of a path, or a whole path with * and **, or a regular "
-                        "/expression/; the same after type:, state:, host: or proc:; ! negates a "
-                        "term; all terms must "
-                        "match")
+                        "a part of a path, a whole path with * and **, or a regular /expression/; "
+                        "type:, state:, host: or proc: before a term applies it to this property; "
+                        "! before a term negates it; all terms must match")
              ->required();
          return [terms](Context& context) { return Find(context, *terms); };
        },
        {"gcm find Joints", "gcm find '**/Control.*' type:arm.*", "gcm find '/Get|Set/' type:cmd",
         "gcm find state:faulted", "gcm find type:required 'state:!active'"}},
       {"graph",
-       "show which component uses which",
+       "show which component uses which other component",
        &PrepareGraph,
        {"gcm graph --svg > system.svg", "gcm graph --dot | dot -Tpng > system.png"}},
   };

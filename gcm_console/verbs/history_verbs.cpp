@@ -97,8 +97,8 @@ void Print(Context& context, const UndoResult& undone, bool is_dry) {
     return;
   }
   for (const auto& step : undone.passed_over) {
-    context.err() << (is_dry ? "gcm: would be skipped, and left as it is: "
-                             : "gcm: skipped, and left as it is: ")
+    context.err() << (is_dry ? "gcm: would be skipped and not undone: "
+                             : "gcm: skipped and not undone: ")
                   << Plain(tendon::WholeText(step)) << '\n';
   }
   for (const auto& step : undone.steps) {
@@ -210,26 +210,26 @@ std::vector<Verb> HistoryVerbs() {
       {"undo", "undo the last changes of the system",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<UndoWords>();
-         auto* const count = app.add_option("count", words->count, "how many changes")
+         auto* const count = app.add_option("count", words->count, "number of changes to undo")
                                  ->transform(CLI::Validator(&program::TransformCount, ""))
                                  ->check(CLI::Range(1, 1000))
                                  ->capture_default_str();
          app.add_option("--step", words->step,
-                        "only this step, if it is still the newest; gcm history lists the numbers")
+                        "undo only the step with this number, if it is still the newest; gcm "
+                        "history lists the numbers")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->excludes(count);
          app.add_flag("--skip", words->skip,
-                      "skip the newest step permanently if it cannot be undone now")
+                      "if the newest step cannot be undone now, skip it permanently")
              ->excludes(count);
-         app.add_flag(
-             "--dry-run", words->dry_run,
-             "print what would be undone and whether the first step can be undone, but do nothing");
+         app.add_flag("--dry-run", words->dry_run,
+                      "only print what would be undone, and whether the first step can be undone");
          return [words](Context& context) { return Undo(context, *words); };
        }},
       {"history", "list the changes of the system: what, by whom and when",
        [](CLI::App& app) -> Verb::Run {
          auto count = std::make_shared<std::size_t>(50);
-         app.add_option("--count", *count, "how many of the newest changes")
+         app.add_option("--count", *count, "number of changes, newest first")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->capture_default_str();
          return [count](Context& context) { return History(context, *count); };

@@ -5,6 +5,7 @@
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>
+#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
@@ -120,9 +121,10 @@ Result<void> SendOrder(Context& context, const LifecycleOrder& order) {
 
 void PrintLeftOut(Context& context, const Targets& targets, std::string_view done) {
   if (targets.left_out == 0) return;
-  context.err() << "gcm: left out " << targets.left_out << " that "
-                << (targets.left_out == 1 ? "is" : "are") << " not in a state to be " << done
-                << '\n';
+  const bool is_one = targets.left_out == 1;
+  context.err() << "gcm: " << tendon::Counted(targets.left_out, "match is", "matches are")
+                << " skipped, because " << (is_one ? "it" : "they") << " cannot be " << done
+                << " in " << (is_one ? "its" : "their") << " current state\n";
 }
 
 /// Asks a user at a terminal before a glob changes several things; `what` describes them.
@@ -165,15 +167,15 @@ Verb LifecycleVerbOf(std::string name, std::string summary, LifecycleVerbForms f
       std::move(name), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
         auto arguments = std::make_shared<LifecycleArguments>();
         WithKind(app.add_option("components", arguments->patterns,
-                                "process/component, or a glob such as robot/*, or ** for all"),
+                                "process/component, or a pattern such as robot/*; ** matches all"),
                  WordKind::kComponent)
             ->required();
         AddDryRun(app, arguments->dry_run);
-        app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+        app.add_flag("--yes", arguments->yes, "do not ask, even if a pattern matches several");
         if (forms.verb == LifecycleVerb::kStart) {
           app.add_flag("--strict", arguments->is_strict,
-                       "refuse if a required interface that the component needs is not connected; "
-                       "without this option the component runs and waits for the connection");
+                       "do not start a component while an interface that it needs is not connected; "
+                       "without this option, the component runs and waits for the connection");
         }
         return [=](Context& context) { return ExecuteLifecycleVerb(context, forms, *arguments); };
       }};
@@ -298,11 +300,11 @@ Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
   return {std::string(forms.infinitive), std::move(summary), [forms](CLI::App& app) -> Verb::Run {
             auto arguments = std::make_shared<LifecycleArguments>();
             WithKind(app.add_option("processes", arguments->patterns,
-                                    "names of processes, or a glob such as desk*"),
+                                    "names of processes, or a pattern such as desk*"),
                      WordKind::kProcess)
                 ->required();
             AddDryRun(app, arguments->dry_run);
-            app.add_flag("--yes", arguments->yes, "do not ask before a glob changes several");
+            app.add_flag("--yes", arguments->yes, "do not ask, even if a pattern matches several");
             return [=](Context& context) { return ExecuteProcessVerb(context, forms, *arguments); };
           }};
 }
@@ -311,7 +313,7 @@ Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
 
 std::vector<Verb> LifecycleVerbs() {
   return {
-      LifecycleVerbOf("start", "start components, or resume them",
+      LifecycleVerbOf("start", "start or resume components",
                       {LifecycleVerb::kStart, "start", "started"}),
       LifecycleVerbOf("suspend", "pause the cycles of components; start resumes them",
                       {LifecycleVerb::kSuspend, "suspend", "suspended"}),

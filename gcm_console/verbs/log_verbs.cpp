@@ -131,7 +131,7 @@ void PrintLost(std::uint64_t lost, Context& context) {
   if (lost == 0) return;
   if (context.settings().json) context.PrintJsonLine({{"gap", {{"lost", lost}}}});
   context.err() << "gcm: " << tendon::Counted(lost, "record is lost", "records are lost")
-                << ": more came than could be printed\n";
+                << ": they came faster than they could be printed\n";
 }
 
 void PrintNotices(const LogInbox::Content& content, Context& context) {
@@ -150,7 +150,7 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
     if (const auto known = LookUpProcess(catalogue, name); !known) return known.error();
   }
   const std::string from = options.from.empty() ? "" : "from '" + Plain(options.from) + "' ";
-  context.err() << "gcm: no kept record is " << from << "at level " << options.level
+  context.err() << "gcm: the GCM keeps no record " << from << "at level " << options.level
                 << " or above\n";
   return {};
 }
@@ -290,24 +290,24 @@ std::vector<Verb> LogVerbs() {
        "print what the processes log: time, level, process/source, text",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<LogOptions>();
-         app.add_flag("-f,--follow", options->follow, "continue with new records as they come");
-         app.add_option("--level", options->level, "this level and those above (default: all)")
+         app.add_flag("-f,--follow", options->follow, "then print new records when they arrive");
+         app.add_option("--level", options->level, "the lowest level to print (default: all)")
              ->check(CLI::IsMember(LevelNames()));
          app.add_option("--from", options->from,
-                        "process or process/source, with * and ** (default: all)");
+                        "process or process/source; * and ** match several (default: all)");
          return [options](Context& context) { return ShowLog(context, *options); };
        },
        {"gcm log --follow --level warning", "gcm log --from 'robot/**'"}},
       {"log-level", "set the lowest level that a process logs, until it ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
-         WithKind(app.add_option("process", order->process, "process, or a glob such as r*"),
+         WithKind(app.add_option("process", order->process, "process, or a pattern such as r*"),
                   WordKind::kProcess)
              ->required();
          app.add_option("level", order->level, "debug, info, warning or error")
              ->required()
              ->check(CLI::IsMember(LevelNames()));
-         app.add_flag("--dry-run", order->dry_run, "print what would be set, but do nothing");
+         app.add_flag("--dry-run", order->dry_run, "only print what would be set");
          return [order](Context& context) { return SetLevel(context, *order); };
        }},
   };

@@ -139,14 +139,15 @@ Result<ExitCode> Tree(Context& context) {
 Verb::Run PrepareList(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
   WithKind(app.add_option("path", options->path,
-                          "process/component/interface.member, or the beginning of it; or a glob: "
-                          "everything that it matches is listed"),
+                          "process/component/interface.member, or the first parts of it; or a "
+                          "pattern that matches several"),
            WordKind::kPath);
-  app.add_flag("-R,--recursive", options->is_recursive, "also list the contents, by path");
-  app.add_flag("-l,--long", options->is_long, "list by path, with type, state and connections");
+  app.add_flag("-R,--recursive", options->is_recursive, "list all contents too, as paths");
+  app.add_flag("-l,--long", options->is_long, "list paths with type, state and connections");
   std::vector<std::string> codes;
   for (const SystemItemKind& kind : kSystemItemKinds) codes.emplace_back(kind.code);
-  app.add_option("--type", options->types, "only these types, at any depth, separated by commas")
+  app.add_option("--type", options->types,
+                 "list only these types, at any depth; separate them by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(codes));

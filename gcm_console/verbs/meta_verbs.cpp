@@ -86,7 +86,7 @@ Verb::Run PrepareHelp(CLI::App& app) {
   WithKind(app.add_option("topic", options->words, "a verb, or a topic: exit-codes, paths, output"),
            WordKind::kVerb);
   WithKind(app.add_option("--manual", options->manual,
-                          "write pages for man of all verbs into this folder instead"),
+                          "instead of help, write manual pages for all verbs into this folder"),
            WordKind::kFile)
       ->check(CLI::ExistingDirectory);
   return [options](Context& context) { return Help(context, *options); };
@@ -114,7 +114,7 @@ std::vector<Verb> MetaVerbs() {
       {"version", "print the version of gcm and the middlewares that it supports",
        [](CLI::App&) -> Verb::Run { return &Version; }},
       {"completion",
-       "print a script that makes a shell complete the words of gcm",
+       "print a script that adds completion of gcm commands to a shell",
        &PrepareCompletion,
        {"source <(gcm completion bash)", "gcm completion fish | source"}},
   };

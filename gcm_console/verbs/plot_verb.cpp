@@ -61,7 +61,7 @@ class PlottedTables {
       is_any_left |= !table.feed->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "no value that matches is a number"};
+    return Error{tendon::ErrorCode::kNotFound, "none of the matching values is a number"};
   }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> all;
@@ -89,7 +89,7 @@ void Show(const PlottedTables& plotted, double window, Screen& screen) {
   const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestCurveRows + 1)));
   if (curves.size() > fit) {
     footer = std::to_string(fit) + " of " + std::to_string(curves.size()) +
-             " numbers fit on this screen; name fewer";
+             " curves fit on this screen; give fewer values";
     curves.resize(fit);
   }
   screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
@@ -125,7 +125,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   constexpr int kUsualRows = 20;
   if (context.settings().json) {
     return Error{tendon::ErrorCode::kInvalid,
-                 "plot only draws; to get the numbers: gcm --json watch"};
+                 "plot cannot print JSON; to get the numbers: gcm --json watch"};
   }
   tendon::os::HoldTerminationSignals();
   const auto client = context.Client();
@@ -146,15 +146,16 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
 
 Verb::Run PreparePlot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  WithKind(app.add_option(
-               "paths", options->paths,
-               "numbers in columns of state tables, also with * and **, or all numbers of a part"),
+  WithKind(app.add_option("paths", options->paths,
+                          "columns of state tables, or a part of a column (.position[0]); all "
+                          "numbers in them are drawn; * and ** match several"),
            WordKind::kColumn)
       ->required();
   app.add_option("--window", options->window, "the time that is shown (default: 10s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
-  AddDuration(app, options->seconds, "end after this time (into a pipe: the window)");
+  AddDuration(app, options->seconds,
+              "end after this time (default in a pipe: the time of --window)");
   return [options](Context& context) { return Plot(context, *options); };
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 tendon::Error WithHint(tendon::Error error) {
   if (error.code == tendon::ErrorCode::kExists) {
-    error.message += "; use the running GCM, or give --gcm another port";
+    error.message += "; use the running GCM, or give another port with --gcm";
   }
   return error;
 }
@@ -28,7 +28,7 @@ tendon::Error WithHint(tendon::Error error) {
 tendon::Result<program::ExitCode> Serve(Context& context, const std::string& broker) {
   if (!context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
-                         "serve runs until told to stop: start it in a terminal"};
+                         "serve runs until it is stopped: start it in a terminal"};
   }
   tendon::os::HoldTerminationSignals();
   const Settings& settings = context.settings();
@@ -53,7 +53,8 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& bro
                     .broker = broker});
   if (!manager) return WithHint(manager.error());
   if (tendon::os::RunsAsRoot()) {
-    tendon::Log(tendon::LogLevel::kWarning, "gcm", "runs as root, which a GCM does not need");
+    tendon::Log(tendon::LogLevel::kWarning, "gcm",
+                "runs as root, but a GCM does not need the rights of root");
   }
   context.out() << "GCM at " << (*manager)->address() << std::endl;
   tendon::os::WaitForTermination();
@@ -62,7 +63,8 @@ tendon::Result<program::ExitCode> Serve(Context& context, const std::string& bro
 
 Verb::Run PrepareServe(CLI::App& app) {
   const auto broker = std::make_shared<std::string>();
-  app.add_option("--broker", *broker, "address of a gcm broker, which many viewers share")
+  app.add_option("--broker", *broker,
+                 "address of a running gcm broker, which distributes rows to many viewers")
       ->type_name("ADDRESS");
   return [broker](Context& context) { return Serve(context, *broker); };
 }
@@ -87,7 +89,7 @@ tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
 tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string& address) {
   if (context.session() != nullptr || !context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
-                         "broker runs until told to stop: start it outside of gcm shell"};
+                         "broker runs until it is stopped: start it outside of gcm shell"};
   }
   if (const auto place = tendon::ParseAddress(address, 1)) {
     if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
@@ -104,7 +106,8 @@ tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string&
 
 Verb::Run PrepareBroker(CLI::App& app) {
   const auto address = std::make_shared<std::string>(program::kBrokerAddress);
-  app.add_option("--listen", *address, "address for processes and viewers")
+  app.add_option("--listen", *address,
+                 "address at which the fan-out listens for processes and viewers")
       ->type_name("ADDRESS")
       ->capture_default_str();
   return [address](Context& context) { return RunBroker(context, *address); };
@@ -114,7 +117,7 @@ Verb::Run PrepareBroker(CLI::App& app) {
 
 std::vector<Verb> ServeVerbs() {
   return {
-      {"serve", "run a GCM at the address of --gcm until told to stop", &PrepareServe},
+      {"serve", "run a GCM at the address of --gcm until it is stopped", &PrepareServe},
       {"broker",
        "run IceStorm, which distributes rows to many viewers",
        &PrepareBroker,

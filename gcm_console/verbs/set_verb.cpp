@@ -97,7 +97,7 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
   const auto found = LookUpComponents((*client)->catalogue(), words.component);
   if (!found) return found.error();
   if (found->size() > 1) {
-    return Error{ErrorCode::kInvalid, "'" + words.component + "' names " +
+    return Error{ErrorCode::kInvalid, "'" + words.component + "' matches " +
                                           std::to_string(found->size()) +
                                           " components; set the parameters of one at a time"};
   }
@@ -125,19 +125,20 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
 
 std::vector<Verb> SetVerbs() {
   return {{"set",
-           "change one parameter of a component that does not run, or print all parameters",
+           "change one parameter of a component that does not run, or print its parameters",
            [](CLI::App& app) -> Verb::Run {
              auto words = std::make_shared<SetWords>();
              WithKind(app.add_option("component", words->component, "process/component"),
                       WordKind::kComponent)
                  ->required();
-             WithKind(app.add_option(
-                          "parameter", words->parameter,
-                          "for example gain, gain.x or gain[2]; without it: print all parameters"),
+             WithKind(app.add_option("parameter", words->parameter,
+                                     "for example gain, gain.x or gain[2]; if it is missing, all "
+                                     "parameters are printed"),
                       WordKind::kParameter);
-             const auto* value = WithKind(
-                 app.add_option("value", words->value, "JSON; without it: print the current value"),
-                 WordKind::kSetting);
+             const auto* value =
+                 WithKind(app.add_option("value", words->value,
+                                         "JSON; if it is missing, the current value is printed"),
+                          WordKind::kSetting);
              AddDryRun(app, words->dry_run);
              return [words, value](Context& context) {
                words->is_to_be_set = value->count() > 0;

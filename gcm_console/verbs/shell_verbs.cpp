@@ -54,7 +54,7 @@ Result<ExitCode> ReadLines(Shell& shell, const Streams& streams) {
 
 Result<ExitCode> RunShell(Context& context) {
   if (context.session() != nullptr) {
-    return Error{ErrorCode::kInvalid, "this is already a shell; exit ends it"};
+    return Error{ErrorCode::kInvalid, "this is already gcm shell; to leave it: exit"};
   }
   Shell shell(context.settings());
   const bool is_typed = context.streams().make_line_reader != nullptr;
@@ -75,7 +75,7 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
   if (++settings.scripts > kMostScripts) {
     return Error{ErrorCode::kInvalid, "scripts are nested more than " +
                                           std::to_string(kMostScripts) +
-                                          " deep: does a script run itself?"};
+                                          " deep: check whether a script runs itself"};
   }
   Shell shell(std::move(settings));
   int failure = program::kOk;
@@ -88,8 +88,8 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
                   options.keeps_going ? Shell::AfterFailure::kGoOn : Shell::AfterFailure::kStop);
     if (exit_code == program::kOk) continue;
     const bool stops = !options.keeps_going || exit_code == program::kInterrupted;
-    context.err() << "gcm: " << Plain(name) << ", line " << number << ": failed with " << exit_code
-                  << (stops ? ", and nothing after it was run" : "") << '\n';
+    context.err() << "gcm: " << Plain(name) << ", line " << number << ": failed with exit code "
+                  << exit_code << (stops ? "; the following lines were not executed" : "") << '\n';
     if (failure == program::kOk || stops) failure = exit_code;
     if (stops) break;
   }
@@ -105,9 +105,8 @@ Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
   if (options.file == "-") return RunLines(context, options, std::cin);
   std::error_code none;
   if (fs::is_directory(options.file, none)) {
-    return Error{ErrorCode::kInvalid, options.file +
-                                          " is a folder: name a file with a command of "
-                                          "gcm in each line"};
+    return Error{ErrorCode::kInvalid,
+                 options.file + " is a folder: give a file that has one gcm command in each line"};
   }
   std::ifstream script(options.file);
   if (!script) {
@@ -121,7 +120,9 @@ Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
 
 Verb::Run PrepareScript(CLI::App& app) {
   auto options = std::make_shared<ScriptOptions>();
-  WithKind(app.add_option("file", options->file, "lines as in gcm shell; - reads them from stdin"),
+  WithKind(app.add_option(
+               "file", options->file,
+               "file with one command in each line, as in gcm shell; - reads the lines from stdin"),
            WordKind::kFile)
       ->required();
   app.add_flag("--keep-going", options->keeps_going, "continue after a line that has failed");
@@ -132,10 +133,10 @@ Verb::Run PrepareScript(CLI::App& app) {
 
 std::vector<Verb> ShellVerbs() {
   return {
-      {"shell", "read verbs at a prompt, with Tab, a history and cd; see: gcm help prompt",
+      {"shell", "start a prompt for verbs, with completion, history and cd; see: gcm help prompt",
        [](CLI::App&) -> Verb::Run { return &RunShell; }},
       {"run",
-       "run a file of verbs, up to the first that fails",
+       "execute the verbs in a file, and stop at the first that fails",
        &PrepareScript,
        {"gcm run start.gcm", "gcm run --keep-going -"}},
   };

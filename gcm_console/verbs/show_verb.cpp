@@ -46,7 +46,7 @@ void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
   const std::string change = tendon::PluginChangeText(plugin);
   if (change.empty()) return;
   const bool is_gone = plugin.state == tendon::PluginState::kGone;
-  table.Add({"its file", change + (is_gone ? "" : ", which is not the loaded one")});
+  table.Add({"plug-in file", change + (is_gone ? "" : ", but the process still uses the old one")});
 }
 
 void AddProcess(Context& context, const tendon::ProcessDescription& process, Table& table) {
@@ -168,10 +168,9 @@ void AddCounts(Context& context, const PathTarget& target, Table& table) {
     table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
   }
   const double rate = age > 0.0 ? static_cast<double>(counts->taken) / age : 0.0;
-  table.Add(
-      {"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
-                            " per second since it was made; reads bypass the mailbox and are not "
-                            "counted"});
+  table.Add({"calls, events", std::to_string(counts->taken) + ", " + Fixed(rate, 1) +
+                                  " per second since the connection was made; reads do not use the "
+                                  "mailbox and are not counted"});
   if (counts->capacity > 0) {
     table.Add({"mailbox", WaitingText(counts->waiting, counts->capacity)});
   }
@@ -206,7 +205,8 @@ void PrintReads(Context& context, const PathTarget& target, const std::string& p
       what = Joined(CommonFields(schema, *offered), ", ");
     }
     if (what.empty()) continue;
-    context.out() << "gcm get " << interface << read.name << "  # as it is now: " << what << '\n';
+    context.out() << "gcm get " << interface << read.name << "  # the current values of: " << what
+                  << '\n';
   }
 }
 
@@ -293,13 +293,11 @@ Result<ExitCode> Show(Context& context, const std::string& path) {
 
 std::vector<Verb> ShowVerbs() {
   return {
-      {"show", "show everything about one process, component, interface or member",
+      {"show", "show all details of a process, component, interface or member",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         WithKind(
-             app.add_option("path", *path,
-                            "path or pattern of what to show; with *: everything that it matches"),
-             WordKind::kPath)
+         WithKind(app.add_option("path", *path, "path, or a pattern with * that matches several"),
+                  WordKind::kPath)
              ->required();
          return [path](Context& context) { return Show(context, *path); };
        }},

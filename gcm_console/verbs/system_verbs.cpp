@@ -99,7 +99,7 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
   std::error_code ignored;
   if (std::filesystem::exists(words.to, ignored)) {
     return Error{ErrorCode::kExists,
-                 words.to + " already exists: give another file, or remove this"};
+                 words.to + " already exists: give another file, or remove this file"};
   }
   imported->file.name = std::filesystem::path(words.to).stem().string();
   return Write(context, {words.to, words.dry_run},
@@ -112,8 +112,9 @@ Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
   auto former = tendon::ReadSystemFile(file);
   if (former) return std::optional(*std::move(former));
   if (former.error().code == ErrorCode::kNotFound) return std::optional<SystemFile>();
-  return Error{former.error().code,
-               former.error().message + "; nothing is saved: give another file, or remove this"};
+  return Error{
+      former.error().code,
+      former.error().message + "; nothing is saved: give another file, or remove this file"};
 }
 
 Result<ExitCode> Save(Context& context, const SaveWords& words) {
@@ -250,17 +251,17 @@ struct ApplyWords {
 /// Checks that the plan may be executed.
 Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   if (!plan.obstacles.empty() && !words.keep_going) {
-    return Error{
-        plan.refusal,
-        "nothing was done, because not all of the file can be done; to do the possible steps: "
-        "gcm apply " +
-            words.file + " --keep-going" + (words.yes ? " --yes" : "")};
+    return Error{plan.refusal,
+                 "nothing was done, because some steps of the plan are not possible; to do the "
+                 "other steps: gcm apply " +
+                     words.file + " --keep-going" + (words.yes ? " --yes" : "")};
   }
   if (plan.TakesAway() && !words.yes) {
-    return Error{ErrorCode::kFailed,
-                 "nothing was done, because the steps marked with ! remove things that run; to "
-                 "confirm this: gcm apply " +
-                     words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
+    return Error{
+        ErrorCode::kFailed,
+        "nothing was done, because the steps with ! stop, disconnect or remove something that "
+        "works; to confirm this: gcm apply " +
+            words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
   }
   return {};
 }
@@ -377,26 +378,25 @@ std::vector<Verb> SystemVerbs() {
          WithKind(app.add_option("file", words->file, "system file to create or to update"),
                   WordKind::kFile)
              ->required();
-         app.add_flag("--dry-run", words->dry_run,
-                      "print what would be written, but write nothing");
+         app.add_flag("--dry-run", words->dry_run, "print the changes, but do not write the file");
          return [words](Context& context) { return Save(context, *words); };
        }},
       {"import", "create a system file from a file of the cisst component manager",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ImportWords>();
-         WithKind(app.add_option("from", words->from, "with \"components\" and \"connections\""),
-                  WordKind::kFile)
+         WithKind(
+             app.add_option("from", words->from, "file with \"components\" and \"connections\""),
+             WordKind::kFile)
              ->required();
          WithKind(app.add_option("to", words->to, "system file to create"), WordKind::kFile)
              ->required();
-         app.add_option("--process", words->process, "the process that has the components")
+         app.add_option("--process", words->process,
+                        "name of the process that will have the components")
              ->required();
-         app.add_flag("--dry-run", words->dry_run,
-                      "print what would be written, but write nothing");
+         app.add_flag("--dry-run", words->dry_run, "print the changes, but do not write the file");
          return [words](Context& context) { return Import(context, *words); };
        }},
-      {"diff",
-       "list the differences of a system file from the running system, or from another file",
+      {"diff", "list the differences between a system file and the running system, or another file",
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<DiffWords>();
          WithKind(app.add_option("first", words->first, "system file"), WordKind::kFile)
@@ -416,10 +416,10 @@ std::vector<Verb> SystemVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ApplyWords>();
          WithKind(app.add_option("file", words->file, "system file"), WordKind::kFile)->required();
-         app.add_flag("--yes", words->yes, "also remove what is not in the file");
+         app.add_flag("--yes", words->yes, "also remove everything that is not in the file");
          app.add_flag("--dry-run", words->dry_run, "only list the steps, like plan");
          app.add_flag("--keep-going", words->keep_going,
-                      "continue after a failed step with all steps that do not depend on it");
+                      "if a step fails, continue with all steps that do not depend on it");
          return [words](Context& context) { return Apply(context, *words); };
        }},
   };

@@ -326,10 +326,10 @@ Verb::Run Prepare(CLI::App& app) {
   const auto* sort = app.add_option("--sort", options->sort, "the column to sort by")
                          ->check(CLI::IsMember(orders))
                          ->capture_default_str();
-  app.add_option("--filter", options->filter, "only rows whose path contains this");
+  app.add_option("--filter", options->filter, "show only rows whose path contains this text");
   app.add_flag("--connections", options->shows_connections,
-               "show all connections; their rate counts calls and events in mailboxes, not "
-               "reads");
+               "show all connections instead of tasks; the rate counts calls and events in "
+               "mailboxes, not reads");
   return [options, sort](Context& context) -> Result<ExitCode> {
     if (sort->count() == 0) return Top(context, *options);
     const std::string& by = options->sort;
@@ -349,7 +349,7 @@ Verb::Run Prepare(CLI::App& app) {
 
 std::vector<Verb> TopVerbs() {
   return {{"top",
-           "show the timing of all tasks, on the whole screen, or once into a pipe",
+           "show the timing of all tasks: on the whole screen, or once if the output is a pipe",
            &Prepare,
            {"gcm top --sort late", "gcm top --connections --sort lost",
             "gcm top --filter robot/ | column -t"}}};

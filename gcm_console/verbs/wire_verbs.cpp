@@ -45,11 +45,13 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown,
                        const ConnectArguments& ends) {
   const bool asks = unknown.message.ends_with("?");
-  context.err() << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
-                << (ends.dry_run
-                        ? "the connection would wait for it"
-                        : "the connection waits for it; cancel it: gcm disconnect " + ends.required)
-                << '\n';
+  context.err()
+      << "gcm: " << Plain(unknown.message) << (asks ? " " : "; ")
+      << (ends.dry_run
+              ? "the connection would wait for this process"
+              : "the connection waits for this process; to cancel the connection: gcm disconnect " +
+                    ends.required)
+      << '\n';
   return program::kNotFound;
 }
 
@@ -78,8 +80,8 @@ ExitCode Print(Context& context, const VerbForms& forms, const std::vector<Outco
 /// The error for an interface without a match.
 Error Unmatched(const Match& match, const std::string& pattern) {
   if (match.provided.empty()) {
-    return {ErrorCode::kIncompatible, "no interface that '" + pattern +
-                                          "' matches fits it; look with: gcm candidates " +
+    return {ErrorCode::kIncompatible, "no interface that matches '" + pattern +
+                                          "' can be connected to it; look with: gcm candidates " +
                                           ToString(match.required)};
   }
   std::string all;
@@ -87,7 +89,7 @@ Error Unmatched(const Match& match, const std::string& pattern) {
     all += (all.empty() ? "" : ", ") + ToString(one);
   }
   return {ErrorCode::kNotFound,
-          std::to_string(match.provided.size()) + " fit it equally well: " + all};
+          std::to_string(match.provided.size()) + " interfaces fit equally well: " + all};
 }
 
 bool IsClear(const Match& match) { return match.provided.size() == 1; }
@@ -110,8 +112,9 @@ std::string QuestionOf(const std::vector<Match>& matches) {
 
 Result<ExitCode> ConnectMatching(Context& context, const ConnectArguments& ends) {
   if (ends.replace) {
-    return Error{ErrorCode::kInvalid,
-                 "--match connects only free interfaces; --replace takes one interface"};
+    return Error{
+        ErrorCode::kInvalid,
+        "--match and --replace cannot be used together: --match connects only free interfaces"};
   }
   const auto client = context.Client();
   if (!client) return client.error();
@@ -209,8 +212,8 @@ Result<ExitCode> DisconnectAll(Context& context, const ConnectArguments& ends) {
     question += " " + ToString(one.required);
   }
   if (found.empty()) {
-    return Error{ErrorCode::kNotFound, "no interface that '" + ends.required +
-                                           "' matches is connected; gcm ls -R -l --type req lists "
+    return Error{ErrorCode::kNotFound, "no interface that matches '" + ends.required +
+                                           "' is connected; gcm ls -R -l --type req lists "
                                            "all connections"};
   }
   question = "disconnect " + std::to_string(found.size()) + " interfaces:" + question;
@@ -262,13 +265,15 @@ std::vector<Verb> WireVerbs() {
          WithKind(app.add_option("provided", ends->provided, "process/component/interface"),
                   WordKind::kProvided)
              ->required();
-         app.add_flag("--replace", ends->replace,
-                      "replace the existing connection of the required interface, in one step");
-         app.add_flag("--match", ends->match,
-                      "both are globs: connect each free required interface to the provided "
-                      "interface that fits it; if several fit, to the one of the same name");
+         app.add_flag(
+             "--replace", ends->replace,
+             "if the required interface is already connected, replace that connection in one step");
+         app.add_flag(
+             "--match", ends->match,
+             "both arguments are patterns: connect each free required interface to the provided "
+             "interface that fits; if several fit, to the one with the same name");
          AddDryRun(app, ends->dry_run);
-         app.add_flag("--yes", ends->yes, "do not ask before --match connects several");
+         app.add_flag("--yes", ends->yes, "do not ask, even if --match connects several");
          return [ends](Context& context) { return Connect(context, *ends); };
        },
        {"gcm connect desk/teleoperation/Robot robot/arm/Control",
@@ -277,12 +282,12 @@ std::vector<Verb> WireVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ConnectArguments>();
          WithKind(app.add_option("required", ends->required,
-                                 "process/component/interface, or the number of its connection: 3, "
-                                 "or process/3; or a glob such as desk/*/Robot"),
+                                 "process/component/interface; or the number of the connection, "
+                                 "such as 3 or process/3; or a pattern such as desk/*/Robot"),
                   WordKind::kRequired)
              ->required();
          AddDryRun(app, ends->dry_run);
-         app.add_flag("--yes", ends->yes, "do not ask before a glob ends several");
+         app.add_flag("--yes", ends->yes, "do not ask, even if a pattern matches several");
          return [ends](Context& context) { return Disconnect(context, *ends); };
        }},
   };

@@ -62,8 +62,8 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] const Action& action(int row) const;
   /// The shell command that does the same, or empty.
   [[nodiscard]] QString command(int row) const;
-  /// True for the action that Undo undoes: the newest one that is not undone, with no plan after
-  /// it.
+  /// True for the action that the command Undo would undo: the newest action that is not yet
+  /// undone. False if a plan was executed after this action.
   [[nodiscard]] bool canUndo(int row) const;
 
   /// A repeated call updates the count of its row instead of adding a row.

@@ -80,14 +80,15 @@ QWidget* LogPage::buildBar() {
   count_ = MakeNote(QStringLiteral("log.count"));
   QToolButton* levels = MakeLinkButton(Words::tr("Set level…"), QStringLiteral("log.setLevel"));
   levels->setProperty("changesSystem", true);
-  levels->setToolTip(Words::tr("The lowest level that a process logs, until it ends"));
+  levels->setToolTip(
+      Words::tr("Sets the lowest level that a process logs; this lasts until the process ends"));
   levels->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(levels);
   menu->setObjectName(QStringLiteral("log.levels"));
   connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillLevels(*menu); });
   levels->setMenu(menu);
   QToolButton* clear = MakeLinkButton(Words::tr("Clear"), QStringLiteral("log.clear"));
-  clear->setToolTip(Words::tr("Empties this list; the processes and the GCM keep theirs"));
+  clear->setToolTip(Words::tr("Clears this list; the processes and the GCM keep their records"));
   connect(clear, &QToolButton::clicked, &log_, &LogModel::clear);
   return MakeToolRow({level_, words_}, {count_, levels, clear});
 }

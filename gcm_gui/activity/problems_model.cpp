@@ -120,8 +120,8 @@ void ProblemsModel::showFaults(const QList<ViewFault>& faults) {
   faults_ = faults;
   of_views_.clear();
   for (const ViewFault& fault : faults) {
-    const QString begin = fault.is_covered ? Words::tr("%1 has met an error and is not drawn: %2")
-                                           : Words::tr("%1 has met an error: %2");
+    const QString begin = fault.is_covered ? Words::tr("%1 is not drawn because of an error: %2")
+                                           : Words::tr("%1 had an error: %2");
     QString text = begin.arg(fault.view, fault.what);
     if (fault.count > 1) text += Words::tr(" (%1 times)").arg(fault.count);
     of_views_.push_back({{}, text, StateMark::kFaulted, fault.first});

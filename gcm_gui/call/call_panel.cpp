@@ -162,7 +162,7 @@ QWidget* CallPanel::buildButtons() {
   connect(call_, &HoldButton::called, this, &CallPanel::call);
   connect(call_, &QAbstractButton::pressed, this, [this] { is_touched_ = true; });
   connect(call_, &HoldButton::releasedEarly, this, [this] {
-    showStatus(Words::tr("Not called: this can set something in motion; hold the button for 0.4 s"),
+    showStatus(Words::tr("Not called: this command can move something; hold the button for 0.4 s"),
                QStringLiteral("warning"));
   });
   retry_ = MakeLinkButton(Words::tr("Ask again"), QStringLiteral("call.retry"));
@@ -338,8 +338,8 @@ void CallPanel::onValue(const std::string& read, const std::vector<std::string>&
   if (!call_->isEnabled()) return;
   QStringList names;
   for (const std::string& field : fields) names << ToQString(field);
-  showStatus(names.isEmpty() ? Words::tr("As %1 reports now").arg(ToQString(read))
-                             : Words::tr("%1 as %2 reports now")
+  showStatus(names.isEmpty() ? Words::tr("Current values from %1").arg(ToQString(read))
+                             : Words::tr("%1: current values from %2")
                                    .arg(names.join(QStringLiteral(", ")), ToQString(read)),
              QStringLiteral("dim"));
 }
@@ -398,7 +398,7 @@ void CallPanel::setCareful(bool careful) {
   call_->setCareful(careful);
   repeat_->setCareful(careful);
   call_->setText(careful ? Words::tr("Hold to call") : Words::tr("Call"));
-  call_->setToolTip(careful ? Words::tr("It can set something in motion: hold the button for "
+  call_->setToolTip(careful ? Words::tr("This can move something: hold the button for "
                                         "0.4 s, or press Ctrl+Enter twice")
                             : Words::tr("Ctrl+Enter"));
 }
@@ -412,7 +412,7 @@ void CallPanel::callByKey() {
   is_touched_ = true;
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
-    return showStatus(Words::tr("Ctrl+Enter again calls it: this can set something in motion"),
+    return showStatus(Words::tr("Ctrl+Enter again calls it: this can move something"),
                       QStringLiteral("warning"));
   }
   second_key_.stop();

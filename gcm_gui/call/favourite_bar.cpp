@@ -53,7 +53,7 @@ void FavouriteBar::build() {
     connect(button, &HoldButton::called, this, [this, favourite] { call(favourite); });
     connect(button, &HoldButton::releasedEarly, this, [this] {
       Q_EMIT notice(
-          Words::tr("Not called: this can set something in motion; hold the button "
+          Words::tr("Not called: this command can move something; hold the button "
                     "for 0.4 s"));
     });
     connect(button, &QWidget::customContextMenuRequested, this,
@@ -91,7 +91,7 @@ void FavouriteBar::show(const Button& one) {
   const bool is_careful = component != nullptr && NeedsCare(*command, component->state);
   one.button->setCareful(is_careful);
   one.button->setToolTip(CallLine(one.favourite.path, one.favourite.argument) +
-                         (is_careful ? Words::tr("\nIt can set something in motion: hold the "
+                         (is_careful ? Words::tr("\nThis can move something: hold the "
                                                  "button for 0.4 s")
                                      : QString()));
 }

@@ -12,7 +12,7 @@ namespace tendon::gui {
 class HoldButton;
 
 /// A tool bar with a button for each favourite command. A button is grey while its component is
-/// gone, and must be held if the command can set something in motion. Hidden without favourites.
+/// gone, and must be held if the command can move something. Hidden without favourites.
 class FavouriteBar : public QToolBar {
   Q_OBJECT
 

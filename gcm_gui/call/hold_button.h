@@ -9,7 +9,7 @@
 
 namespace tendon::gui {
 
-/// A button that calls a command at a click or, if the call can set something in motion, after it
+/// A button that calls a command at a click or, if the call can move something, after it
 /// has been held for a while.
 class HoldButton : public QPushButton {
   Q_OBJECT
@@ -39,8 +39,8 @@ class HoldButton : public QPushButton {
   QTimer hold_;
 };
 
-/// True if the user must hold a button or press a key twice to call `command`: it can set something
-/// in motion, and its component executes it at once in this state.
+/// True if the user must hold a button or press a key twice to call `command`: it can move
+/// something, and its component executes it at once in this state.
 [[nodiscard]] inline bool NeedsCare(const MemberDescription& command, ComponentState state) {
   return !command.hazard.empty() && state == ComponentState::kActive;
 }

@@ -44,13 +44,15 @@ PastedNumbers NumbersIn(const QString& text) {
   QStringList words = is_json ? list.split(',') : list.split(between);
   if (!is_in_brackets && words.size() == 1) {
     if (!IsListWithoutBlanks(list)) return {.is_list = false, .words = {text}, .refusal = {}};
-    return Refused(Words::tr("put a blank after each comma between numbers"));
+    return Refused(Words::tr("put a space after each comma between numbers"));
   }
-  if (words.contains(QString())) return Refused(Words::tr("there is an empty place in the list"));
+  if (words.contains(QString())) return Refused(Words::tr("a number is missing in the list"));
   for (const QString& part : list.split(parts)) {
     if (!MayBeOneNumber(part.trimmed())) continue;
-    return Refused(Words::tr("“%1” may be one number or several: put semicolons between numbers")
-                       .arg(part.trimmed()));
+    return Refused(
+        Words::tr(
+            "it is not clear whether “%1” is one number or several: put semicolons between numbers")
+            .arg(part.trimmed()));
   }
   return {.is_list = true, .words = std::move(words), .refusal = {}};
 }

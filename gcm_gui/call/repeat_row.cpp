@@ -86,7 +86,7 @@ void RepeatRow::checkNumbers() {
 QString RepeatRow::counts() const {
   QString text = CountText(repeater_.called(), Words::tr("%1 call"), Words::tr("%1 calls"));
   if (repeater_.leftOut() > 0) {
-    text += Words::tr(", %1 left out: the previous call took too long").arg(repeater_.leftOut());
+    text += Words::tr(", %1 skipped: the previous call took too long").arg(repeater_.leftOut());
   }
   return text;
 }
@@ -101,8 +101,8 @@ void RepeatRow::showButton() {
   button_->setEnabled(is_callable_ && (!is_refused_ || repeater_.isRunning()));
   const QString start = careful_ ? Words::tr("Hold to repeat") : Words::tr("Repeat");
   button_->setText(repeater_.isRunning() && !careful_ ? Words::tr("Stop") : start);
-  button_->setToolTip(careful_ ? Words::tr("It can set something in motion: it is called "
-                                           "while the button is held down, after the first 0.4 s")
+  button_->setToolTip(careful_ ? Words::tr("This can move something: hold the button for 0.4 s; "
+                                           "the calls repeat until you release it")
                                : QString());
 }
 

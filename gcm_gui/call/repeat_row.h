@@ -14,7 +14,7 @@ namespace tendon::gui {
 class NumberBox;
 
 /// The rate and number of repeated calls, and a button that starts and stops them. If a call can
-/// set something in motion, calls are only made while the button is held down.
+/// move something, calls are only made while the button is held down.
 class RepeatRow : public QWidget {
   Q_OBJECT
 

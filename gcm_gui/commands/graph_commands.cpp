@@ -73,7 +73,7 @@ void GraphCommands::addCommands(Commands& commands) {
   };
   menu_ = &commands.menu(Commands::Menu::kGraph);
   add(Words::tr("&Find in the graph…"), Qt::Key_Slash, [this] { search_->open(); });
-  add(Words::tr("Show &all of it"), {}, [this] { graph_.fit(); });
+  add(Words::tr("Show &all of the graph"), {}, [this] { graph_.fit(); });
   QAction& map = add(Words::tr("&Map of the graph"), Qt::Key_M,
                      [this] { map_->setWanted(!map_->isWanted()); });
   map.setCheckable(true);
@@ -86,7 +86,7 @@ void GraphCommands::addCommands(Commands& commands) {
   add(Words::tr("&Reset the layout of the graph"), {}, [this] {
     graph_.graph().nodePositions().reset();
     graph_.fit();
-    Q_EMIT notice(Words::tr("All nodes are where the layout puts them · Ctrl+Z undoes"));
+    Q_EMIT notice(Words::tr("All nodes are back at their automatic positions · Ctrl+Z undoes"));
   });
   menu_->addSeparator();
   add(Words::tr("Save a &picture of the graph…"), {}, [this] { export_->ask(); });

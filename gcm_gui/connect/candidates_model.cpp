@@ -71,8 +71,8 @@ void CandidatesModel::refresh() {
   };
   if (beyond > 0) add(Words::tr("%1 more; type to find one").arg(beyond));
   if (others > 0) {
-    add(fresh.empty() ? Words::tr("None of %1 fits at all").arg(others)
-                      : Words::tr("%1 more do not fit at all").arg(others));
+    add(fresh.empty() ? Words::tr("None of %1 fits").arg(others)
+                      : Words::tr("%1 more do not fit").arg(others));
   }
   if (fresh == rows_) return;
   beginResetModel();

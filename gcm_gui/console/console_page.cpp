@@ -77,7 +77,7 @@ void ConsolePage::build() {
   output_->setWordWrapMode(QTextOption::WrapAnywhere);
   output_->document()->setDocumentMargin(2 * kGrid);
   output_->setPlaceholderText(
-      Words::tr("The language of gcm shell: try ls, watch, call … or help. Tab completes, "
+      Words::tr("Accepts the commands of gcm shell: try ls, watch, call … or help. Tab completes, "
                 "Ctrl+C interrupts, Ctrl+R searches the history."));
   output_->installEventFilter(this);
   prompt_label_ = new QLabel;

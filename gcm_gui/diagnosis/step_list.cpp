@@ -181,7 +181,7 @@ void StepList::addSides() {
 
 void StepList::showSides(bool shown) {
   sides_->setVisible(shown);
-  toggle_->setText(shown ? Words::tr("Hide the sides") : Words::tr("Show side by side"));
+  toggle_->setText(shown ? Words::tr("Hide the comparison") : Words::tr("Show side by side"));
   toggle_->setAccessibleName(toggle_->text());
 }
 

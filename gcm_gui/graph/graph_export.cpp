@@ -99,8 +99,8 @@ void GraphExport::ask() {
   dialog->setObjectName(QStringLiteral("graphExport"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilters({Words::tr("SVG, as large as you like (*.svg)"),
-                          Words::tr("PNG, as it is seen (*.png)"),
+  dialog->setNameFilters({Words::tr("SVG, scalable (*.svg)"),
+                          Words::tr("PNG, as on the screen (*.png)"),
                           Words::tr("DOT, for Graphviz (*.dot)")});
   dialog->setDefaultSuffix(QStringLiteral("svg"));
   connect(dialog, &QFileDialog::filterSelected, dialog,
@@ -138,7 +138,7 @@ void GraphExport::save(const QString& file) {
                  });
   }
   Q_EMIT notice(
-      NotSaved(file, Words::tr("end its name with .svg, .png or .dot to choose the format")));
+      NotSaved(file, Words::tr("end the file name with .svg, .png or .dot to choose the format")));
 }
 
 void GraphExport::write(const QString& name, Draw draw) {

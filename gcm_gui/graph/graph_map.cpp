@@ -25,9 +25,8 @@ constexpr double kSlack = 1;      // scene units that may be outside the view
 GraphMap::GraphMap(GraphView& graph) : QWidget(&graph), graph_(graph) {
   setObjectName(QStringLiteral("graphMap"));
   setAccessibleName(Words::tr("Map of the graph"));
-  setAccessibleDescription(
-      Words::tr("The frame is the visible part; Shift and arrow keys in the "
-                "graph move it"));
+  setAccessibleDescription(Words::tr(
+      "The frame shows the visible part; to move it, press Shift and an arrow key in the graph"));
   setToolTip(Words::tr("Drag the frame to see another part  (M hides the map)"));
   setCursor(Qt::PointingHandCursor);
   hide();

@@ -49,9 +49,9 @@ GraphSearch::GraphSearch(GraphView& graph)
   row->addWidget(field_);
   row->addWidget(count_);
   QToolButton* back = addButton(QStringLiteral("↑"), QStringLiteral("graphSearch.previous"),
-                                Words::tr("The one before  (Shift+Enter)"));
+                                Words::tr("Previous match  (Shift+Enter)"));
   QToolButton* on = addButton(QStringLiteral("↓"), QStringLiteral("graphSearch.next"),
-                              Words::tr("The next one  (Enter)"));
+                              Words::tr("Next match  (Enter)"));
   QToolButton* end = addButton(QStringLiteral("✕"), QStringLiteral("graphSearch.close"),
                                Words::tr("End the search  (Esc)"));
   connect(back, &QToolButton::clicked, this, &GraphSearch::previous);

@@ -22,7 +22,7 @@ ViewCover::ViewCover(QWidget& view) : QWidget(&view) {
   apply_theme();
   connect(&Theme::instance(), &Theme::changed, this, apply_theme);
   auto* words = MakeTextLine(QStringLiteral("viewCover.words"), QStringLiteral("dim"));
-  words->setText(Words::tr("This view has met an error and is not drawn. Problems says which."));
+  words->setText(Words::tr("This view is not drawn because of an error: see Problems."));
   words->setAlignment(Qt::AlignCenter);
   auto* again = new QPushButton(Words::tr("Show again"));
   again->setObjectName(QStringLiteral("viewCover.again"));

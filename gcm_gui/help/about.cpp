@@ -71,7 +71,7 @@ void AddTerms(QVBoxLayout& column) {
   };
   QObject::connect(choice, &QComboBox::currentIndexChanged, text, show);
   show(0);
-  auto* title = new QLabel(Words::tr("The libraries in it, and their licences"));
+  auto* title = new QLabel(Words::tr("Libraries in this program, and their licences"));
   SetRole(*title, QStringLiteral("strong"));
   column.addWidget(title);
   column.addWidget(choice);

@@ -70,7 +70,7 @@ std::vector<KeyGroup> OfViews() {
            "legend"},
           {Words::tr("In a form"),
            {{Words::tr("Ctrl+Enter"),
-             Words::tr("Call the command; press it twice if it can set something in motion")}},
+             Words::tr("Call the command; press it twice if it can move something")}},
            "call"},
           {Words::tr("In the console"),
            {{Words::tr("Tab"), Words::tr("Completes")},

@@ -26,33 +26,27 @@ QWidget* Revealed(MainWindow& window, QWidget& widget) {
 std::vector<TourStep> WindowTour(MainWindow& window) {
   return {
       Step(Words::tr("The running system"),
-           Words::tr(
-               "Every process, its components and their interfaces appear here by themselves; type "
-               "into the filter to find one."),
+           Words::tr("All processes with their components and interfaces appear here "
+                     "automatically; to find one, type into the filter."),
            [&window] { return Revealed(window, window.catalogue()); }),
       Step(Words::tr("Connect with two clicks"),
-           Words::tr("Click a hollow port, then one that lights up: they are connected, and Ctrl+Z "
-                     "takes it "
-                     "back."),
+           Words::tr("Click a hollow port, then a port that lights up: this connects them, and "
+                     "Ctrl+Z undoes it."),
            [&window]() -> QWidget* {
              window.centre().setCurrent(0);
              return &window.centre();
            }),
       Step(Words::tr("Look inside"),
-           Words::tr(
-               "The selected object shows its values, commands and events here, and a click on "
-               "a command "
-               "gives a form that calls it."),
+           Words::tr("Values, commands and events of the selected object are shown here; a click "
+                     "on a command opens a form to call it."),
            [&window] { return Revealed(window, window.inspector()); }),
       Step(Words::tr("Plot it live"),
-           Words::tr("Select a value and press P: every sample of it is drawn, and you can zoom "
-                     "and measure "
-                     "while more arrive."),
+           Words::tr("Select a value and press P: the plot shows all its samples, and you can zoom "
+                     "and measure while new ones arrive."),
            [&window]() -> QWidget* { return &window.plots(); }),
       Step(Words::tr("Nothing is lost"),
-           Words::tr(
-               "Your actions are listed here, each with a way to undo it and the command line that "
-               "does the same; problems, the log and a console are beside it."),
+           Words::tr("Your actions are listed here; you can undo each of them, or copy its command "
+                     "line. Other tabs show problems, the log and a console."),
            [&window] { return Revealed(window, window.strip()); }),
       Step(Words::tr("Everything by its name"),
            Words::tr("Ctrl+K finds all commands and all objects. F1 shows the keys. The menu Help "

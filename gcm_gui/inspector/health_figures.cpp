@@ -53,7 +53,8 @@ QList<Property> HealthFigures::processFacts() const {
            Words::tr("Of one core, in the last second")},
           {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
           {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
-           Words::tr("How far its clock is ahead of the GCM's, and how sure that is")}};
+           Words::tr(
+               "Difference from the clock of the GCM, and its uncertainty; above 0 means ahead")}};
 }
 
 void HealthFigures::ask() {

@@ -51,7 +51,7 @@ QList<Property> PluginFacts(const ProcessDescription& process, const std::string
   QList<Property> facts{{Words::tr("Plug-in"), file.section('/', -1), file},
                         {Words::tr("Written"), ToQString(WallTimeText(plugin->written)), file}};
   if (const QString change = PluginChangeWords(*plugin); !change.isEmpty()) {
-    facts.append({Words::tr("Older than its file"), change, {}, Property::Kind::kSentence});
+    facts.append({Words::tr("File has changed"), change, {}, Property::Kind::kSentence});
   }
   return facts;
 }
@@ -127,7 +127,7 @@ QWidget* Inspector::buildProcessPage() {
   forget_ = new QPushButton(Words::tr("Forget this process"));
   forget_->setObjectName(QStringLiteral("forget"));
   forget_->setProperty("changesSystem", true);
-  forget_->setToolTip(Words::tr("Removes its last state from the catalogue"));
+  forget_->setToolTip(Words::tr("Removes the process and its last state from the catalogue"));
   connect(forget_, &QPushButton::clicked, this,
           [this] { actions_.forget(selection_.current().toStdString()); });
   auto* line = new QHBoxLayout;

@@ -55,13 +55,14 @@ QList<Property> CycleFacts(double period, const CycleFigures& figures) {
       {Words::tr("Period"), time(&Second::period), Words::tr("Mean of the last second")},
       {Words::tr("Longest period"), time(&Second::longest)},
       {Words::tr("Starts late by"), time(&Second::late),
-       Words::tr("Half of the cycles of the last second; 99 of 100; all of them")},
+       Words::tr("Median of the last second: half of the cycles start at most this late")},
       {Words::tr("99 of 100 start within"), time(&Second::later)},
       {Words::tr("Latest start"), time(&Second::latest)},
       {Words::tr("Computes for"), time(&Second::compute), Words::tr("Mean of the last second")},
       {Words::tr("Longest computation"), time(&Second::most_computed)},
       {Words::tr("Skipped cycles"), figures.skipped() ? QString::number(*figures.skipped()) : kNone,
-       Words::tr("Since its start, because a cycle before took too long")}};
+       Words::tr(
+           "Since the task was started; a cycle is skipped if an earlier one took too long")}};
 }
 
 }  // namespace
@@ -77,16 +78,16 @@ QList<Property> TimingFacts(double period, const CycleFigures& figures) {
       {Words::tr("Starts late by"),
        last ? Words::tr("%1 · max %2").arg(DurationText(last->late), DurationText(last->latest))
             : kNone,
-       last ? Words::tr("In the last second half of the cycles began no later than %1 after "
-                        "they were due, 99 of 100 no later than %2, all no later than %3")
+       last ? Words::tr("Delay of the cycles of the last second: at most %1 for half of them, %2 "
+                        "for 99 of 100, %3 for all")
                   .arg(DurationText(last->late), DurationText(last->later),
                        DurationText(last->latest))
             : QString()},
       {Words::tr("Skipped cycles"), figures.skipped() ? QString::number(*figures.skipped()) : kNone,
-       Words::tr("Since its start, because a cycle before took too long")},
+       Words::tr("Since the task was started; a cycle is skipped if an earlier one took too long")},
       {Words::tr("Busy"),
        last ? QStringLiteral("%1 % · %2").arg(percent, DurationText(last->compute)) : kNone,
-       Words::tr("The part of its period in which it computes, mean of the last second")}};
+       Words::tr("Share of the period that is used for computation, mean of the last second")}};
 }
 
 QList<Property> ThreadFacts(const ComponentDescription& component, const CycleFigures& figures) {

@@ -83,7 +83,7 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 
 QString ValuesModel::silenceOf(const Block& block) const {
   if (!block.refusal.isEmpty()) return block.refusal;
-  return Words::tr("%1 has not answered for %2 s: a click, or Enter, asks it again")
+  return Words::tr("%1 has not answered for %2 s: click, or press Enter, to ask again")
       .arg(block.column.section('/', 0, 0))
       .arg(kPatience.count());
 }

@@ -98,7 +98,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Aufrufen</translation>
     </message>
     <message>
-        <source>Not called: this can set something in motion; hold the button for 0.4 s</source>
+        <source>Not called: this command can move something; hold the button for 0.4 s</source>
         <translation>Nicht aufgerufen: den Knopf 0.4&#xa0;s halten, denn das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -146,7 +146,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Zum Aufruf halten</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <source>This can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
         <translation>Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten oder zweimal Strg+Enter drücken</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Strg+Enter</translation>
     </message>
     <message>
-        <source>Ctrl+Enter again calls it: this can set something in motion</source>
+        <source>Ctrl+Enter again calls it: this can move something</source>
         <translation>Nochmals Strg+Enter ruft auf: das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -183,7 +183,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>
-It can set something in motion: hold the button for 0.4 s</source>
+This can move something: hold the button for 0.4 s</source>
         <translation>
 Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
     </message>
@@ -220,7 +220,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>%1 Aufrufe</translation>
     </message>
     <message>
-        <source>, %1 left out: the previous call took too long</source>
+        <source>, %1 skipped: the previous call took too long</source>
         <translation>, %1 ausgelassen: der vorige dauerte zu lange</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>It can set something in motion: it is called while the button is held down, after the first 0.4 s</source>
+        <source>This can move something: hold the button for 0.4 s; the calls repeat until you release it</source>
         <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -294,11 +294,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 weitere; zum Suchen tippen</translation>
     </message>
     <message>
-        <source>None of %1 fits at all</source>
+        <source>None of %1 fits</source>
         <translation>Keiner von %1 passt</translation>
     </message>
     <message>
-        <source>%1 more do not fit at all</source>
+        <source>%1 more do not fit</source>
         <translation>%1 weitere passen gar nicht</translation>
     </message>
     <message>
@@ -338,7 +338,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Konsolenausgabe</translation>
     </message>
     <message>
-        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
+        <source>Accepts the commands of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
         <translation>Die Sprache von gcm shell: zum Beispiel ls, watch, call … oder help. Tab ergänzt, Strg+C bricht ab, Strg+R sucht im Getippten.</translation>
     </message>
     <message>
@@ -458,11 +458,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Bild des Graphen speichern</translation>
     </message>
     <message>
-        <source>SVG, as large as you like (*.svg)</source>
+        <source>SVG, scalable (*.svg)</source>
         <translation>SVG, beliebig groß (*.svg)</translation>
     </message>
     <message>
-        <source>PNG, as it is seen (*.png)</source>
+        <source>PNG, as on the screen (*.png)</source>
         <translation>PNG, wie zu sehen (*.png)</translation>
     </message>
     <message>
@@ -470,8 +470,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>DOT, für Graphviz (*.dot)</translation>
     </message>
     <message>
-        <source>end its name with .svg, .png or .dot to choose the format</source>
-        <translation>der Name muss auf .svg, .png oder .dot enden, um zu sagen, was es ist</translation>
+        <source>end the file name with .svg, .png or .dot to choose the format</source>
+        <translation>der Dateiname muss auf .svg, .png oder .dot enden, um das Format zu wählen</translation>
     </message>
     <message>
         <source> saved</source>
@@ -510,7 +510,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Übersichtskarte des Graphen</translation>
     </message>
     <message>
-        <source>The frame is the visible part; Shift and arrow keys in the graph move it</source>
+        <source>The frame shows the visible part; to move it, press Shift and an arrow key in the graph</source>
         <translation>Der Rahmen ist der sichtbare Teil; Umschalt und Pfeiltasten im Graphen verschieben ihn</translation>
     </message>
     <message>
@@ -526,11 +526,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Komponente oder Schnittstelle</translation>
     </message>
     <message>
-        <source>The one before  (Shift+Enter)</source>
+        <source>Previous match  (Shift+Enter)</source>
         <translation>Voriger Treffer  (Umschalt+Enter)</translation>
     </message>
     <message>
-        <source>The next one  (Enter)</source>
+        <source>Next match  (Enter)</source>
         <translation>Nächster Treffer  (Enter)</translation>
     </message>
     <message>
@@ -574,8 +574,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Uhr</translation>
     </message>
     <message>
-        <source>How far its clock is ahead of the GCM&apos;s, and how sure that is</source>
-        <translation>Wie weit die Uhr der des GCM vorgeht und wie sicher das ist</translation>
+        <source>Difference from the clock of the GCM, and its uncertainty; above 0 means ahead</source>
+        <translation>Abweichung von der Uhr des GCM und ihre Unsicherheit; über 0 geht die Uhr vor</translation>
     </message>
     <message>
         <source>%1 of %2 wait in the fullest mailbox of the component</source>
@@ -606,7 +606,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 · max. %2</translation>
     </message>
     <message>
-        <source>In the last second half of the cycles began no later than %1 after they were due, 99 of 100 no later than %2, all no later than %3</source>
+        <source>Delay of the cycles of the last second: at most %1 for half of them, %2 for 99 of 100, %3 for all</source>
         <translation>In der letzten Sekunde begann die Hälfte der Zyklen höchstens %1 nach ihrem Termin, 99 von 100 höchstens %2, alle höchstens %3</translation>
     </message>
     <message>
@@ -614,15 +614,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Übersprungene Zyklen</translation>
     </message>
     <message>
-        <source>Since its start, because a cycle before took too long</source>
-        <translation>Seit dem Start, weil ein Zyklus davor zu lange dauerte</translation>
+        <source>Since the task was started; a cycle is skipped if an earlier one took too long</source>
+        <translation>Seit dem Start; ein Zyklus entfällt, wenn ein früherer zu lange dauerte</translation>
     </message>
     <message>
         <source>Busy</source>
         <translation>Auslastung</translation>
     </message>
     <message>
-        <source>The part of its period in which it computes, mean of the last second</source>
+        <source>Share of the period that is used for computation, mean of the last second</source>
         <translation>Welchen Teil ihrer Periode sie rechnet, Mittel der letzten Sekunde</translation>
     </message>
     <message>
@@ -634,8 +634,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Prozess vergessen</translation>
     </message>
     <message>
-        <source>Removes its last state from the catalogue</source>
-        <translation>Entfernt aus dem Katalog, was von ihm übrig ist</translation>
+        <source>Removes the process and its last state from the catalogue</source>
+        <translation>Entfernt den Prozess und seinen letzten Stand aus dem Katalog</translation>
     </message>
     <message>
         <source>Interfaces</source>
@@ -758,12 +758,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Stufe setzen…</translation>
     </message>
     <message>
-        <source>The lowest level that a process logs, until it ends</source>
-        <translation>Ab welcher Stufe ein Prozess protokolliert, bis er endet</translation>
+        <source>Sets the lowest level that a process logs; this lasts until the process ends</source>
+        <translation>Setzt die unterste Stufe, die ein Prozess protokolliert; das gilt, bis er endet</translation>
     </message>
     <message>
-        <source>Empties this list; the processes and the GCM keep theirs</source>
-        <translation>Leert diese Liste; die Prozesse und der GCM behalten ihre</translation>
+        <source>Clears this list; the processes and the GCM keep their records</source>
+        <translation>Leert diese Liste; die Prozesse und der GCM behalten ihre Einträge</translation>
     </message>
     <message>
         <source> and above</source>
@@ -810,23 +810,23 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Kanäle</translation>
     </message>
     <message>
-        <source>a picture of encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
-        <translation>ein Bild der Kodierung „%1“ wird nicht gezeichnet, nur: %2</translation>
+        <source>a picture with encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
+        <translation>ein Bild der Kodierung „%1“ kann nicht gezeichnet werden; möglich sind: %2</translation>
     </message>
     <message>
-        <source>a picture of %1 pixels has none to draw</source>
-        <translation>ein Bild von %1 Pixeln hat keine zu zeichnen</translation>
+        <source>a picture of %1 pixels is empty: width and height must be above 0</source>
+        <translation>ein Bild von %1 Pixeln ist leer: Breite und Höhe müssen über 0 liegen</translation>
     </message>
     <message>
         <source>a picture of %1 pixels is too large to be drawn: at most %2</source>
         <translation>ein Bild von %1 Pixeln ist zu groß zum Zeichnen: höchstens %2</translation>
     </message>
     <message>
-        <source>%1 pixels of %2 take %3 bytes a row, but step says %4</source>
-        <translation>%1 Pixel in %2 brauchen %3 Bytes pro Zeile, aber step sagt %4</translation>
+        <source>a row of %1 pixels in %2 needs %3 bytes, but step is %4</source>
+        <translation>eine Zeile von %1 Pixeln in %2 braucht %3 Bytes, aber step ist %4</translation>
     </message>
     <message>
-        <source>%1 rows of %2 bytes do not fit data of %3 bytes</source>
+        <source>%1 rows of %2 bytes do not match the %3 bytes of data</source>
         <translation>%1 Zeilen zu %2 Bytes passen nicht zu Daten von %3 Bytes</translation>
     </message>
     <message>
@@ -838,7 +838,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>keine verloren</translation>
     </message>
     <message>
-        <source>%1 lost ones marked</source>
+        <source>%1 lost rows are marked</source>
         <translation>%1 verlorene markiert</translation>
     </message>
     <message>
@@ -854,7 +854,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 von %2 MB für Messwerte</translation>
     </message>
     <message>
-        <source>; older ones are kept as lowest and highest value of each 100 ms</source>
+        <source>; of older samples, only the lowest and highest value of each 100 ms are kept</source>
         <translation>; von älteren bleibt je 100 ms der kleinste und der größte Wert</translation>
     </message>
     <message>
@@ -878,7 +878,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Neuer Plot</translation>
     </message>
     <message>
-        <source>A plot below, with the same time  (Ctrl+Shift+T)</source>
+        <source>Add a plot below with the same time axis  (Ctrl+Shift+T)</source>
         <translation>Plot darunter, mit derselben Zeit  (Strg+Umschalt+T)</translation>
     </message>
     <message>
@@ -902,7 +902,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Sichtbares als CSV speichern  (Strg+E)</translation>
     </message>
     <message>
-        <source>Sweep: the curves stay, and are written over from the left  (S)</source>
+        <source>Sweep: new samples overwrite the old curves from left to right  (S)</source>
         <translation>Durchlauf: die Kurven bleiben stehen und werden von links überschrieben  (S)</translation>
     </message>
     <message>
@@ -1098,12 +1098,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> (Doppelklick)</translation>
     </message>
     <message>
-        <source>far beyond this axis: </source>
+        <source>far outside of this axis: </source>
         <translation>weit außerhalb dieser Achse: </translation>
     </message>
     <message>
-        <source>0 and less has no place on this axis: </source>
-        <translation>0 und weniger hat auf dieser Achse keinen Platz: </translation>
+        <source>values of 0 and below cannot be shown on this axis: </source>
+        <translation>Werte von 0 und darunter lassen sich auf dieser Achse nicht zeigen: </translation>
     </message>
     <message>
         <source> · %1 repeated</source>
@@ -1142,8 +1142,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Aufrufe und Ereignisse</translation>
     </message>
     <message>
-        <source>%1 of %2 wait</source>
-        <translation>%1 von %2 warten</translation>
+        <source>mailbox: %1 of %2 used</source>
+        <translation>Postfach: %1 von %2 belegt</translation>
     </message>
     <message>
         <source>%1 refused, %2 replaced, %3 events lost</source>
@@ -1166,8 +1166,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>geändert</translation>
     </message>
     <message>
-        <source>removes things that run</source>
-        <translation>nimmt Laufendes weg</translation>
+        <source>stops or removes something that works</source>
+        <translation>hält etwas an oder entfernt etwas, das läuft</translation>
     </message>
     <message>
         <source>= %1   + %2 only running   − %3 missing   ~ %4 changed</source>
@@ -1254,8 +1254,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Schritte</translation>
     </message>
     <message>
-        <source>nothing stays unchanged</source>
-        <translation>nichts bleibt, wie es ist</translation>
+        <source>everything changes</source>
+        <translation>alles ändert sich</translation>
     </message>
     <message>
         <source>will not touch </source>
@@ -1410,8 +1410,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Kopiert: </translation>
     </message>
     <message>
-        <source>Hide the sides</source>
-        <translation>Seiten ausblenden</translation>
+        <source>Hide the comparison</source>
+        <translation>Vergleich ausblenden</translation>
     </message>
     <message>
         <source>Select a required interface to see why it is connected or not</source>
@@ -1478,11 +1478,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>  dasselbe im Terminal: </translation>
     </message>
     <message>
-        <source>Values and plots come straight from their processes and go on.</source>
+        <source>Values and plots come directly from their processes, so they continue.</source>
         <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
     </message>
     <message>
-        <source>Everything grey is as it was %1 ago</source>
+        <source>Grey parts show the state of %1 ago</source>
         <translation>Graues zeigt den Stand vor %1</translation>
     </message>
     <message>
@@ -1682,24 +1682,24 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Noch läuft nichts.</translation>
     </message>
     <message>
-        <source>A process that joins this GCM appears here by itself.</source>
+        <source>A process that joins this GCM appears here automatically.</source>
         <translation>Ein Prozess, der diesem GCM beitritt, erscheint hier von selbst.</translation>
     </message>
     <message>
-        <source>To start one, in a terminal:</source>
-        <translation>Zum Starten im Terminal:</translation>
+        <source>To start a process, type in a terminal:</source>
+        <translation>Um einen Prozess zu starten, im Terminal eingeben:</translation>
     </message>
     <message>
         <source>No GCM answers at %1.</source>
         <translation>Unter %1 antwortet kein GCM.</translation>
     </message>
     <message>
-        <source>Looking every second; this window fills by itself when one appears.</source>
-        <translation>Suche jede Sekunde; sobald einer erscheint, füllt sich dieses Fenster von selbst.</translation>
+        <source>The window tries again every second until a GCM answers.</source>
+        <translation>Das Fenster versucht es jede Sekunde, bis ein GCM antwortet.</translation>
     </message>
     <message>
-        <source>To start one, in a terminal there:</source>
-        <translation>Zum Starten dort im Terminal:</translation>
+        <source>To start a GCM, type in a terminal of that machine:</source>
+        <translation>Um einen GCM zu starten, in einem Terminal jener Maschine eingeben:</translation>
     </message>
     <message>
         <source>Diff</source>
@@ -1750,7 +1750,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Die Demo wurde nicht gestartet: </translation>
     </message>
     <message>
-        <source>The demo runs: click a hollow port, then one that lights up</source>
+        <source>The demo runs: click a hollow port, then a port that lights up</source>
         <translation>Die Demo läuft: einen hohlen Anschluss anklicken, dann einen, der aufleuchtet</translation>
     </message>
     <message>
@@ -1782,7 +1782,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Im Graphen &amp;suchen…</translation>
     </message>
     <message>
-        <source>Show &amp;all of it</source>
+        <source>Show &amp;all of the graph</source>
         <translation>&amp;Alles zeigen</translation>
     </message>
     <message>
@@ -1802,8 +1802,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Anordnung des Graphen &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>All nodes are where the layout puts them · Ctrl+Z undoes</source>
-        <translation>Alle stehen, wo die Anordnung sie hinstellt · Strg+Z macht rückgängig</translation>
+        <source>All nodes are back at their automatic positions · Ctrl+Z undoes</source>
+        <translation>Alle Knoten sind wieder an ihren automatischen Plätzen · Strg+Z macht rückgängig</translation>
     </message>
     <message>
         <source>Save a &amp;picture of the graph…</source>
@@ -1838,8 +1838,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Bedingungen der Bibliothek</translation>
     </message>
     <message>
-        <source>The libraries in it, and their licences</source>
-        <translation>Woraus es besteht und unter welchen Bedingungen</translation>
+        <source>Libraries in this program, and their licences</source>
+        <translation>Bibliotheken in diesem Programm und ihre Lizenzen</translation>
     </message>
     <message>
         <source>Copy versions</source>
@@ -1970,7 +1970,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>In einem Formular</translation>
     </message>
     <message>
-        <source>Call the command; press it twice if it can set something in motion</source>
+        <source>Call the command; press it twice if it can move something</source>
         <translation>Befehl aufrufen; ein zweites Mal, wo er etwas in Bewegung setzt</translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Alles, was läuft</translation>
     </message>
     <message>
-        <source>Every process, its components and their interfaces appear here by themselves; type into the filter to find one.</source>
+        <source>All processes with their components and interfaces appear here automatically; to find one, type into the filter.</source>
         <translation>Jeder Prozess, seine Komponenten und deren Schnittstellen erscheinen hier von selbst; zum Suchen in den Filter tippen.</translation>
     </message>
     <message>
@@ -2022,7 +2022,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Mit zwei Klicks verbinden</translation>
     </message>
     <message>
-        <source>Click a hollow port, then one that lights up: they are connected, and Ctrl+Z takes it back.</source>
+        <source>Click a hollow port, then a port that lights up: this connects them, and Ctrl+Z undoes it.</source>
         <translation>Einen hohlen Anschluss anklicken, dann einen, der aufleuchtet: beide sind verbunden, und Strg+Z macht es rückgängig.</translation>
     </message>
     <message>
@@ -2030,7 +2030,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Hineinsehen</translation>
     </message>
     <message>
-        <source>The selected object shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <source>Values, commands and events of the selected object are shown here; a click on a command opens a form to call it.</source>
         <translation>Ausgewähltes zeigt hier seine Werte, Befehle und Ereignisse, und ein Klick auf einen Befehl öffnet ein Formular, das ihn aufruft.</translation>
     </message>
     <message>
@@ -2038,7 +2038,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Live plotten</translation>
     </message>
     <message>
-        <source>Select a value and press P: every sample of it is drawn, and you can zoom and measure while more arrive.</source>
+        <source>Select a value and press P: the plot shows all its samples, and you can zoom and measure while new ones arrive.</source>
         <translation>Einen Wert auswählen und P drücken: jeder Messwert wird gezeichnet, und man kann zoomen und messen, während weitere eintreffen.</translation>
     </message>
     <message>
@@ -2046,8 +2046,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts geht verloren</translation>
     </message>
     <message>
-        <source>Your actions are listed here, each with a way to undo it and the command line that does the same; problems, the log and a console are beside it.</source>
-        <translation>Hier steht, was getan wurde, mit einem Weg zurück und der Zeile, die im Terminal dasselbe tut; Probleme, Protokoll und Konsole sind daneben.</translation>
+        <source>Your actions are listed here; you can undo each of them, or copy its command line. Other tabs show problems, the log and a console.</source>
+        <translation>Hier stehen die Aktionen; jede lässt sich rückgängig machen oder als Befehlszeile kopieren. Andere Reiter zeigen Probleme, Protokoll und eine Konsole.</translation>
     </message>
     <message>
         <source>Everything by its name</source>
@@ -2230,7 +2230,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Die ersten %1 von %2 Zahlen sind geplottet; die benötigten auswählen</translation>
     </message>
     <message>
-        <source>, and %1 more since the mark before</source>
+        <source>, and %1 more since the previous mark</source>
         <translation>, und %1 weitere seit der vorigen Markierung</translation>
     </message>
     <message>
@@ -2310,11 +2310,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts wurde getan: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s</source>
+        <source>This can move something: hold the button for 0.4 s</source>
         <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
+        <source>This can move something: hold the button for 0.4 s, or press Enter</source>
         <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
@@ -2338,15 +2338,15 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Starten oder beenden</translation>
     </message>
     <message>
-        <source>It ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>It ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
-        <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
+        <source>%1 has not answered for %2 s: click, or press Enter, to ask again</source>
         <translation>%1 hat seit %2 s nicht geantwortet: ein Klick oder die Eingabetaste fragt noch einmal</translation>
     </message>
     <message>
@@ -2390,8 +2390,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Mittel der letzten Sekunde</translation>
     </message>
     <message>
-        <source>Half of the cycles of the last second; 99 of 100; all of them</source>
-        <translation>Die Hälfte der Zyklen der letzten Sekunde; 99 von 100; alle</translation>
+        <source>Median of the last second: half of the cycles start at most this late</source>
+        <translation>Median der letzten Sekunde: die Hälfte der Zyklen beginnt höchstens so spät</translation>
     </message>
     <message>
         <source>99 of 100 start within</source>
@@ -2610,8 +2610,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 konnte nicht gestartet werden</translation>
     </message>
     <message>
-        <source>As %1 reports now</source>
-        <translation>Wie %1 es jetzt sagt</translation>
+        <source>Current values from %1</source>
+        <translation>Aktuelle Werte von %1</translation>
     </message>
     <message>
         <source>Reload everythi&amp;ng</source>
@@ -2650,12 +2650,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>Rows per second that arrive here; – if nothing is subscribed</source>
+        <source>Rows per second that arrive in this window; – without a subscription</source>
         <translation>Zeilen je Sekunde, die hier ankommen; – wo nichts empfangen wird</translation>
     </message>
     <message>
-        <source>Of a value: since its newest row was written. Of a process: since its state has changed. – if it is not known</source>
-        <translation>Bei einem Wert: seit seine neueste Zeile geschrieben wurde. Bei einem Prozess: seit er in seinem Zustand ist. – wo es nicht bekannt ist</translation>
+        <source>Value: time since its newest row was written. Process: time since its state changed. – if unknown</source>
+        <translation>Wert: Zeit, seit seine neueste Zeile geschrieben wurde. Prozess: Zeit, seit sich sein Zustand geändert hat. – wenn unbekannt</translation>
     </message>
     <message>
         <source>The connected interfaces; for a component, the connected components</source>
@@ -2718,8 +2718,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Wie empfangen</translation>
     </message>
     <message>
-        <source>Without scale and offset, on the axis of its unit</source>
-        <translation>Weder skaliert noch verschoben, auf der Achse ihrer Einheit</translation>
+        <source>Removes scale and offset, and uses the axis of the unit</source>
+        <translation>Entfernt Skalierung und Versatz und nimmt die Achse der Einheit</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -2754,7 +2754,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Wird wie empfangen gezeigt</translation>
     </message>
     <message>
-        <source>; values as they came, not scaled</source>
+        <source>; the values are not scaled</source>
         <translation>; Werte wie empfangen, nicht skaliert</translation>
     </message>
     <message>
@@ -2906,11 +2906,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht benötigt</translation>
     </message>
     <message>
-        <source>Ctrl+Z once more within %1 s takes back &apos;%2&apos;, by %3 %4 ago</source>
+        <source>To undo &apos;%2&apos; (by %3, %4 ago), press Ctrl+Z again within %1 s</source>
         <translation>Strg+Z noch einmal innerhalb von %1 s nimmt „%2“ zurück, von %3 vor %4</translation>
     </message>
     <message>
-        <source>; taking it back can set something in motion</source>
+        <source>; this undo can move something</source>
         <translation>; es zurückzunehmen kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -2918,16 +2918,16 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>es gibt nichts rückgängig zu machen</translation>
     </message>
     <message>
-        <source>process &apos;%1&apos; is lost%2; whether the command was executed, or still will be, is unknown</source>
+        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed</source>
         <translation>Prozess „%1“ ist verloren%2; ob der Befehl ausgeführt wurde oder noch wird, ist nicht bekannt</translation>
     </message>
     <message>
-        <source>this window only looks: it was started with --read-only</source>
-        <translation>dieses Fenster schaut nur: es wurde mit --read-only gestartet</translation>
+        <source>this window cannot change anything: it was started with --read-only</source>
+        <translation>dieses Fenster kann nichts ändern: es wurde mit --read-only gestartet</translation>
     </message>
     <message>
-        <source>%1 as %2 reports now</source>
-        <translation>%1 wie %2 jetzt sagt</translation>
+        <source>%1: current values from %2</source>
+        <translation>%1: aktuelle Werte von %2</translation>
     </message>
     <message>
         <source>Not the current values: %1 does not report them</source>
@@ -2951,16 +2951,16 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Zu berichtigen: %1</translation>
     </message>
     <message>
-        <source>put a blank after each comma between numbers</source>
+        <source>put a space after each comma between numbers</source>
         <translation>hinter jedes Komma zwischen Zahlen ein Leerzeichen setzen</translation>
     </message>
     <message>
-        <source>there is an empty place in the list</source>
-        <translation>die Liste hat eine leere Stelle</translation>
+        <source>a number is missing in the list</source>
+        <translation>in der Liste fehlt eine Zahl</translation>
     </message>
     <message>
-        <source>“%1” may be one number or several: put semicolons between numbers</source>
-        <translation>„%1“ kann eine Zahl sein oder mehrere: Semikolons zwischen die Zahlen setzen</translation>
+        <source>it is not clear whether “%1” is one number or several: put semicolons between numbers</source>
+        <translation>es ist nicht klar, ob „%1“ eine Zahl ist oder mehrere: Semikolons zwischen die Zahlen setzen</translation>
     </message>
     <message>
         <source>write a number from %1 to %2</source>
@@ -3015,7 +3015,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>eine ganze Zahl schreiben</translation>
     </message>
     <message>
-        <source>the type of this field holds no such number</source>
+        <source>the type of this field cannot hold this number</source>
         <translation>der Typ dieses Feldes fasst keine solche Zahl</translation>
     </message>
     <message>
@@ -3027,11 +3027,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>: das Dezimalzeichen ist ein Punkt</translation>
     </message>
     <message>
-        <source>%1 has met an error and is not drawn: %2</source>
+        <source>%1 is not drawn because of an error: %2</source>
         <translation>%1: ein Fehler ist aufgetreten, die Ansicht wird nicht gezeichnet: %2</translation>
     </message>
     <message>
-        <source>%1 has met an error: %2</source>
+        <source>%1 had an error: %2</source>
         <translation>%1: ein Fehler ist aufgetreten: %2</translation>
     </message>
     <message>
@@ -3051,8 +3051,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Fenster</translation>
     </message>
     <message>
-        <source>This view has met an error and is not drawn. Problems says which.</source>
-        <translation>In dieser Ansicht ist ein Fehler aufgetreten, sie wird nicht gezeichnet. Unter Probleme steht, welcher.</translation>
+        <source>This view is not drawn because of an error: see Problems.</source>
+        <translation>Diese Ansicht wird wegen eines Fehlers nicht gezeichnet: siehe Probleme.</translation>
     </message>
     <message>
         <source>Show again</source>
@@ -3083,12 +3083,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> kann nicht gezeigt werden: </translation>
     </message>
     <message>
-        <source>It is told that it was suspended. It starts from the current situation if its author has implemented that; otherwise it continues its previous action.</source>
-        <translation>Sie erfährt, dass sie angehalten war. Sie beginnt von der Welt, wie sie jetzt ist, wenn ihr Autor dafür gesorgt hat; sonst macht sie mit dem weiter, was sie tat.</translation>
+        <source>The component is told that it was suspended. If its author has implemented this, it starts from the current situation; otherwise it continues its previous action.</source>
+        <translation>Der Komponente wird gesagt, dass sie angehalten war. Wenn ihr Autor das vorgesehen hat, beginnt sie mit der jetzigen Lage; sonst setzt sie ihre vorige Aktion fort.</translation>
     </message>
     <message>
-        <source>It starts again from the beginning: no previous action continues.</source>
-        <translation>Sie beginnt von vorn: nichts von dem, was sie tat, geht weiter.</translation>
+        <source>The component starts from the beginning: no previous action continues.</source>
+        <translation>Die Komponente beginnt von vorn: keine vorige Aktion geht weiter.</translation>
     </message>
     <message>
         <source>%1 for %2</source>
@@ -3096,7 +3096,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 seit %2</translation>
     </message>
     <message>
-        <source>%1 has met an error: see Problems</source>
+        <source>%1 had an error: see Problems</source>
         <translation>%1: ein Fehler ist aufgetreten, siehe Probleme</translation>
     </message>
     <message>
@@ -3124,8 +3124,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Plug-in</translation>
     </message>
     <message>
-        <source>Older than its file</source>
-        <translation>Älter als die Datei</translation>
+        <source>File has changed</source>
+        <translation>Datei geändert</translation>
     </message>
     <message>
         <source>%1 of %2</source>

@@ -98,7 +98,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Appeler</translation>
     </message>
     <message>
-        <source>Not called: this can set something in motion; hold the button for 0.4 s</source>
+        <source>Not called: this command can move something; hold the button for 0.4 s</source>
         <translation>Pas appelée&#xa0;: maintenir le bouton 0.4&#xa0;s, car cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -146,7 +146,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Maintenir pour appeler</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <source>This can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
         <translation>Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s ou appuyer deux fois sur Ctrl+Entrée</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Ctrl+Entrée</translation>
     </message>
     <message>
-        <source>Ctrl+Enter again calls it: this can set something in motion</source>
+        <source>Ctrl+Enter again calls it: this can move something</source>
         <translation>Encore Ctrl+Entrée pour appeler&#xa0;: cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -183,7 +183,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
     </message>
     <message>
         <source>
-It can set something in motion: hold the button for 0.4 s</source>
+This can move something: hold the button for 0.4 s</source>
         <translation>
 Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s</translation>
     </message>
@@ -220,7 +220,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>%1 appels</translation>
     </message>
     <message>
-        <source>, %1 left out: the previous call took too long</source>
+        <source>, %1 skipped: the previous call took too long</source>
         <translation>, %1 omis&#xa0;: le précédent a duré trop longtemps</translation>
     </message>
     <message>
@@ -232,7 +232,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>It can set something in motion: it is called while the button is held down, after the first 0.4 s</source>
+        <source>This can move something: hold the button for 0.4 s; the calls repeat until you release it</source>
         <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -294,11 +294,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 autres&#xa0;; taper pour chercher</translation>
     </message>
     <message>
-        <source>None of %1 fits at all</source>
+        <source>None of %1 fits</source>
         <translation>Aucun des %1 ne convient</translation>
     </message>
     <message>
-        <source>%1 more do not fit at all</source>
+        <source>%1 more do not fit</source>
         <translation>%1 autres ne conviennent pas du tout</translation>
     </message>
     <message>
@@ -338,7 +338,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sortie de la console</translation>
     </message>
     <message>
-        <source>The language of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
+        <source>Accepts the commands of gcm shell: try ls, watch, call … or help. Tab completes, Ctrl+C interrupts, Ctrl+R searches the history.</source>
         <translation>Le langage de gcm shell&#xa0;: essayer ls, watch, call … ou help. Tab complète, Ctrl+C interrompt, Ctrl+R cherche dans ce qui a été tapé.</translation>
     </message>
     <message>
@@ -458,11 +458,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Enregistrer une image du graphe</translation>
     </message>
     <message>
-        <source>SVG, as large as you like (*.svg)</source>
+        <source>SVG, scalable (*.svg)</source>
         <translation>SVG, aussi grand que voulu (*.svg)</translation>
     </message>
     <message>
-        <source>PNG, as it is seen (*.png)</source>
+        <source>PNG, as on the screen (*.png)</source>
         <translation>PNG, tel qu&apos;affiché (*.png)</translation>
     </message>
     <message>
@@ -470,8 +470,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>DOT, pour Graphviz (*.dot)</translation>
     </message>
     <message>
-        <source>end its name with .svg, .png or .dot to choose the format</source>
-        <translation>terminer son nom par .svg, .png ou .dot pour dire ce que c&apos;est</translation>
+        <source>end the file name with .svg, .png or .dot to choose the format</source>
+        <translation>terminer le nom du fichier par .svg, .png ou .dot pour choisir le format</translation>
     </message>
     <message>
         <source> saved</source>
@@ -510,7 +510,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Carte du graphe</translation>
     </message>
     <message>
-        <source>The frame is the visible part; Shift and arrow keys in the graph move it</source>
+        <source>The frame shows the visible part; to move it, press Shift and an arrow key in the graph</source>
         <translation>Le cadre est la partie visible&#xa0;; Maj et les flèches dans le graphe le déplacent</translation>
     </message>
     <message>
@@ -526,11 +526,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Composant ou interface</translation>
     </message>
     <message>
-        <source>The one before  (Shift+Enter)</source>
+        <source>Previous match  (Shift+Enter)</source>
         <translation>Le précédent  (Maj+Entrée)</translation>
     </message>
     <message>
-        <source>The next one  (Enter)</source>
+        <source>Next match  (Enter)</source>
         <translation>Le suivant  (Entrée)</translation>
     </message>
     <message>
@@ -574,8 +574,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Horloge</translation>
     </message>
     <message>
-        <source>How far its clock is ahead of the GCM&apos;s, and how sure that is</source>
-        <translation>De combien son horloge avance sur celle du GCM, et avec quelle certitude</translation>
+        <source>Difference from the clock of the GCM, and its uncertainty; above 0 means ahead</source>
+        <translation>Écart avec l&apos;horloge du GCM, et son incertitude ; au-dessus de 0, l&apos;horloge avance</translation>
     </message>
     <message>
         <source>%1 of %2 wait in the fullest mailbox of the component</source>
@@ -606,7 +606,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 · max %2</translation>
     </message>
     <message>
-        <source>In the last second half of the cycles began no later than %1 after they were due, 99 of 100 no later than %2, all no later than %3</source>
+        <source>Delay of the cycles of the last second: at most %1 for half of them, %2 for 99 of 100, %3 for all</source>
         <translation>Dans la dernière seconde, la moitié des cycles a commencé au plus %1 après l&apos;échéance, 99 sur 100 au plus %2, tous au plus %3</translation>
     </message>
     <message>
@@ -614,15 +614,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Cycles sautés</translation>
     </message>
     <message>
-        <source>Since its start, because a cycle before took too long</source>
-        <translation>Depuis son démarrage, parce qu&apos;un cycle précédent a duré trop longtemps</translation>
+        <source>Since the task was started; a cycle is skipped if an earlier one took too long</source>
+        <translation>Depuis le démarrage ; un cycle est sauté si un précédent a duré trop longtemps</translation>
     </message>
     <message>
         <source>Busy</source>
         <translation>Occupation</translation>
     </message>
     <message>
-        <source>The part of its period in which it computes, mean of the last second</source>
+        <source>Share of the period that is used for computation, mean of the last second</source>
         <translation>Part de sa période passée à calculer, moyenne de la dernière seconde</translation>
     </message>
     <message>
@@ -634,8 +634,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Oublier ce processus</translation>
     </message>
     <message>
-        <source>Removes its last state from the catalogue</source>
-        <translation>Retire du catalogue ce qu&apos;il en reste</translation>
+        <source>Removes the process and its last state from the catalogue</source>
+        <translation>Retire du catalogue le processus et son dernier état</translation>
     </message>
     <message>
         <source>Interfaces</source>
@@ -758,12 +758,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Régler le niveau…</translation>
     </message>
     <message>
-        <source>The lowest level that a process logs, until it ends</source>
-        <translation>À partir de quel niveau un processus journalise, jusqu&apos;à sa fin</translation>
+        <source>Sets the lowest level that a process logs; this lasts until the process ends</source>
+        <translation>Fixe le niveau le plus bas qu&apos;un processus journalise, jusqu&apos;à la fin de ce processus</translation>
     </message>
     <message>
-        <source>Empties this list; the processes and the GCM keep theirs</source>
-        <translation>Vide cette liste&#xa0;; les processus et le GCM gardent les leurs</translation>
+        <source>Clears this list; the processes and the GCM keep their records</source>
+        <translation>Vide cette liste ; les processus et le GCM gardent leurs enregistrements</translation>
     </message>
     <message>
         <source> and above</source>
@@ -810,23 +810,23 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 canaux</translation>
     </message>
     <message>
-        <source>a picture of encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
-        <translation>une image d&apos;encodage «&#xa0;%1&#xa0;» n&apos;est pas dessinée, seulement&#xa0;: %2</translation>
+        <source>a picture with encoding &apos;%1&apos; cannot be drawn; supported encodings: %2</source>
+        <translation>une image d&apos;encodage « %1 » ne peut pas être dessinée ; encodages possibles : %2</translation>
     </message>
     <message>
-        <source>a picture of %1 pixels has none to draw</source>
-        <translation>une image de %1 pixels n&apos;en a aucun à dessiner</translation>
+        <source>a picture of %1 pixels is empty: width and height must be above 0</source>
+        <translation>une image de %1 pixels est vide : la largeur et la hauteur doivent être supérieures à 0</translation>
     </message>
     <message>
         <source>a picture of %1 pixels is too large to be drawn: at most %2</source>
         <translation>une image de %1 pixels est trop grande pour être dessinée&#xa0;: au plus %2</translation>
     </message>
     <message>
-        <source>%1 pixels of %2 take %3 bytes a row, but step says %4</source>
-        <translation>%1 pixels en %2 prennent %3 octets par ligne, mais step indique %4</translation>
+        <source>a row of %1 pixels in %2 needs %3 bytes, but step is %4</source>
+        <translation>une ligne de %1 pixels en %2 demande %3 octets, mais step vaut %4</translation>
     </message>
     <message>
-        <source>%1 rows of %2 bytes do not fit data of %3 bytes</source>
+        <source>%1 rows of %2 bytes do not match the %3 bytes of data</source>
         <translation>%1 lignes de %2 octets ne correspondent pas à des données de %3 octets</translation>
     </message>
     <message>
@@ -838,7 +838,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>aucune perdue</translation>
     </message>
     <message>
-        <source>%1 lost ones marked</source>
+        <source>%1 lost rows are marked</source>
         <translation>%1 perdues marquées</translation>
     </message>
     <message>
@@ -854,7 +854,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 sur %2 Mo pour les échantillons</translation>
     </message>
     <message>
-        <source>; older ones are kept as lowest and highest value of each 100 ms</source>
+        <source>; of older samples, only the lowest and highest value of each 100 ms are kept</source>
         <translation>, les plus anciens étant gardés comme plus petite et plus grande valeur par 100&#xa0;ms</translation>
     </message>
     <message>
@@ -878,7 +878,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Nouveau graphique</translation>
     </message>
     <message>
-        <source>A plot below, with the same time  (Ctrl+Shift+T)</source>
+        <source>Add a plot below with the same time axis  (Ctrl+Shift+T)</source>
         <translation>Graphique en dessous, avec le même temps  (Ctrl+Maj+T)</translation>
     </message>
     <message>
@@ -902,7 +902,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Enregistrer la partie visible en CSV  (Ctrl+E)</translation>
     </message>
     <message>
-        <source>Sweep: the curves stay, and are written over from the left  (S)</source>
+        <source>Sweep: new samples overwrite the old curves from left to right  (S)</source>
         <translation>Balayage&#xa0;: les courbes restent en place et sont réécrites à partir de la gauche  (S)</translation>
     </message>
     <message>
@@ -1098,12 +1098,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> (double clic)</translation>
     </message>
     <message>
-        <source>far beyond this axis: </source>
+        <source>far outside of this axis: </source>
         <translation>bien au-delà de cet axe : </translation>
     </message>
     <message>
-        <source>0 and less has no place on this axis: </source>
-        <translation>0 et moins n&apos;a pas de place sur cet axe&#xa0;: </translation>
+        <source>values of 0 and below cannot be shown on this axis: </source>
+        <translation>les valeurs de 0 et moins ne peuvent pas être montrées sur cet axe : </translation>
     </message>
     <message>
         <source> · %1 repeated</source>
@@ -1142,8 +1142,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 appels et événements</translation>
     </message>
     <message>
-        <source>%1 of %2 wait</source>
-        <translation>%1 sur %2 en attente</translation>
+        <source>mailbox: %1 of %2 used</source>
+        <translation>boîte aux lettres : %1 sur %2 occupés</translation>
     </message>
     <message>
         <source>%1 refused, %2 replaced, %3 events lost</source>
@@ -1166,8 +1166,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>modifié</translation>
     </message>
     <message>
-        <source>removes things that run</source>
-        <translation>retire ce qui tourne</translation>
+        <source>stops or removes something that works</source>
+        <translation>arrête ou retire quelque chose qui tourne</translation>
     </message>
     <message>
         <source>= %1   + %2 only running   − %3 missing   ~ %4 changed</source>
@@ -1254,8 +1254,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 étapes</translation>
     </message>
     <message>
-        <source>nothing stays unchanged</source>
-        <translation>rien ne reste en l&apos;état</translation>
+        <source>everything changes</source>
+        <translation>tout change</translation>
     </message>
     <message>
         <source>will not touch </source>
@@ -1410,8 +1410,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Copié&#xa0;: </translation>
     </message>
     <message>
-        <source>Hide the sides</source>
-        <translation>Masquer les côtés</translation>
+        <source>Hide the comparison</source>
+        <translation>Masquer la comparaison</translation>
     </message>
     <message>
         <source>Select a required interface to see why it is connected or not</source>
@@ -1478,11 +1478,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>  la même chose dans un terminal&#xa0;: </translation>
     </message>
     <message>
-        <source>Values and plots come straight from their processes and go on.</source>
+        <source>Values and plots come directly from their processes, so they continue.</source>
         <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
     </message>
     <message>
-        <source>Everything grey is as it was %1 ago</source>
+        <source>Grey parts show the state of %1 ago</source>
         <translation>Ce qui est gris date d&apos;il y a %1</translation>
     </message>
     <message>
@@ -1682,24 +1682,24 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien ne tourne encore.</translation>
     </message>
     <message>
-        <source>A process that joins this GCM appears here by itself.</source>
+        <source>A process that joins this GCM appears here automatically.</source>
         <translation>Un processus qui rejoint ce GCM apparaît ici de lui-même.</translation>
     </message>
     <message>
-        <source>To start one, in a terminal:</source>
-        <translation>Pour en démarrer un, dans un terminal&#xa0;:</translation>
+        <source>To start a process, type in a terminal:</source>
+        <translation>Pour démarrer un processus, taper dans un terminal :</translation>
     </message>
     <message>
         <source>No GCM answers at %1.</source>
         <translation>Aucun GCM ne répond à %1.</translation>
     </message>
     <message>
-        <source>Looking every second; this window fills by itself when one appears.</source>
-        <translation>Recherche chaque seconde&#xa0;; cette fenêtre se remplit d&apos;elle-même dès qu&apos;il en apparaît un.</translation>
+        <source>The window tries again every second until a GCM answers.</source>
+        <translation>La fenêtre réessaie chaque seconde, jusqu&apos;à ce qu&apos;un GCM réponde.</translation>
     </message>
     <message>
-        <source>To start one, in a terminal there:</source>
-        <translation>Pour en démarrer un, dans un terminal là-bas&#xa0;:</translation>
+        <source>To start a GCM, type in a terminal of that machine:</source>
+        <translation>Pour démarrer un GCM, taper dans un terminal de cette machine :</translation>
     </message>
     <message>
         <source>Diff</source>
@@ -1750,7 +1750,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>La démo n&apos;a pas été démarrée&#xa0;: </translation>
     </message>
     <message>
-        <source>The demo runs: click a hollow port, then one that lights up</source>
+        <source>The demo runs: click a hollow port, then a port that lights up</source>
         <translation>La démo tourne&#xa0;: cliquer sur un port creux, puis sur un port qui s&apos;allume</translation>
     </message>
     <message>
@@ -1782,7 +1782,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Chercher dans le graphe…</translation>
     </message>
     <message>
-        <source>Show &amp;all of it</source>
+        <source>Show &amp;all of the graph</source>
         <translation>&amp;Tout montrer</translation>
     </message>
     <message>
@@ -1802,8 +1802,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Réinitialiser la disposition du graphe</translation>
     </message>
     <message>
-        <source>All nodes are where the layout puts them · Ctrl+Z undoes</source>
-        <translation>Tous sont là où la disposition les place · Ctrl+Z annule</translation>
+        <source>All nodes are back at their automatic positions · Ctrl+Z undoes</source>
+        <translation>Tous les nœuds sont revenus à leur place automatique · Ctrl+Z annule</translation>
     </message>
     <message>
         <source>Save a &amp;picture of the graph…</source>
@@ -1838,8 +1838,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Conditions de la bibliothèque</translation>
     </message>
     <message>
-        <source>The libraries in it, and their licences</source>
-        <translation>De quoi il est fait, et sous quelles conditions</translation>
+        <source>Libraries in this program, and their licences</source>
+        <translation>Les bibliothèques de ce programme et leurs licences</translation>
     </message>
     <message>
         <source>Copy versions</source>
@@ -1970,7 +1970,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Dans un formulaire</translation>
     </message>
     <message>
-        <source>Call the command; press it twice if it can set something in motion</source>
+        <source>Call the command; press it twice if it can move something</source>
         <translation>Appeler la commande&#xa0;; une seconde fois si elle met quelque chose en mouvement</translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Tout ce qui tourne</translation>
     </message>
     <message>
-        <source>Every process, its components and their interfaces appear here by themselves; type into the filter to find one.</source>
+        <source>All processes with their components and interfaces appear here automatically; to find one, type into the filter.</source>
         <translation>Chaque processus, ses composants et leurs interfaces apparaissent ici d&apos;eux-mêmes&#xa0;; taper dans le filtre pour en chercher un.</translation>
     </message>
     <message>
@@ -2022,7 +2022,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Connecter en deux clics</translation>
     </message>
     <message>
-        <source>Click a hollow port, then one that lights up: they are connected, and Ctrl+Z takes it back.</source>
+        <source>Click a hollow port, then a port that lights up: this connects them, and Ctrl+Z undoes it.</source>
         <translation>Cliquer sur un port creux, puis sur un port qui s&apos;allume&#xa0;: ils sont connectés, et Ctrl+Z annule.</translation>
     </message>
     <message>
@@ -2030,7 +2030,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Regarder à l&apos;intérieur</translation>
     </message>
     <message>
-        <source>The selected object shows its values, commands and events here, and a click on a command gives a form that calls it.</source>
+        <source>Values, commands and events of the selected object are shown here; a click on a command opens a form to call it.</source>
         <translation>Ce qui est sélectionné montre ici ses valeurs, commandes et événements, et un clic sur une commande donne un formulaire qui l&apos;appelle.</translation>
     </message>
     <message>
@@ -2038,7 +2038,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Tracer en direct</translation>
     </message>
     <message>
-        <source>Select a value and press P: every sample of it is drawn, and you can zoom and measure while more arrive.</source>
+        <source>Select a value and press P: the plot shows all its samples, and you can zoom and measure while new ones arrive.</source>
         <translation>Sélectionner une valeur et appuyer sur P&#xa0;: chacun de ses échantillons est tracé, et vous pouvez zoomer et mesurer pendant que d&apos;autres arrivent.</translation>
     </message>
     <message>
@@ -2046,8 +2046,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;est perdu</translation>
     </message>
     <message>
-        <source>Your actions are listed here, each with a way to undo it and the command line that does the same; problems, the log and a console are beside it.</source>
-        <translation>Ce que vous avez fait est noté ici, avec un retour possible et la ligne qui fait la même chose dans un terminal&#xa0;; les problèmes, le journal et une console sont à côté.</translation>
+        <source>Your actions are listed here; you can undo each of them, or copy its command line. Other tabs show problems, the log and a console.</source>
+        <translation>Vos actions sont listées ici ; chacune peut être annulée, ou copiée comme ligne de commande. D&apos;autres onglets montrent les problèmes, le journal et une console.</translation>
     </message>
     <message>
         <source>Everything by its name</source>
@@ -2230,7 +2230,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Les %1 premiers nombres sur %2 sont tracés&#xa0;; sélectionner ceux qu&apos;il faut</translation>
     </message>
     <message>
-        <source>, and %1 more since the mark before</source>
+        <source>, and %1 more since the previous mark</source>
         <translation>, et %1 autres depuis la marque précédente</translation>
     </message>
     <message>
@@ -2310,11 +2310,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;a été fait : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s</source>
+        <source>This can move something: hold the button for 0.4 s</source>
         <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>It can set something in motion: hold the button for 0.4 s, or press Enter</source>
+        <source>This can move something: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s ou appuyez sur Entrée</translation>
     </message>
     <message>
@@ -2338,15 +2338,15 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Démarrer ou arrêter</translation>
     </message>
     <message>
-        <source>It ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>It ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
-        <source>%1 has not answered for %2 s: a click, or Enter, asks it again</source>
+        <source>%1 has not answered for %2 s: click, or press Enter, to ask again</source>
         <translation>%1 n&apos;a pas répondu depuis %2 s : un clic ou Entrée redemande</translation>
     </message>
     <message>
@@ -2390,8 +2390,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Moyenne de la dernière seconde</translation>
     </message>
     <message>
-        <source>Half of the cycles of the last second; 99 of 100; all of them</source>
-        <translation>La moitié des cycles de la dernière seconde ; 99 sur 100 ; tous</translation>
+        <source>Median of the last second: half of the cycles start at most this late</source>
+        <translation>Médiane de la dernière seconde : la moitié des cycles commence au plus avec ce retard</translation>
     </message>
     <message>
         <source>99 of 100 start within</source>
@@ -2610,8 +2610,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 n’a pas pu être lancé</translation>
     </message>
     <message>
-        <source>As %1 reports now</source>
-        <translation>Selon %1 à présent</translation>
+        <source>Current values from %1</source>
+        <translation>Valeurs actuelles de %1</translation>
     </message>
     <message>
         <source>Reload everythi&amp;ng</source>
@@ -2650,12 +2650,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Rows per second that arrive here; – if nothing is subscribed</source>
+        <source>Rows per second that arrive in this window; – without a subscription</source>
         <translation>Lignes par seconde qui arrivent ici ; – là où rien n&apos;est écouté</translation>
     </message>
     <message>
-        <source>Of a value: since its newest row was written. Of a process: since its state has changed. – if it is not known</source>
-        <translation>D&apos;une valeur : depuis l&apos;écriture de sa dernière ligne. D&apos;un processus : depuis qu&apos;il est dans son état. – là où ce n&apos;est pas connu</translation>
+        <source>Value: time since its newest row was written. Process: time since its state changed. – if unknown</source>
+        <translation>Valeur : temps depuis l&apos;écriture de sa dernière ligne. Processus : temps depuis le changement de son état. – si inconnu</translation>
     </message>
     <message>
         <source>The connected interfaces; for a component, the connected components</source>
@@ -2718,8 +2718,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Telle quelle</translation>
     </message>
     <message>
-        <source>Without scale and offset, on the axis of its unit</source>
-        <translation>Ni mise à l&apos;échelle ni décalée, sur l&apos;axe de son unité</translation>
+        <source>Removes scale and offset, and uses the axis of the unit</source>
+        <translation>Retire l&apos;échelle et le décalage, et prend l&apos;axe de l&apos;unité</translation>
     </message>
     <message>
         <source>Scale</source>
@@ -2754,7 +2754,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Affichée telle quelle</translation>
     </message>
     <message>
-        <source>; values as they came, not scaled</source>
+        <source>; the values are not scaled</source>
         <translation>; valeurs telles quelles, sans échelle</translation>
     </message>
     <message>
@@ -2906,11 +2906,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>non requis</translation>
     </message>
     <message>
-        <source>Ctrl+Z once more within %1 s takes back &apos;%2&apos;, by %3 %4 ago</source>
+        <source>To undo &apos;%2&apos; (by %3, %4 ago), press Ctrl+Z again within %1 s</source>
         <translation>Ctrl+Z encore une fois en %1 s annule « %2 », par %3 il y a %4</translation>
     </message>
     <message>
-        <source>; taking it back can set something in motion</source>
+        <source>; this undo can move something</source>
         <translation>; l&apos;annuler peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -2918,16 +2918,16 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>il n&apos;y a rien à annuler</translation>
     </message>
     <message>
-        <source>process &apos;%1&apos; is lost%2; whether the command was executed, or still will be, is unknown</source>
+        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed</source>
         <translation>le processus « %1 » est perdu%2 ; on ignore si la commande a été ou sera exécutée</translation>
     </message>
     <message>
-        <source>this window only looks: it was started with --read-only</source>
-        <translation>cette fenêtre ne fait que regarder : lancée avec --read-only</translation>
+        <source>this window cannot change anything: it was started with --read-only</source>
+        <translation>cette fenêtre ne peut rien modifier : elle a été lancée avec --read-only</translation>
     </message>
     <message>
-        <source>%1 as %2 reports now</source>
-        <translation>%1 comme %2 le dit à présent</translation>
+        <source>%1: current values from %2</source>
+        <translation>%1 : valeurs actuelles de %2</translation>
     </message>
     <message>
         <source>Not the current values: %1 does not report them</source>
@@ -2951,16 +2951,16 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>À corriger : %1</translation>
     </message>
     <message>
-        <source>put a blank after each comma between numbers</source>
+        <source>put a space after each comma between numbers</source>
         <translation>mettre une espace après chaque virgule entre les nombres</translation>
     </message>
     <message>
-        <source>there is an empty place in the list</source>
-        <translation>la liste a une place vide</translation>
+        <source>a number is missing in the list</source>
+        <translation>il manque un nombre dans la liste</translation>
     </message>
     <message>
-        <source>“%1” may be one number or several: put semicolons between numbers</source>
-        <translation>« %1 » peut être un nombre ou plusieurs : mettre des points-virgules entre les nombres</translation>
+        <source>it is not clear whether “%1” is one number or several: put semicolons between numbers</source>
+        <translation>on ne sait pas si « %1 » est un nombre ou plusieurs : mettre des points-virgules entre les nombres</translation>
     </message>
     <message>
         <source>write a number from %1 to %2</source>
@@ -3015,7 +3015,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>écrire un nombre entier</translation>
     </message>
     <message>
-        <source>the type of this field holds no such number</source>
+        <source>the type of this field cannot hold this number</source>
         <translation>le type de ce champ ne peut contenir un tel nombre</translation>
     </message>
     <message>
@@ -3027,11 +3027,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>: le signe décimal est un point</translation>
     </message>
     <message>
-        <source>%1 has met an error and is not drawn: %2</source>
+        <source>%1 is not drawn because of an error: %2</source>
         <translation>%1 a rencontré une erreur et n&apos;est pas dessiné : %2</translation>
     </message>
     <message>
-        <source>%1 has met an error: %2</source>
+        <source>%1 had an error: %2</source>
         <translation>%1 a rencontré une erreur : %2</translation>
     </message>
     <message>
@@ -3051,8 +3051,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Fenêtre</translation>
     </message>
     <message>
-        <source>This view has met an error and is not drawn. Problems says which.</source>
-        <translation>Cette vue a rencontré une erreur et n&apos;est pas dessinée. L&apos;onglet Problèmes dit laquelle.</translation>
+        <source>This view is not drawn because of an error: see Problems.</source>
+        <translation>Cette vue n&apos;est pas dessinée à cause d&apos;une erreur : voir Problèmes.</translation>
     </message>
     <message>
         <source>Show again</source>
@@ -3083,12 +3083,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> ne peut pas être affiché : </translation>
     </message>
     <message>
-        <source>It is told that it was suspended. It starts from the current situation if its author has implemented that; otherwise it continues its previous action.</source>
-        <translation>Il apprend qu&apos;il était suspendu. Il part du monde tel qu&apos;il est maintenant si son auteur y a veillé ; sinon il continue ce qu&apos;il faisait.</translation>
+        <source>The component is told that it was suspended. If its author has implemented this, it starts from the current situation; otherwise it continues its previous action.</source>
+        <translation>Le composant est informé qu&apos;il était suspendu. Si son auteur l&apos;a prévu, il part de la situation actuelle ; sinon il continue son action précédente.</translation>
     </message>
     <message>
-        <source>It starts again from the beginning: no previous action continues.</source>
-        <translation>Il recommence : rien de ce qu&apos;il faisait ne continue.</translation>
+        <source>The component starts from the beginning: no previous action continues.</source>
+        <translation>Le composant repart du début : aucune action précédente ne continue.</translation>
     </message>
     <message>
         <source>%1 for %2</source>
@@ -3096,7 +3096,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 depuis %2</translation>
     </message>
     <message>
-        <source>%1 has met an error: see Problems</source>
+        <source>%1 had an error: see Problems</source>
         <translation>%1 a rencontré une erreur : voir Problèmes</translation>
     </message>
     <message>
@@ -3124,8 +3124,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Module</translation>
     </message>
     <message>
-        <source>Older than its file</source>
-        <translation>Plus ancien que son fichier</translation>
+        <source>File has changed</source>
+        <translation>Fichier modifié</translation>
     </message>
     <message>
         <source>%1 of %2</source>

@@ -65,11 +65,11 @@ QString EffectOf(LifecycleVerb verb, ComponentState state) {
   const bool is_suspended = state == ComponentState::kSuspended;
   if (verb == LifecycleVerb::kStart && is_suspended) {
     return Words::tr(
-        "It is told that it was suspended. It starts from the current situation "
-        "if its author has implemented that; otherwise it continues its previous action.");
+        "The component is told that it was suspended. If its author has implemented this, it "
+        "starts from the current situation; otherwise it continues its previous action.");
   }
   if (verb == LifecycleVerb::kStart || verb == LifecycleVerb::kRestart) {
-    return Words::tr("It starts again from the beginning: no previous action continues.");
+    return Words::tr("The component starts from the beginning: no previous action continues.");
   }
   return {};
 }
@@ -84,17 +84,17 @@ QString StateWithDuration(const QString& path, ComponentState state,
 
 QString ButtonAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
-             ? Words::tr("It ends the actions of the component: hold the button for 0.4 s")
-             : Words::tr("It can set something in motion: hold the button for 0.4 s");
+             ? Words::tr("This ends the actions of the component: hold the button for 0.4 s")
+             : Words::tr("This can move something: hold the button for 0.4 s");
 }
 
 QString CardAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
              ? Words::tr(
-                   "It ends the actions of the component: hold the button for 0.4 s, or press "
+                   "This ends the actions of the component: hold the button for 0.4 s, or press "
                    "Enter")
              : Words::tr(
-                   "It can set something in motion: hold the button for 0.4 s, or press "
+                   "This can move something: hold the button for 0.4 s, or press "
                    "Enter");
 }
 

@@ -27,7 +27,7 @@ inline constexpr std::array kLifecycleVerbs{LifecycleVerb::kStart, LifecycleVerb
 /// known.
 [[nodiscard]] QString StateWithDuration(const QString& path, ComponentState state,
                                         std::optional<std::int64_t> since, std::int64_t now);
-/// The risk of a verb and how to confirm it: "It can set something in motion: hold …".
+/// The risk of a verb and how to confirm it: "This can move something: hold …".
 [[nodiscard]] QString ButtonAdviceOf(LifecycleVerb verb);
 [[nodiscard]] QString CardAdviceOf(LifecycleVerb verb);
 

@@ -85,11 +85,11 @@ QString ColumnTitle(int column) {
 QString ExplanationOf(int column) {
   switch (column) {
     case CatalogueModel::kRate:
-      return Words::tr("Rows per second that arrive here; – if nothing is subscribed");
+      return Words::tr("Rows per second that arrive in this window; – without a subscription");
     case CatalogueModel::kAge:
       return Words::tr(
-          "Of a value: since its newest row was written. Of a process: since its state has "
-          "changed. – if it is not known");
+          "Value: time since its newest row was written. Process: time since its state changed. – "
+          "if unknown");
     case CatalogueModel::kConnected:
       return Words::tr("The connected interfaces; for a component, the connected components");
     default:

@@ -31,7 +31,7 @@ QString NumberFlawText(const NumberLiteral& word, const QString& unit) {
     case NumberFlaw::kFraction:
       return Words::tr("write a whole number");
     case NumberFlaw::kLimits:
-      return Words::tr("the type of this field holds no such number");
+      return Words::tr("the type of this field cannot hold this number");
     case NumberFlaw::kNoNumber:
       return Words::tr("write a number in digits");
   }

@@ -135,7 +135,7 @@ QStringList CountsLines(const ConnectionCounts& counts) {
   }
   lines << Words::tr("%1 calls and events").arg(counts.taken);
   if (counts.capacity > 0) {
-    lines << Words::tr("%1 of %2 wait").arg(counts.waiting).arg(counts.capacity);
+    lines << Words::tr("mailbox: %1 of %2 used").arg(counts.waiting).arg(counts.capacity);
   }
   lines << Words::tr("%1 refused, %2 replaced, %3 events lost")
                .arg(counts.refused)

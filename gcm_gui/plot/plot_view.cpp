@@ -337,10 +337,10 @@ void PlotView::refresh() {
   const QStringList without = curves_.withoutPlace(seen);
   QStringList notes;
   if (!without.isEmpty()) {
-    notes << Words::tr("0 and less has no place on this axis: ") + without.join(", ");
+    notes << Words::tr("values of 0 and below cannot be shown on this axis: ") + without.join(", ");
   }
   if (!curves_.beyondAxes().isEmpty()) {
-    notes << Words::tr("far beyond this axis: ") + curves_.beyondAxes().join(", ");
+    notes << Words::tr("far outside of this axis: ") + curves_.beyondAxes().join(", ");
   }
   overlay_->setNote(notes.join("; "));
   axes_.showValues(curves_.axes(), curves_.scale());

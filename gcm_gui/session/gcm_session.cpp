@@ -271,11 +271,10 @@ void GcmSession::failCallsToLostProcesses() {
     if (entry == nullptr || entry->process.state != ProcessState::kLost) continue;
     const std::string reason =
         entry->process.reason.empty() ? "" : " (" + entry->process.reason + ")";
-    const QString sentence =
-        Words::tr(
-            "process '%1' is lost%2; whether the command was executed, or still will be, is "
-            "unknown")
-            .arg(ToQString(call.process), ToQString(reason));
+    const QString sentence = Words::tr(
+                                 "process '%1' is lost%2; it is unknown whether the command was "
+                                 "executed or will still be executed")
+                                 .arg(ToQString(call.process), ToQString(reason));
     lost.emplace_back(id, Error{ErrorCode::kTimeout, sentence.toStdString()});
   }
   for (const auto& [id, error] : lost) finishCall(id, error);

@@ -19,11 +19,11 @@ bool IsBy(const std::string& who, const std::string& program) {
 
 std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
   const QString question =
-      Words::tr("Ctrl+Z once more within %1 s takes back '%2', by %3 %4 ago")
+      Words::tr("To undo '%2' (by %3, %4 ago), press Ctrl+Z again within %1 s")
           .arg(UndoChoice::kPatience.count())
           .arg(ToQString(ToString(step)), ToQString(step.who), AgeText(wall_now - step.when));
   const QString motion =
-      IsLifecycleStep(step) ? Words::tr("; taking it back can set something in motion") : QString();
+      IsLifecycleStep(step) ? Words::tr("; this undo can move something") : QString();
   return (question + motion).toStdString();
 }
 

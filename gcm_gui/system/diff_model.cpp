@@ -47,7 +47,7 @@ StateMark LineMark(PlanLine::Kind kind) {
 PlanLine LineOf(const PlanStep& step, const StepOutcome* outcome) {
   PlanLine line{PlanLine::Kind::kWaiting, ToQString(ToString(step)), {}};
   if (outcome == nullptr) {
-    if (step.takes_away) line.trail = Words::tr("removes things that run");
+    if (step.takes_away) line.trail = Words::tr("stops or removes something that works");
     return line;
   }
   const QString reason =

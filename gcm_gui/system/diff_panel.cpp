@@ -183,7 +183,7 @@ QString DiffPanel::planText() const {
                                   : CountText(static_cast<std::int64_t>(plan.steps.size()),
                                               Words::tr("%1 step"), Words::tr("%1 steps")),
                untouched == 0
-                   ? Words::tr("nothing stays unchanged")
+                   ? Words::tr("everything changes")
                    : Words::tr("will not touch ") +
                          CountText(untouched, Words::tr("%1 item"), Words::tr("%1 items")));
     case PlanController::Phase::kRunning:

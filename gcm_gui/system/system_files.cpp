@@ -128,7 +128,7 @@ void SystemFiles::showDemo() {
     showTab();  // shows the failed step and those before it
     return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));
   }
-  Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then one that lights up"));
+  Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then a port that lights up"));
 }
 
 void SystemFiles::showTab() { centre_.setCurrent(page_); }

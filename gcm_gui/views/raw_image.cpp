@@ -219,12 +219,13 @@ Result<QImage> Draw(const RawImage& picture) {
   if (known == kEncodings.end()) {
     QStringList names;
     for (const Encoding& one : kEncodings) names.append(QLatin1String(one.name));
-    return Wrong(Words::tr("a picture of encoding '%1' cannot be drawn; supported encodings: %2")
+    return Wrong(Words::tr("a picture with encoding '%1' cannot be drawn; supported encodings: %2")
                      .arg(picture.encoding.left(32), names.join(QStringLiteral(", "))));
   }
   const auto size = QStringLiteral("%1 × %2").arg(picture.width).arg(picture.height);
   if (picture.width == 0 || picture.height == 0) {
-    return Wrong(Words::tr("a picture of %1 pixels has none to draw").arg(size));
+    return Wrong(
+        Words::tr("a picture of %1 pixels is empty: width and height must be above 0").arg(size));
   }
   if (picture.width > kMostPixels || picture.height > kMostPixels / picture.width) {
     return Wrong(Words::tr("a picture of %1 pixels is too large to be drawn: at most %2")
@@ -234,7 +235,7 @@ Result<QImage> Draw(const RawImage& picture) {
   const std::uint64_t row = picture.width * known->bytes;
   const std::uint64_t step = picture.step == 0 ? row : picture.step;
   if (step < row) {
-    return Wrong(Words::tr("%1 pixels of %2 take %3 bytes a row, but step says %4")
+    return Wrong(Words::tr("a row of %1 pixels in %2 needs %3 bytes, but step is %4")
                      .arg(picture.width)
                      .arg(picture.encoding)
                      .arg(row)
@@ -242,7 +243,7 @@ Result<QImage> Draw(const RawImage& picture) {
   }
   const auto there = static_cast<std::uint64_t>(picture.data.size());
   if (there / step < picture.height || there != picture.height * step) {
-    return Wrong(Words::tr("%1 rows of %2 bytes do not fit data of %3 bytes")
+    return Wrong(Words::tr("%1 rows of %2 bytes do not match the %3 bytes of data")
                      .arg(picture.height)
                      .arg(step)
                      .arg(there));

@@ -112,14 +112,13 @@ void EmptyState::refresh() {
   const bool is_connected = link_.state() == LinkState::State::kConnected;
   if (is_connected) {
     title_->setText(Words::tr("Nothing is running yet."));
-    text_->setText(Words::tr("A process that joins this GCM appears here by itself."));
-    terminal_->setText(Words::tr("To start one, in a terminal:"));
+    text_->setText(Words::tr("A process that joins this GCM appears here automatically."));
+    terminal_->setText(Words::tr("To start a process, type in a terminal:"));
     command_->setText(QStringLiteral("lcm --name robot --system demo.json") + gcm);
   } else {
     title_->setText(Words::tr("No GCM answers at %1.").arg(link_.address()));
-    text_->setText(
-        Words::tr("Looking every second; this window fills by itself when one appears."));
-    terminal_->setText(Words::tr("To start one, in a terminal there:"));
+    text_->setText(Words::tr("The window tries again every second until a GCM answers."));
+    terminal_->setText(Words::tr("To start a GCM, type in a terminal of that machine:"));
     command_->setText(QStringLiteral("gcm serve") + gcm);
   }
   command_->setCursorPosition(0);

@@ -19,7 +19,8 @@ LostBanner::LostBanner(const LinkState& link, QWidget* parent)
   SetRole(*meaning_, QStringLiteral("dim"));
   // May be narrower than its text, so that it does not widen the window.
   meaning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  meaning_->setText(Words::tr("Values and plots come straight from their processes and go on."));
+  meaning_->setText(
+      Words::tr("Values and plots come directly from their processes, so they continue."));
   meaning_->setToolTip(meaning_->text());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kInset, 0, kInset, 0);
@@ -40,7 +41,7 @@ void LostBanner::setNow(qint64 now) {
 void LostBanner::refresh() {
   setVisible(link_.state() == LinkState::State::kLost);
   since_->show(StateMark::kLost,
-               Words::tr("Everything grey is as it was %1 ago").arg(AgeText(now_ - link_.since())));
+               Words::tr("Grey parts show the state of %1 ago").arg(AgeText(now_ - link_.since())));
   setAccessibleName(text());
 }
 

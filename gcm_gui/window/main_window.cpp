@@ -130,7 +130,7 @@ void MainWindow::connectExceptionGuard() {
             .arg(fault.count)
             .toStdString());
     if (!fault.is_covered) return;  // it is in Problems; the notice of the action may be better
-    notice_->showNotice(Words::tr("%1 has met an error: see Problems").arg(fault.view));
+    notice_->showNotice(Words::tr("%1 had an error: see Problems").arg(fault.view));
   });
 }
 

@@ -84,7 +84,7 @@ void MarkBinding::markEvent(const EventRecord& event) {
   }
   QString text = (event.path + ' ' + event.value).trimmed();
   if (marked.unmarked > 0) {
-    text += Words::tr(", and %1 more since the mark before").arg(marked.unmarked);
+    text += Words::tr(", and %1 more since the previous mark").arg(marked.unmarked);
   }
   marked = {.when = event.when};
   panel_.addMark({.kind = Mark::Kind::kEvent,

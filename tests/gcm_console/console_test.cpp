@@ -132,8 +132,8 @@ TEST_F(ConsoleTest, AConnectToALostProcessIsPending) {
 
 TEST_F(ConsoleTest, AConnectToAnUnknownProcessIsPendingWithAWarning) {
   const std::string why =
-      "gcm: no process 'robbot'; did you mean 'robot'? the connection waits for it; cancel it: gcm "
-      "disconnect desk/teleoperation/Robot\n";
+      "gcm: no process 'robbot'; did you mean 'robot'? the connection waits for this process; to "
+      "cancel the connection: gcm disconnect desk/teleoperation/Robot\n";
 
   const Outcome connected = Gcm({"connect", "desk/teleoperation/Robot", "robbot/arm/Control"});
 
@@ -312,7 +312,7 @@ TEST_F(ConsoleTest, WatchSkipsMatchingColumnsWithoutTheField) {
   const Outcome none = Gcm({"watch", "robot/arm/state.*.positio"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
   EXPECT_THAT(none.err, HasSubstr("gcm: robot/arm/state.Joints.positio: there is no field"));
-  EXPECT_THAT(none.err, testing::EndsWith("gcm: no column that fits has that part\n"));
+  EXPECT_THAT(none.err, testing::EndsWith("gcm: none of the matching columns has this part\n"));
 }
 
 TEST_F(ConsoleTest, WatchRejectsAGlobForFields) {
@@ -320,8 +320,8 @@ TEST_F(ConsoleTest, WatchRejectsAGlobForFields) {
 
   EXPECT_EQ(refused.exit_code, program::kUsage);
   EXPECT_EQ(refused.err,
-            "gcm: 'robot/arm/state.Joints.*': a * stands for columns, not for parts of one; name "
-            "the part, or take all of it: robot/arm/state.Joints\n");
+            "gcm: 'robot/arm/state.Joints.*': * can stand for columns, but not for parts of a "
+            "column; write the part without *, or use the whole column: robot/arm/state.Joints\n");
 }
 
 TEST_F(ConsoleTest, WatchReportsAGlobWithoutMatches) {
@@ -436,9 +436,9 @@ TEST_F(ConsoleTest, AReadOnlyConsoleShowsAllAndChangesNothing) {
         {"--read-only", "undo"}}) {
     const Outcome outcome = Gcm(words);
     EXPECT_EQ(outcome.exit_code, program::kDenied) << words[1];
-    EXPECT_THAT(outcome.err, HasSubstr("is for an operator, and 'gcm " + words[1] + " of " +
-                                       tendon::os::UserAtHost() +
-                                       "' is a viewer here: ask again as an operator"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("needs the role operator, but 'gcm " + words[1] + " of " +
+                          tendon::os::UserAtHost() + "' is a viewer here: try again as operator"));
   }
 
   const auto says = [](const Program& program, const std::string& line) {

@@ -67,7 +67,7 @@ TEST_F(LcmStart, RejectsAnUnusableListenAddress) {
   ASSERT_TRUE(EventuallyTrue([&] { return other.out().starts_with("GCM at "); })) << other.err();
   ExpectRefused({"--name", "robot", "--listen", taken}, program::kRefused,
                 taken + " is in use by pid " + std::to_string(other.pid()) +
-                    " (gcm); give --listen another port, or 0 for a free one");
+                    " (gcm); give another port with --listen, or 0 for a free port");
   ExpectRefused({"--name", "robot", "--listen", "localhost:" + port}, program::kUsage,
                 "--listen and --gcm are both " + address +
                     ", but two programs cannot share a port; give --listen another one");
@@ -147,11 +147,10 @@ TEST_F(LcmStart, RejectsInvalidComponentEntries) {
     return file;
   };
   ExpectFileRefused(with(R"("class": null)"),
-                    "component 'arm' has no class in the file, because its own program creates it");
-  ExpectFileRefused(
-      with(R"("class": "SimulatedArm")"),
-      "component 'arm' has no \"library\" in the file: name the plug-in there that has "
-      "its class SimulatedArm; there is: ");
+                    "component 'arm' has no class in the file, because another program creates it");
+  ExpectFileRefused(with(R"("class": "SimulatedArm")"),
+                    "component 'arm' has no \"library\" in the file: add the name of the plug-in "
+                    "that has class SimulatedArm; available: ");
   ExpectFileRefused(with(R"("class": "SimulatedArm", "library": "simulated_arm",
                             "thread": {"priority": 7})"),
                     "system.json: line 3, column 29: processes[0].components[0].thread: ");

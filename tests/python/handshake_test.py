@@ -87,7 +87,7 @@ class Handshake(unittest.TestCase):
         for kind, words, shown, wanted in [
                 (Denied, "calls itself 'gcm', but shows the certificate of 'robot'",
                  Shown("robot", "operator"), "gcm"),
-                (Denied, "shows a viewer's certificate", Shown("gcm", "viewer"), "gcm"),
+                (Denied, "has the certificate of a viewer", Shown("gcm", "viewer"), "gcm"),
                 (Unreachable, "is 'gcm', not 'robot'", Shown("gcm", "operator"), "robot")]:
             with self.subTest(words), self.assertRaisesRegex(kind, words):
                 answer(shown, wanted)

@@ -261,7 +261,7 @@ class OverIce(unittest.TestCase):
 
     def test_a_peer_without_a_proof_is_rejected(self):
         self.acceptor.is_impostor = True
-        with self.assertRaisesRegex(Invalid, "answered the Hello with something else"):
+        with self.assertRaisesRegex(Invalid, "answered the Hello with an unexpected message"):
             self.link()
         self.assertTrue(self.closed.wait(PATIENCE))
         self.assertEqual(self.notices, [])

@@ -34,7 +34,7 @@ concept AxisNumber = std::same_as<Number, double> || std::same_as<Number, std::i
 
 /// Values below this size are rounding errors of 0.
 inline constexpr double kLargestZero = 1e-12;
-/// Values that differ by less than this part of their size differ only by rounding.
+/// Two values that differ by less than this part of their size are equal, apart from rounding.
 inline constexpr double kRounding = 5e-14;
 
 /// The range of the data, widened if it is too narrow for useful labels. Data that vary only by
@@ -43,14 +43,15 @@ inline constexpr double kRounding = 5e-14;
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> WidenedSpan(Number low, Number high);
 
-/// The same, with its ends moved outwards to the nearest ticks; if there is no tick, to the limit
-/// of the number type.
+/// Like WidenedSpan(), but each end is moved outwards to the nearest tick, or to the limit of the
+/// number type if there is no tick further out.
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> FittedSpan(Number low, Number high, int most);
 
-/// About `most` multiples, and at least one, of a step that is 1, 2 or 5 times a power of ten. Each
-/// label parses back to the value of its tick, so all labels differ. All have as many digits as the
-/// step needs, with an exponent if that is shorter. Empty if the axis has no span.
+/// The ticks of an axis: multiples of a step, which is 1, 2 or 5 times a power of ten. There are
+/// about `most` ticks, and at least one; but none if the axis has no span. Each label can be parsed
+/// back to the exact value of its tick, so all labels are different. All labels have as many digits
+/// as the step needs, and an exponent if that is shorter.
 template <AxisNumber Number>
 [[nodiscard]] std::vector<AxisTick<Number>> TicksOf(const AxisSpan<Number>& span, int most);
 

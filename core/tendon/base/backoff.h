@@ -8,15 +8,15 @@ namespace tendon {
 /// limits. Not thread-safe.
 class Backoff {
  public:
-  /// `jitter`, from 0 to 1, is the largest part of a pause that is left out at random, so that
-  /// programs that failed together do not try again together.
+  /// `jitter`, from 0 to 1, is the largest part by which a pause is shortened at random. So
+  /// programs that failed at the same time do not try again at the same time.
   constexpr Backoff(std::chrono::milliseconds shortest, std::chrono::milliseconds longest,
                     double jitter = 0.0)
       : shortest_(shortest), longest_(longest), jitter_(jitter) {}
 
   /// The pause after one more failure.
   [[nodiscard]] std::chrono::milliseconds Next();
-  /// An attempt has succeeded, or may succeed now: the next pause is the shortest.
+  /// Call it when an attempt has succeeded, or may succeed now. The next pause is the shortest.
   void Reset() { last_ = {}; }
   /// True if Next() was called since the last Reset().
   [[nodiscard]] bool has_begun() const { return last_.count() > 0; }

@@ -8,7 +8,8 @@
 
 namespace tendon {
 
-/// The kind of failure; a program chooses its exit code by it, a viewer its next step.
+/// The kind of failure. Programs derive their exit code from it; viewers decide by it what to do
+/// next.
 enum class ErrorCode : std::int32_t {
   kFailed,        ///< the operation was refused or failed
   kInvalid,       ///< an argument, a file or a message is malformed

@@ -30,10 +30,11 @@ struct LocatedName {
   SourceLocation location;
 };
 
-/// The candidate most similar to `name`, or empty. Similar means an edit distance of at most 3, of
-/// at most a third of the length of `name` (or 1), and of at most half of either name. If no
-/// candidate is similar, returns the only one that begins with `name`, provided `name` has two
-/// letters or more. Ignores case.
+/// Returns the candidate that is most similar to `name`; empty if no candidate is similar. Ignores
+/// case. A candidate is similar if its edit distance from `name` is at most 3, at most a third of
+/// the length of `name` (but 1 is always allowed), and at most half of the length of each of the
+/// two. If none is similar, `name` has at least two letters, and exactly one candidate begins with
+/// `name`, returns that candidate.
 [[nodiscard]] std::string Nearest(std::string_view name, std::span<const std::string> candidates);
 
 /// "; did you mean 'arm'?", or empty if no candidate is near.

@@ -35,8 +35,8 @@ class Catalogue {
   [[nodiscard]] const ConnectionDescription* FindConnection(const InterfaceName& required) const;
   [[nodiscard]] std::vector<ConnectionDescription> connections() const;
 
-  /// Applies the next change. Returns false without an effect if its revision is not the next one
-  /// or it is invalid (then the watcher asks for a snapshot).
+  /// Applies the next change. Returns false, without an effect, if the change is invalid or its
+  /// revision is not the next one. Then the watcher asks for a snapshot.
   [[nodiscard]] bool Apply(const CatalogueChange& change);
 
   /// The changes that build this catalogue from an empty one of revision `revision() - size`.

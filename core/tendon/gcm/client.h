@@ -100,10 +100,10 @@ class GcmClient {
   using DoneHandler = std::function<void(Result<void>)>;
   using TextHandler = std::function<void(Result<std::string>)>;
 
-  /// Connects a required interface. If it is already connected, the request is refused, or the GCM
-  /// first disconnects the interface (WhenConnected::kReplace). Then the GCM restores the old
-  /// connection if the new one is refused, or if the old one was active and the new one is not. One
-  /// step of the history.
+  /// Connects a required interface; this is one step of the history. If the interface is already
+  /// connected, WhenConnected::kRefuse refuses the request, and WhenConnected::kReplace first ends
+  /// the old connection. The GCM restores the old connection if the new one is refused, or if the
+  /// old one was active and the new one is not.
   void Connect(const InterfaceName& required, const InterfaceName& provided, ConnectHandler handler,
                WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
@@ -114,16 +114,18 @@ class GcmClient {
   /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
   /// kProcessOrderTimeouts times as long as other requests.
   void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);
-  /// The processes that the GCM has started. kDenied by a GCM older than this request.
+  /// The processes that the GCM has started. A GCM that is older than this request answers kDenied.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
   /// The classes from which a process can create components, and the plug-ins that it could load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);
   using StepHandler = std::function<void(Result<message::HistoryEntry>)>;
-  /// Undoes the newest step. If `step` is not 0, only if `step` is its number.
+  /// Undoes the newest step. If `step` is not 0, the request is refused unless the newest step has
+  /// this number.
   void Undo(StepHandler handler, std::uint64_t step = 0);
-  /// Skips the newest step, so that earlier ones can be undone. kFailed if its process may come
-  /// back, or if the step can be undone and `step` is not its number.
+  /// Skips the newest step, so that earlier steps can be undone. Refused with kFailed if the
+  /// process of the step may come back. Also refused if the step could be undone, unless `step` is
+  /// its number.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
   /// Reserves the execution of plans for this client, until ReleasePlanLock() or the end of the
   /// link. If another client has it, fails with kFailed, and the error names that client.
@@ -198,7 +200,7 @@ Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
       [answer](Result<T> result) { answer->set_value(std::move(result)); }));
   if (arrival.wait_for(timeout) == std::future_status::ready) return arrival.get();
   return Error{ErrorCode::kTimeout, "no answer within " + std::to_string(timeout.count()) +
-                                        " ms; whether it was done is unknown"};
+                                        " ms; it is unknown whether the request was executed"};
 }
 
 }  // namespace tendon

@@ -69,8 +69,8 @@ void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Er
     examination.Good("process " + wire.provided.process + " is available");
   }
   examination.Bad(missing.code, missing.message,
-                  "start it, and the connection is made when it joins; or cancel the connection: "
-                  "gcm disconnect " +
+                  "start this process: the connection is made when it joins; or cancel the "
+                  "connection: gcm disconnect " +
                       ToString(wire.required));
 }
 
@@ -109,7 +109,7 @@ void CheckFree(const Catalogue& catalogue, const message::Wire& wire, Examinatio
   if (connection->provided == wire.provided) return examination.Good("the connection is requested");
   examination.Bad(ErrorCode::kExists,
                   ToString(wire.required) + " is connected to " + ToString(connection->provided),
-                  "replace that: gcm connect " + ToString(wire.required) + " " +
+                  "replace this connection: gcm connect " + ToString(wire.required) + " " +
                       ToString(wire.provided) + " --replace");
 }
 
@@ -200,7 +200,8 @@ ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire
   }
   return {process, Kind::kSomething,
           process + " still serves " + ToString(wire.required) +
-              ", which does not request it; it ends with the connection between the two processes"};
+              ", although this connection does not exist any more; it is removed when the link "
+              "between the two processes ends"};
 }
 
 /// The rank of a candidate; a smaller one is better.
@@ -247,8 +248,8 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   }
   step = {Verdict::kBad,
           text,
-          is_late ? "look at process '" + provider + "', and at the network on the way to it"
-                  : "see which of the two does not keep up: gcm top",
+          is_late ? "check process '" + provider + "' and the network between the two processes"
+                  : "find the component that is too slow: gcm top",
           {}};
   diagnosis.failure = Error{ErrorCode::kFailed, step.text + "; " + step.fix};
 }
@@ -291,7 +292,8 @@ bool IsKept(const Diagnosis& diagnosis) {
 
 std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
   if (IsKept(diagnosis)) {
-    return {"kept: " + diagnosis.wire.required.process + " makes it as soon as it can"};
+    return {"requested: " + diagnosis.wire.required.process +
+            " makes the connection as soon as possible"};
   }
   std::vector<std::string> texts;
   for (const ConnectionRemnant& one : diagnosis.remnants) texts.push_back("left over: " + one.text);
@@ -301,13 +303,14 @@ std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
 std::string FixOfUnreached(const std::string& name, const std::string& host, const Error& reason) {
   if (os::IsNoRouteError(reason.message)) {
     return "give host " + host +
-           " a route to it; if it can be reached at another address from "
-           "there: start " +
+           " a route to this address; or, if that host can reach another address of the process, "
+           "start " +
            name + " with --advertise and that address";
   }
-  if (reason.code == ErrorCode::kTimeout) return "look at process '" + name + "', which may hang";
-  return "see that " + name +
-         " listens there, and that no firewall blocks the way; if the address is wrong: start " +
+  if (reason.code == ErrorCode::kTimeout) return "check process '" + name + "': it may hang";
+  return "check that " + name +
+         " listens at this address and that no firewall blocks it; if the address is wrong, "
+         "start " +
          name + " with --advertise and an address that can be reached";
 }
 

@@ -68,9 +68,10 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
 /// explain later problems.
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
-/// Adds `remnants`: whether both processes have removed a refused or failed connection. The
-/// catalogue knows this for the required side, the answer of GcmClient::GetProviderCounts() for the
-/// provider. Does nothing for a requested connection, because its required side keeps trying.
+/// Adds `remnants`, which say for both processes whether they have removed a refused or failed
+/// connection. The catalogue knows this about the required side. For the provider, `served` is the
+/// answer of GcmClient::GetProviderCounts(). Does nothing for a requested connection, because its
+/// required side keeps trying.
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served);
 
@@ -78,8 +79,9 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
 /// The remnants of an inactive connection as text, one line for each process that was asked: "left
-/// over: nothing in robot"; or one line if the connection is kept: "kept: desk makes it as soon as
-/// it can". The text is also correct if nobody has tried to make the connection.
+/// over: nothing in robot"; or one line if the connection is kept: "requested: desk makes the
+/// connection as soon as possible". The text is also correct if nobody has tried to make the
+/// connection.
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// The remedy if `host` could not reach process `name`: the process is silent or absent, or `host`

@@ -150,8 +150,11 @@ struct Children {
 
 /// The step to undo or to skip.
 struct StepSelection {
-  std::uint64_t id = 0;                  ///< refused if it is not the newest; 0: the newest
-  std::chrono::nanoseconds patience{0};  ///< time limit of each of its orders; 0: the GCM chooses
+  /// The number of the step. The request is refused if this is not the newest step. 0 selects the
+  /// newest step.
+  std::uint64_t id = 0;
+  /// The time limit for each order that undoes a part of the step. With 0, the GCM chooses it.
+  std::chrono::nanoseconds patience{0};
 };
 
 /// Reserves the execution of plans: sent before the first and after the last step of a plan.
@@ -169,8 +172,8 @@ struct HistoryEntry {
   LifecycleStep lifecycle;  ///< for a lifecycle order; otherwise its process is empty
   std::string who;          ///< the program that made the request: "gcm connect", "gcm-gui"
   std::int64_t when = 0;    ///< ns since 1970
-  /// The instance of the process that made the change, which is that of the required side. After a
-  /// restart, the process has nothing to undo.
+  /// The instance of the process that made the change; for a connection, this is the process of the
+  /// required side. After a restart of the process there is nothing to undo.
   std::uint64_t instance = 0;
   bool is_unknown = false;  ///< the step was begun, and its outcome is unknown
   bool undone = false;

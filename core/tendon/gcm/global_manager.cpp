@@ -29,12 +29,12 @@ Result<void> CheckCertificateOf(const Middleware& middleware) {
       certificate->role == Role::kOperator) {
     return {};
   }
-  return Error{ErrorCode::kDenied, "a GCM needs the certificate of a process '" +
-                                       std::string(kGcmName) + "' (gcm cert issue " + kGcmName +
-                                       " --role operator --process); this is that of '" +
-                                       certificate->name + "', a " +
-                                       std::string(ToString(certificate->holder)) + " and " +
-                                       std::string(ToString(certificate->role))};
+  return Error{ErrorCode::kDenied,
+               "a GCM needs the certificate of a process '" + std::string(kGcmName) +
+                   "' (gcm cert issue " + kGcmName +
+                   " --role operator --process); the given certificate belongs to '" +
+                   certificate->name + "', a " + std::string(ToString(certificate->holder)) +
+                   " and " + std::string(ToString(certificate->role))};
 }
 
 }  // namespace

@@ -19,10 +19,10 @@ struct MatchingRead {
   bool operator==(const MatchingRead&) const = default;
 };
 
-/// The read commands of the interface that may return the value that `command` sets. The most
-/// likely is first: one that returns the argument's type. Of several, that is the one with the same
-/// subject, for example GetGains for SetGains. If the argument is a structure, the commands that
-/// return other structures follow.
+/// The read commands of the interface that may return the value that `command` sets, the most
+/// likely one first. Commands that return the type of the argument come first; among them, a
+/// command with the same subject, such as GetGains for SetGains. If the argument is a structure,
+/// commands that return other structures follow.
 [[nodiscard]] std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
                                                       const MemberDescription& command);
 

@@ -33,8 +33,8 @@ Error OtherSide(const InterfaceName& name, const std::string& what, const std::s
   const std::string hint = candidates.empty()
                                ? "; " + name.process + "/" + name.component + " has none"
                                : Hint(name.interface, candidates);
-  return {ErrorCode::kNotFound,
-          ToString(name) + " is a " + what + " interface; a " + needed + " one is needed" + hint};
+  return {ErrorCode::kNotFound, ToString(name) + " is a " + what + " interface; a " + needed +
+                                    " interface is needed" + hint};
 }
 
 Error RequiredInstead(const InterfaceName& name, const std::vector<std::string>& provided) {
@@ -81,10 +81,10 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
     return stand + " already";
   }
   if (connection.provided == wanted) {
-    return stand + " already: " + connection.reason + "; look with: gcm explain " + required +
-           "; cancel it: gcm disconnect " + required;
+    return stand + " already: " + connection.reason + "; to see why: gcm explain " + required +
+           "; to cancel it: gcm disconnect " + required;
   }
-  return stand + "; to replace that: gcm connect " + required + " " + ToString(wanted) +
+  return stand + "; to replace this connection: gcm connect " + required + " " + ToString(wanted) +
          " --replace";
 }
 

@@ -41,7 +41,7 @@ Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& 
 Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                             WhenConnected when_connected = WhenConnected::kRefuse);
 
-/// The same order, unchecked.
+/// The order that PlanConnect() returns, without its checks.
 [[nodiscard]] message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue,
                                                        const message::Wire& wire);
 

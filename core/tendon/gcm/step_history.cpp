@@ -140,8 +140,7 @@ void StepHistory::Probe() const {
   Log(LogLevel::kWarning, "gcm",
       "history is off: " + writable.error().message +
           "; steps can be undone until this GCM ends, but not after it; make the folder writable, "
-          "or "
-          "name another one with XDG_STATE_HOME");
+          "or choose another folder with XDG_STATE_HOME");
 }
 
 void StepHistory::Load() {

@@ -250,7 +250,7 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
   if (process.start && std::ranges::any_of(process.components, is_made_by_its_program)) {
     Refuse(object.Place("start"),
            "the GCM starts this process as an lcm, but a component without a class is created by "
-           "its own program: leave out one of the two");
+           "its own program: remove \"start\", or give each component a class");
   }
   process.comment = object.Comment();
   return process;

@@ -126,8 +126,8 @@ Result<std::string> ReadSystemText(const std::filesystem::path& path);
 /// Errors begin with `source`.
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source);
 
-/// The text of a file that reads back as `system`; a faulted component becomes active. kInvalid if
-/// a configuration is not JSON or is too long.
+/// The text of a file from which `system` can be read again, except that a faulted component
+/// becomes active. kInvalid if a configuration is not JSON or is too long.
 Result<std::string> SystemFileText(const SystemFile& system);
 
 /// Replaces the file completely or not at all; see os::ReplaceDurably(). Errors: kInvalid as in

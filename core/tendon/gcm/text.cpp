@@ -176,7 +176,7 @@ VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
   }
   if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
   const bool is_own = told->release == own.release && told->protocol == own.protocol;
-  return {.text = VersionText(*told) + (is_own ? "" : ", which is not that of this program"),
+  return {.text = VersionText(*told) + (is_own ? "" : ", but this program has another version"),
           .is_own = is_own};
 }
 

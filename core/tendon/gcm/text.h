@@ -87,7 +87,7 @@ struct OutdatedPlugin {
 
 /// The result of CompareVersion().
 struct VersionReport {
-  std::string text;  ///< "version 0.3.0, protocol 10, which is not that of this program"
+  std::string text;  ///< "version 0.3.0, protocol 10, but this program has another version"
   bool is_own = false;
 };
 /// Compares the version that a program has reported with `own`. The text also covers a program that

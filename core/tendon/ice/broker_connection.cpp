@@ -33,8 +33,8 @@ Result<std::shared_ptr<Ice::ObjectPrx>> BrokerConnection::Reach(
 Result<void> BrokerConnection::CheckPeer(const Ice::Connection& connection) const {
   if (const auto certificate = CertificateOf(connection)) {
     if (certificate->name == kBrokerName) return {};
-    return Error{ErrorCode::kDenied, "the broker shows the certificate of '" + certificate->name +
-                                         "', not that of '" + kBrokerName + "'"};
+    return Error{ErrorCode::kDenied, "the broker has the certificate of '" + certificate->name +
+                                         "', but needs that of '" + kBrokerName + "'"};
   }
   const auto info = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(connection.getInfo());
   if (info && os::IsHeldByUser(static_cast<std::uint16_t>(info->remotePort))) return {};

@@ -79,7 +79,7 @@ Error WhyNotListening(const HostPort& place) {
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {ErrorCode::kTimeout,
           "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
-              (tls != nullptr ? "" : ": it hangs, or requires a --certificate")};
+              (tls != nullptr ? "" : ": the program there hangs, or requires a --certificate")};
 }
 
 /// Thrown when nobody waits for the link any more.
@@ -101,8 +101,8 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
   } catch (const Ice::ConnectionLostException&) {
     if (tls != nullptr) return tls->NotAccepted(place);
     return {ErrorCode::kUnreachable, ToString(place) +
-                                         " closed the connection at once; is it a program of "
-                                         "Tendon, and does it require a --certificate?"};
+                                         " closed the connection immediately: check that it is a "
+                                         "program of Tendon; it may require a --certificate"};
   } catch (const Ice::SyscallException& failure) {
     return {ErrorCode::kUnreachable, os::WhyNotReached(ToString(place), failure.error)};
   } catch (const Ice::Exception& failure) {

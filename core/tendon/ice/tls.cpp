@@ -29,9 +29,10 @@ std::string InOurWords(const std::string& reason, const Credentials& credentials
   if (says("self-signed") || says("self signed") || says("issuer certificate")) {
     return "its certificate was not issued by the CA in " + credentials.authority.string();
   }
-  if (says("purpose")) return "it shows the certificate of a person, not that of a process";
+  if (says("purpose")) return "its certificate belongs to a person, not to a process";
   if (says("expired")) return "its certificate has expired: issue another with gcm cert issue";
-  if (says("not yet valid")) return "its certificate is not valid yet: are both clocks right?";
+  if (says("not yet valid"))
+    return "its certificate is not valid yet: check the clocks of both machines";
   return OnOneLine(reason);
 }
 
@@ -113,7 +114,7 @@ Error Tls::NotTrusted(const HostPort& place, const std::string& reason) {
 Error Tls::NotAccepted(const HostPort& place) const {
   return {ErrorCode::kUnreachable, ToString(place) + " does not accept " +
                                        credentials_.certificate.string() +
-                                       ", or does not use TLS: see its log"};
+                                       ", or does not use TLS: see the log of that program"};
 }
 
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection) {

@@ -19,7 +19,8 @@ struct Mismatch {
   std::string text;  ///< "missing write command MoveTo", one clause, for people
 };
 
-/// Whether a required and a provided interface fit. LCM, `gcm` and `gcm-gui` all use this result.
+/// The result of a comparison of a required and a provided interface. LCM, `gcm` and `gcm-gui` all
+/// use this result.
 struct Compatibility {
   int needed = 0;   ///< functions and handlers that are not optional
   int matched = 0;  ///< how many changes the provided interface fills

@@ -26,8 +26,8 @@ class EventBase : public MemberCaller {
   /// thread that may raise the event.
   void SetSourceFaulted(bool faulted);
 
-  /// How often the event did not reach a handler, over all handlers: the mailbox was full, the
-  /// component not active, or the handler threw.
+  /// Number of times that the event did not reach a handler, summed over all handlers: the mailbox
+  /// was full, the component was not active, or the handler threw.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
   /// Raising a disabled event does nothing. Any thread.

@@ -15,7 +15,7 @@ struct MemberDescription {
   std::string in_type;
   std::string out_type;
   bool optional = false;  ///< functions and handlers only: the interface also connects without it
-  std::string hazard;     ///< commands only: "motion" if a call can set something in motion
+  std::string hazard;     ///< commands only: "motion" if a call can move something
   /// Seconds, commands only: the effect of a call ends if it is not renewed within this time; 0: it
   /// does not end.
   double expires_after = 0.0;

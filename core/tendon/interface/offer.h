@@ -28,7 +28,7 @@ MemberDescription DescribeMember(std::string name, CommandKind kind) {
           .expires_after = 0.0};
 }
 
-/// What happens to a call if the mailbox is full.
+/// The effect of a full mailbox on a call.
 enum class Overflow {
   kRefuse,      ///< it is refused with kQueueFull
   kLatestOnly,  ///< never refused: it replaces an older call of the command that still waits

@@ -46,8 +46,9 @@ class Completion {
   /// The caller has finished: it has read the server's results, or has never posted the call.
   void Free() noexcept { state_.store(kFree, std::memory_order_release); }  // (A)
 
-  /// Waits until the call was executed, until `interrupted()` (notified by Interrupt()), or until
-  /// `deadline`. If the call was not executed, the record now belongs to the server.
+  /// Waits until the call was executed, until `deadline`, or until `interrupted()` returns true,
+  /// which is checked after Interrupt(). If the call was not executed, the record now belongs to
+  /// the server.
   template <typename Predicate>
   Ending Await(Predicate interrupted, SteadyTime deadline) {
     wakeup_.WaitUntil(

@@ -76,13 +76,13 @@ class GuardedPointer {
     }
   }
 
-  /// Sets the first object without an exchange. The calling thread calls it, between two of its
-  /// calls, while the pointer is null and the replacing side does nothing. Costs one store.
+  /// Sets the first object without an exchange. Only for the calling thread, between two of its
+  /// calls, while the pointer is null and no other thread calls Exchange(). Costs one store.
   void SetByCaller(T* object) noexcept {
     pointer_.store(object, std::memory_order_release);  // (A)
   }
 
-  /// For the replacing side.
+  /// Returns the current object. Only for the threads that call Exchange().
   [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
 
  private:

@@ -69,7 +69,7 @@ class SharedGuardedPointer {
     return ObjectOf(old);
   }
 
-  /// For the replacing side.
+  /// Returns the current object. Only for the threads that call Exchange().
   [[nodiscard]] T* Get() const noexcept {
     return ObjectOf(pointer_.load(std::memory_order_acquire));
   }

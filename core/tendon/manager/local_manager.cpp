@@ -27,8 +27,8 @@ Error NoInterface(const std::string& sort, const InterfaceName& name,
 /// interface.
 Error OtherSide(const InterfaceName& name, const std::string& is, const std::string& wanted) {
   return Error{ErrorCode::kNotFound, "interface '" + name.interface + "' of component '" +
-                                         name.component + "' is a " + is + " one; name a " +
-                                         wanted + " one there"};
+                                         name.component + "' is a " + is + " interface; give a " +
+                                         wanted + " interface"};
 }
 
 ConfigurationError ExistsAlready(const std::string& name, const ComponentOrigin& first) {

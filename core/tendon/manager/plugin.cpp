@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRegister = "TendonRegisterComponents";
 constexpr const char* kAbi = "TendonPluginAbi";
-constexpr const char* kLoads = "expected a library that loads, found that ";
+constexpr const char* kLoads = "expected a library that can be loaded, but ";
 
 Error LoadError(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kFailed, "plug-in " + file.string() + ": " + reason};
@@ -72,8 +72,8 @@ Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   try {
     reinterpret_cast<void (*)(ComponentRegistry&)>(entry)(registry);
   } catch (...) {
-    return LoadError(original, std::string("expected ") + kRegister + " to return, found that it " +
-                                   ThrownWords());
+    return LoadError(original,
+                     std::string("expected ") + kRegister + " to return, but it " + ThrownWords());
   }
   return registry;
 }
@@ -147,7 +147,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   }
   const std::string how =
       outcome->exit_code ? "exit code " + std::to_string(*outcome->exit_code) : outcome->signal;
-  return LoadError(original, kLoads + ("it ends the process that loads it with " + how));
+  return LoadError(original, kLoads + ("loading it ends the process with " + how));
 }
 
 }  // namespace tendon

@@ -19,7 +19,7 @@ std::string plugin;  // for the terminate handler, which takes no argument
 
 [[noreturn]] void OnTerminate() {
   const auto thrown = std::current_exception();
-  End(1, "plug-in " + plugin + ": expected a library that loads, found that " +
+  End(1, "plug-in " + plugin + ": expected a library that can be loaded, but " +
              (thrown ? "its start-up threw: " + tendon::ReasonOf(thrown) : "it ends the process"));
 }
 

@@ -141,8 +141,8 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     is_open_.Set(false);
     reason_ = Error{ErrorCode::kTimeout, link->peer() +
-                                             " accepted the connection but did not "
-                                             "answer in time; is it a program of Tendon?"};
+                                             " accepted the connection but did not answer in time: "
+                                             "check that it is a program of Tendon"};
   }
   if (greeted_) return {};
   const Error reason = *reason_;

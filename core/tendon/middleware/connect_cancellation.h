@@ -39,7 +39,7 @@ class CancellableConnect {
   std::uint64_t number_ = 0;
 };
 
-/// Whether a ConnectCancellation applies to this thread.
+/// True if a ConnectCancellation applies to this thread.
 [[nodiscard]] bool AreConnectsCancelled();
 /// The error for a cancelled attempt, of code kUnreachable.
 [[nodiscard]] Error ConnectCancelledError();

@@ -41,8 +41,8 @@ struct FrameHeader {
   static constexpr std::size_t kSize = 24;
 };
 
-/// The largest frame, header included. Only a reply as the response of Delivery::kDirect may be
-/// this large, because we chose the peer that we asked.
+/// The largest frame, header included. Only a reply that is sent as the response to a request with
+/// Delivery::kDirect may be this large, because this program has chosen the peer that it asks.
 inline constexpr std::size_t kMaxFrameSize = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
 /// The largest frame in all other cases, because any peer can make us store it. Larger messages are
 /// sent in parts.

@@ -127,7 +127,7 @@ Result<Handshake::Step> Handshake::OnChallenge(const FrameHeader& header,
                                                std::span<const std::byte> body) {
   auto challenge = DecodeBody<Challenge>(body);
   if (header.type != MessageType::kChallenge || !challenge) {
-    return Error{ErrorCode::kInvalid, address_ + " answered the Hello with something else"};
+    return Error{ErrorCode::kInvalid, address_ + " answered the Hello with an unexpected message"};
   }
   acceptor_ = std::move(challenge->greeting);
   const bool is_proved = AreEqual(challenge->proof, ProofOf(Role::kAcceptor, 0));
@@ -152,7 +152,7 @@ Result<Handshake::Step> Handshake::OnProof(const FrameHeader& header,
 
 Result<Handshake::Step> Handshake::OnWelcome(const FrameHeader& header) {
   if (header.type != MessageType::kWelcome) {
-    return Error{ErrorCode::kInvalid, address_ + " answered the proof with something else"};
+    return Error{ErrorCode::kInvalid, address_ + " answered the proof with an unexpected message"};
   }
   return Step{.peer = Peer(0)};
 }
@@ -204,10 +204,10 @@ Result<void> Handshake::CheckAcceptor() const {
                                          certificate_->name + "': do not trust it"};
   }
   if (certificate_ != nullptr && certificate_->role != tendon::Role::kOperator) {
-    return Error{ErrorCode::kDenied, address_ +
-                                         " shows a viewer's certificate, and to give orders "
-                                         "takes an operator's: issue '" +
-                                         name + "' another"};
+    return Error{
+        ErrorCode::kDenied,
+        address_ + " has the certificate of a viewer, but only operators may give orders: issue '" +
+            name + "' a certificate with --role operator"};
   }
   if (mine_.wanted.empty() || mine_.wanted == name) return {};
   return Error{ErrorCode::kUnreachable,

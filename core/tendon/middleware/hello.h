@@ -31,8 +31,9 @@ struct Hello {
 /// the first process that needs it. kDenied if it cannot be read or created.
 Result<std::uint64_t> LoopbackCookie();
 
-/// Which peers without a certificate an acceptor admits: those that know the cookie; also those
-/// that send none (for tests); or all of them (peers on other machines, if Exposure allows these).
+/// The peers without a certificate that an acceptor admits: only peers that know the cookie; also
+/// peers that send no cookie (for tests); or all peers (on other machines, if Exposure allows
+/// these).
 enum class UnauthenticatedPeers { kRefused, kAllowed, kFromElsewhere };
 
 /// Decodes the body of a kRefusal; the message is printable.

@@ -7,10 +7,11 @@
 
 namespace tendon {
 
-/// Marks the time in which a thread of the middleware handles or makes a large message, which may
-/// take seconds. The thread does not read from its peers meanwhile, so their silence is not a
-/// failure. Destroy the object in its thread, nested ones first. Locks and allocates only for the
-/// first object of a thread, and for one that lives longer than kShort.
+/// Exists while a thread of the middleware encodes or handles a large message, which may take
+/// seconds. The thread does not read from its peers during this time, so their silence must not
+/// count as a failure. Destroy the object in the thread that created it; destroy nested objects
+/// first. Locks and allocates only for the first object of a thread, and for an object that lives
+/// longer than kShort.
 class LargeMessageInProgress {
  public:
   LargeMessageInProgress();
@@ -18,11 +19,13 @@ class LargeMessageInProgress {
   LargeMessageInProgress& operator=(const LargeMessageInProgress&) = delete;
   ~LargeMessageInProgress();
 
-  /// Smaller messages are always handled quickly.
+  /// The size in bytes from which a message counts as large. Smaller messages need no object.
   static constexpr std::size_t kLeast = std::size_t{4} << 20U;
-  /// Shorter work delays nobody, so silence during it still counts as a failure.
+  /// Work that takes less time is not taken into account: a peer that is silent during it is still
+  /// counted as failed.
   static constexpr std::chrono::milliseconds kShort{250};
-  /// The longest silence that it excuses. A thread that takes longer counts as hanging.
+  /// The longest silence of a peer that large messages excuse. A thread that needs more time for a
+  /// message counts as hanging.
   static constexpr std::chrono::seconds kAtMost{30};
 
   /// The last time at which work longer than kShort was in progress: `now` if it still is, up to

@@ -106,11 +106,11 @@ Result<void> CheckExposure(const std::string& host, Exposure exposure) {
       IsLoopbackNumber(host)) {
     return {};
   }
-  return Error{ErrorCode::kDenied,
-               "host '" + host +
-                   "' is on another machine and the connection is not encrypted: use "
-                   "127.0.0.1, show a --certificate, or allow it with "
-                   "--insecure"};
+  return Error{
+      ErrorCode::kDenied,
+      "host '" + host +
+          "' is on another machine and the connection is not encrypted: use 127.0.0.1, encrypt the "
+          "connection with --certificate, or allow unencrypted connections with --insecure"};
 }
 
 Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t lowest_port,

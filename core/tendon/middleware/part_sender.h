@@ -26,13 +26,13 @@ inline constexpr Lane kCommonLane = 0;
 /// A separate lane for one message: it has no order relative to other messages.
 inline constexpr Lane kOwnLane = ~Lane{0};
 
-/// The size of a part, which is a frame of type kPart: the largest, and the smallest except for the
-/// last part of a frame.
+/// The largest size of a part, which is a frame of type kPart; and the smallest size of all parts
+/// of a frame except the last.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
 inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
-/// The largest reply that returns with its request. A reply larger than a part returns whole only
-/// if the line is quick.
+/// The largest reply that may be sent whole, as the response to its request. A reply that is larger
+/// than a part is sent whole only if the link is fast.
 inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
 
 /// Sends large frames in parts, one part of each lane in turn. At most four parts are sent that the
@@ -51,8 +51,8 @@ class PartSender {
   /// `clock` must outlive this object.
   explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Whether a frame of `size` bytes must go to Add(): it is larger than a part, or its lane has
-  /// such a frame waiting. Other frames go to the link directly.
+  /// Returns true if a frame of `size` bytes must go to Add(): it is larger than a part, or another
+  /// frame of its lane is waiting here. All other frames go to the link directly.
   [[nodiscard]] bool MustSendInParts(Lane lane, std::size_t size);
 
   /// Copies the frame. Fails as Link::Send() does. Waiting frames share kSendWindow, except one
@@ -94,8 +94,9 @@ class PartSender {
     std::size_t size = 0;
   };
 
-  /// Measures the speed of the link with one part: `bytes` were not acknowledged when it was sent,
-  /// including the part; the time until they are acknowledged gives the speed.
+  /// Measures the speed of the link with one part. `bytes` is the number of bytes that are not
+  /// acknowledged when the part is sent, including the part. The time until all of them are
+  /// acknowledged gives the speed.
   struct Probe {
     std::uint64_t end = 0;
     std::size_t bytes = 0;

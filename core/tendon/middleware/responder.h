@@ -30,10 +30,10 @@ class Responder {
   }
   /// Returns false if the answer cannot be sent; a peer that is still there then gets a refusal.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
-  /// Returns memory of the link for a reply of `size` bytes, at least one, in kOwnLane. Write all
-  /// bytes in this thread, then call EndReply(); if the reply is not deferred, before returning to
-  /// the channel. Returns an empty span, without an effect, if there is no such memory. Throws as
-  /// Reply() does.
+  /// Returns memory of the link for a reply of `size` bytes (at least one), which is sent in
+  /// kOwnLane. Write all bytes in this thread, then call EndReply(). If the reply is not deferred,
+  /// do both before returning to the channel. Returns an empty span, without an effect, if the link
+  /// has no such memory. Throws as Reply() does.
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
   /// Lets a later Reply() in kOwnLane, from any thread, still take the direct path back of

@@ -28,7 +28,7 @@ struct SubstituteFor<std::chrono::sys_time<Span>> {
     const CdrDuration since_1970 = ToCdr(time.time_since_epoch());
     return {since_1970.sec, since_1970.nanosec};
   }
-  /// Refuses a billion nanoseconds and more.
+  /// Returns false if `wire` has a billion nanoseconds or more.
   static bool Into(const Type& wire, std::chrono::sys_time<Span>& time) {
     Span since_1970{};
     if (!FromCdr({wire.sec, wire.nanosec}, since_1970)) return false;

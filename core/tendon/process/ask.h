@@ -10,7 +10,8 @@
 
 namespace tendon {
 
-/// Channel::Request() with a timeout. `timer` calls Expire(), so the timeout ends with `timer`.
+/// Channel::Request() with a timeout. `timer` checks the timeout, by calling Expire(). So there is
+/// no timeout after `timer` has ended.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,

@@ -45,9 +45,9 @@ std::optional<Error> GuardedHandler::WhyNotTaken(const Channel& channel,
     return Refusal(channel, header, {});
   }
   if (right->role != Role::kViewer || header.size <= kMostOfViewers) return std::nullopt;
-  return Error{ErrorCode::kInvalid, "'" + std::string(right->act) + "' takes a message of " +
-                                        std::to_string(kMostOfViewers) + " bytes at most, not of " +
-                                        std::to_string(header.size)};
+  return Error{ErrorCode::kInvalid,
+               "'" + std::string(right->act) + "' accepts messages of at most " +
+                   std::to_string(kMostOfViewers) + " bytes, got " + std::to_string(header.size)};
 }
 
 /// Returns the refusal; empty if the message is allowed.
@@ -64,12 +64,12 @@ std::optional<Error> GuardedHandler::Refusal(const Channel& channel, const Frame
                NameAndRole(channel, role) + ": " + act + object + ": " +
                    (is_allowed ? "allowed" : "refused"));
   if (is_allowed) return std::nullopt;
-  if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed to anybody"};
+  if (right == nullptr) return Error{ErrorCode::kDenied, act + " is not allowed for any role"};
   const std::string who = Printable(channel.peer().name, 64);
   const std::string needed(ToString(right->role));
-  return Error{ErrorCode::kDenied, "'" + act + "' is for an " + needed + ", and '" + who +
+  return Error{ErrorCode::kDenied, "'" + act + "' needs the role " + needed + ", but '" + who +
                                        "' is a " + std::string(ToString(role)) +
-                                       " here: ask again as an " + needed};
+                                       " here: try again as " + needed};
 }
 
 void LowerRole(Channel& channel, Role role) {

@@ -10,8 +10,9 @@
 
 namespace tendon {
 
-/// The read commands that other processes mirror. Reports to these processes which commands are
-/// disabled, because their copies must not answer then. Not thread-safe.
+/// The read commands of this process that other processes mirror: they keep a copy of the newest
+/// answer. Reports to these processes which commands are disabled, because a copy must not answer
+/// for a disabled command. Not thread-safe.
 class MirroredCommands {
  public:
   /// A mirrored command and its channel.

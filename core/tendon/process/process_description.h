@@ -36,15 +36,15 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers connect
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost; while alive, which hosts cannot reach it
+  std::string reason;      ///< why it is lost; if it is alive, the hosts that cannot reach it
   std::int64_t since = 0;  ///< time of entering `state`, ns since 1970; only for display
   std::vector<PluginDescription> plugins{};  ///< in the order of loading
 
   bool operator==(const ProcessDescription&) const = default;
 };
 
-/// One numbered change of the catalogue. Exactly one of the lists has one element; for a removal, a
-/// name or id instead. Revisions have no gaps.
+/// One numbered change of the catalogue. The numbers, called revisions, have no gaps. Exactly one
+/// of the lists has one element; a removal has a name or an id instead.
 struct CatalogueChange {
   enum class Kind : std::int32_t {
     kProcess,  ///< added or changed; a new instance begins without components and connections

@@ -46,7 +46,8 @@ Result<std::string> ReadSmallFile(const fs::path& file) {
     text.resize(before + static_cast<std::size_t>(stream.gcount()));
   }
   if (!stream.is_open() || stream.bad()) {
-    return Error{ErrorCode::kDenied, "cannot read " + file.string() + ": is it yours?"};
+    return Error{ErrorCode::kDenied,
+                 "cannot read " + file.string() + ": check that you own it and may read it"};
   }
   if (text.size() <= kMaxFileSize) return text;
   return Error{ErrorCode::kInvalid, file.string() + " is larger than the limit of 1 MiB"};
@@ -56,9 +57,10 @@ Result<void> RequirePrivate(const fs::path& file) {
   std::error_code reason;
   const fs::perms mode = fs::status(file, reason).permissions();
   if (!reason && (mode & kOthers) == fs::perms::none) return {};
-  return Error{ErrorCode::kDenied, file.string() + " can be read by others (mode " +
-                                       ModeText(mode) + "): chmod 600 " + file.string() +
-                                       ", and issue another if somebody may have read it"};
+  return Error{ErrorCode::kDenied,
+               file.string() + " can be read by others (mode " + ModeText(mode) + "): chmod 600 " +
+                   file.string() +
+                   ", and issue another certificate if somebody else may have read the key"};
 }
 
 Result<void> MakePrivateFolder(const fs::path& folder) {

@@ -43,8 +43,8 @@ class Lock {
     if (is_held_) return {};
     if (why_) return *why_;
     return Error{ErrorCode::kFailed,
-                 "another program is changing this CA: try again; if none "
-                 "runs, one was interrupted: remove " +
+                 "another program is changing this CA: try again; if no such program runs, an "
+                 "earlier one was interrupted: remove " +
                      file_.string()};
   }
 
@@ -70,7 +70,7 @@ Result<Authority> Read(const AuthorityFolder& folder) {
   if (X509_check_private_key(certificate->get(), key->get()) != 1) {
     return Error{ErrorCode::kInvalid, folder.key().string() + " does not belong to " +
                                           folder.certificate().string() +
-                                          ": restore both from one copy"};
+                                          ": restore both files from the same copy"};
   }
   return Authority{.certificate = *std::move(certificate), .key = *std::move(key)};
 }
@@ -180,8 +180,8 @@ Result<void> CertificateAuthority::CheckInit(const fs::path& folder) {
   if (fs::exists(files.certificate(), reason)) {
     return Error{ErrorCode::kExists,
                  "there is a CA in " + folder.string() +
-                     " already; a new one would make all its certificates invalid: use it, or "
-                     "choose another folder with --ca"};
+                     " already; a new CA would make all its certificates invalid: use the existing "
+                     "CA, or choose another folder with --ca"};
   }
   if (fs::exists(files.key(), reason)) {
     return Error{ErrorCode::kExists,

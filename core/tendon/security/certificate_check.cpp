@@ -28,12 +28,12 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
     case X509_V_ERR_CERT_NOT_YET_VALID:
       return denied("is not valid before " +
                     DateText(openssl::TimeOf(X509_get0_notBefore(&certificate))) +
-                    ": is this machine's clock right?");
+                    ": check the clock of this machine");
     case X509_V_ERR_CRL_NOT_YET_VALID:
       return denied("cannot be checked: " + AuthorityFolder{authority}.revoked().string() +
-                    " has a time in the future: is this machine's clock right?");
+                    " has a time in the future: check the clock of this machine");
     case X509_V_ERR_INVALID_PURPOSE:
-      return denied("is the certificate of a CA, or not made for links (clientAuth)" +
+      return denied("is the certificate of a CA, or was not issued for connections (clientAuth)" +
                     std::string(kIssueAnother));
     case X509_V_ERR_CERT_REVOKED:
       return denied("was revoked (serial " + openssl::SerialOf(certificate) + ")" + kIssueAnother);
@@ -90,7 +90,7 @@ Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certif
   if (X509_check_private_key(&certificate, key->get()) == 1) return std::optional(key_file);
   ERR_clear_error();
   return Error{ErrorCode::kDenied, key_file.string() + " does not belong to " + file.string() +
-                                       ": put two files there that were issued together"};
+                                       ": use a certificate and a key that were issued together"};
 }
 
 std::string WarningOf(const Certificate& certificate, sys_seconds now) {

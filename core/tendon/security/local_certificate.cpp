@@ -40,8 +40,8 @@ Result<LocalCertificate::Loaded> LocalCertificate::Load(const Credentials& crede
   if (!checked) return checked.error();
   if (!checked->key) {
     return Error{ErrorCode::kNotFound, file.string() +
-                                           " has no private key beside it (.key): put two files "
-                                           "there that were issued together"};
+                                           " has no private key beside it (.key): use a "
+                                           "certificate and a key that were issued together"};
   }
   auto text = ReadSmallFile(file);
   if (!text) return text.error();

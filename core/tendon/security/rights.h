@@ -42,7 +42,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
     {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
     {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
-    {0x20a, "watch a state table by the broker", Role::kViewer, Audit::kRefusals},  // broadcast
+    {0x20a, "watch a state table via the broker", Role::kViewer, Audit::kRefusals},  // broadcast
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // of a connection
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
     // process/membership_messages.h

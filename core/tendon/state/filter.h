@@ -23,8 +23,9 @@ class RowFilter {
 template <Payload In, Payload Out, typename Function>
 class FunctionFilter final : public RowFilter {
  public:
-  static_assert(std::is_nothrow_invocable_r_v<void, Function&, const In&, Out&>,
-                "a filter is a function of (const In&, Out&) that runs in the cycle: say noexcept");
+  static_assert(
+      std::is_nothrow_invocable_r_v<void, Function&, const In&, Out&>,
+      "a filter is a function of (const In&, Out&) that runs in the cycle: declare it noexcept");
 
   FunctionFilter(const In& input, Out& output, Function function)
       : input_(input), output_(output), function_(std::move(function)) {}

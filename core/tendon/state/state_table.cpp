@@ -80,7 +80,7 @@ const ColumnBase& StateTable::Find(const void* variable, const std::type_info& t
     if (column->variable() == variable && column->type() == type) return *column;
   }
   throw ConfigurationError("the variable is not a column of state table '" + name_ +
-                           "'; Add() it, as a whole, before it is offered");
+                           "'; call Add() with the whole variable before you offer it");
 }
 
 RowResult StateTable::CopyRow(std::uint64_t tick, std::span<std::uint64_t> words,

@@ -116,9 +116,9 @@ bool CycleLog::ReportLost() {
   if (lost == lost_reported_) return false;
   Log(LogLevel::kWarning, "log",
       std::to_string(lost - lost_reported_) +
-          " records of cycles are lost: their tasks log faster than the records are written, and "
-          "each may only use its share of " +
-          std::to_string(kCapacity) + " places");
+          " log records of tasks are lost: the tasks log faster than the records can be written "
+          "(buffer: " +
+          std::to_string(kCapacity) + " records, divided between the tasks); log less often");
   lost_reported_ = lost;
   return true;
 }

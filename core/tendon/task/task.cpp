@@ -195,7 +195,7 @@ void Task::PrepareStart() {
   // Calls that waited when the task ended are outdated now.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
-        Counted(stale, "call", "calls") + " that waited when it ended " +
+        Counted(stale, "call", "calls") + " that waited when the task ended " +
             (stale == 1 ? "was" : "were") + " dropped");
   }
 }

@@ -19,7 +19,7 @@ class CycleLog;
 class Task;
 class TaskLifecycle;
 
-/// Whether a posted call wakes the thread that makes the cycles.
+/// The effect of a posted call on the thread that makes the cycles.
 enum class PostWakeup {
   kWait,  ///< the post waits until a cycle executes it
   kWake,  ///< the post wakes a thread that sleeps on Task::wakeup()
@@ -106,10 +106,11 @@ class Task : public Component {
 
   // For managers.
 
-  /// Prepares a start, before its order: drops the calls that waited when the task ended.
+  /// Prepares a start. Called before the start is ordered. Drops the calls that were still queued
+  /// when the task ended.
   void PrepareStart();
-  /// Gives an order, which the thread that makes the cycles obeys; without such a thread, the
-  /// calling thread obeys it.
+  /// Gives an order to the thread that runs the cycles, which executes it. If there is no such
+  /// thread, the calling thread executes the order.
   void GiveOrder(LifecycleRequest request, bool ends_start = false);
   void Pause() override { GiveOrder(LifecycleRequest::kSuspend); }
   Result<void> Resume() override;

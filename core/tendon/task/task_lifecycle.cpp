@@ -188,7 +188,7 @@ Result<void> TaskLifecycle::RemoveFollower(Task& leader, Task& task, SteadyTime 
   leader.retired_lists_.push_back(std::move(next));
   return Error{ErrorCode::kTimeout,
                "the cycle of '" + leader.name() +
-                   "' does not end; it, or a task that runs after it, is busy in Run()"};
+                   "' does not end; this task, or a task that runs after it, is busy in Run()"};
 }
 
 void TaskLifecycle::SetLeader(Task& task, Task* leader) {

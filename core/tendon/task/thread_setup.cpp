@@ -32,7 +32,7 @@ void WarnOnce(const std::string& task, const std::string& what, const std::strin
   static std::once_flag once;
   std::call_once(once, [&] {
     Log(LogLevel::kWarning, task,
-        "runs without " + what + ", which is refused (" + reason + "); " + remedy +
+        "runs without " + what + ", because the system refuses it (" + reason + "); " + remedy +
             ". Further refusals in this process are not reported");
   });
 }
@@ -60,7 +60,8 @@ void CheckThreadRanges(const ThreadOptions& options, const std::string& task) {
             "a processor must be 0..1023, got " + std::to_string(cpu));
   }
   require(options.stack_bytes <= kMostStack,
-          "at most 4194304 bytes of the stack can be touched before the first cycle, not " +
+          "stack_bytes (the part of the stack that is touched before the first cycle) must be at "
+          "most 4194304, got " +
               std::to_string(options.stack_bytes));
   require(options.timer_slack.count() >= 1 && options.timer_slack <= kMostSlack,
           "timer slack must be 1 ns..100 ms, got " + Nanoseconds(options.timer_slack));
@@ -82,8 +83,8 @@ void SetUpThisThread(const ThreadOptions& options, const std::string& task) {
   os::NameThisThread(task);
   os::SetTimerSlack(static_cast<std::uint64_t>(options.timer_slack.count()));
   if (!options.cpus.empty()) {
-    Apply(os::RunOnProcessors(options.cpus), task, "its choice of processors",
-          "see which of them this process may use");
+    Apply(os::RunOnProcessors(options.cpus), task, "its selected processors",
+          "check which processors this process may use");
   }
   if (options.lock_memory) {
     Apply(os::LockMemory(), task, "locked memory", "allow more with 'ulimit -l'");

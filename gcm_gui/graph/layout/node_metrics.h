@@ -14,7 +14,7 @@ inline constexpr double kPortRadius = 5;
 inline constexpr double kNodeHead = 28;  ///< from a node's top to its ports
 inline constexpr double kNodeTail = 6;
 inline constexpr double kNodeInset = 12;
-inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name, behind rings
+inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name; has the rings
 inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
 inline constexpr double kProcessInset = 14;
 

@@ -15,12 +15,12 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// Maps a value to a pixel row: row = (place - low) * scale + offset. The place on the axis is
-/// value * factor, or its logarithm. A value without a place, 0 or less on a logarithmic axis, is
-/// drawn at the lowest row.
+/// Maps a value to a row of pixels: row = (place - low) * scale + offset. The place of a value on a
+/// linear axis is value * factor; on a logarithmic axis it is the logarithm of that product. Values
+/// of 0 and below have no logarithm; they are drawn in the lowest row.
 ///
-/// The lower end of the axis is subtracted first: the row of place 0 may be so far away that a
-/// double cannot tell it from its neighbours.
+/// `low`, the lower end of the axis, is subtracted first. Otherwise an axis far away from 0 would
+/// have such large row numbers that a double cannot distinguish neighbouring rows.
 struct RowScale {
   double low = 0;
   double scale = 1;

@@ -67,7 +67,7 @@ void CurveEditor::build(const QString& name) {
   accept_->setObjectName("curveEditor.accept");
   auto* plain = new QPushButton(Words::tr("Unscaled"));
   plain->setObjectName("curveEditor.plain");
-  plain->setToolTip(Words::tr("Without scale and offset, on the axis of its unit"));
+  plain->setToolTip(Words::tr("Removes scale and offset, and uses the axis of the unit"));
   connect(plain, &QPushButton::clicked, this, [this] {
     factor_->setText("1");
     offset_->setText("0");

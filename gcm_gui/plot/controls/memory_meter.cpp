@@ -27,8 +27,10 @@ void MemoryMeter::setFigures(std::size_t used, std::size_t budget, bool is_thinn
       Words::tr("%1 of %2 MB for samples")
           .arg(static_cast<double>(used) / kMega, 0, 'f', 1)
           .arg(static_cast<double>(budget) / kMega, 0, 'f', 0) +
-      (is_thinned ? Words::tr("; older ones are kept as lowest and highest value of each 100 ms")
-                  : "");
+      (is_thinned
+           ? Words::tr(
+                 "; of older samples, only the lowest and highest value of each 100 ms are kept")
+           : "");
   setAccessibleName(text);
   setToolTip(text);
   part_ = std::clamp(part, 0.0, 1.0);

@@ -56,8 +56,8 @@ PlotHeader::PlotHeader(QWidget* parent)
     : HeaderRow(parent),
       tabs_(new TabBar(this)),
       plus_(Button("newPlot", Words::tr("New plot"), this)),
-      split_(
-          Button("splitPlot", Words::tr("A plot below, with the same time  (Ctrl+Shift+T)"), this)),
+      split_(Button("splitPlot",
+                    Words::tr("Add a plot below with the same time axis  (Ctrl+Shift+T)"), this)),
       memory_(new MemoryMeter(this)),
       badge_(new RateBadge(this)),
       window_(Button("window", Words::tr("How long the plot looks back"), this)),
@@ -65,9 +65,9 @@ PlotHeader::PlotHeader(QWidget* parent)
       forward_(Button("forward", Words::tr("Forward again  (Alt+Right)"), this)),
       cursors_(Button("cursors", Words::tr("Cursors A and B  (A, B; Delete)"), this)),
       csv_(Button("saveCsv", Words::tr("Save the visible samples as CSV  (Ctrl+E)"), this)),
-      sweep_(Button("sweep",
-                    Words::tr("Sweep: the curves stay, and are written over from the left  (S)"),
-                    this)),
+      sweep_(Button(
+          "sweep", Words::tr("Sweep: new samples overwrite the old curves from left to right  (S)"),
+          this)),
       pause_(Button("pause", Words::tr("Pause the view"), this)) {
   tabs_->setObjectName("plotTabs");
   tabs_->setAccessibleName(Words::tr("Plots"));

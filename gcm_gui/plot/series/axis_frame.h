@@ -6,12 +6,14 @@
 
 namespace tendon::gui {
 
-/// Maps values to places on an axis: place = (value - base) / 10^exponent; a logarithmic axis takes
-/// the logarithm of that. So the range of an axis has ordinary numbers, even if the values are
-/// close together and far from 0, or near the largest doubles.
+/// Maps values to places on an axis: place = (value - base) / 10^exponent; on a logarithmic axis,
+/// the place is the logarithm of this number. So the places are ordinary numbers, even if the
+/// values are close together and far from 0, or near the largest doubles.
 struct AxisFrame {
-  double base = 0;   ///< a round number near the values, shown beside the unit; else 0
-  int exponent = 0;  ///< not 0 if the distances between values do not fit a double
+  /// 0, or a round number near the values if they are far from 0. It is shown beside the unit.
+  double base = 0;
+  /// 0, or another exponent if the distances between values are too large for a double.
+  int exponent = 0;
 
   /// The place of a value at this distance from the base.
   [[nodiscard]] double placeOf(double distance, ValueScale scale) const {

@@ -11,13 +11,14 @@ namespace tendon::gui {
 namespace {
 
 QString Saved(const CsvFigures& figures, bool is_scaled, const QString& file) {
-  const QString missing = figures.lost == 0 ? Words::tr("none lost")
-                                            : Words::tr("%1 lost ones marked").arg(figures.lost);
+  const QString missing = figures.lost == 0
+                              ? Words::tr("none lost")
+                              : Words::tr("%1 lost rows are marked").arg(figures.lost);
   const QString saved = (figures.rows == 1 ? Words::tr("Saved %1 row, %2, to %3")
                                            : Words::tr("Saved %1 rows, %2, to %3"))
                             .arg(figures.rows)
                             .arg(missing, file);
-  return is_scaled ? saved + Words::tr("; values as they came, not scaled") : saved;
+  return is_scaled ? saved + Words::tr("; the values are not scaled") : saved;
 }
 
 }  // namespace

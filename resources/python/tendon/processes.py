@@ -24,8 +24,9 @@ _DONE = 2  # below this, it was
 _REFUSALS: list[tuple[type[Error], str]] = [
     (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
     (Failed, "not active; start its component first"),
-    (Failed, "queue full; its component is too slow for its calls: try again, and if that never "
-             "helps, check that its Run() calls ProcessQueuedCommands()"), (Failed, "no sample"),
+    (Failed, "queue full; its component executes the calls too slowly: try again; if it fails each "
+             "time, check that Run() of the component calls ProcessQueuedCommands()"),
+    (Failed, "no sample"),
     (TimedOut, "timeout"), (TimedOut, "outcome unknown"), (Failed, "would deadlock"),
     (Denied, "denied"), (Failed, "disabled"), (Failed, "unsupported"), (Invalid, "invalid"),
     (Failed, "failed")]
@@ -133,7 +134,7 @@ class Processes:
                                {"fingerprints": [fingerprint]}, "Schemas")
             text = next(iter(answer["texts"]), "")
             if not text:
-                raise NotFound(f"process '{peer.link.peer_name}' knows no payload type of "
+                raise NotFound(f"process '{peer.link.peer_name}' has no payload type with the "
                                f"fingerprint {key[0]:016x}{key[1]:016x}")
             peer.schemas[key] = parse(text)
         return peer.schemas[key]

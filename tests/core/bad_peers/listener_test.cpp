@@ -102,7 +102,7 @@ TEST_P(HostileListener, ThatTakesAllItMayLeavesRoomForOthers) {
   ASSERT_FALSE(listened.ok());
   EXPECT_EQ(listened.error().message,
             "process 'robot' has 64 listeners to its events from here already, which is the limit: "
-            "end some");
+            "end some of them");
   const auto modest = Open(std::make_shared<ChannelHandler>());
   EXPECT_TRUE(Listen(*modest, 1, 1).ok());
   greedy->Close();

@@ -48,8 +48,8 @@ TEST_P(Client, AnArgumentThatDoesNotFitIsRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "[1,2]").find("robot/arm/Control.MoveTo: "), 0U);
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "{").find("robot/arm/Control.MoveTo: "), 0U);
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo"),
-            "robot/arm/Control.MoveTo needs an argument of float64[7], as JSON; gcm show "
-            "robot/arm/Control.MoveTo has a line to copy");
+            "robot/arm/Control.MoveTo needs an argument of float64[7] as JSON; gcm show "
+            "robot/arm/Control.MoveTo prints an example");
   EXPECT_EQ(CallError("robot/arm/Control.GetJoints", "1"),
             "robot/arm/Control.GetJoints takes no argument");
   EXPECT_FALSE(robot_->goal());

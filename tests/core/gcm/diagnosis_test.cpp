@@ -152,8 +152,9 @@ TEST_F(DiagnosisTest, FindsAnotherConnection) {
 
   ExpectBad(Examine(), 3, ErrorCode::kExists,
             "desk/teleoperation/Robot is connected to robot/second/Control");
-  EXPECT_EQ(Examine().steps[2].fix,
-            "replace that: gcm connect desk/teleoperation/Robot robot/arm/Control --replace");
+  EXPECT_EQ(
+      Examine().steps[2].fix,
+      "replace this connection: gcm connect desk/teleoperation/Robot robot/arm/Control --replace");
 }
 
 TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {
@@ -206,7 +207,7 @@ TEST_F(DiagnosisTest, WhoIsReachedByUsMayBeSilentToTheOther) {
 
   AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
   ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
-  EXPECT_EQ(diagnosis.steps[4].fix, "look at process 'robot', which may hang");
+  EXPECT_EQ(diagnosis.steps[4].fix, "check process 'robot': it may hang");
 }
 
 TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
@@ -215,7 +216,8 @@ TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
   Connect(ConnectionState::kPending, no_route);
   Diagnosis diagnosis = Examine();
   ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: " + no_route + FromDesk());
-  EXPECT_EQ(diagnosis.steps[4].fix.find("give host " + desk_.host + " a route to it"), 0U);
+  EXPECT_EQ(diagnosis.steps[4].fix.find("give host " + desk_.host + " a route to this address"),
+            0U);
 
   const DiagnosisStep before = diagnosis.steps[4];
   AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
@@ -223,7 +225,8 @@ TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
 }
 
 TEST_F(DiagnosisTest, OneThatOnlyItsHostReachesIsToListenElsewhere) {
-  robot_.reason = "is reached at 127.0.0.1:9 from its own host only; start it with --listen X";
+  robot_.reason =
+      "can be reached at 127.0.0.1:9 only from its own host; start this process with --listen X";
   Enter(robot_);
   Connect(ConnectionState::kPending, "robot cannot be reached");
 
@@ -270,7 +273,7 @@ TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {
 
   ExpectBad(diagnosis, 6, ErrorCode::kFailed,
             "the connection is made, but 4 calls found the mailbox full; 8 of 10 calls wait");
-  EXPECT_EQ(diagnosis.steps[5].fix, "see which of the two does not keep up: gcm top");
+  EXPECT_EQ(diagnosis.steps[5].fix, "find the component that is too slow: gcm top");
 }
 
 TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndIsLate) {
@@ -341,7 +344,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
 
   EXPECT_TRUE(diagnosis.remnants.empty());
   EXPECT_EQ(LeftoverTexts(diagnosis),
-            std::vector<std::string>{"kept: desk makes it as soon as it can"});
+            std::vector<std::string>{"requested: desk makes the connection as soon as possible"});
   Connect(ConnectionState::kActive);
   EXPECT_TRUE(LeftoverTexts(Examine()).empty());
 
@@ -349,7 +352,8 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
   Enter(robot_);
   Diagnosis lost = Examine();
   AddRemnants(lost, catalogue_, Error{ErrorCode::kUnreachable, "lost"});
-  EXPECT_EQ(LeftoverTexts(lost), std::vector<std::string>{"kept: desk makes it as soon as it can"});
+  EXPECT_EQ(LeftoverTexts(lost),
+            std::vector<std::string>{"requested: desk makes the connection as soon as possible"});
 }
 
 TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {

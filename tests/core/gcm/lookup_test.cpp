@@ -106,10 +106,10 @@ TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
 
 TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
   EXPECT_EQ(PlanError(kRobot, kRobot),
-            "not found: desk/teleoperation/Robot is a required interface; a provided one is "
+            "not found: desk/teleoperation/Robot is a required interface; a provided interface is "
             "needed; desk/teleoperation has none");
   EXPECT_EQ(PlanError(kControl, kControl),
-            "not found: robot/arm/Control is a provided interface; a required one is needed; "
+            "not found: robot/arm/Control is a provided interface; a required interface is needed; "
             "robot/arm has none");
 }
 
@@ -134,8 +134,8 @@ TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
   Connect(kRobot, kControl);
 
   EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}),
-            "exists: desk/teleoperation/Robot is connected to robot/arm/Control; to replace that: "
-            "gcm connect desk/teleoperation/Robot robot/fake/Control --replace");
+            "exists: desk/teleoperation/Robot is connected to robot/arm/Control; to replace this "
+            "connection: gcm connect desk/teleoperation/Robot robot/fake/Control --replace");
   EXPECT_EQ(PlanError(kRobot, kControl),
             "exists: desk/teleoperation/Robot is connected to robot/arm/Control already");
 }
@@ -152,7 +152,7 @@ TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
   set(ConnectionState::kPending, "process 'robot' does not answer");
   EXPECT_EQ(PlanError(kRobot, kControl),
             "exists: desk/teleoperation/Robot waits to be connected to robot/arm/Control already: "
-            "process 'robot' does not answer; look with: gcm explain desk/teleoperation/Robot; "
+            "process 'robot' does not answer; to see why: gcm explain desk/teleoperation/Robot; to "
             "cancel it: gcm disconnect desk/teleoperation/Robot");
   set(ConnectionState::kFailed, "it does not fit");
   EXPECT_EQ(
@@ -229,7 +229,7 @@ TEST_F(Lookup, FindsCommandsAndColumns) {
 
 TEST_F(Lookup, ACommandOfARequiredInterfaceIsSaidToBeOfTheWrongSide) {
   EXPECT_EQ(CommandError("desk/teleoperation/Robot.Stop"),
-            "desk/teleoperation/Robot is a required interface; a provided one is needed; "
+            "desk/teleoperation/Robot is a required interface; a provided interface is needed; "
             "desk/teleoperation has none");
 }
 

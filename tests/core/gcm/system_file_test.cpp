@@ -155,12 +155,10 @@ TEST(SystemFile, HowAProcessIsStartedIsChecked) {
       ErrorOf(WithStart(R"({"restart": "on-failur"})")),
       testing::EndsWith("processes[0].start.restart: expected one of never, on-failure, got "
                         "'on-failur'; did you mean 'on-failure'?"));
-  EXPECT_THAT(
-      ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
-      testing::EndsWith(
-          "processes[0].start: the GCM starts this process as an lcm, "
-          "but a component without a class is created by its own program: leave out one of the "
-          "two"));
+  EXPECT_THAT(ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
+              testing::EndsWith("processes[0].start: the GCM starts this process as an lcm, "
+                                "but a component without a class is created by its own program: "
+                                "remove \"start\", or give each component a class"));
 }
 
 TEST(SystemFile, WhatNobodyCanMakeIsGivenNothing) {

@@ -97,14 +97,14 @@ TEST(VersionText, OfAnotherReleaseOrProtocolIsSaid) {
        {message::ProgramVersion{.release = "1.2.4", .protocol = 7},
         message::ProgramVersion{.release = "1.2.3", .protocol = 6}}) {
     const VersionReport told = CompareVersion(other, kOwn);
-    EXPECT_EQ(told.text, VersionText(other) + ", which is not that of this program");
+    EXPECT_EQ(told.text, VersionText(other) + ", but this program has another version");
     EXPECT_FALSE(told.is_own);
   }
 }
 
 TEST(VersionText, AProgramThatDoesNotKnowTheQuestionIsOlder) {
   const VersionReport told =
-      CompareVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed to anybody"}, kOwn);
+      CompareVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed for any role"}, kOwn);
   EXPECT_EQ(told.text, "of an old version that does not report itself");
   EXPECT_FALSE(told.is_own);
 }

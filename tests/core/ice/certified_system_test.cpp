@@ -126,7 +126,7 @@ TEST_F(CertifiedSystem, TheCertificateDecidesWhatAPersonMayDo) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::kDenied);
   EXPECT_THAT(refused.error().message,
-              HasSubstr("is for an operator, and 'vera (gcm)' is a viewer"));
+              HasSubstr("needs the role operator, but 'vera (gcm)' is a viewer"));
   ASSERT_FALSE(forgotten.ok());
   EXPECT_EQ(forgotten.error().code, ErrorCode::kDenied);
   EXPECT_TRUE(allowed.ok()) << allowed.error().message;

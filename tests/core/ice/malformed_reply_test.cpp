@@ -147,8 +147,9 @@ TEST(MalformedReply, AServerThatNeverAnswersThePingTimesOut) {
 
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kTimeout);
-  EXPECT_EQ(link.error().message, "no answer from " + liar.address() +
-                                      " within 200 ms: it hangs, or requires a --certificate");
+  EXPECT_EQ(link.error().message,
+            "no answer from " + liar.address() +
+                " within 200 ms: the program there hangs, or requires a --certificate");
 }
 
 }  // namespace

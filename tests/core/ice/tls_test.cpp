@@ -102,7 +102,7 @@ TEST_F(TlsTest, APersonIsNoAcceptor) {
   const auto refusal = Refusal(robot_, Listen(anna, "anna"));
 
   EXPECT_EQ(refusal.code, ErrorCode::kDenied);
-  EXPECT_THAT(refusal.message, HasSubstr("it shows the certificate of a person"));
+  EXPECT_THAT(refusal.message, HasSubstr("its certificate belongs to a person"));
 }
 
 TEST_F(TlsTest, AnExpiredCertificateIsNotEvenShown) {
@@ -134,7 +134,7 @@ TEST_F(TlsTest, AViewersCertificateIsNotThatOfOneWhoGivesOrders) {
   const auto refusal = Refusal(robot_, Listen(gcm, "gcm"), "gcm");
 
   EXPECT_EQ(refusal.code, ErrorCode::kDenied);
-  EXPECT_THAT(refusal.message, HasSubstr("shows a viewer's certificate"));
+  EXPECT_THAT(refusal.message, HasSubstr("has the certificate of a viewer"));
 }
 
 TEST_F(TlsTest, WhoeverIsRefusedIsNamedWhateverTheLogLevel) {

@@ -193,15 +193,17 @@ TEST_F(LocalManagerTest, AConnectionLeadsFromARequiredToAProvidedInterface) {
   const auto from_provided = manager.Connect({"arm", "Control"}, {"arm", "Control"});
 
   ASSERT_FALSE(to_required.ok());
-  EXPECT_EQ(to_required.error().message,
-            "interface 'Robot' of component 'other' is a required one; name a provided one there");
-  ASSERT_FALSE(to_itself.ok());
   EXPECT_EQ(
-      to_itself.error().message,
-      "interface 'Robot' of component 'operator' is a required one; name a provided one there");
+      to_required.error().message,
+      "interface 'Robot' of component 'other' is a required interface; give a provided interface");
+  ASSERT_FALSE(to_itself.ok());
+  EXPECT_EQ(to_itself.error().message,
+            "interface 'Robot' of component 'operator' is a required interface; give a provided "
+            "interface");
   ASSERT_FALSE(from_provided.ok());
-  EXPECT_EQ(from_provided.error().message,
-            "interface 'Control' of component 'arm' is a provided one; name a required one there");
+  EXPECT_EQ(
+      from_provided.error().message,
+      "interface 'Control' of component 'arm' is a provided interface; give a required interface");
 }
 
 TEST_F(LocalManagerTest, ASecondServerForOneRequiredInterfaceIsRefused) {

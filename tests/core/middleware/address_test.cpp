@@ -74,8 +74,8 @@ TEST(Exposure, OtherMachinesAndTheirDisguisesAreDenied) {
 TEST(Exposure, TheRefusalSaysWhatToDo) {
   EXPECT_EQ(CheckExposure("10.0.0.7", Exposure::kLoopbackOnly).error().message,
             "host '10.0.0.7' is on another machine and the connection is not encrypted: use "
-            "127.0.0.1, show a "
-            "--certificate, or allow it with --insecure");
+            "127.0.0.1, encrypt the connection with --certificate, or allow unencrypted "
+            "connections with --insecure");
 }
 
 }  // namespace

@@ -106,9 +106,9 @@ template <typename T>
 void ExpectDenied(const Result<T>& result, const std::string& act) {
   ASSERT_FALSE(result.ok()) << act;
   EXPECT_EQ(result.error().code, ErrorCode::kDenied) << result.error().message;
-  EXPECT_EQ(result.error().message, "'" + act +
-                                        "' is for an operator, and 'looker' is a viewer here: ask "
-                                        "again as an operator");
+  EXPECT_EQ(result.error().message,
+            "'" + act +
+                "' needs the role operator, but 'looker' is a viewer here: try again as operator");
 }
 
 TEST_P(GuardedTest, AGcmDeniesAViewerWhatChangesSomething) {
@@ -181,8 +181,9 @@ TEST_P(GuardedTest, WhoListensToEventsCallsNothing) {
 
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
-  EXPECT_EQ(refused.error().message,
-            "who listens to the events of robot/plant/Control calls no functions of it");
+  EXPECT_EQ(
+      refused.error().message,
+      "the request to listen to the events of robot/plant/Control must not contain functions");
   channel->Close();
 }
 
@@ -227,7 +228,7 @@ TEST_P(GuardedTest, AMessageThatIsInNoTableIsDeniedToAll) {
 
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.error().code, ErrorCode::kDenied);
-  EXPECT_EQ(answer.error().message, "message 1023 is not allowed to anybody");
+  EXPECT_EQ(answer.error().message, "message 1023 is not allowed for any role");
   EXPECT_TRUE(Stop(*channel).ok());
   channel->Close();
 }
@@ -259,7 +260,7 @@ TEST_P(GuardedTest, NobodySendsMuchOfWhatViewersMaySend) {
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.error(),
             (tendon::Error{ErrorCode::kInvalid,
-                           "'read schemas' takes a message of 1048576 bytes at most, not of "
+                           "'read schemas' accepts messages of at most 1048576 bytes, got "
                            "1048577"}));
   EXPECT_TRUE(Stop(*channel).ok());
   channel->Close();

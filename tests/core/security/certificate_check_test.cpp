@@ -67,7 +67,7 @@ TEST_F(CertificateCheckTest, WarnsBeforeItExpires) {
 }
 
 TEST_F(CertificateCheckTest, OneOfTomorrowIsNotGoodYet) {
-  ExpectBad(ErrorCode::kDenied, "is this machine's clock right?", Now() - days(1));
+  ExpectBad(ErrorCode::kDenied, "check the clock of this machine", Now() - days(1));
 }
 
 TEST_F(CertificateCheckTest, ARevokedOneIsRefusedAndTheNextOneIsNot) {

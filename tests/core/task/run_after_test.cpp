@@ -286,8 +286,8 @@ TEST_F(RunAfterWithAHungOne, AnotherOneKeepsItsLeaderAndIsToldWhy) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
   EXPECT_EQ(refused.error().message,
-            "component 'third' cannot run after 'other': the cycle of 'leader' does not end; it, "
-            "or a task that runs after it, is busy in Run()");
+            "component 'third' cannot run after 'other': the cycle of 'leader' does not end; this "
+            "task, or a task that runs after it, is busy in Run()");
   EXPECT_TRUE(manager.Start("third", kNoWait).ok());
   follower.blocks = Script::kNone;
   ASSERT_TRUE(manager.WaitFor("third", ComponentState::kActive, 20s).ok());
@@ -301,8 +301,8 @@ TEST_F(RunAfterWithAHungOne, AnotherOneIsNotRemovedButToldWhy) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, tendon::ErrorCode::kTimeout);
   EXPECT_EQ(refused.error().message,
-            "component 'third' is not removed: the cycle of 'leader' does not end; it, or a task "
-            "that runs after it, is busy in Run()");
+            "component 'third' is not removed: the cycle of 'leader' does not end; this task, or a "
+            "task that runs after it, is busy in Run()");
   EXPECT_EQ(manager.Find("third"), &third);
   follower.blocks = Script::kNone;
   EXPECT_TRUE(manager.Remove("third").ok());

@@ -143,9 +143,10 @@ TEST(ThreadOptions, ASpinningTaskIsNeverEarly) {
 
 TEST(ThreadOptionsDeathTest, ARefusedPrivilegeWarnsOnceForTheProcessAndGoesOn) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
-  EXPECT_EXIT(RunWithoutPrivileges(), testing::ExitedWithCode(0),
-              "runs without locked memory, which is refused .*; allow more with 'ulimit -l'. "
-              "Further refusals in this process are not reported");
+  EXPECT_EXIT(
+      RunWithoutPrivileges(), testing::ExitedWithCode(0),
+      "runs without locked memory, because the system refuses it .*; allow more with 'ulimit -l'. "
+      "Further refusals in this process are not reported");
 }
 
 /// How much memory of this process is locked, as the kernel says it.
@@ -190,7 +191,8 @@ TEST(ThreadOptions, WhatMakesNoSenseIsRefused) {
             "thread options of 'arm': this machine has the processors 0.." +
                 std::to_string(processors - 1) + ", not " + std::to_string(processors));
   EXPECT_THAT(refusal({.cpus = {-1}}), testing::EndsWith("a processor must be 0..1023, got -1"));
-  EXPECT_THAT(refusal({.stack_bytes = 5 << 20}), testing::HasSubstr("at most 4194304 bytes"));
+  EXPECT_THAT(refusal({.stack_bytes = 5 << 20}),
+              testing::HasSubstr("must be at most 4194304, got 5242880"));
   EXPECT_THAT(refusal({.timer_slack = 0ns}),
               testing::EndsWith("timer slack must be 1 ns..100 ms, got 0 ns"));
   EXPECT_EQ(refusal({.timer_slack = 100ms}), "");

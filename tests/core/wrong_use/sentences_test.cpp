@@ -245,14 +245,15 @@ struct Wiring : testing::Test {
 };
 
 TEST_F(Wiring, BadInput9And10AnEndThatIsNoneIsNamed) {
-  const std::string no_provided = " is a required one; name a provided one there";
+  const std::string no_provided = " is a required interface; give a provided interface";
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"client", "Server"}),
             "interface 'Server' of component 'client'" + no_provided);
   EXPECT_EQ(Refusal({"client", "Server"}, {"other", "Server"}),
             "interface 'Server' of component 'other'" + no_provided);
-  EXPECT_EQ(Refusal({"arm", "Control"}, {"arm", "Control"}),
-            "interface 'Control' of component 'arm' is a provided one; name a required one there");
+  EXPECT_EQ(
+      Refusal({"arm", "Control"}, {"arm", "Control"}),
+      "interface 'Control' of component 'arm' is a provided interface; give a required interface");
   EXPECT_TRUE(manager.connections().empty());
 }
 

@@ -35,7 +35,7 @@ TEST(ArgumentWords, AScalarTakesOneWord) {
   EXPECT_EQ(Told(SayingSchema().fields()[1].schema, {"low"}), "\"low\"");
   EXPECT_EQ(Told(Schema::Sequence(Schema(Schema::Kind::kFloat64)), {"[1.5, 2]"}), "[1.5,2]");
   EXPECT_EQ(Told(Schema(Schema::Kind::kInt32), {"1", "2"}),
-            "hall/crier/Voice.Say: '2' is one word too many: it takes one value of int32");
+            "hall/crier/Voice.Say: '2' is one word too many: expected one value of type int32");
   EXPECT_EQ(Told(Schema(Schema::Kind::kInt32), {"many"}),
             "hall/crier/Voice.Say: the argument: expected int32, got 'many'; write a number in "
             "digits");

@@ -112,7 +112,7 @@ TEST_F(HelpTest, RejectsAWordThatIsNoAddress) {
   EXPECT_EQ(outcome.exit_code, program::kUsage);
   EXPECT_EQ(outcome.err,
             "gcm: --gcm: 'nonsense' is not an address on this machine, such as 127.0.0.1:10705; to "
-            "use a host of that name, give a --certificate\n");
+            "use a host with this name, give a --certificate\n");
 }
 
 }  // namespace

@@ -213,7 +213,8 @@ TEST_F(SystemFixture, TheDoctorExplainsHowToStartAGcm) {
   EXPECT_EQ(outcome.exit_code, program::kRefused);
   EXPECT_THAT(outcome.out, HasSubstr("BAD  GCM"));
   EXPECT_THAT(outcome.out, HasSubstr("fix: gcm serve"));
-  EXPECT_THAT(outcome.out, HasSubstr("ok   port    " + address + " is free: nobody listens there"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("ok   port    " + address + " is free: no program listens there"));
 }
 
 TEST_F(SystemFixture, TheDoctorNamesTheHolderOfTheGcmPort) {
@@ -229,7 +230,7 @@ TEST_F(SystemFixture, TheDoctorNamesTheHolderOfTheGcmPort) {
       RunProgram({Binary("gcm"), "--gcm", address, "--timeout", "50", "doctor"});
 
   EXPECT_EQ(outcome.exit_code, program::kRefused);
-  EXPECT_THAT(outcome.out, HasSubstr("BAD  port    " + address + " is held by pid " +
+  EXPECT_THAT(outcome.out, HasSubstr("BAD  port    " + address + " is used by pid " +
                                      std::to_string(getpid()) + " ("));
   close(listener);
 }

@@ -24,8 +24,8 @@ TEST(JobLines, AreWholeLinesAndCountDroppedOnes) {
 
   const std::string all = lines.Take();
   EXPECT_THAT(all, testing::StartsWith("three\n0\n1\n"));
-  EXPECT_THAT(all, testing::EndsWith("\n998\ngcm: 2 lines are left out: there was no room for "
-                                     "more\n"));
+  EXPECT_THAT(all, testing::EndsWith(
+                       "\n998\ngcm: 2 lines are left out: the buffer for their output is full\n"));
   EXPECT_EQ(lines.Take(), "");
 }
 
@@ -118,7 +118,7 @@ TEST_F(JobsTest, OnlyLongRunningVerbsAtAPromptCanBeJobs) {
   const Outcome piped =
       RunProgram({"/bin/sh", "-c", "echo '" + std::string(kWatch) + " &' | " + Command()});
   EXPECT_EQ(piped.exit_code, program::kUsage);
-  EXPECT_THAT(piped.err, HasSubstr("gcm: & works only at a prompt"));
+  EXPECT_THAT(piped.err, HasSubstr("gcm: & can be used only at the prompt of gcm shell"));
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST_F(ShellTest, ARecursiveScriptIsStopped) {
   const Outcome outcome = Script("run " + (home.path() / "test.gcm").string() + "\n");
 
   EXPECT_NE(outcome.exit_code, program::kOk);
-  EXPECT_THAT(outcome.err, HasSubstr("does a script run itself?"));
+  EXPECT_THAT(outcome.err, HasSubstr("check whether a script runs itself"));
 }
 
 TEST_F(ShellTest, AcceptsAbsolutePathsAtTheTop) {
@@ -237,8 +237,8 @@ TEST_F(ShellTest, RefusesAShellInAShell) {
   EXPECT_EQ(outcome.exit_code, program::kUsage);
   EXPECT_THAT(outcome.out, HasSubstr("protocol"));
   EXPECT_EQ(outcome.err,
-            "gcm: this is already a shell; exit ends it\n"
-            "gcm: this is already a shell; exit ends it\n");
+            "gcm: this is already gcm shell; to leave it: exit\n"
+            "gcm: this is already gcm shell; to leave it: exit\n");
 }
 
 TEST_F(ShellTest, ReadsCommandsFromAPipe) {
@@ -256,8 +256,10 @@ TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessKeepGoing) {
   const Outcome stopped = Script(text);
   EXPECT_EQ(stopped.exit_code, program::kNotFound);
   EXPECT_EQ(stopped.out, "");
-  EXPECT_THAT(stopped.err,
-              HasSubstr("test.gcm, line 3: failed with 4, and nothing after it was run"));
+  EXPECT_THAT(
+      stopped.err,
+      HasSubstr(
+          "test.gcm, line 3: failed with exit code 4; the following lines were not executed"));
 
   const Outcome went_on = Script(text, {"--keep-going"});
   EXPECT_THAT(went_on.out, HasSubstr("Control\tprovided"));
@@ -275,11 +277,11 @@ TEST_F(ShellTest, UnreadableInputFails) {
   const std::string folder = home.path().string();
   EXPECT_EQ(Shell("shell < " + folder).exit_code, program::kUsage);
   EXPECT_EQ(Shell("run - < " + folder).err,
-            "gcm: standard input, after line 0: the input cannot be read completely: give a file, "
-            "or a pipe\n");
-  EXPECT_EQ(
-      Shell("run - < /dev/zero").err,
-      "gcm: standard input, after line 0: a line is longer than 1 MiB: is the input a text?\n");
+            "gcm: standard input, after line 0: the standard input could not be read to its end: "
+            "use a file or a pipe\n");
+  EXPECT_EQ(Shell("run - < /dev/zero").err,
+            "gcm: standard input, after line 0: a line is longer than 1 MiB: check that the input "
+            "is a text\n");
   const Outcome endless = Shell("call robot/arm/Control.MoveTo - < /dev/zero");
   EXPECT_EQ(endless.exit_code, program::kUsage);
   EXPECT_EQ(endless.err, "gcm: the input is over 16 MiB\n");

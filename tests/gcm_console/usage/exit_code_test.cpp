@@ -69,9 +69,10 @@ TEST_F(WrongAddressTest, DoctorReportsTheUnreachableAddress) {
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process far .*process 'far' does not answer "
                                                  "at 127.0.0.1:9: .*\n.*fix: .*--advertise"));
   EXPECT_THAT(doctor.out, testing::ContainsRegex("ok   process robot .*, answers within "));
-  EXPECT_THAT(doctor.out,
-              testing::ContainsRegex(
-                  "-    plug-in far simulated_arm .*, as the process has reported last"));
+  EXPECT_THAT(
+      doctor.out,
+      testing::ContainsRegex(
+          "-    plug-in far simulated_arm .*, according to the last report of the process"));
 }
 
 TEST_F(WrongAddressTest, ExplainIsTheSameBeforeAndAfterAConnect) {

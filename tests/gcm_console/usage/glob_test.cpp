@@ -58,7 +58,8 @@ TEST_F(GlobTest, GetPrintsEachMatchWithItsPath) {
   EXPECT_THAT(commands.out, Not(HasSubstr("Stop")));
   const json document = json::parse(Gcm({"get", "robot/*/state.Joints", "--json"}).out);
   EXPECT_EQ(document["values"][0]["path"], "robot/arm/state.Joints");
-  ExpectError({"get", "robot/*/Control.Stop"}, program::kNotFound, "matches can be read");
+  ExpectError({"get", "robot/*/Control.Stop"}, program::kNotFound,
+              "matches no value that can be read");
   ExpectError({"get", "nobody/*/state.Joints"}, program::kNotFound, "no column fits");
 }
 
@@ -101,7 +102,7 @@ TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
   for (const Program::Words& words : lines) {
     ExpectError(words, program::kUsage,
                 "gcm: 'robot/*' may match several things, but gcm " + words[0] +
-                    " takes one name; list them with: gcm find 'robot/*'\n");
+                    " needs exactly one name; list the matches with: gcm find 'robot/*'\n");
   }
   ExpectError({"connect", "desk/*/Robot", "robot/arm/Control"}, program::kUsage,
               "gcm connect without --match takes one name");

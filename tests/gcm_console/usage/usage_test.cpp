@@ -182,7 +182,7 @@ TEST_F(UsageTest, ASecondGcmOnOnePortNamesTheFirst) {
 
   ExpectOneSentence(Typed({"serve"}), program::kRefused,
                     address + " is in use by pid " + std::to_string(gcm->pid()) +
-                        " (gcm); use the running GCM, or give --gcm another port");
+                        " (gcm); use the running GCM, or give another port with --gcm");
 }
 
 TEST_F(UsageTest, ABrokerOnATakenPortNamesItsHolder) {
@@ -205,8 +205,8 @@ TEST_F(UsageTest, ServeWarnsIfItCannotKeepAHistory) {
   EXPECT_TRUE(EventuallyTrue([&] {
     return served.err().find("history is off: cannot write /proc/") != std::string::npos;
   })) << served.err();
-  EXPECT_THAT(served.err(), HasSubstr("but not after it; make the folder writable, or name "
-                                      "another one with XDG_STATE_HOME"));
+  EXPECT_THAT(served.err(), HasSubstr("but not after it; make the folder writable, or choose "
+                                      "another folder with XDG_STATE_HOME"));
   EXPECT_TRUE(EventuallyTrue([&] { return served.out().starts_with("GCM at "); }));
 }
 
@@ -215,7 +215,7 @@ TEST_F(UsageTest, WarnsWhenRunningAsRoot) {
 
   StartGcm();
 
-  EXPECT_THAT(gcm->err(), HasSubstr("runs as root, which a GCM does not need"));
+  EXPECT_THAT(gcm->err(), HasSubstr("runs as root, but a GCM does not need the rights of root"));
 }
 
 TEST_F(UsageTest, RejectsABadAddress) {

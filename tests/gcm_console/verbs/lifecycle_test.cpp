@@ -61,7 +61,8 @@ TEST_F(LifecycleVerbsTest, AGlobSkipsComponentsInOtherStates) {
   const Outcome started = Gcm({"start", "robot/*"});
   EXPECT_EQ(started.exit_code, program::kOk) << started.err;
   EXPECT_EQ(started.out, "robot/three\tstarted\nrobot/two\tstarted\n");
-  EXPECT_EQ(started.err, "gcm: left out 1 that is not in a state to be started\n");
+  EXPECT_EQ(started.err,
+            "gcm: 1 match is skipped, because it cannot be started in its current state\n");
 
   const Outcome removed = Gcm({"rm", "**"});
   EXPECT_EQ(removed.out, "robot/one\tremoved\nrobot/three\tremoved\nrobot/two\tremoved\n");
@@ -76,9 +77,9 @@ TEST_F(LifecycleVerbsTest, ADryRunReportsChangesAndMakesNone) {
   EXPECT_EQ(Gcm({"rm", "robot/one", "--dry-run"}).out, "robot/one\twould be removed\n");
   const Outcome refused = Gcm({"stop", "robot/two", "--dry-run"});
   EXPECT_EQ(refused.exit_code, program::kRefused);
-  EXPECT_EQ(refused.err,
-            "gcm: robot/two: component 'two' is constructed, not active; there is nothing to "
-            "stop\n");
+  EXPECT_EQ(
+      refused.err,
+      "gcm: robot/two: component 'two' is constructed and not active; there is nothing to stop\n");
   EXPECT_EQ(Gcm({"create", "Counter", "one", "--dry-run"}).exit_code, program::kRefused);
 
   EXPECT_THAT(Gcm({"ls", "robot"}).out, HasSubstr("one\tactive"));
@@ -139,7 +140,7 @@ TEST_F(LifecycleVerbsTest, ExplainsMistakes) {
   const auto desk = StartEmpty("desk");
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive")) << desk->err();
   EXPECT_EQ(Gcm({"load", "counter"}).err,
-            "gcm: there are several processes: name one of desk, robot\n");
+            "gcm: there are several processes: give one of desk, robot\n");
 }
 
 TEST_F(LifecycleVerbsTest, ReadsAConfigurationOnlyFromARegularFile) {

@@ -46,7 +46,7 @@ TEST_F(LogTest, ShowsTheLogOfAllProcesses) {
   EXPECT_EQ(nobody.err, "gcm: no process 'robt'; did you mean 'robot'?\n");
   const Outcome silent = Gcm({"log", "--from", "robot/arm", "--level", "error"});
   EXPECT_EQ(silent.exit_code, program::kOk);
-  EXPECT_EQ(silent.err, "gcm: no kept record is from 'robot/arm' at level error or above\n");
+  EXPECT_EQ(silent.err, "gcm: the GCM keeps no record from 'robot/arm' at level error or above\n");
 
   std::istringstream lines(Gcm({"--json", "log", "--from", "robot"}).out);
   std::string line;

@@ -215,8 +215,9 @@ TEST_F(LookTest, ShowPrintsTheArgumentAndAnExampleCall) {
   ASSERT_NE(begin, std::string::npos) << shown.out;
   const auto quote = shown.out.find('\'', begin);
   const std::string argument = shown.out.substr(quote + 1, shown.out.rfind('\'') - quote - 1);
-  EXPECT_THAT(shown.out,
-              HasSubstr("\ngcm get robot/arm/Control.GetJoints  # as it is now: position\n"));
+  EXPECT_THAT(
+      shown.out,
+      HasSubstr("\ngcm get robot/arm/Control.GetJoints  # the current values of: position\n"));
   const Outcome called = Gcm({"call", "robot/arm/Control.MoveTo", argument});
   EXPECT_EQ(called.exit_code, program::kOk) << called.err << argument;
 }
@@ -248,7 +249,7 @@ TEST_F(LookTest, ExplainsCommonMistakes) {
             "first; run: "
             "gcm explain desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_THAT(Gcm({"watch", "robot/arm/state"}).err,
-              StartsWith("gcm: 'robot/arm/state' is a whole table: name one of its columns ("));
+              StartsWith("gcm: 'robot/arm/state' is a whole table: give one of its columns ("));
   const Outcome head = Shell("watch robot/arm/state.Joints.position[0] | head -1");
   EXPECT_EQ(head.exit_code, 0);
   EXPECT_EQ(head.err, "");

@@ -122,7 +122,7 @@ TEST_F(PluginAgeTest, EachVerbWarnsOfARewrittenPluginFile) {
   EXPECT_THAT(Gcm({"classes", "robot"}).out,
               HasSubstr("Ageing\tageing\t-\t" + file.string() + " of 20"));
   for (const Program::Words& words : {Program::Words{"show", "robot"}, {"show", "robot/old"}}) {
-    EXPECT_TRUE(EventuallySays(words, "its file\twritten again at 20"));
+    EXPECT_TRUE(EventuallySays(words, "plug-in file\twritten again at 20"));
     EXPECT_THAT(Gcm(words).out, HasSubstr("library\tageing: " + of));
   }
   const Outcome doctor = Gcm({"doctor"});
@@ -138,7 +138,7 @@ TEST_F(PluginAgeTest, DoctorWarnsAlsoForAnUnreachableProcess) {
   StartRobot({"--advertise", "127.0.0.1:9"});
   ASSERT_EQ(Create("old").exit_code, program::kOk);
   OverwriteInPlace();
-  ASSERT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
+  ASSERT_TRUE(EventuallySays({"show", "robot"}, "plug-in file\twritten again"));
 
   const Outcome doctor = Gcm({"doctor"});
 
@@ -154,13 +154,13 @@ TEST_F(PluginAgeTest, ShowReportsAChangeThatAnotherVerbFound) {
 
   ASSERT_EQ(Gcm({"classes", "robot"}).exit_code, program::kOk);  // which looks at the files
 
-  EXPECT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
+  EXPECT_TRUE(EventuallySays({"show", "robot"}, "plug-in file\twritten again"));
 }
 
 TEST_F(PluginAgeTest, JsonReportsAChangedPlugin) {
   StartOld();
   Replace();
-  ASSERT_TRUE(EventuallySays({"show", "robot"}, "its file\twritten again"));
+  ASSERT_TRUE(EventuallySays({"show", "robot"}, "plug-in file\twritten again"));
 
   const json created =
       json::parse(Gcm({"create", "Ageing", "robot/two", "--json"}).out, nullptr, false);
@@ -316,7 +316,7 @@ TEST_F(PluginCopyTest, TheCopyIsInMemoryIfItsFolderCannotBeMade) {
         RunProgram({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "show", "robot/old"},
                    environment);
     return shown.out.find("state\tactive") != std::string::npos &&
-           shown.out.find("its file\twritten again") != std::string::npos;
+           shown.out.find("plug-in file\twritten again") != std::string::npos;
   }));
   EXPECT_EQ(robot->Wait(std::chrono::seconds(0)), std::nullopt);
 }

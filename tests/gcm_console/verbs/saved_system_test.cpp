@@ -124,8 +124,9 @@ TEST_F(SavedSystemTest, AFailedApplyReportsTheRemainingSteps) {
   EXPECT_EQ(steps[0]["outcome"], "failed");
   EXPECT_EQ(steps[1]["outcome"], "done");
   EXPECT_EQ(steps[2]["outcome"], "left");
-  EXPECT_EQ(steps[2]["error"],
-            "not tried, because this failed: create robot/extra (Conter of legacy_arm)");
+  EXPECT_EQ(
+      steps[2]["error"],
+      "not executed, because an earlier step failed: create robot/extra (Conter of legacy_arm)");
 }
 
 TEST_F(SavedSystemTest, ApplyRestoresConnectionsAndIsIdempotent) {
@@ -231,10 +232,9 @@ TEST_F(SavedSystemTest, RemovingARunningComponentNeedsConfirmation) {
   const Outcome refused = Gcm({"apply", file});
   EXPECT_EQ(refused.exit_code, program::kRefused);
   EXPECT_EQ(refused.out, "! disconnect desk/teleoperation/Robot -> robot/arm/Control\n");
-  EXPECT_THAT(refused.err,
-              HasSubstr("nothing was done, because the steps marked with ! remove things "
-                        "that run; to confirm this: gcm apply " +
-                        file + " --yes"));
+  EXPECT_THAT(refused.err, HasSubstr("nothing was done, because the steps with ! stop, disconnect "
+                                     "or remove something that works; to confirm this: gcm apply " +
+                                     file + " --yes"));
   EXPECT_EQ(Gcm({"diff", file}).out,
             "+ connection desk/teleoperation/Robot -> robot/arm/Control\n");
 
@@ -396,7 +396,8 @@ TEST_F(SavedSystemTest, ImportsAFileOfTheReferenceSystem) {
   const Outcome again =
       Gcm({"import", InHome("cisst.json"), InHome("new.json"), "--process", "desk"});
   EXPECT_EQ(again.exit_code, program::kRefused);
-  EXPECT_THAT(again.err, HasSubstr("new.json already exists: give another file, or remove this"));
+  EXPECT_THAT(again.err,
+              HasSubstr("new.json already exists: give another file, or remove this file"));
   EXPECT_EQ(json::parse(home.Read("new.json")), file);
 }
 
@@ -443,7 +444,7 @@ TEST_F(SavedSystemTest, UndoSkipsStepsOfAnEarlierRun) {
                                "it: gcm undo --skip\n"));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
-  EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped, and left as it is: step 1 (disconnect"));
+  EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped and not undone: step 1 (disconnect"));
   EXPECT_THAT(skipped.err, HasSubstr("gcm: there is nothing to undo\n"));
   EXPECT_THAT(Gcm({"history"}).out, HasSubstr("\tskipped\t"));
 }

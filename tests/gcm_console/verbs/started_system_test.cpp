@@ -190,7 +190,8 @@ TEST_F(StartedSystemTest, KillAndForgetByGlobNeedConfirmation) {
   const Outcome killed = Gcm({"kill", "*"});
   EXPECT_EQ(killed.exit_code, program::kOk) << killed.err;
   EXPECT_EQ(killed.out, "robot\tended\n");
-  EXPECT_EQ(killed.err, "gcm: left out 1 that is not in a state to be ended\n");
+  EXPECT_EQ(killed.err,
+            "gcm: 1 match is skipped, because it cannot be ended in its current state\n");
   EXPECT_THAT(type("forget '*' --yes", "n").out, testing::Not(HasSubstr("[y/N]")));
   EXPECT_EQ(Gcm({"ls"}).out, "");
 }

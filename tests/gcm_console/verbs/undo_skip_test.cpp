@@ -27,14 +27,14 @@ TEST_F(UndoSkipTest, EachSkipSkipsOneStep) {
   const Outcome dry = Gcm({"undo", "--skip", "--dry-run"});
   EXPECT_EQ(dry.exit_code, program::kRefused);
   EXPECT_EQ(dry.out, "");
-  EXPECT_THAT(dry.err, HasSubstr("gcm: would be skipped, and left as it is: step 3 ("));
+  EXPECT_THAT(dry.err, HasSubstr("gcm: would be skipped and not undone: step 3 ("));
   EXPECT_THAT(dry.err, HasSubstr("gcm: cannot undo step 2 ("));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
   EXPECT_EQ(skipped.exit_code, program::kRefused);
-  EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped, and left as it is: step 3 ("));
+  EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped and not undone: step 3 ("));
   EXPECT_THAT(skipped.err, HasSubstr("gcm: cannot undo step 2 ("));
-  EXPECT_THAT(skipped.err, testing::Not(HasSubstr("left as it is: step 2")));
+  EXPECT_THAT(skipped.err, testing::Not(HasSubstr("not undone: step 2")));
   const json steps = json::parse(Gcm({"history", "--json"}).out)["steps"];
   EXPECT_EQ(steps[2]["passed_over"], true);
   EXPECT_EQ(steps[1]["passed_over"], false);
@@ -56,7 +56,7 @@ TEST_F(UndoSkipTest, ADryRunListsSkippedAndUndoneSteps) {
 
   EXPECT_EQ(dry.exit_code, program::kOk) << dry.err;
   EXPECT_EQ(dry.out, "would be undone: stop robot/host_monitor\n");
-  EXPECT_THAT(dry.err, HasSubstr("would be skipped, and left as it is: step 2 (disconnect"));
+  EXPECT_THAT(dry.err, HasSubstr("would be skipped and not undone: step 2 (disconnect"));
   EXPECT_EQ(Gcm({"undo", "--skip"}).out, "undone: stop robot/host_monitor\n");
 }
 

@@ -38,7 +38,7 @@ TEST_F(UnhealthyTest, ReportsAFullMailboxUntilItRecovers) {
       << ill.err;
   EXPECT_EQ(ill.exit_code, program::kRefused);
   EXPECT_THAT(ill.out, HasSubstr("  6 BAD the connection is made, but "));
-  EXPECT_THAT(ill.out, HasSubstr("fix: see which of the two does not keep up: gcm top\n"));
+  EXPECT_THAT(ill.out, HasSubstr("fix: find the component that is too slow: gcm top\n"));
   const json document = json::parse(Gcm({"explain", kDesk, "--json"}).out);
   EXPECT_EQ(document["connected"], true);
   EXPECT_EQ(document["steps"][5]["verdict"], "bad");

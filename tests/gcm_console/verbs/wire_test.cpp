@@ -30,7 +30,8 @@ TEST_F(WireVerbsTest, ADryRunReportsChangesAndMakesNone) {
   const Outcome unknown = Gcm({"connect", kTeleoperation, "robto/arm/Control", "--dry-run"});
   EXPECT_EQ(unknown.exit_code, program::kNotFound);
   EXPECT_EQ(unknown.err,
-            "gcm: no process 'robto'; did you mean 'robot'? the connection would wait for it\n");
+            "gcm: no process 'robto'; did you mean 'robot'? the connection would wait for this "
+            "process\n");
 
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
   EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));
@@ -67,7 +68,7 @@ TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   const Outcome unclear = Gcm({"connect", "--match", "desk/**", "robot/**"});
   EXPECT_EQ(unclear.exit_code, program::kNotFound);
   EXPECT_EQ(unclear.err,
-            "gcm: desk/teleoperation/Robot: 3 fit it equally well: robot/arm/Control, "
+            "gcm: desk/teleoperation/Robot: 3 interfaces fit equally well: robot/arm/Control, "
             "robot/second/Control, robot/third/Control\n");
 
   const Outcome unfit = Gcm({"--json", "connect", "--match", "desk/**", "desk/old_arm/*"});
@@ -76,7 +77,8 @@ TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   EXPECT_EQ(result["path"], kTeleoperation);
   EXPECT_EQ(result["done"], false);
   EXPECT_EQ(result["reason"],
-            "no interface that 'desk/old_arm/*' matches fits it; look with: gcm candidates "
+            "no interface that matches 'desk/old_arm/*' can be connected to it; look with: gcm "
+            "candidates "
             "desk/teleoperation/Robot");
 
   EXPECT_EQ(Gcm({"connect", "--match", "dusk/**", "robot/**"}).exit_code, program::kNotFound);

@@ -187,7 +187,7 @@ TEST(ProblemsModel, ListsAPluginOlderThanItsFile) {
 }
 
 TEST(ProblemsModel, ListsAProcessThatOthersCannotReach) {
-  const std::string reason = "is reached at 127.0.0.1:43211 from its own host only";
+  const std::string reason = "can be reached at 127.0.0.1:43211 only from its own host";
   ProblemsModel model;
   SystemBuilder system;
   system.Process("robot", ProcessState::kAlive, 0, 1, reason);

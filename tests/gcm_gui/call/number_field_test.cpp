@@ -118,8 +118,8 @@ TEST_F(NumberFieldTest, RejectsAnUnfittingListAsAWhole) {
        QList<Case>{{"1 2 3 4", "expected at most 2 numbers from this field on, found 4"},
                    {"0,5 1,5", "“0,5”: write 0.5: use a point as the decimal sign"},
                    {"1 x", "“x”: write a number in digits"},
-                   {"1\t\t2", "there is an empty place in the list"},
-                   {"0.1,0.2,0.3", "put a blank after each comma between numbers"}}) {
+                   {"1\t\t2", "a number is missing in the list"},
+                   {"0.1,0.2,0.3", "put a space after each comma between numbers"}}) {
     Paste(Joint(1), text);
     EXPECT_EQ(form_.json(), before);
     EXPECT_EQ(Refusals("position"), "[1]: Nothing was pasted: " + refusal);

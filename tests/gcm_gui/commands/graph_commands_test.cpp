@@ -205,7 +205,7 @@ TEST_F(GraphCommandsTest, CopiesThePicture) {
 
 TEST_F(GraphCommandsTest, ReportsAFailedSave) {
   exporter().save(InFolder("system.bmp"));
-  EXPECT_TRUE(Said().contains("end its name with .svg, .png or .dot")) << Said().toStdString();
+  EXPECT_TRUE(Said().contains("end the file name with .svg, .png or .dot")) << Said().toStdString();
 
   const QString nowhere = InFolder("none/system.svg");
   exporter().save(nowhere);

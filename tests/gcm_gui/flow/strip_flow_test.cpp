@@ -74,13 +74,13 @@ TEST_F(StripFlow, TheConsoleExplainsVerbsThatNeedATerminal) {
   ASSERT_TRUE(Line().hasFocus());
 
   Type("shell");
-  EXPECT_TRUE(Says("this is already a shell"));
+  EXPECT_TRUE(Says("this is already gcm shell"));
   ASSERT_TRUE(IsDone());
   Type("serve");
   EXPECT_TRUE(Says("start it in a terminal"));
   ASSERT_TRUE(IsDone());
   Type("run -");
-  EXPECT_TRUE(Says("nothing can be piped"));
+  EXPECT_TRUE(Says("this console has no standard input"));
   ASSERT_TRUE(IsDone());
   Type("top");
   EXPECT_TRUE(Says("TASK"));

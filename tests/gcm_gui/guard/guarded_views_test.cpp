@@ -125,7 +125,7 @@ TEST_P(EachView, IsCoveredWhenItThrowsWhilePaintingAndRecovers) {
   painted.repaint();
 
   ASSERT_TRUE(WaitForCovers(1)) << GetParam();
-  EXPECT_TRUE(WaitForProblem("is not drawn: no room in test"));
+  EXPECT_TRUE(WaitForProblem("is not drawn because of an error: no room in test"));
   auto* cover = window_.findChild<ViewCover*>();
   EXPECT_TRUE(cover->parentWidget() == view || cover->parentWidget()->isAncestorOf(view));
   EXPECT_NE(cover->parentWidget(), &window_);
@@ -155,7 +155,7 @@ TEST_P(EachView, ContinuesWhenAHandlerThrows) {
   QTest::mouseClick(&part, Qt::LeftButton);
 
   EXPECT_EQ(bomb.explosions(), 1);
-  EXPECT_TRUE(WaitForProblem(QString::fromStdString(" has met an error: " + words)));
+  EXPECT_TRUE(WaitForProblem(QString::fromStdString(" had an error: " + words)));
   EXPECT_TRUE(window_.findChildren<ViewCover*>().isEmpty());
 }
 
@@ -183,7 +183,7 @@ TEST_F(GuardedViews, AThrowingRowCoversOnlyItsTree) {
   tree.viewport()->repaint();
 
   EXPECT_TRUE(WaitForCovers(1));
-  EXPECT_TRUE(WaitForProblem("Catalogue has met an error and is not drawn: a row"));
+  EXPECT_TRUE(WaitForProblem("Catalogue is not drawn because of an error: a row"));
   ExpectThatTheRestIsDrawn();
   tree.setItemDelegate(before);
 }
@@ -200,7 +200,7 @@ TEST_F(GuardedViews, AThrowingGraphItemCoversTheGraph) {
   window_.graph().viewport()->repaint();
 
   EXPECT_TRUE(WaitForCovers(1));
-  EXPECT_TRUE(WaitForProblem("Graph has met an error and is not drawn: an item"));
+  EXPECT_TRUE(WaitForProblem("Graph is not drawn because of an error: an item"));
   ExpectThatTheRestIsDrawn();
 }
 
@@ -227,7 +227,7 @@ TEST_F(GuardedViews, AThrowingPlotItemCoversOnlyItsPlot) {
   ASSERT_TRUE(WaitForCovers(1));
   EXPECT_NE(broken.findChild<ViewCover*>(), nullptr);
   EXPECT_EQ(other.findChild<ViewCover*>(), nullptr);
-  EXPECT_TRUE(WaitForProblem("is not drawn: an item of a plot"));
+  EXPECT_TRUE(WaitForProblem("is not drawn because of an error: an item of a plot"));
   int drawn = 0;
   Bomb count(*other.canvas(), QEvent::Paint, [&] { ++drawn; });
   other.canvas()->repaint();
@@ -248,7 +248,7 @@ TEST_F(GuardedViews, AThrowingDialogIsCovered) {
   Bomb bomb(*dialog, QEvent::Paint, [] { throw std::runtime_error("a dialog"); });
   dialog->repaint();
 
-  EXPECT_TRUE(WaitForProblem("Rename this plot has met an error and is not drawn: a dialog"));
+  EXPECT_TRUE(WaitForProblem("Rename this plot is not drawn because of an error: a dialog"));
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return dialog->findChild<ViewCover*>() != nullptr; }, kPatience));
   dialog->close();
@@ -265,7 +265,7 @@ TEST_F(GuardedViews, AThrowingReceiverDoesNotStopModelUpdates) {
   system_.Disconnect({"robot", "controller", "Arm"});
   store_.apply(system_.TakeChanges());
 
-  EXPECT_TRUE(WaitForProblem("Catalogue has met an error: a model"));
+  EXPECT_TRUE(WaitForProblem("Catalogue had an error: a model"));
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return connections->model()->rowCount() == before - 1; }, kPatience));
 }
@@ -282,7 +282,7 @@ TEST_F(GuardedViews, AFailingLayoutIsReported) {
 
   window_.plots().openLayout(file.fileName());
 
-  EXPECT_TRUE(WaitForProblem("Plots has met an error: cannot create"));
+  EXPECT_TRUE(WaitForProblem("Plots had an error: cannot create"));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         return window_.findChild<NoticeLine*>()->text().contains("cannot be shown: cannot create");

@@ -182,7 +182,7 @@ TEST_F(LifecycleTest, CatalogueRowsAndGraphNodesHaveAMenu) {
 
 TEST_F(LifecycleTest, AReadOnlyWindowExplainsItself) {
   WindowParts parts = Parts();
-  parts.read_only = "this window only looks";
+  parts.read_only = "this window cannot change anything";
   MainWindow window(parts);
   window.show();
   window.activateWindow();
@@ -211,11 +211,12 @@ TEST_F(LifecycleTest, TheCardExplainsAResumeAndItsSuspension) {
   EXPECT_EQ(window_.findChild<QLabel*>("lifecycle.names")->text(), "robot/arm · suspended for 0 s");
   const QString advice = window_.findChild<QLabel*>("lifecycle.advice")->text();
   EXPECT_TRUE(
-      advice.startsWith("It is told that it was suspended. It starts from "
-                        "the current situation if its author has implemented that;"))
+      advice.startsWith("The component is told that it was suspended. If its author has "
+                        "implemented this, it starts from the current situation;"))
       << advice.toStdString();
-  EXPECT_TRUE(advice.contains("It can set something in motion")) << advice.toStdString();
-  EXPECT_TRUE(Button("lifecycle.start").toolTip().startsWith("It is told that it was suspended"));
+  EXPECT_TRUE(advice.contains("This can move something")) << advice.toStdString();
+  EXPECT_TRUE(
+      Button("lifecycle.start").toolTip().startsWith("The component is told that it was suspended"));
   KeepPictures(window_, "resume-card");
 }
 
@@ -227,7 +228,7 @@ TEST_F(LifecycleTest, TheCardExplainsARestart) {
   EXPECT_EQ(window_.findChild<QLabel*>("lifecycle.names")->text(), "robot/arm");
   EXPECT_TRUE(window_.findChild<QLabel*>("lifecycle.advice")
                   ->text()
-                  .startsWith("It starts again from the beginning"));
+                  .startsWith("The component starts from the beginning"));
 }
 
 }  // namespace

@@ -127,7 +127,7 @@ TEST_F(SessionTest, UndoOfAnothersStopNeedsASecondRequest) {
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
 
   EXPECT_TRUE(session_->activity().action(0).refusal.contains("stop robot/plant"));
-  EXPECT_TRUE(session_->activity().action(0).refusal.contains("in motion"));
+  EXPECT_TRUE(session_->activity().action(0).refusal.contains("can move something"));
   EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
 }
 

@@ -75,7 +75,7 @@ TEST(UndoChoice, StepsThatCauseMotionNeedASecondRequest) {
   const auto asked = choice.Choose(history, kNow, kWallNow);
 
   ASSERT_FALSE(asked.ok());
-  EXPECT_NE(asked.error().message.find("set something in motion"), std::string::npos);
+  EXPECT_NE(asked.error().message.find("can move something"), std::string::npos);
   EXPECT_TRUE(choice.Choose(history, kNow, kWallNow).ok());
 }
 

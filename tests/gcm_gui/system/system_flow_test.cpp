@@ -249,7 +249,7 @@ TEST_F(SystemFlowTest, AViewersWindowExplainsThatItIsReadOnly) {
   SaveByKeys();
   session_->disconnectInterface(kFlowRequired);
   ASSERT_TRUE(Eventually([&] { return !IsConnected(); }));
-  const QString reason = "this window only looks";
+  const QString reason = "this window cannot change anything";
   Open(reason, Role::kViewer);
   ASSERT_TRUE(EverythingIsThere());
 

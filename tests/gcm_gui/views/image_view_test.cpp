@@ -66,7 +66,8 @@ TEST(ImageView, ReportsAWrongSize) {
 
   view.show(wrong);
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view.words().contains("do not fit"); }, kDrawPatience));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawPatience));
   EXPECT_TRUE(view.image().isNull());
   EXPECT_FALSE(view.isHidden());
 }
@@ -116,7 +117,8 @@ TEST(CallPanel, ShowsAnImageReplyAsAPicture) {
   EXPECT_TRUE(answer.isHidden());
 
   call(R"({"width":2,"height":2,"encoding":"mono8","data":[9,9]})");
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view.words().contains("do not fit"); }, kDrawPatience));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawPatience));
   EXPECT_FALSE(answer.isHidden());
 
   call(R"({"width":2})");

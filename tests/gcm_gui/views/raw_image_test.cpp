@@ -97,11 +97,11 @@ TEST(RawImage, ReportsInconsistentPictures) {
   RawImage unknown = Grey(2, 2, 16);
   unknown.encoding = "32FC1";
   const std::vector<std::pair<RawImage, std::string>> wrong = {
-      {Grey(4, 2, 7), "2 rows of 4 bytes do not fit data of 7 bytes"},
-      {Grey(4, 2, 9), "2 rows of 4 bytes do not fit data of 9 bytes"},
-      {short_rows, "4 pixels of mono8 take 4 bytes a row, but step says 3"},
-      {unknown, "a picture of encoding '32FC1' cannot be drawn"},
-      {Grey(0, 2, 0), "a picture of 0 × 2 pixels has none to draw"},
+      {Grey(4, 2, 7), "2 rows of 4 bytes do not match the 7 bytes of data"},
+      {Grey(4, 2, 9), "2 rows of 4 bytes do not match the 9 bytes of data"},
+      {short_rows, "a row of 4 pixels in mono8 needs 4 bytes, but step is 3"},
+      {unknown, "a picture with encoding '32FC1' cannot be drawn"},
+      {Grey(0, 2, 0), "a picture of 0 × 2 pixels is empty: width and height must be above 0"},
       {Grey(std::uint64_t{1} << 40U, 2, 4), "too large to be drawn"},
       {Grey(2, ~std::uint64_t{0}, 4), "too large to be drawn"}};
   for (const auto& [picture, words] : wrong) {

@@ -88,7 +88,7 @@ class ReadOnlyTest : public ConnectingTest {
   }
   [[nodiscard]] QString Refused() const { return only_looks_.findChild<NoticeLine*>()->text(); }
   void ExpectRefusal(const char* how) {
-    EXPECT_EQ(Refused(), "this window only looks") << how;
+    EXPECT_EQ(Refused(), "this window cannot change anything") << how;
     EXPECT_TRUE(actions_.asked.isEmpty()) << how;
     EXPECT_FALSE(only_looks_.connectMode().active()) << how;
     only_looks_.findChild<NoticeLine*>()->showNotice({});
@@ -103,7 +103,7 @@ class ReadOnlyTest : public ConnectingTest {
                           .checks = checks_,
                           .plans = plans_,
                           .reports = reports_,
-                          .read_only = "this window only looks"}};
+                          .read_only = "this window cannot change anything"}};
 };
 
 TEST_F(ReadOnlyTest, EveryWayToConnectIsRefusedWithAReason) {

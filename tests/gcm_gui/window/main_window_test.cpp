@@ -77,7 +77,7 @@ TEST_F(MainWindowTest, WithoutAGcmTheWindowShowsThatItsDataIsOld) {
   link_.setUnreachable("127.0.0.1:10705 refused");
 
   EXPECT_TRUE(banner->isVisible());
-  EXPECT_TRUE(banner->text().startsWith("Everything grey is as it was "))
+  EXPECT_TRUE(banner->text().startsWith("Grey parts show the state of "))
       << banner->text().toStdString();
   EXPECT_TRUE(arm.data(kStaleRole).toBool());
   EXPECT_TRUE(window_.graph().graph().component("robot/arm")->isStale());

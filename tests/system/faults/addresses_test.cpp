@@ -88,7 +88,7 @@ TEST_P(Addresses, AWildcardListenerAdvertisesItsAddressTowardsTheGcm) {
 
   EXPECT_THAT(AddressOfRobot(), ContainsRegex("^10[.]77[.]0[.]2:[1-9][0-9]+$"));
   EXPECT_TRUE(EventuallyExecutesMore()) << robot_->err() << desk_->err();
-  EXPECT_THAT(robot_->err(), Not(HasSubstr("start it with")));
+  EXPECT_THAT(robot_->err(), Not(ContainsRegex("start (it|this process) with")));
 }
 
 TEST_P(Addresses, AnAdvertisedHostGetsTheEphemeralPort) {
@@ -102,14 +102,15 @@ TEST_P(Addresses, AnAdvertisedHostGetsTheEphemeralPort) {
 TEST_P(Addresses, AProcessReachableOnlyLocallyIsReportedEverywhere) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({}));
   StartDesk();
-  const std::string remedy = "start it with --listen 10.77.0.2:0";
+  const std::string remedy = "start this process with --listen 10.77.0.2:0";
 
   EXPECT_TRUE(Eventually([&] { return robot_->err().find(remedy) != std::string::npos; }))
       << robot_->err();
   EXPECT_THAT(Robot().value("reason", ""), HasSubstr(remedy));
   EXPECT_THAT(Ask({"status"}).out, HasSubstr(remedy));
-  EXPECT_THAT(Ask({"doctor"}).out, AllOf(ContainsRegex("BAD +process robot .*its own host only"),
-                                         HasSubstr("fix: " + remedy)));
+  EXPECT_THAT(Ask({"doctor"}).out,
+              AllOf(ContainsRegex("BAD +process robot .*only from its own host"),
+                    HasSubstr("fix: " + remedy)));
   ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "it is pending"));
   EXPECT_THAT(
       Ask({"explain", kLedgerOfDesk}).out,
@@ -137,13 +138,14 @@ TEST_P(Addresses, AMissingRouteIsBlamedOnTheRightHost) {
   ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, no_route))
       << Ask({"explain", kLedgerOfDesk}).out;
 
-  EXPECT_THAT(Ask({"explain", kLedgerOfDesk}).out,
-              AllOf(HasSubstr("fix: give host " + tendon::os::HostName() + " a route to it"),
-                    Not(HasSubstr("firewall"))));
+  EXPECT_THAT(
+      Ask({"explain", kLedgerOfDesk}).out,
+      AllOf(HasSubstr("fix: give host " + tendon::os::HostName() + " a route to this address"),
+            Not(HasSubstr("firewall"))));
   ASSERT_TRUE(EventuallySays({"doctor"}, no_route)) << Ask({"doctor"}).out;
   EXPECT_THAT(Ask({"doctor"}).out,
-              AllOf(HasSubstr(no_route),
-                    HasSubstr("fix: give host " + tendon::os::HostName() + " a route to it")));
+              AllOf(HasSubstr(no_route), HasSubstr("fix: give host " + tendon::os::HostName() +
+                                                   " a route to this address")));
 }
 
 TEST_P(Addresses, AnUnroutableGcmGivesNoAdviceToStartOne) {

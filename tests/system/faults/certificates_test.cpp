@@ -125,7 +125,7 @@ class Certificates : public FaultTest {
              "eye",
              Issue({.name = "eye", .role = Role::kViewer, .holder = Holder::kProcess}),
              {},
-             "is for an operator, and 'eye' is a viewer",
+             "needs the role operator, but 'eye' is a viewer",
              "eye (viewer"}};
   }
 

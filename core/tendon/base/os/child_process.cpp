@@ -155,8 +155,8 @@ Result<std::unique_ptr<BackgroundProgram>> BackgroundProgram::Start(
       posix_spawn(&child, path.c_str(), &files, attributes.get(), words.data(), environ);
   posix_spawn_file_actions_destroy(&files);
   if (reason != 0) {
-    return Error{ErrorCode::kFailed, path + " cannot be run, with its log in " + log.string() +
-                                         ": " + std::strerror(reason)};
+    return Error{ErrorCode::kFailed, path + " could not be started with the log file " +
+                                         log.string() + ": " + std::strerror(reason)};
   }
   return std::unique_ptr<BackgroundProgram>(new BackgroundProgram(child));
 }

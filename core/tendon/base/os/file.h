@@ -28,11 +28,12 @@ class Descriptor {
 /// Appends `text` to a file, which is created if missing, and waits until it is on the disk.
 Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text);
 
-/// Replaces the content of a file atomically: even after a crash, it has all of the old or all of
-/// the new content. An existing file keeps its mode and, if the system allows it, its owner. A
-/// symbolic link stays a link, and its target is written; further hard links keep the old content.
-/// Waits until the data is on the disk. kFailed if this user may not write the file, it is not
-/// regular, or its folder accepts no other file.
+/// Replaces the content of a file atomically: even after a crash, the file has either all of the
+/// old content or all of the new content. An existing file keeps its mode and, if the system allows
+/// it, its owner. If the file is a symbolic link, the link stays, and its target is written. Other
+/// hard links to the file keep the old content. Waits until the data is on the disk. Returns
+/// kFailed if this user may not write the file, if it is not a regular file, or if no file can be
+/// created in its folder.
 Result<void> ReplaceDurably(const std::filesystem::path& file, std::string_view text);
 
 /// Checks that both functions above can be expected to succeed: creates and removes a small file in

@@ -11,7 +11,7 @@
 
 namespace tendon::os {
 
-/// The file system's data of a file. Every write to the file changes one of these.
+/// Metadata of a file from the file system. Every write to the file changes at least one of them.
 struct FileStamp {
   std::uint64_t device = 0;
   std::uint64_t inode = 0;
@@ -49,8 +49,8 @@ class FileWatch {
   explicit FileWatch(FileContent content) : content_(std::move(content)), seen_(content_.stamp) {}
 
   [[nodiscard]] const FileContent& content() const { return content_; }
-  /// Costs a system call. Reads the bytes only if the stamp has changed since the last call, or is
-  /// so recent that a second write may have left it unchanged.
+  /// Costs a system call. Reads the bytes only if the stamp has changed since the last call, or if
+  /// the last write is so recent that another write may not change the stamp.
   State Check();
   /// When the present file was written, ns since 1970; 0 if the last Check() found no file.
   [[nodiscard]] std::int64_t written_now() const {

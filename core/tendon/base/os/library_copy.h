@@ -14,10 +14,10 @@ namespace tendon::os {
 /// programs; overwriting a mapped file would change or crash them.
 ///
 /// The copy has the name of its original, so that backtraces, debuggers and profilers show a useful
-/// name: NAME.so in a folder of this process below RuntimeFolder(). The folder is removed when the
-/// process ends. If the process is killed, the next process that makes a copy removes it. If the
-/// folder does not allow execution or other users can write it, the copy is only in memory:
-/// /proc/PID/fd/NUMBER.
+/// name. It is the file NAME.so in a folder that belongs to this process, below RuntimeFolder().
+/// The folder is removed when the process ends. If the process is killed, the next process that
+/// makes a copy removes the folder. If files in the folder cannot be executed, or other users can
+/// write to the folder, the copy exists only in memory, as /proc/PID/fd/NUMBER.
 class LibraryCopy {
  public:
   /// The error text continues after "PATH: ".

@@ -7,13 +7,15 @@
 
 namespace tendon::os {
 
-/// Writes a stream to a descriptor whose reader may be slow, stopped or gone. If a write has to
-/// wait and the process is, or was, asked to end (WasTerminationRequested()), it stops waiting: the
-/// rest is not written, and the stream fails until the program goes on (HoldTerminationSignals()
-/// and clear() of the stream). After any other failure the stream fails permanently.
+/// A stream buffer that writes to a descriptor whose reader may be slow, stopped or gone.
 ///
-/// Writes to a terminal at once; elsewhere when the stream is flushed or has 64 KiB. Thread safety:
-/// one thread at a time.
+/// A write that must wait ends early if the process is asked to end, or was asked before
+/// (WasTerminationRequested()). Then the rest is not written, and the stream fails. If the program
+/// continues, it calls HoldTerminationSignals() and clear() of the stream; after that the stream
+/// works again. After any other failure the stream fails permanently.
+///
+/// Writes to a terminal at once. Writes to other descriptors when the stream is flushed, or when 64
+/// KiB are buffered. Thread safety: one thread at a time.
 class OutputBuffer final : public std::streambuf {
  public:
   /// Does not own the descriptor.
@@ -26,7 +28,8 @@ class OutputBuffer final : public std::streambuf {
  protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// Fails with the errno of the first failed write; EINTR if it was asked to end.
+  /// If a write has failed, fails with the errno of the first failed write. This is EINTR if the
+  /// process was asked to end.
   int sync() override;
 
  private:

@@ -15,7 +15,8 @@ class Poller {
   /// A socket that is ready, by the key with which it was added.
   struct Event {
     std::uint64_t key = 0;
-    bool readable = false;  ///< or closed by the peer; a read tells which
+    /// Data has arrived, or the peer has closed the connection; a read shows which.
+    bool readable = false;
     bool writable = false;
   };
   enum class Watch { kNothing, kReads, kReadsAndWrites };

@@ -189,16 +189,17 @@ Error Explained(const std::string& words) {
   if (const auto at = words.find(kSymbol); at != words.npos) {
     std::string symbol = words.substr(at + kSymbol.size());
     symbol.resize(std::min(symbol.size(), symbol.find_first_of(" ,")));
-    return {ErrorCode::kFailed,
-            "expected every symbol in the libraries that it needs, found no " + Readable(symbol) +
-                "; build it against this version and link the library that has the symbol"};
+    return {ErrorCode::kFailed, "a library that it needs has no symbol " + Readable(symbol) +
+                                    "; link the library that has the symbol, and build the plug-in "
+                                    "again with this version of Tendon"};
   }
   if (const auto at = words.find(kMissing); at != words.npos) {
-    return {ErrorCode::kFailed, "expected the libraries that it needs, found no " +
-                                    Printable(words.substr(0, at), 256) +
-                                    "; install it, or add its folder to LD_LIBRARY_PATH"};
+    return {ErrorCode::kFailed,
+            "a library that it needs is missing: " + Printable(words.substr(0, at), 256) +
+                "; install it, or add its folder to LD_LIBRARY_PATH"};
   }
-  return {ErrorCode::kFailed, "expected a library that loads, found that " + Printable(words, 512)};
+  return {ErrorCode::kFailed,
+          "expected a library that can be loaded, but " + Printable(words, 512)};
 }
 
 }  // namespace
@@ -213,21 +214,22 @@ Result<void> CheckSharedLibrary(const std::filesystem::path& path) {
     return Expected("a file that begins with '" +
                     Printable({text, std::min<std::size_t>(size, 16)}) + "'");
   }
-  if (size < sizeof(header)) return Expected("one cut short after " + std::to_string(size) + " B");
+  if (size < sizeof(header))
+    return Expected("a file that ends after " + std::to_string(size) + " B");
   const Header& own = OwnHeader();
   if (header.e_machine != own.e_machine)
     return Expected("one for " + MachineName(header.e_machine));
   if (header.e_ident[EI_CLASS] != own.e_ident[EI_CLASS] ||
       header.e_ident[EI_DATA] != own.e_ident[EI_DATA]) {
-    return Expected("one of another word size or byte order");
+    return Expected("a library with another word size or byte order");
   }
   if (header.e_type != ET_DYN) return Expected("an object file or a program");
   std::error_code ignored;
   const std::uint64_t whole = std::filesystem::file_size(path, ignored);
   const std::uint64_t claimed = ClaimedSize(header, file);
   if (whole < claimed) {
-    return Expected("one cut short: " + std::to_string(whole) + " of " + std::to_string(claimed) +
-                    " B");
+    return Expected("an incomplete file: " + std::to_string(whole) + " of " +
+                    std::to_string(claimed) + " B");
   }
   return {};
 }

@@ -19,7 +19,7 @@ void SleepUntil(SteadyTime time) noexcept;
 /// Sets how late the kernel may end a sleep of this thread, in nanoseconds (50 µs by default).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
-/// Whether the kernel granted a request; if not, the reason.
+/// The kernel's answer to a request: granted, or the reason why it is not granted.
 struct Permission {
   bool granted = true;
   std::string reason;

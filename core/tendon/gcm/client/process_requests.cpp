@@ -21,8 +21,8 @@ Error CallError(const std::string& command, Status status) {
     case Status::kQueueFull:
       return {ErrorCode::kFailed,
               words +
-                  "; its component is too slow for its calls: try again, and if that never "
-                  "helps, check that its Run() calls ProcessQueuedCommands()"};
+                  "; its component executes the calls too slowly: try again; if it fails each "
+                  "time, check that Run() of the component calls ProcessQueuedCommands()"};
     case Status::kTimeout:
     case Status::kOutcomeUnknown:
       return {ErrorCode::kTimeout, words};
@@ -42,7 +42,7 @@ Result<void> CheckArgument(const std::string& command, const MemberDescription& 
   if (is_given == TakesArgument(description.signature)) return {};
   if (is_given) return Error{ErrorCode::kInvalid, command + " takes no argument"};
   return Error{ErrorCode::kInvalid, command + " needs an argument of " + description.in_type +
-                                        ", as JSON; gcm show " + command + " has a line to copy"};
+                                        " as JSON; gcm show " + command + " prints an example"};
 }
 
 }  // namespace
@@ -166,13 +166,14 @@ Result<void> ProcessRequests::Keep(const std::string& process,
     const std::string wanted = ToString(fingerprints[i]);
     if (i >= schemas.texts.size() || schemas.texts[i].empty()) {
       return Error{ErrorCode::kNotFound,
-                   "process '" + process + "' knows no payload type of fingerprint " + wanted};
+                   "process '" + process + "' has no payload type with the fingerprint " + wanted};
     }
     const auto schema = Schema::Parse(schemas.texts[i]);
     if (!schema) return schema.error();
     if (schema->fingerprint() != fingerprints[i]) {
       return Error{ErrorCode::kInvalid,
-                   "process '" + process + "' sent another schema than that of " + wanted};
+                   "process '" + process +
+                       "' sent a schema that does not have the requested fingerprint " + wanted};
     }
     const std::scoped_lock lock(mutex_);
     schemas_.insert_or_assign(fingerprints[i], *schema);

@@ -112,7 +112,9 @@ Result<void> CheckCreation(const message::Classes& known, const message::Lifecyc
   if (found.empty()) {
     const std::string where = order.library.empty() ? " that is loaded" : " in " + order.library;
     const std::string next =
-        order.library.empty() ? "; load the plug-in that has it, or name that as its library" : "";
+        order.library.empty()
+            ? "; load the plug-in that has this class, or give the plug-in as its library"
+            : "";
     const auto* loaded = FindNamed(known.loaded, order.library);
     const std::string old = loaded == nullptr || loaded->state == PluginState::kCurrent
                                 ? ""
@@ -124,7 +126,7 @@ Result<void> CheckCreation(const message::Classes& known, const message::Lifecyc
   if (found.size() > 1) {
     return Error{ErrorCode::kInvalid, "the libraries '" + found[0]->library + "' and '" +
                                           found[1]->library + "' both have a class '" +
-                                          order.class_name + "'; name the one you mean"};
+                                          order.class_name + "'; give the library that you mean"};
   }
   return CheckConfiguration(*found.front(), order.configuration);
 }

@@ -240,9 +240,9 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
   if (!patience) {
     return Answer(std::move(done),
-                  Result<None>(Error{ErrorCode::kTimeout, "no time was left to " +
-                                                              std::string(ToString(first.verb)) +
-                                                              " " + PathOf(first)}));
+                  Result<None>(Error{ErrorCode::kTimeout,
+                                     "the time of the request was over before it could " +
+                                         std::string(ToString(first.verb)) + " " + PathOf(first)}));
   }
   first.patience = *patience;
   orders.erase(orders.begin());

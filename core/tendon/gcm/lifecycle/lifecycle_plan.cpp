@@ -107,10 +107,9 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
     const auto path = ParsePath(pattern);
     if (!path) return path.error();
     if (path->component.empty() || !path->interface.empty()) {
-      return Error{ErrorCode::kInvalid,
-                   "'" + pattern +
-                       "' does not name a component: expected process/component, or "
-                       "a glob such as process/*"};
+      return Error{ErrorCode::kInvalid, "'" + pattern +
+                                            "' does not name a component: expected "
+                                            "process/component, or a pattern such as process/*"};
     }
     const auto found = LookUpComponent(catalogue, path->process, path->component);
     if (!found) return found.error();

@@ -17,8 +17,8 @@ namespace tendon {
 /// "create". Errors are those of lookup.h; kFailed if the process was restarted since.
 Result<void> CheckTarget(const Catalogue& catalogue, const message::LifecycleOrder& order);
 
-/// The same, and also checks whether the process would refuse the order, as far as the catalogue
-/// knows. For a preview.
+/// Like CheckTarget(), but also checks whether the process would refuse the order, as far as the
+/// catalogue knows this. For a preview.
 Result<void> CheckLifecycleOrder(const Catalogue& catalogue, const message::LifecycleOrder& order);
 
 /// The components that match `pattern`: "robot/arm", or a glob over all present processes; sorted
@@ -31,8 +31,8 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
 /// True if there is nothing to undo, for example after a restart of an active component.
 [[nodiscard]] bool LeavesAsItWas(const message::HistoryEntry& step);
 
-/// The data of an order that the history needs, from before the execution. The process is empty if
-/// the order cannot be undone (load).
+/// The data that the history needs for an order. Call it before the order is executed. The process
+/// is empty if the order cannot be undone (load).
 [[nodiscard]] message::LifecycleStep StepOf(const Catalogue& catalogue,
                                             const message::LifecycleOrder& order);
 
@@ -49,8 +49,9 @@ struct UndoPlan {
   std::vector<message::LifecycleOrder> then;
 };
 
-/// The longest patience, up to `patience`, with which the answer still arrives within `left`; the
-/// answer may take half the patience longer. Empty if there is no time.
+/// The time limit to send with an order: at most `patience`, and short enough that the answer
+/// arrives within `left`. The answer to an order may take one and a half times its time limit.
+/// Empty if no time is left.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> PatienceWithin(
     std::chrono::nanoseconds patience, std::chrono::nanoseconds left);
 

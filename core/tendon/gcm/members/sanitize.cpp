@@ -112,7 +112,8 @@ Result<void> Sanitize(message::Join& join) {
   for (ConnectionDescription& connection : join.connections) {
     if (auto sanitized = Sanitize(connection, join.process.name); !sanitized) return sanitized;
     if (!required.insert(connection.required).second || !ids.insert(connection.id).second) {
-      return Invalid("two connections of " + ToString(connection.required) + ", or of one id");
+      return Invalid("two connections of " + ToString(connection.required) +
+                     ", or two connections with the same id");
     }
   }
   return {};

@@ -34,8 +34,8 @@ Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"};
 Error MayComeBack(const message::HistoryEntry& step) {
   return {ErrorCode::kFailed, WholeText(step) + " is not skipped, because process '" +
                                   ProcessOf(step) +
-                                  "' is lost and may come back with it; if it is gone for good: "
-                                  "gcm forget " +
+                                  "' is lost, but may come back, and then the step can be undone; "
+                                  "if the process never comes back: gcm forget " +
                                   ProcessOf(step)};
 }
 
@@ -356,8 +356,8 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
       const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
         answers->outcome = Error{ErrorCode::kFailed,
-                                 "it exists again, but does not run, because "
-                                 "it is not connected as before: " +
+                                 "it was created again, but not started, because its connections "
+                                 "could not be restored: " +
                                      made.error().message};
       }
       if (--answers->missing == 0) orders.Answer(done, answers->outcome);

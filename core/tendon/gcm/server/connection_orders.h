@@ -40,15 +40,15 @@ class ConnectionOrders : private OrderSender {
   };
   ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// Makes a connection that `who` has requested. WhenConnected::kReplace replaces a connection of
-  /// the required interface to another provided interface; without one, nothing is replaced.
+  /// Makes a connection that `who` has requested. With WhenConnected::kReplace, it replaces an
+  /// existing connection of the required interface to another provided interface.
   void Connect(const message::Wire& wire, WhenConnected when_connected, const std::string& who,
                ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
-  /// Skips the newest step, so that earlier ones can be undone. Refused if its process is gone and
-  /// may come back, or if the step can be undone and `which` does not name it.
+  /// Skips the newest step, so that earlier steps can be undone. Refused if the process of the step
+  /// is gone and may come back. Also refused if the step could be undone, unless `which` names it.
   void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 

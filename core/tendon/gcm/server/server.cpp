@@ -258,10 +258,10 @@ void Server::Join(const Request& request) {
   if (const std::string name = Printable(join->process.name, 64); peer != name) {
     audit_.Write(peer, LogLevel::kWarning, who + ": join as '" + name + "': refused");
     return request.responder->Refuse(
-        {ErrorCode::kDenied, "'" + peer + "' cannot join as process '" + name +
-                                 "': under TLS that takes a certificate of that name (gcm cert "
-                                 "issue " +
-                                 name + " --role operator --process)"});
+        {ErrorCode::kDenied,
+         "'" + peer + "' cannot join as process '" + name +
+             "': with TLS, it needs a certificate with this name (gcm cert issue " + name +
+             " --role operator --process)"});
   }
   Locked([&] {
     SessionToken& session = request.peer.session;

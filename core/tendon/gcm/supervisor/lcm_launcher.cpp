@@ -127,7 +127,7 @@ void LcmLauncher::ShortenLog(const std::string& process) {
                                       : "";
   fs::resize_file(log, 0, reason);
   const std::string not_cut =
-      reason ? "could not be cut (" + reason.message() + "), so it grows" : "";
+      reason ? "could not be shortened (" + reason.message() + "), so it keeps growing" : "";
   if (!reason) shortened_.insert(process);
   const std::string both = not_kept.empty() || not_cut.empty() ? "" : "; ";
   Complain(process, not_kept + both + not_cut);

@@ -116,7 +116,7 @@ void Supervisor::Start(const message::ProcessOrder& order, const std::string& wh
 Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (process == kGcmName) {
     return Error{ErrorCode::kInvalid,
-                 "'" + process + "' is the name of the GCM itself; choose another one"};
+                 "'" + process + "' is the name of the GCM itself; choose another name"};
   }
   const auto* const entry = parts_.registry.catalogue().FindProcess(process);
   if (entry != nullptr && IsPresent(entry->process)) {
@@ -288,7 +288,7 @@ void Supervisor::ScheduleRestart(const std::string& process, Child& child, const
   if (!pause) {
     return Drop(process, how + "; it is not restarted, because it has failed " +
                              std::to_string(RestartSchedule::kMostFailures) +
-                             " times within a minute; after the repair: gcm apply");
+                             " times within a minute; when the fault is repaired: gcm apply");
   }
   Report(process, how + "; it is restarted in " + Milliseconds(*pause));
   if (child.is_changed || !child.system) child.system = SystemWith(process);

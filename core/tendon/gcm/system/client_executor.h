@@ -18,8 +18,8 @@ class ClientExecutor final : public PlanExecutor {
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// kDenied, from a GCM without this lock or for a viewer, counts as success, because there is no
-  /// lock to wait for.
+  /// Also succeeds if the GCM answers kDenied, because it has no such lock, or because the client
+  /// is a viewer: then there is no lock to wait for.
   Result<void> Begin() override;
   /// Also refuses if the lock was lost with the link to the GCM, and another viewer has it now.
   Result<void> Execute(const PlanStep& step) override;

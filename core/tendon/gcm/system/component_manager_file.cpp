@@ -71,7 +71,7 @@ class ComponentManagerReader {
       ReadManager(FileObject(json, "", {"components", "connections"}));
     } else {
       for (const std::string& key : OtherKeys(json, {"component-manager"})) {
-        LeaveOut(Printable(key, 64), "it is beside the component manager, not in it");
+        LeaveOut(Printable(key, 64), "it is not inside \"component-manager\"");
       }
       ReadManager(FileObject(*inner, "component-manager", {"components", "connections"}));
     }
@@ -114,15 +114,15 @@ class ComponentManagerReader {
       component.library = object.Text("shared-library");
       file::CheckLibrary(component.library, object.Place("shared-library"));
     } else {
-      imported_.left_out.push_back(place +
-                                   " has no \"shared-library\": write the plug-in that has " +
-                                   component.class_name + " into \"library\"");
+      imported_.left_out.push_back(
+          place + " has no \"shared-library\": write the name of the plug-in that has class " +
+          component.class_name + " into \"library\"");
     }
     const bool is_periodic = argument.Number("Period", "seconds", 0.0) != 0.0;
     if (is_periodic) component.period = argument.Period("Period");
     for (const char* key : {"IsHardRealTime", "NewThread", "StateTableSize"}) {
       if (argument.Find(key) == nullptr) continue;
-      LeaveOut(argument.Place(key), "the class decides that, or \"thread\" in the system file");
+      LeaveOut(argument.Place(key), "the class decides this, or use \"thread\" in the system file");
     }
     if (object.Find("configure-parameter") != nullptr) ReadParameter(object, component);
     return component;
@@ -136,7 +136,7 @@ class ComponentManagerReader {
     for (const std::string& key : OtherKeys(json, keys)) {
       const std::string near = DidYouMean(key, keys);
       LeaveOut(place + "." + Printable(key, 64),
-               "the class itself reads it; write what it says into \"configuration\"" + near);
+               "only the class can read it; write its content into \"configuration\"" + near);
     }
     std::ranges::move(OtherKeys(json, keys), std::back_inserter(keys));
     return {json, place, keys};
@@ -152,9 +152,9 @@ class ComponentManagerReader {
       return;
     }
     component.comment = "configure-parameter: " + Printable(text, 200);
-    LeaveOut(
-        object.Place("configure-parameter"),
-        "kept as a comment; write what '" + Printable(text, 64) + "' says into \"configuration\"");
+    LeaveOut(object.Place("configure-parameter"), "kept as a comment; write the content of '" +
+                                                      Printable(text, 64) +
+                                                      "' into \"configuration\"");
   }
 
   void LeaveOut(const std::string& place, const std::string& why) {

@@ -192,8 +192,8 @@ class Planner {
   void PlanRemoval(const ComponentPath& path, const SystemFile::Component& now) {
     if (IsMadeByItsProgram(now)) {
       plan_.obstacles.push_back(TextOf(path) +
-                                " is not in the file, but was created by its own program, and "
-                                "only that program can leave it out");
+                                " is not in the file, but its own program created it, and only "
+                                "that program can remove it");
       return;
     }
     if (IsRunning(now.state)) PlanStop(Kind::kStop, path, now);
@@ -228,8 +228,8 @@ class Planner {
       if (has_periods && component.period != now.period) {
         plan_.obstacles.push_back(TextOf(path) + " does not have the period of the file (" +
                                   ChangesOf(component, now) +
-                                  "), because its class chooses the period; save the file again, "
-                                  "or see whether its configuration has a period");
+                                  "), because its class sets the period; save the file again, or "
+                                  "change the period in the configuration if it has one there");
       }
       return PlanState(path, component, now.state);
     }
@@ -238,8 +238,8 @@ class Planner {
       plan_.obstacles.push_back(
           TextOf(path) +
           (changes.empty()
-               ? " runs after a component that is to be removed or created again, and only its "
-                 "own program can create it again too; stop that program first"
+               ? " runs after a component that will be removed or created again, so it must be "
+                 "created again too, and only its own program can do this; stop that program first"
                : " cannot be changed to match the file, because its own program creates it: " +
                      changes));
       return;

@@ -32,16 +32,15 @@ struct PlanStep {
   };
 
   Kind kind = Kind::kConnect;
-  message::Wire wire{};                ///< for connections: the ends
-  std::string process{};               ///< for components: their process; for processes: the name
-  std::uint64_t instance = 0;          ///< of the executing process when planned; 0: the plan
-                                       ///< starts it
+  message::Wire wire{};        ///< for connections: the ends
+  std::string process{};       ///< for components: their process; for processes: the name
+  std::uint64_t instance = 0;  ///< of the executing process, at planning; 0: a step starts it
   SystemFile::Component component{};   ///< for components; to create one: as in the file
   std::vector<message::Wire> needs{};  ///< to start: connections that must exist before
   /// To start a process: its policy. To end a process: its former policy, so that an undo can start
   /// it again.
   RestartPolicy restart = RestartPolicy::kNever;
-  bool is_strict = false;   ///< to start: refused without a connection that it needs
+  bool is_strict = false;   ///< to start: refuse if a connection that it needs is missing
   bool takes_away = false;  ///< stops or disconnects a working part
   Fingerprint based_on{};   ///< to configure: BaseOf() the present configuration
 

@@ -90,7 +90,8 @@ PlanOutcome ExecutePlan(const Plan& plan, PlanExecutor& executor, AfterError aft
     if (const std::string before = failures.Before(step); !before.empty()) {
       ++outcome.left;
       failures.Note(step, before);
-      progress(number, step, {State::kLeft, "not tried, because this failed: " + before});
+      progress(number, step,
+               {State::kLeft, "not executed, because an earlier step failed: " + before});
       continue;
     }
     const Result<void> made = executor.Execute(step);

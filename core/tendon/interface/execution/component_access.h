@@ -22,8 +22,8 @@ struct DisconnectedClient {
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
 };
 
-/// The access of interfaces and commands to their component: whether calls are accepted, whether it
-/// is faulted, and reports to it of exceptions and of lost or new peers.
+/// Connects interfaces and commands with their component. Tells whether the component accepts calls
+/// and whether it is faulted; reports exceptions and changes of peers to the component.
 ///
 /// Thread safety: the component sets the flags; any thread may do the rest.
 class ComponentAccess {

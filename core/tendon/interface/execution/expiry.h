@@ -22,7 +22,7 @@ class Expiry {
         message_(
             "command '" + command_ + "' was not renewed within " +
             std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(after).count()) +
-            " ms: the action that it started is ended"),
+            " ms: the action that it started was ended"),
         after_(after),
         end_(std::move(end)) {}
 

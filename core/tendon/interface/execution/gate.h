@@ -54,7 +54,7 @@ class Gate {
       one_.SetByCaller(object);
     }
   }
-  /// For the side that replaces the object.
+  /// Returns the current object. Only for the threads that replace it.
   [[nodiscard]] T* Get() const noexcept {
     return callers_ == CallerThreads::kManyThreads ? many_.Get() : one_.Get();
   }

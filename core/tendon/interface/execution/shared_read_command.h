@@ -10,10 +10,11 @@
 
 namespace tendon {
 
-/// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread, for a value that is never
-/// changed again. An encoded read encodes it in place, without a copy. Null gives kNoSample, an
-/// exception kFailed. The last holder frees the value, perhaps in the caller's thread, so a
-/// real-time cycle should not read a large value.
+/// A read command for a shared value, which must never change after the command has returned it.
+/// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread. Returns kNoSample if the
+/// pointer is null, and kFailed if `body` throws. An encoded read encodes the value without copying
+/// it first. The value is freed by the last thread that uses it. This can be the caller's thread,
+/// so a real-time cycle should not read large values this way.
 template <Payload Out, typename Body>
 class SharedReadCommand final : public Command<None, Out> {
  public:
@@ -25,7 +26,7 @@ class SharedReadCommand final : public Command<None, Out> {
       return Status::kDone;
     });
   }
-  /// kFailed if the size of the value shows that it was changed nevertheless.
+  /// Returns kFailed if the size of the value changed during the read, which is not allowed.
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
     return With([&out](const Out& value) -> Status {
       const std::span<std::byte> room = out.Room(EncodedSize(value));

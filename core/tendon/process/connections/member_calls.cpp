@@ -40,7 +40,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     if (!line_) return execute();
     if (line_->Post(execute, call->argument.size())) return;
     responder->Refuse({ErrorCode::kFailed, "too many calls of '" + description_.name + "' of " +
-                                               interface_ + " wait: call it again later"});
+                                               interface_ + " are waiting: call it again later"});
   }
 
   /// Network thread: answers the calls that have ended.

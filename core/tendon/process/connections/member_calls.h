@@ -23,9 +23,9 @@ class MemberCalls final : private NetworkJob {
   explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
   ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// In a thread of the middleware. Answers at once, except at a member's first call, if the caller
-  /// waits for the component, or if the call runs component code. Refusals: kNotFound with a
-  /// suggestion, kFailed if too many calls wait.
+  /// Call it in a thread of the middleware. Answers at once, except for the first call of a member,
+  /// for a call that waits for the component, and for a call that runs component code. Refusals:
+  /// kNotFound with a suggestion, kFailed if too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 

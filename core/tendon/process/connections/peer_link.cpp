@@ -202,7 +202,7 @@ void OpenProvided(const std::shared_ptr<NetworkThread>& network,
         if (answer->columns.size() != wanted.mirrored.size()) {
           return done(
               Error{ErrorCode::kInvalid,
-                    link->channel()->peer().name + " offers other mirrored values than requested"});
+                    link->channel()->peer().name + " does not offer the requested mirrored values"});
         }
         const auto copies = link->MakeCopies(*answer);
         if (!copies) return done(copies.error());

@@ -112,9 +112,9 @@ void PeerSession::Listen(Body body, Responder responder) {
       body, std::move(responder),
       [&services = services_, client = client_](const auto& open, const auto& answer) {
         if (!open.description.functions.empty()) {
-          return answer->Refuse({ErrorCode::kInvalid, "who listens to the events of " +
+          return answer->Refuse({ErrorCode::kInvalid, "the request to listen to the events of " +
                                                           ToString(open.provided) +
-                                                          " calls no functions of it"});
+                                                          " must not contain functions"});
         }
         message::OpenInterface all = open;
         all.latest_only.clear();
@@ -131,11 +131,12 @@ void PeerSession::Post(
   const auto reservation = quota_->Reserve(body.size());
   if (!reservation) {
     return responder.Refuse(
-        {ErrorCode::kFailed, "process '" + services_.context.name + "' keeps at most " +
-                                 std::to_string(RequestQuota::kMostTasks) + " requests, of " +
-                                 std::to_string(RequestQuota::kMostBytes) +
-                                 " bytes together, of one peer that wait to be handled: send "
-                                 "fewer at once, or wait for answers"});
+        {ErrorCode::kFailed,
+         "process '" + services_.context.name + "' keeps at most " +
+             std::to_string(RequestQuota::kMostTasks) +
+             " waiting requests of one peer, with at most " +
+             std::to_string(RequestQuota::kMostBytes) +
+             " bytes in total: send fewer requests at once, or wait for answers"});
   }
   auto wanted = DecodeBody<Wanted>(body);
   if (!wanted) return responder.Refuse(wanted.error());

@@ -110,10 +110,10 @@ Result<void> ServedConnections::CheckListeners(const Client& client, Use use) co
   }
   if (own < kMostListenersOfOne && all < kMostListeners) return {};
   const bool is_own = own >= kMostListenersOfOne;
-  return Error{ErrorCode::kFailed, "process '" + context_.name + "' has " +
-                                       std::to_string(is_own ? own : all) +
-                                       " listeners to its events" + (is_own ? " from here" : "") +
-                                       " already, which is the limit: end some"};
+  return Error{ErrorCode::kFailed,
+               "process '" + context_.name + "' has " + std::to_string(is_own ? own : all) +
+                   " listeners to its events" + (is_own ? " from this client" : "") +
+                   " already, which is the limit: end some of them"};
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {
@@ -161,11 +161,12 @@ Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, st
   constexpr std::size_t kMostCalls = 65536;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
   if (open.capacity <= kMostCalls && bytes <= kMostBytes) return {};
-  return Error{ErrorCode::kInvalid,
-               ToString(open.required) + " requests room for " + std::to_string(open.capacity) +
-                   " calls at " + ToString(open.provided) +
-                   ", but another process may have at most " + std::to_string(kMostCalls) +
-                   " calls and 64 MiB there: set a smaller mailbox capacity"};
+  return Error{ErrorCode::kInvalid, ToString(open.required) + " requests a mailbox for " +
+                                        std::to_string(open.capacity) + " calls at " +
+                                        ToString(open.provided) +
+                                        ", but a client in another process is allowed at most " +
+                                        std::to_string(kMostCalls) +
+                                        " calls and 64 MiB: set a smaller mailbox capacity"};
 }
 
 void ServedConnections::Close(const std::shared_ptr<Client>& client, std::uint32_t handle) {

@@ -35,15 +35,16 @@ class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
-  /// A listener for events only may be a viewer; their number is limited for each client and in
-  /// total, and closing one does not wait until it has received all.
+  /// kEventsOnly is for a client that only listens to events. Such a client may be a viewer. The
+  /// number of these connections is limited for each client and in total. Closing one does not wait
+  /// until the client has received all events.
   enum class Use { kAll, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
   static constexpr std::ptrdiff_t kMostListeners = 256;
 
-  /// Connects, and answers before anything else is sent about the connection. Refusals: kNotFound
-  /// with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox that is too
-  /// large, kFailed for too many listeners.
+  /// Makes the connection, and answers before anything else about the connection is sent. Refusals:
+  /// kNotFound with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox
+  /// that is too large, kFailed for too many listeners.
   void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
             const std::shared_ptr<Responder>& responder);
   /// Executes the calls that have arrived, then closes the connection; `handle` is the number that
@@ -83,7 +84,7 @@ class ServedConnections {
   template <typename Predicate>
   void TakeDownWhere(std::list<Entry>& entries, Predicate predicate, SteadyTime deadline);
   void CheckHanging();
-  /// Writes to the audit log if the connection may bring commands.
+  /// Writes a line to the audit log if commands may come over the connection.
   static void LogChange(const Entry& entry, const std::string& what);
   template <typename Predicate>
   void CloseWhere(Predicate predicate);

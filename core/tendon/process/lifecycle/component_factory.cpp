@@ -106,14 +106,14 @@ Result<std::string> ComponentFactory::LibraryOf(const std::string& class_name) c
   }
   if (libraries.size() == 1) return libraries.front();
   if (libraries.empty()) {
-    return Error{ErrorCode::kNotFound, "no library that process '" + process_ +
-                                           "' has loaded has a class '" + class_name + "'" +
-                                           DidYouMean(class_name, classes) +
-                                           "; load the library that has it, or name that library"};
+    return Error{ErrorCode::kNotFound,
+                 "no library that process '" + process_ + "' has loaded has a class '" +
+                     class_name + "'" + DidYouMean(class_name, classes) +
+                     "; load the library that has this class, or give the name of that library"};
   }
   return Error{ErrorCode::kInvalid, "the libraries '" + libraries[0] + "' and '" + libraries[1] +
                                         "' both have a class '" + class_name +
-                                        "'; name the one you mean"};
+                                        "'; give the library that you mean"};
 }
 
 Error ComponentFactory::NoLoader() const {

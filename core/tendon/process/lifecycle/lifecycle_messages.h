@@ -19,7 +19,7 @@ namespace tendon {
 enum class LifecycleVerb : std::int32_t {
   kLoad,       ///< loads a plug-in
   kCreate,     ///< creates a component of a class
-  kConfigure,  ///< creates a stopped component anew with another configuration
+  kConfigure,  ///< creates a stopped component again, with another configuration
   kStart,
   kSuspend,
   kStop,
@@ -73,33 +73,35 @@ struct LifecycleOrder {
   LifecycleVerb verb = LifecycleVerb::kStart;
   std::string process;
   std::uint64_t instance = 0;  ///< instance of the target process; 0: any
-  std::string component;       ///< all but load
-  std::string class_name;      ///< create
+  std::string component;       ///< for all verbs except load
+  std::string class_name;      ///< for create
   /// For load and create. For create, empty means the only loaded library that has this class.
   std::string library;
-  std::string configuration;  ///< create, configure: JSON; empty for the defaults
-  /// For configure: BaseOf() of the configuration that this one is based on. The order is refused
-  /// if the component's configuration has changed since. All zeros: replaces any configuration.
+  std::string configuration;  ///< for create and configure: JSON; empty for the defaults
+  /// For configure: BaseOf() of the configuration that the new one is based on. The order is
+  /// refused if the component's configuration has changed since then. All zeros: the order replaces
+  /// any configuration.
   Fingerprint based_on;
-  std::string thread;  ///< create: ThreadOptions as JSON; empty: as the class chooses
-  std::string leader;  ///< create: the component after which it runs, or empty
-  /// Start: refuses if a required interface that the component needs is not connected.
+  std::string thread;  ///< for create: ThreadOptions as JSON; empty: the class chooses
+  std::string leader;  ///< for create: the component after which it runs, or empty
+  /// For start: the order is refused if an interface that the component needs is not connected.
   bool is_strict = false;
-  /// The time limit; 0: chosen by the program that forwards the order. An order that has not begun
-  /// by then is not executed.
+  /// The time limit; 0: the program that forwards the order chooses it. An order that has not begun
+  /// when this time is over is not executed.
   std::chrono::nanoseconds patience{0};
 };
 
 /// The result of an executed order, and the state before it.
 struct LifecycleOutcome {
-  ComponentState state = ComponentState::kConstructed;  ///< all but load and create
-  std::string class_name;                               ///< all but load
-  std::string library;                                  ///< all but load
-  std::string former;                                   ///< configure, remove: the old one
-  std::string configuration;                            ///< create, configure: the complete one
-  std::string thread;                                   ///< remove: as in LifecycleOrder
-  std::string leader;                                   ///< remove: as in LifecycleOrder
-  std::string warning;  ///< how the result differs from the order, if it does
+  /// The state before the order. Not filled in for load and create.
+  ComponentState state = ComponentState::kConstructed;
+  std::string class_name;     ///< not filled in for load
+  std::string library;        ///< not filled in for load
+  std::string former;         ///< for configure and remove: the configuration before the order
+  std::string configuration;  ///< for create and configure: the new configuration, with all fields
+  std::string thread;         ///< for remove: the thread options, as in LifecycleOrder
+  std::string leader;         ///< for remove: the leader, as in LifecycleOrder
+  std::string warning;        ///< the difference between the result and the order; usually empty
 };
 
 /// The order that an LCM is about to execute.

@@ -29,22 +29,25 @@ bool IsHostAlone(const std::string& address) {
 std::string AnyPortOf(const std::string& host) { return ToString(HostPort{host, 0}); }
 
 std::string OutOfReach(const std::string& address, const std::string& host) {
-  return "is reached at " + address +
-         " from its own host only, but the GCM is on another host; start it with --listen " +
+  return "can be reached at " + address +
+         " only from its own host, but the GCM is on another host; start this process with "
+         "--listen " +
          AnyPortOf(host);
 }
 
 /// The warning for a process that listens at every address and reaches its GCM by loopback.
 std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
-  return "listens at " + listens + ", but reaches its GCM by loopback, and advertises " + told +
-         ", which other hosts cannot reach; if they must reach it, start it with --advertise "
-         "and an address of this host";
+  return "listens at " + listens +
+         ", but uses the loopback address to reach its GCM, so it advertises " + told +
+         ", which other hosts cannot reach; if they must reach this process, start it with "
+         "--advertise and an address of this host";
 }
 
 std::string OnAnotherNetwork(const std::string& listens, const std::string& from) {
   return "listens at " + listens + ", but reaches its GCM from " + from +
-         ": hosts on that network may not reach it; start it with --listen " + AnyPortOf(from) +
-         ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
+         ": other hosts on that network may be unable to reach this process; start it with "
+         "--listen " +
+         AnyPortOf(from) + ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
 }
 
 /// The text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705 (Connection
@@ -83,10 +86,11 @@ Result<void> CheckAdvertise(const std::string& advertise) {
   const auto place = ParseAddress(IsHostAlone(advertise) ? advertise + ":1" : advertise, 1);
   if (!place) return place.error();
   if (!IsEveryHost(place->host)) return {};
-  return Error{ErrorCode::kInvalid,
-               "--advertise " + advertise +
-                   " cannot be reached: give an address of this host, or leave the option out "
-                   "to advertise the address from which this process reaches the GCM"};
+  return Error{
+      ErrorCode::kInvalid,
+      "--advertise " + advertise +
+          " is not an address that others can reach: give an address of this host, or omit the "
+          "option to advertise the address from which this process reaches the GCM"};
 }
 
 bool IsOfOneHost(const std::string& address) {

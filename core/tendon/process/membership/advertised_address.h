@@ -31,8 +31,8 @@ struct GcmRoute {
                                                     const std::string& advertise,
                                                     const GcmRoute& way);
 
-/// kInvalid if `advertise`, which must not be empty, is neither an address nor a host, or means all
-/// addresses of a host.
+/// Returns kInvalid if `advertise` is neither an address nor a host, or means all addresses of a
+/// host. `advertise` must not be empty.
 Result<void> CheckAdvertise(const std::string& advertise);
 
 /// True if an address "host:port" is valid only within one host: 127.0.0.0/8, [::1] or "localhost".

@@ -15,7 +15,8 @@ namespace tendon {
 /// enough.
 class RowBatchWriter {
  public:
-  /// `sizes`: bytes of a cell of each column, 0 if they differ from row to row.
+  /// `sizes` has an element for each column: the bytes of a cell, or 0 if they differ from row to
+  /// row.
   explicit RowBatchWriter(std::vector<std::uint32_t> sizes);
 
   void Clear();

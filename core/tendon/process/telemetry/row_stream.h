@@ -115,7 +115,7 @@ class RowStream {
     return columns_ == columns && rows_ == rows;
   }
 
-  /// Number of cells read for each row; counts as at least one.
+  /// Number of cells that are read for each row, but at least 1.
   [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 

@@ -39,7 +39,8 @@ class RowSubscription {
   void End();
 
  private:
-  /// Counts the rows since the last one as lost, and continues at `first_tick`.
+  /// Counts the rows after the last one and before `first_tick` as lost, and continues at
+  /// `first_tick`.
   void GoOn(std::uint64_t first_tick);
   /// Returns false if the batch is older than the last row.
   bool GoOnWith(const RowBatchReader& batch);
@@ -60,7 +61,7 @@ class RowSubscription {
   bool goes_on_ = false;    // ticks continue those of the last activation
   bool is_of_topic_ = false;
   bool waits_for_batch_ = false;      // the first batch says where the ticks begin
-  std::uint64_t next_tick_ = 0;       // earlier rows are counted
+  std::uint64_t next_tick_ = 0;       // all rows before this tick are already counted
   std::uint64_t rows_ = 0;            // rows known to be sent since the activation
   std::uint64_t lost_between_ = 0;    // rows lost while inactive; reported with the next batch
   std::optional<SteadyTime> newest_;  // corrected time of the newest row

@@ -121,11 +121,12 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
   std::size_t count = 0;
   for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
   if (count >= kMostSubscriptions) {
-    return Error{ErrorCode::kFailed, "process '" + context_.name + "' gives one viewer at most " +
-                                         std::to_string(kMostSubscriptions) +
-                                         " subscriptions, and " + viewer.peer().name +
-                                         " already has that many: end some, or ask for several " +
-                                         "columns of a table at once"};
+    return Error{ErrorCode::kFailed,
+                 "process '" + context_.name + "' allows a viewer at most " +
+                     std::to_string(kMostSubscriptions) + " subscriptions, and " +
+                     viewer.peer().name +
+                     " already has this number: end some of them, or request several " +
+                     "columns of a table in one subscription"};
   }
   const auto feed =
       std::ranges::find_if(feeds_, [&](const TableFeed& one) { return one.IsOf(*source.table); });
@@ -133,12 +134,12 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
   const std::size_t cells = feed->CellsFor(viewer, source.columns, wanted.rows);
   const std::size_t most = kMostReadings * std::max<std::size_t>(1, source.table->columns().size());
   if (cells <= most) return {};
-  return Error{ErrorCode::kFailed,
-               "the subscriptions of " + viewer.peer().name + " to " + context_.name + "/" +
-                   wanted.component + "/" + wanted.table + " would read " + std::to_string(cells) +
-                   " values of each row, but at most " + std::to_string(most) +
-                   " are read for one viewer: end some, or let several have the same columns and "
-                   "the same period"};
+  return Error{ErrorCode::kFailed, "the subscriptions of " + viewer.peer().name + " to " +
+                                       context_.name + "/" + wanted.component + "/" + wanted.table +
+                                       " would read " + std::to_string(cells) +
+                                       " values of each row, but at most " + std::to_string(most) +
+                                       " are allowed for one viewer: end some of them, or use the "
+                                       "same columns and the same period for several"};
 }
 
 /// Called with the mutex held.
@@ -148,7 +149,8 @@ Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
     return Error{ErrorCode::kNotFound, "process '" + context_.name + "' has no broker"};
   }
   if (wanted.rows != RowChoice{}) {
-    return Error{ErrorCode::kInvalid, "a broker carries every row, or none"};
+    return Error{ErrorCode::kInvalid,
+                 "a broker carries all rows: a choice of rows is not possible"};
   }
   std::size_t row = 0;
   for (const std::size_t column : source.columns) {

@@ -41,8 +41,8 @@ def parse_address(text: str, is_encrypted: bool = False) -> Address:
     host = "127.0.0.1" if host == "localhost" else host
     if not is_encrypted and not _is_loopback(host):
         raise Denied(f"host '{host}' is on another machine and the connection "
-                     "is not encrypted: use 127.0.0.1, "
-                     "or show a certificate")
+                     "is not encrypted: use 127.0.0.1, or encrypt the connection with "
+                     "a certificate")
     return Address(host, int(port))
 
 

@@ -103,11 +103,11 @@ class Opener:
             raise self._versions_differ(header.version)
         if self.peer:
             if header.type != MessageType.WELCOME:
-                raise Invalid(f"{self._address} answered the proof with something else")
+                raise Invalid(f"{self._address} answered the proof with an unexpected message")
             self.is_welcome = True
             return None
         if header.type != MessageType.CHALLENGE:
-            raise Invalid(f"{self._address} answered the Hello with something else")
+            raise Invalid(f"{self._address} answered the Hello with an unexpected message")
         return self._on_challenge(messages.decode("Challenge", body))
 
     def _on_challenge(self, challenge: dict[str, Any]) -> Answer:
@@ -129,8 +129,8 @@ class Opener:
             raise Denied(f"{self._address} calls itself '{name}', but shows the certificate of "
                          f"'{shown.name}': do not trust it")
         if shown.role != "operator":
-            raise Denied(f"{self._address} shows a viewer's certificate, and to give orders takes "
-                         f"an operator's: issue '{name}' another")
+            raise Denied(f"{self._address} has the certificate of a viewer, but only operators may "
+                         f"give orders: issue '{name}' a certificate with --role operator")
         if self._wanted not in ("", name):
             raise Unreachable(f"at {self._address} is '{name}', not '{self._wanted}'")
 

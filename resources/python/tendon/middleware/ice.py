@@ -267,7 +267,7 @@ def _why_not_opened(why: Any, address: Address, timeout: float,
     if credentials is not None and isinstance(why, (Ice.ConnectionLostException,
                                                     Ice.ProtocolException)):
         return Unreachable(f"{address} does not accept {credentials.certificate}, or does not "
-                           "use TLS: see its log")
+                           "use TLS: see the log of that program")
     if isinstance(why, Ice.TimeoutException):
         return TimedOut(f"no answer from {address} within {timeout * 1000:.0f} ms")
     if isinstance(why, Ice.SyscallException):

@@ -78,9 +78,9 @@ TEST_F(LifecyclePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
   EXPECT_EQ(Found("**"), "desk/own robot/arm");
   EXPECT_EQ(Found("*/a*"), "robot/arm");
   EXPECT_EQ(Found("robot/arn"), "no component 'robot/arn'; did you mean 'arm'?");
-  EXPECT_EQ(
-      Found("robot"),
-      "'robot' does not name a component: expected process/component, or a glob such as process/*");
+  EXPECT_EQ(Found("robot"),
+            "'robot' does not name a component: expected process/component, or a pattern such as "
+            "process/*");
   EXPECT_EQ(Found("robot/x*"), "no component fits 'robot/x*'; gcm ls -R lists all names");
 
   ProcessDescription robot = test::ProcessNamed("robot", 2);
@@ -96,7 +96,7 @@ TEST_F(LifecyclePlan, ADryRunSaysWhatTheProcessWouldRefuse) {
     return order;
   };
   EXPECT_EQ(Refusal(of(arm, LifecycleVerb::kStart)),
-            "component 'arm' is active already; stop it first to start it again");
+            "component 'arm' is active already; to start it again, stop it first");
   EXPECT_EQ(Refusal(of(arm, LifecycleVerb::kConfigure)),
             "component 'arm' is active; stop it first to configure it again");
   for (const LifecycleVerb verb : {LifecycleVerb::kStop, LifecycleVerb::kSuspend,

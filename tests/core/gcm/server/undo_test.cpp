@@ -104,9 +104,8 @@ TEST_P(UndoOrders, NothingIsUndoneInAProcessThatWasStartedAgain) {
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' is lost"));
-  EXPECT_THAT(
-      PassOver().error().message,
-      HasSubstr("is not skipped, because process 'desk' is lost and may come back with it"));
+  EXPECT_THAT(PassOver().error().message,
+              HasSubstr("is not skipped, because process 'desk' is lost, but may come back"));
 
   desk_ = Join("desk", {test::Teleoperation()});
 

@@ -158,7 +158,7 @@ TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
   home_.Write("lcm", "no program");
   const auto refused = launcher.Start({.process = "robot"});
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().message, HasSubstr("cannot be run"));
+  EXPECT_THAT(refused.error().message, HasSubstr("could not be started with the log file"));
 
   LcmLauncher without({}, "127.0.0.1:1", home_.path());
   EXPECT_EQ(without.Start({.process = "robot"}).error().message,

@@ -155,7 +155,7 @@ TEST_F(SupervisorTest, GivesUpWhatFailsAgainAndAgain) {
   EXPECT_EQ(Reason(),
             "was ended by SIGKILL; its log: robot.log; it is not restarted, because it has failed "
             "5 times "
-            "within a minute; after the repair: gcm apply");
+            "within a minute; when the fault is repaired: gcm apply");
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 5U);

@@ -71,8 +71,9 @@ TEST(ComponentManagerFile, SaysOfWhomThePlugInIsUnknown) {
   ASSERT_TRUE(imported) << imported.error().message;
   EXPECT_THAT(
       imported->left_out,
-      testing::Contains("components[0] has no \"shared-library\": write the plug-in that has "
-                        "mtsSocketStreamer into \"library\""));
+      testing::Contains(
+          "components[0] has no \"shared-library\": write the name of the plug-in that has class "
+          "mtsSocketStreamer into \"library\""));
 }
 
 TEST(ComponentManagerFile, AParameterThatIsJsonIsTheConfiguration) {
@@ -139,8 +140,8 @@ TEST(ComponentManagerFile, WhatOnlyTheClassKnowsIsLeftOut) {
   EXPECT_EQ(imported->file.FindComponent("robot", "streamerMTML")->period, 0.01);
   ASSERT_EQ(imported->left_out.size(), 4U);
   EXPECT_EQ(imported->left_out[0],
-            "components[0].constructor-arg.Arg is left out: the class itself reads it; write what "
-            "it says into \"configuration\"");
+            "components[0].constructor-arg.Arg is left out: only the class can read it; write its "
+            "content into \"configuration\"");
   EXPECT_THAT(imported->left_out[1], HasSubstr("did you mean 'Name'?"));
 }
 

@@ -68,7 +68,8 @@ std::vector<std::string> LeftAfter(const std::string& failing, const std::vector
   ExecutePlan({.steps = steps}, executor, AfterError::kGoOn,
               [&](std::size_t, const PlanStep& step, const StepOutcome& outcome) {
                 if (outcome.state != StepOutcome::State::kLeft) return;
-                EXPECT_EQ(outcome.reason, "not tried, because this failed: " + failing);
+                EXPECT_EQ(outcome.reason,
+                          "not executed, because an earlier step failed: " + failing);
                 left.push_back(ToString(step));
               });
   return left;
@@ -147,7 +148,8 @@ TEST(PlanExecution, InAProcessThatIsNotStartedNothingIsTried) {
   EXPECT_THAT(executor.tried(), ElementsAre("start process p (restart never)", "start q/d"));
   ASSERT_EQ(told.size(), 5U);
   EXPECT_EQ(told[2],
-            "3 connect p/b/R -> p/c/P left: not tried, because this failed: start process p "
+            "3 connect p/b/R -> p/c/P left: not executed, because an earlier step failed: start "
+            "process p "
             "(restart never)");
 }
 

@@ -227,8 +227,9 @@ TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
 
   EXPECT_THAT(
       MakePlan(builder.catalogue(), wanted).obstacles,
-      ElementsAre("robot/own runs after a component that is to be removed or created again, "
-                  "and only its own program can create it again too; stop that program first"));
+      ElementsAre(
+          "robot/own runs after a component that will be removed or created again, so it must be "
+          "created again too, and only its own program can do this; stop that program first"));
 }
 
 TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
@@ -406,7 +407,7 @@ TEST(Plan, SaysWhatNoStepCanBringAbout) {
 
   ASSERT_EQ(plan.obstacles.size(), 4U) << testing::PrintToString(plan.obstacles);
   EXPECT_THAT(plan.obstacles[0],
-              HasSubstr("robot/own is not in the file, but was created by its own"));
+              HasSubstr("robot/own is not in the file, but its own program created it"));
   EXPECT_THAT(plan.obstacles[1], HasSubstr("robot/arm does not have the period of the file "
                                            "(period 0.002 s -> 0.001 s)"));
   EXPECT_THAT(plan.obstacles[2],

@@ -99,7 +99,7 @@ TEST_F(PluginTest, ThatIsNoElfFileIsQuoted) {
   EXPECT_THAT(Refusal("text", folder), MatchesRegex("expected a shared library for .*, found a "
                                                     "file that begins with 'this is no libra'"));
   EXPECT_THAT(Refusal("empty", folder), HasSubstr("found an empty file"));
-  EXPECT_THAT(Refusal("magic", folder), HasSubstr("found one cut short after 4 B"));
+  EXPECT_THAT(Refusal("magic", folder), HasSubstr("found a file that ends after 4 B"));
 }
 
 TEST_F(PluginTest, ThatIsTruncatedIsRefusedWhereverItEnds) {
@@ -108,8 +108,9 @@ TEST_F(PluginTest, ThatIsTruncatedIsRefusedWhereverItEnds) {
   for (std::size_t part = 1; part < 10; ++part) {
     const std::size_t kept = whole.size() * part / 10;
     Write("cut", whole.substr(0, kept));
-    EXPECT_THAT(Refusal("cut", folder),
-                HasSubstr("found one cut short: " + std::to_string(kept) + " of " + size + " B"));
+    EXPECT_THAT(
+        Refusal("cut", folder),
+        HasSubstr("found an incomplete file: " + std::to_string(kept) + " of " + size + " B"));
   }
 }
 
@@ -117,23 +118,21 @@ TEST_F(PluginTest, OfAnotherMachineIsNamed) {
   EXPECT_THAT(RefusalOfPatched(18, std::string("\x28\0", 2)), HasSubstr("found one for arm"));
   EXPECT_THAT(RefusalOfPatched(18, std::string("\x34\x12", 2)),
               HasSubstr("found one for machine 4660"));
-  EXPECT_THAT(RefusalOfPatched(4, "\x01"), HasSubstr("found one of another word size"));
+  EXPECT_THAT(RefusalOfPatched(4, "\x01"), HasSubstr("found a library with another word size"));
   EXPECT_THAT(RefusalOfPatched(16, std::string("\x01\0", 2)),
               HasSubstr("found an object file or a program"));
 }
 
 TEST_F(PluginTest, WhoseLibraryIsMissingNamesIt) {
-  EXPECT_EQ(
-      Refusal("missing_dependency"),
-      "expected the libraries that it needs, found no libtest_plugin_gone.so; install it, or add "
-      "its folder to LD_LIBRARY_PATH");
+  EXPECT_EQ(Refusal("missing_dependency"),
+            "a library that it needs is missing: libtest_plugin_gone.so; install it, or add "
+            "its folder to LD_LIBRARY_PATH");
 }
 
 TEST_F(PluginTest, WhoseSymbolIsMissingNamesIt) {
-  EXPECT_EQ(
-      Refusal("missing_symbol"),
-      "expected every symbol in the libraries that it needs, found no lamp::SwitchOn(int); build "
-      "it against this version and link the library that has the symbol");
+  EXPECT_EQ(Refusal("missing_symbol"),
+            "a library that it needs has no symbol lamp::SwitchOn(int); link the library that has "
+            "the symbol, and build the plug-in again with this version of Tendon");
 }
 
 TEST_F(PluginTest, WithoutEntryPointIsNone) {
@@ -157,38 +156,38 @@ TEST_F(PluginTest, KnowsTheVersionOfTheProject) {
 }
 
 TEST_F(PluginTest, ThatCrashesHarmsAnotherProcessOnly) {
-  EXPECT_THAT(Refusal("crashes"),
-              MatchesRegex("expected a library that loads, found that it ends the process that "
-                           "loads it with (SIGSEGV|exit code .*)"));
+  EXPECT_THAT(Refusal("crashes"), MatchesRegex("expected a library that can be loaded, but loading "
+                                               "it ends the process with (SIGSEGV|exit code .*)"));
 }
 
 TEST_F(PluginTest, ThatEndsTheProcessIsTold) {
   EXPECT_EQ(Refusal("exits"),
-            "expected a library that loads, found that it ends the process that loads it with "
+            "expected a library that can be loaded, but loading it ends the process with "
             "exit code 0");
 }
 
 TEST_F(PluginTest, ThatThrowsAtItsStartIsQuoted) {
   EXPECT_EQ(Refusal("throws_at_start"),
-            "expected a library that loads, found that its start-up threw: no calibration");
+            "expected a library that can be loaded, but its start-up threw: no calibration");
 }
 
 TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
   const auto loaded = LoadPlugin(kBuilt / "never_finishes.so", std::chrono::milliseconds(200));
 
   ASSERT_FALSE(loaded);
-  EXPECT_THAT(loaded.error().message, HasSubstr("found that it has not finished after 200 ms"));
+  EXPECT_THAT(loaded.error().message,
+              HasSubstr("can be loaded, but it has not finished after 200 ms"));
 }
 
 TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
   EXPECT_EQ(Refusal("throws_on_registration"),
-            "expected TendonRegisterComponents to return, found that it threw: an exception "
+            "expected TendonRegisterComponents to return, but it threw: an exception "
             "that does not derive from std::exception");
 }
 
 TEST_F(PluginTest, WithAClassTwiceNamesTheClass) {
   EXPECT_EQ(Refusal("duplicate_class"),
-            "expected TendonRegisterComponents to return, found that it threw: component class "
+            "expected TendonRegisterComponents to return, but it threw: component class "
             "'Lamp' is registered twice");
 }
 

@@ -66,10 +66,10 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyCalls) {
 
   ASSERT_FALSE(id.ok());
   EXPECT_EQ(id.error().code, ErrorCode::kInvalid);
-  EXPECT_EQ(
-      id.error().message,
-      "desk/operator/Robot requests room for 16777216 calls at robot/plant/Control, but another "
-      "process may have at most 65536 calls and 64 MiB there: set a smaller mailbox capacity");
+  EXPECT_EQ(id.error().message,
+            "desk/operator/Robot requests a mailbox for 16777216 calls at robot/plant/Control, but "
+            "a client in another process is allowed at most 65536 calls and 64 MiB: set a smaller "
+            "mailbox capacity");
   EXPECT_EQ(robot->proxies().size(), 0U);
 }
 
@@ -85,8 +85,9 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyBytes) {
 
   ASSERT_FALSE(large.ok());
   EXPECT_EQ(large.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(large.error().message, StartsWith("desk/large/Screen requests room for 4096 calls at "
-                                                "robot/screen/Screen, but another process may"));
+  EXPECT_THAT(large.error().message,
+              StartsWith("desk/large/Screen requests a mailbox for 4096 calls at "
+                         "robot/screen/Screen, but a client in another process"));
   EXPECT_TRUE(small.ok()) << small.error().message;
   EXPECT_TRUE(EventuallyActive(*desk, 1));
 }

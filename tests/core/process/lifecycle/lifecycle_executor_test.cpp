@@ -77,7 +77,7 @@ TEST_P(Lifecycle, ALoadedClassIsFoundWithoutItsLibrary) {
                                               .class_name = "Lamp"};
   EXPECT_EQ(Reason(Execute(*client_, order)),
             "no library that process 'robot' has loaded has a class 'Lamp'; load the library that "
-            "has it, or name that library");
+            "has this class, or give the name of that library");
   ASSERT_EQ(Reason(Load("lamps")), "");
 
   EXPECT_EQ(Reason(Execute(*client_, order)), "");
@@ -108,7 +108,7 @@ TEST_P(Lifecycle, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
             "component 'lamp' already exists in process 'robot'; choose another name, or remove it "
             "first");
   EXPECT_EQ(Reason(Order(LifecycleVerb::kStop, "lamp")),
-            "component 'lamp' is constructed, not active; there is nothing to stop");
+            "component 'lamp' is constructed and not active; there is nothing to stop");
   EXPECT_EQ(Reason(Order(LifecycleVerb::kRemove, "plant")),
             "component 'plant' cannot be removed remotely, because the program of process 'robot' "
             "created "

@@ -89,8 +89,8 @@ TEST_P(LifecycleUndo, AComponentThatCannotBeConnectedAsBeforeIsThereButDoesNotRu
   ASSERT_TRUE(robot_->Remove("lamp").ok());
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").name.empty(); }));
 
-  EXPECT_THAT(Undone(), testing::HasSubstr("it exists again, but does not run, because it is not "
-                                           "connected as before"));
+  EXPECT_THAT(Undone(), testing::HasSubstr("it was created again, but not started, because its "
+                                           "connections could not be restored"));
 
   EXPECT_EQ(robot_->Find("switch")->state(), ComponentState::kConstructed);
 }

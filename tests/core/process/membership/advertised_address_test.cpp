@@ -62,8 +62,8 @@ TEST(AdvertisedAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother)
   for (const char* listens : {"127.0.0.1:43211", "127.0.1.1:43211", "localhost:43211"}) {
     const AdvertisedAddress own = AdvertisedAddressOf(listens, "", kElsewhere);
     EXPECT_EQ(own.address, listens);
-    EXPECT_THAT(own.warning, AllOf(HasSubstr("from its own host only"),
-                                   HasSubstr("start it with --listen 10.9.1.2:0")));
+    EXPECT_THAT(own.warning, AllOf(HasSubstr("only from its own host"),
+                                   HasSubstr("start this process with --listen 10.9.1.2:0")));
   }
 }
 
@@ -94,13 +94,13 @@ TEST(AdvertisedAddress, WhatLeadsNowhereIsNotAdvertised) {
   EXPECT_EQ(mistake("10.9.1.2:0"), "port '0': expected 1..65535");
   EXPECT_THAT(mistake("fd00::7"), HasSubstr("put an IPv6 host in brackets"));
   for (const char* bad : {"0.0.0.0", "0.0.0.0:80", "[::]"}) {
-    EXPECT_THAT(mistake(bad), HasSubstr("cannot be reached")) << bad;
+    EXPECT_THAT(mistake(bad), HasSubstr("is not an address that others can reach")) << bad;
   }
 }
 
 TEST(AdvertisedAddress, TheGcmKnowsWhomOnlyHisHostReaches) {
   EXPECT_THAT(tendon::WhyOutOfReach("127.0.0.1:43211", "10.9.1.2:5"),
-              HasSubstr("start it with --listen 10.9.1.2:0"));
+              HasSubstr("start this process with --listen 10.9.1.2:0"));
   EXPECT_THAT(tendon::WhyOutOfReach("0.0.0.0:43211", "10.9.1.2:5"), HasSubstr("--listen"));
   EXPECT_THAT(tendon::WhyOutOfReach("10.9.1.2:43211", "10.9.1.2:5"), IsEmpty());
   EXPECT_THAT(tendon::WhyOutOfReach("127.0.0.1:43211", "127.0.0.1:5"), IsEmpty());

@@ -66,7 +66,7 @@ TEST(MemoryMeter, ShowsMemoryUseAndThinning) {
 
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        return meter->accessibleName().contains("of 1 MB for samples; older ones are kept as");
+        return meter->accessibleName().contains("of 1 MB for samples; of older samples, only the");
       },
       20'000));
 }
