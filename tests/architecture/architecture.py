@@ -67,6 +67,11 @@ NAMES_FOLDER = re.compile(r"\| `([\w/]+)` \|")
 TEST_PAGE = "tests/README.md"
 MIRRORED = (*DESCRIBED, "lcm", "program")
 
+# The folders whose tests have plain names, and a name that begins like a riddle.
+PLAIN_TESTS = ("tests",)
+RIDDLE = re.compile(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)"
+                    r"\(\s*\w+,\s*((?:What|Who|Whoever|Whom|Whose|Which|That)[A-Z]\w*)", re.M)
+
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
 CODE = {".h", ".cpp"}
@@ -220,6 +225,14 @@ def code_has_no_macros(file):
 def headers_are_included_once(file):
     if file.suffix == ".h" and "#pragma once" not in file.lines:
         yield 1, "a header needs #pragma once"
+
+
+def tests_have_plain_names(file):
+    if not file.is_code or not file.is_under(*PLAIN_TESTS):
+        return
+    text = "\n".join(file.lines)
+    for match in RIDDLE.finditer(text):
+        yield text.count("\n", 0, match.start()) + 1, f"{match[1]} is a riddle; name the subject, then what it does"
 
 
 def nothing_is_left_over(file):
@@ -502,8 +515,8 @@ def in_namespaces(lines):
 FILE_RULES = (
     ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
-    atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, nothing_is_left_over,
-    scripts_are_narrow, functions_are_short)
+    atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once,
+    tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
               folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones, folders_are_built,
               folders_are_described, tests_mirror_the_code)

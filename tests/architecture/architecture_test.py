@@ -108,6 +108,14 @@ BROKEN = {
     "headers_are_included_once": [
         ({"lcm/a.h": "// nothing\n"}, "lcm/a.h:1", "#pragma once"),
     ],
+    "tests_have_plain_names": [
+        ({"tests/core/a_test.cpp": "\nTEST(Queue, WhatIsPushedIsPopped) {\n"},
+         "tests/core/a_test.cpp:2", "is a riddle"),
+        ({"tests/core/a_test.cpp": "TEST_F(Queue,\n       ThatIsFullRefuses) {\n"},
+         "tests/core/a_test.cpp:1", "ThatIsFullRefuses"),
+        ({"tests/conformance/a_test.cpp": "TEST_P(Link, WhoeverWaitsIsWoken) {\n"},
+         "tests/conformance/a_test.cpp:1", "WhoeverWaitsIsWoken"),
+    ],
     "nothing_is_left_over": [
         ({"lcm/a.cpp": f"// {LEFT_OVER}: later\n"}, "lcm/a.cpp:1", "do it, or open an issue"),
         ({"tools/setup": f"\n# {LEFT_OVER}\n"}, "tools/setup:2", "do it, or open an issue"),
@@ -211,6 +219,10 @@ KEPT = {
     ],
     "code_has_no_macros": [{"lcm/a.cpp": "#ifdef __linux__\n#endif\n"}],
     "headers_are_included_once": [{"lcm/a.h": "#pragma once\n"}],
+    "tests_have_plain_names": [
+        {"tests/core/a_test.cpp": "TEST(Queue, ReturnsWhatWasPushed) {\nTEST(Queue, WholeBatchesAreKept) {\n",
+         "core/a.cpp": "TEST(Queue, WhatIsPushedIsPopped) {\n"},
+    ],
     "nothing_is_left_over": [{"lcm/a.cpp": f"// {LEFT_OVER}_list is one word\n"}],
     "functions_are_short": [
         {"lcm/a.cpp": function(60)},

@@ -30,7 +30,7 @@ TEST_P(AddressContract, APortInUseIsRefusedByName) {
   EXPECT_THAT(second.error().message, StartsWith(listener_->address() + " is in use by "));
 }
 
-TEST_P(AddressContract, APortIsFreeAgainAtOnceAlthoughALinkWasOpen) {
+TEST_P(AddressContract, APortIsReusableAtOnceAfterALinkWasOpen) {
   Host host;
   Start(host.accept());
   const std::string address = listener_->address();
@@ -46,7 +46,7 @@ TEST_P(AddressContract, APortIsFreeAgainAtOnceAlthoughALinkWasOpen) {
   EXPECT_TRUE(recorder->WaitForClosed());
 }
 
-TEST_P(AddressContract, WhereNobodyListensIsUnreachable) {
+TEST_P(AddressContract, OpenFailsAsUnreachableIfNobodyListens) {
   Host host;
   Start(host.accept());
   const std::string address = listener_->address();
@@ -70,7 +70,7 @@ TEST_P(AddressContract, AnUnknownHostIsUnreachable) {
   EXPECT_THAT(link.error().message, HasSubstr("no-such-host.invalid"));
 }
 
-TEST_P(ExposureContract, AddressesOffThisMachineNeedTheWordInsecure) {
+TEST_P(ExposureContract, RemoteAddressesNeedTheInsecureOption) {
   Host host;
   const Pair pair = GetParam().make(Exposure::kLoopbackOnly);
 
@@ -84,7 +84,7 @@ TEST_P(ExposureContract, AddressesOffThisMachineNeedTheWordInsecure) {
   EXPECT_THAT(link.error().message, HasSubstr("--insecure"));
 }
 
-TEST_P(ExposureContract, WithTheWordInsecureAnyAddressIsServed) {
+TEST_P(ExposureContract, TheInsecureOptionAllowsAnyAddress) {
   Host host;
   const Pair pair = GetParam().make(Exposure::kInsecure);
 
@@ -97,7 +97,7 @@ TEST_P(ExposureContract, WithTheWordInsecureAnyAddressIsServed) {
   EXPECT_TRUE(link) << link.error().message;
 }
 
-TEST_P(AddressContract, MalformedAddressesAreRefusedInASentence) {
+TEST_P(AddressContract, RefusesMalformedAddressesWithAMessage) {
   Host host;
   const Pair pair = GetParam().make(Exposure::kLoopbackOnly);
   for (const std::string address : {"", "nonsense", "127.0.0.1:", "127.0.0.1:abc",

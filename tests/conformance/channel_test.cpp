@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_P(ChannelContract, BothEndsLearnWhoTheOtherIs) {
+TEST_P(ChannelContract, BothEndsLearnThePeersIdentity) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
 
@@ -31,7 +31,7 @@ TEST_P(ChannelContract, ARequestIsAnswered) {
   EXPECT_EQ(answer->number, 42);
 }
 
-TEST_P(ChannelContract, BothEndsMayAsk) {
+TEST_P(ChannelContract, BothEndsMaySendRequests) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.channel_ != nullptr; }));
@@ -76,7 +76,7 @@ TEST_P(ChannelContract, NoticesArriveInOrder) {
   EXPECT_EQ(server->told_, expected);
 }
 
-TEST_P(ChannelContract, ARefusalKeepsItsCodeAndWords) {
+TEST_P(ChannelContract, ARefusalKeepsItsCodeAndMessage) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
   const auto answer = channel_->Call<Question>(kAsk, 0, Question{}, kLong);
@@ -95,7 +95,7 @@ TEST_P(ChannelContract, AnUnknownMessageIsRefused) {
   EXPECT_THAT(answer.error().message, HasSubstr("999"));
 }
 
-TEST_P(ChannelContract, ABodyThatDoesNotDecodeIsRefusedByTheTypesName) {
+TEST_P(ChannelContract, RefusesAnUndecodableBodyNamingItsType) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
   const auto answer = channel_->Call(kAsk, 0, Bytes(3), kLong);
@@ -105,7 +105,7 @@ TEST_P(ChannelContract, ABodyThatDoesNotDecodeIsRefusedByTheTypesName) {
   EXPECT_THAT(answer.error().message, HasSubstr("test.Question"));
 }
 
-TEST_P(ChannelContract, AHandlerThatThrowsRefusesAndTheChannelLives) {
+TEST_P(ChannelContract, AThrowingHandlerRefusesAndTheChannelStaysOpen) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
   const auto failed = channel_->Call<None>(kThrow, 0, None{}, kLong);
@@ -118,7 +118,7 @@ TEST_P(ChannelContract, AHandlerThatThrowsRefusesAndTheChannelLives) {
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 
-TEST_P(ChannelContract, ACallThatIsNotAnsweredInTimeEndsAndTheLateAnswerIsCounted) {
+TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsCounted) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
 
@@ -132,7 +132,7 @@ TEST_P(ChannelContract, ACallThatIsNotAnsweredInTimeEndsAndTheLateAnswerIsCounte
   EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
 }
 
-TEST_P(ChannelContract, ExpireEndsTheRequestsThatAreDueAndNoOthers) {
+TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   std::promise<Result<Bytes>> first;
@@ -153,7 +153,7 @@ TEST_P(ChannelContract, ExpireEndsTheRequestsThatAreDueAndNoOthers) {
   EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
 }
 
-TEST_P(ChannelContract, AnAnswerMayComeFromAnotherThreadMuchLater) {
+TEST_P(ChannelContract, AReplyMayComeLaterFromAnotherThread) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   auto answer =
@@ -166,7 +166,7 @@ TEST_P(ChannelContract, AnAnswerMayComeFromAnotherThreadMuchLater) {
   EXPECT_TRUE(answer.get());
 }
 
-TEST_P(ChannelContract, ClosingEndsTheRequestsThatWait) {
+TEST_P(ChannelContract, ClosingEndsPendingRequests) {
   const auto server = std::make_shared<Oracle>();
   const auto client = std::make_shared<Oracle>();
   Connect(server, client);
@@ -186,7 +186,7 @@ TEST_P(ChannelContract, ClosingEndsTheRequestsThatWait) {
   EXPECT_EQ(channel_->Call<None>(kAsk, 0, None{}, kLong).error().code, ErrorCode::kUnreachable);
 }
 
-TEST_P(ChannelContract, AHandlerIsForgottenAfterTheEnd) {
+TEST_P(ChannelContract, ReleasesTheHandlerAfterClosing) {
   auto client = std::make_shared<Oracle>();
   Connect(std::make_shared<Oracle>(), client);
   client->channel_.reset();
@@ -197,7 +197,7 @@ TEST_P(ChannelContract, AHandlerIsForgottenAfterTheEnd) {
   EXPECT_TRUE(client->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 1; }));
 }
 
-TEST_P(ChannelContract, ACallFromAHandlerIsRefusedInsteadOfWaitingForItself) {
+TEST_P(ChannelContract, RefusesACallFromAHandlerThatWouldDeadlock) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
   std::promise<Result<None>> inner;
 
@@ -210,7 +210,7 @@ TEST_P(ChannelContract, ACallFromAHandlerIsRefusedInsteadOfWaitingForItself) {
   EXPECT_EQ(refused.error().message, "a call to robot would wait for its own thread");
 }
 
-TEST_P(ChannelContract, AMessageOverTheLimitIsRefusedAndTheChannelLives) {
+TEST_P(ChannelContract, RefusesAMessageOverTheLimitAndStaysOpen) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
   const auto answer = channel_->Call(kAsk, 0, Bytes(kMaxBodySize + 1), kLong);

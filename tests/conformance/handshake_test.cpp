@@ -22,7 +22,7 @@ Bytes FrameOfVersion(std::uint16_t version, MessageType type) {
   return frame;
 }
 
-TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
+TEST_P(ChannelContract, ARefusedOpenerVersionSaysWhichProgramToUpdate) {
   const auto server = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   for (const auto& [version, outdated] :
@@ -47,7 +47,7 @@ TEST_P(ChannelContract, AnotherProtocolVersionIsRefusedWithWhomToUpdate) {
   EXPECT_EQ(server->peer_, "");
 }
 
-TEST_P(ChannelContract, AnAcceptorOfAnotherProtocolVersionIsRefusedWithWhomToUpdate) {
+TEST_P(ChannelContract, ARefusedAcceptorVersionSaysWhichProgramToUpdate) {
   for (const std::uint16_t version : {kOlder, kNewer}) {
     Host host([version](const std::shared_ptr<Link>& accepted) {
       return std::make_shared<Recorder>(
@@ -75,7 +75,7 @@ TEST_P(ChannelContract, AnAcceptorOfAnotherProtocolVersionIsRefusedWithWhomToUpd
   }
 }
 
-TEST_P(CookieContract, AWrongCookieIsDeniedAndNoOpenIsHeard) {
+TEST_P(CookieContract, AWrongCookieIsDeniedWithoutAnOpenEvent) {
   const auto server = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   for (const std::uint64_t cookie : {std::uint64_t{0}, kCookie + 1}) {
@@ -131,7 +131,7 @@ TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
   EXPECT_EQ(CountOfCookie(heard.values(), kCookie), 0U);
 }
 
-TEST_P(CookieContract, WhoPassesOnWhatOthersSayIsDenied) {
+TEST_P(CookieContract, ARelayedHandshakeIsDenied) {
   const auto robot = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [robot] { return robot; }));
   std::promise<std::shared_ptr<Link>> to_desk;
@@ -168,7 +168,7 @@ TEST_P(ChannelContract, AcceptsUnauthenticatedPeersIfAllowed) {
   EXPECT_TRUE(channel) << channel.error().message;
 }
 
-TEST_P(ChannelContract, ALinkThatBeginsWithSomethingElseIsClosed) {
+TEST_P(ChannelContract, ClosesALinkThatDoesNotBeginWithHello) {
   const auto server = std::make_shared<Oracle>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   const auto recorder = std::make_shared<Recorder>();

@@ -61,7 +61,7 @@ class Peer {
   int output_ = -1;
 };
 
-TEST_P(PortContract, TheOpenerHearsOnceThatTheAcceptorWasKilled) {
+TEST_P(PortContract, TheOpenerIsNotifiedOnceOfAKilledAcceptor) {
   pair_ = GetParam().make(Exposure::kLoopbackOnly);
   Peer peer({GetParam().name, "listen"});
   const std::string address = peer.ReadLine();
@@ -78,7 +78,7 @@ TEST_P(PortContract, TheOpenerHearsOnceThatTheAcceptorWasKilled) {
   EXPECT_EQ(recorder->closed(), 1);
 }
 
-TEST_P(PortContract, TheAcceptorHearsOnceThatTheOpenerWasKilledAndServesTheNext) {
+TEST_P(PortContract, TheAcceptorIsNotifiedOnceOfAKilledOpener) {
   Host host;
   Start(host.accept());
   Peer peer({GetParam().name, "open", listener_->address()});

@@ -7,7 +7,7 @@
 namespace tendon::conformance {
 namespace {
 
-TEST_P(LifetimeContract, AThousandLinksLeaveNothingBehind) {
+TEST_P(LifetimeContract, AThousandLinksLeakNothing) {
   Host host;
   Start(host.accept());
   const std::size_t count = test::IsSanitized() ? 200 : 1000;
@@ -33,7 +33,7 @@ TEST_P(LifetimeContract, AThousandLinksLeaveNothingBehind) {
   EXPECT_TRUE(EventuallyTrue([&] { return host.count() == count + 10; })) << host.count();
 }
 
-TEST_P(LifetimeContract, AMiddlewareLeavesNothingBehind) {
+TEST_P(LifetimeContract, AMiddlewareLeaksNothing) {
   { const Pair warm_up = GetParam().make(Exposure::kLoopbackOnly); }
   const std::size_t descriptors = OpenDescriptors();
   const std::size_t threads = Threads();
@@ -52,7 +52,7 @@ TEST_P(LifetimeContract, AMiddlewareLeavesNothingBehind) {
       << Threads() << " > " << threads;
 }
 
-TEST_P(LifetimeContract, AListenerClosesItsLinksAndTheyAreSilentAfterwards) {
+TEST_P(LifetimeContract, AListenerClosesItsLinksAndNoEventFollows) {
   std::atomic<bool> is_gone = false;
   std::atomic<int> heard_late = 0;
   Host host([&](const std::shared_ptr<Link>& /*link*/) {
@@ -79,7 +79,7 @@ TEST_P(LifetimeContract, AListenerClosesItsLinksAndTheyAreSilentAfterwards) {
   EXPECT_EQ(host.count(), 1U);
 }
 
-TEST_P(LifetimeContract, AMiddlewareClosesItsLinksAndTheyAreSilentAfterwards) {
+TEST_P(LifetimeContract, AMiddlewareClosesItsLinksAndNoEventFollows) {
   Host host;
   Start(host.accept());
   const auto recorder = std::make_shared<Recorder>();
@@ -109,7 +109,7 @@ TEST_P(LifetimeContract, AListenerMayOutliveItsMiddleware) {
   EXPECT_FALSE(link);
 }
 
-TEST_P(LifetimeContract, ALinkThatIsNotWantedIsClosed) {
+TEST_P(LifetimeContract, ARejectedLinkIsClosed) {
   Start([](const std::shared_ptr<Link>& /*link*/) { return nullptr; });
   const auto recorder = std::make_shared<Recorder>();
 
@@ -122,7 +122,7 @@ TEST_P(LifetimeContract, ALinkThatIsNotWantedIsClosed) {
   }
 }
 
-TEST_P(LifetimeContract, OpeningWhileTheListenerGoesEndsOneWayOrTheOther) {
+TEST_P(LifetimeContract, OpeningDuringListenerShutdownAlwaysEnds) {
   for (int i = 0; i < 20; ++i) {
     Host host;
     Start(host.accept());

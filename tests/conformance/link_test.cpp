@@ -82,7 +82,7 @@ TEST_P(LinkContract, TheLargestFrameArrivesWhole) {
   EXPECT_EQ(received, frame);
 }
 
-TEST_P(LinkContract, AFrameOverTheLimitIsRefusedAndTheLinkLives) {
+TEST_P(LinkContract, RefusesAFrameOverTheLimitAndStaysOpen) {
   const Bytes frame = FrameOf(7, kMaxPieceSize - FrameHeader::kSize + 1);
   Connect();
 
@@ -93,7 +93,7 @@ TEST_P(LinkContract, AFrameOverTheLimitIsRefusedAndTheLinkLives) {
   EXPECT_EQ(server_recorder_->numbers(), std::vector<std::uint32_t>{8});
 }
 
-TEST_P(LinkContract, BytesThatAreNoFrameAreRefused) {
+TEST_P(LinkContract, RefusesBytesThatAreNotAFrame) {
   Connect();
   Bytes frame = FrameOf(7);
   frame.pop_back();
@@ -131,7 +131,7 @@ TEST_P(LinkContract, AStoppedReceiverMakesTheSenderRefuseAndNotGrow) {
   EXPECT_TRUE(server_recorder_->WaitForFrames(sent + 1));
 }
 
-TEST_P(LinkContract, BothEndsHearThatTheOpenerClosed) {
+TEST_P(LinkContract, BothEndsAreNotifiedIfTheOpenerCloses) {
   Connect();
 
   client_->Close();
@@ -147,7 +147,7 @@ TEST_P(LinkContract, BothEndsHearThatTheOpenerClosed) {
   EXPECT_EQ(client_recorder_->closed(), 1);
 }
 
-TEST_P(LinkContract, BothEndsHearThatTheAcceptorClosed) {
+TEST_P(LinkContract, BothEndsAreNotifiedIfTheAcceptorCloses) {
   Connect();
 
   server_->Close();
@@ -190,7 +190,7 @@ TEST_P(LinkContract, FramesSentBeforeTheCloseStillArrive) {
   EXPECT_TRUE(server_recorder_->intact());
 }
 
-TEST_P(LinkContract, NothingIsHeardAfterOnesOwnClose) {
+TEST_P(LinkContract, DeliversNoFrameAfterALocalClose) {
   std::promise<void> closed;
   Connect(nullptr, [&](std::span<const std::byte> /*frame*/) {
     client_->Close();

@@ -64,7 +64,7 @@ class UnauthenticatedPeer {
   os::Socket socket_;
 };
 
-TEST_P(PortContract, GarbageIsTurnedAwayAndNobodyElseIsDisturbed) {
+TEST_P(PortContract, GarbageIsRejectedWithoutDisturbingOthers) {
   Host host;
   Start(host.accept());
   const auto recorder = std::make_shared<Recorder>();
@@ -87,7 +87,7 @@ TEST_P(PortContract, GarbageIsTurnedAwayAndNobodyElseIsDisturbed) {
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
 }
 
-TEST_P(PortContract, ImpossibleSizesAreTurnedAway) {
+TEST_P(PortContract, RejectsImpossibleSizes) {
   Host host;
   Start(host.accept());
   for (const std::uint32_t size : {0x7fffffffU, 0xffffffffU, std::uint32_t{kMaxFrameSize}}) {
@@ -143,7 +143,7 @@ TEST_P(LifetimeContract, AnUnadmittedAcceptorMaySendOnlySmallFrames) {
   EXPECT_TRUE(recorder->numbers().empty());
 }
 
-TEST_P(LifetimeContract, WhoIsAdmittedMaySendLargeFrames) {
+TEST_P(LifetimeContract, AnAdmittedPeerMaySendLargeFrames) {
   Host host(Host::Guests::kUnauthenticated);
   Start(host.accept());
   const auto link = Open(std::make_shared<Recorder>());
@@ -159,7 +159,7 @@ TEST_P(LifetimeContract, WhoIsAdmittedMaySendLargeFrames) {
   EXPECT_EQ(guest.recorder->closed(), 0);
 }
 
-TEST_P(PortContract, WhoIsNotAdmittedIsTurnedAwayInTime) {
+TEST_P(PortContract, AnUnadmittedPeerIsDisconnectedInTime) {
   Host host(Host::Guests::kUnauthenticated);
   Start(host.accept());
   const auto recorder = std::make_shared<Recorder>();
@@ -172,7 +172,7 @@ TEST_P(PortContract, WhoIsNotAdmittedIsTurnedAwayInTime) {
   EXPECT_TRUE(host.guest().recorder->WaitForClosed());
 }
 
-TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot) {
+TEST_P(PortContract, SilentNewcomersTimeOutButIdleLinksDoNot) {
   Host host(Host::Guests::kUnauthenticated);
   const auto recorder = std::make_shared<Recorder>();
   ASSERT_NO_FATAL_FAILURE(Meet(host, recorder));
@@ -191,7 +191,7 @@ TEST_P(PortContract, SilenceAndHalfAHeaderAreTurnedAwayInTimeAndQuietLinksAreNot
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
 }
 
-TEST_P(UnfinishedContract, SingleBytesNowAndThenGainNoTime) {
+TEST_P(UnfinishedContract, SingleBytesDoNotExtendTheTimeout) {
   Host host(Host::Guests::kUnauthenticated);
   const auto recorder = std::make_shared<Recorder>();
   ASSERT_NO_FATAL_FAILURE(Meet(host, recorder));

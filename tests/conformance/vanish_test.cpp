@@ -55,7 +55,7 @@ bool IsRepeated(std::uint16_t port) {
   return false;
 }
 
-TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedByWhatIsSentToIt) {
+TEST_P(PortContract, SendingDetectsAVanishedOpener) {
   Host host;
   ASSERT_NO_FATAL_FAILURE(Meet(host));
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
@@ -65,7 +65,7 @@ TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedByWhatIsSentToIt) 
   EXPECT_TRUE(guest_.recorder->WaitForClosed());
 }
 
-TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
+TEST_P(PortContract, DetectsAVanishedOpenerOnAnIdleLink) {
   Host host;
   ASSERT_NO_FATAL_FAILURE(Meet(host));
 
@@ -74,7 +74,7 @@ TEST_P(PortContract, AnOpenerThatVanishedWithoutAWordIsNoticedInSilenceToo) {
   EXPECT_TRUE(guest_.recorder->WaitForClosed());
 }
 
-TEST_P(PortContract, AnOpenerThatVanishedIsNoticedAlthoughItWaitsForAnAnswer) {
+TEST_P(PortContract, DetectsAVanishedOpenerThatAwaitsAReply) {
   std::promise<std::shared_ptr<Keeper>> asked;
   Start([&](const std::shared_ptr<Link>& link) {
     auto handler = std::make_shared<Keeper>(link);
@@ -92,7 +92,7 @@ TEST_P(PortContract, AnOpenerThatVanishedIsNoticedAlthoughItWaitsForAnAnswer) {
   EXPECT_TRUE(keeper->WaitForClosed());
 }
 
-TEST_P(PortContract, OneWhoHearsNothingAnyMoreAndGivesUpIsGoneAtOnceForTheOtherEnd) {
+TEST_P(PortContract, ClosingACutLinkEndsTheOtherEndAtOnce) {
   Host host;
   ASSERT_NO_FATAL_FAILURE(Meet(host));
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port, Ends::kOpeners), 1);

@@ -24,7 +24,7 @@ class Mute final : public LinkHandler {
   std::promise<void> heard_;
 };
 
-TEST_P(ChannelContract, WhenTheProgramEndsNobodyWaitsForAnAnswerToItsHello) {
+TEST_P(ChannelContract, ProgramExitCancelsAPendingHandshake) {
   std::promise<void> promise;
   auto heard = promise.get_future();
   Start([mute = std::make_shared<Mute>(std::move(promise))](const auto& /*link*/) { return mute; });
@@ -45,7 +45,7 @@ TEST_P(ChannelContract, WhenTheProgramEndsNobodyWaitsForAnAnswerToItsHello) {
 }
 
 /// As a process that is stopped: the kernel takes the connection, and nobody reads it.
-TEST_P(PortContract, WhenTheProgramEndsNobodyWaitsForALinkToWhoHangs) {
+TEST_P(PortContract, ProgramExitCancelsOpeningALinkToAHungPeer) {
   const auto hanging = os::ListenAt("127.0.0.1", 0);
   ASSERT_TRUE(hanging);
   const std::string address = os::LocalAddress(*hanging);

@@ -37,7 +37,7 @@ std::vector<std::string> CongestionControlsAt(const std::string& local) {
   return found;
 }
 
-TEST_P(PortContract, OnOneMachineNeitherEndWaitsForAPace) {
+TEST_P(PortContract, LocalLinksUseNoPacing) {
   Host host;
   Meet(host);
 

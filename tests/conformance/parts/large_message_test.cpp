@@ -127,7 +127,7 @@ Status Notify(Channel& channel, std::uint32_t handle, std::size_t size, Lane lan
 
 bool IsAlive(Channel& channel) { return channel.Call(kAsk, 0, Bytes(7), kLong).ok(); }
 
-TEST_P(LargeMessageContract, ArrivesWholeWhateverItsSize) {
+TEST_P(LargeMessageContract, ArrivesCompleteAtAnySize) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const std::size_t sizes[] = {kMaxPieceSize - FrameHeader::kSize,
@@ -154,7 +154,7 @@ TEST_P(LargeMessageContract, ArrivesWholeWhateverItsSize) {
   EXPECT_EQ(notices.size(), sent);
 }
 
-TEST_P(LargeMessageContract, OverTheLimitIsRefusedWhereItWouldBeSentAndTheChannelLives) {
+TEST_P(LargeMessageContract, OverTheLimitIsRefusedByTheSender) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const std::size_t sizes[] = {kMaxBodySize + 1, kMaxPayload + kMaxPayload / 10, 10 * kMaxPayload,
@@ -173,7 +173,7 @@ TEST_P(LargeMessageContract, OverTheLimitIsRefusedWhereItWouldBeSentAndTheChanne
   EXPECT_TRUE(IsAlive(*channel_));
 }
 
-TEST_P(LargeMessageContract, IsPassedByWhatIsOfAnotherLane) {
+TEST_P(LargeMessageContract, MessagesOfAnotherLaneOvertakeIt) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const Lane lane = channel_->NewLane();
@@ -190,7 +190,7 @@ TEST_P(LargeMessageContract, IsPassedByWhatIsOfAnotherLane) {
   EXPECT_THAT(HandlesOf(takers.server->WaitForNotices(5)), ElementsAre(0, 2, 3, 4, 1));
 }
 
-TEST_P(LargeMessageContract, IsNotPassedByWhatIsOfItsOwnLane) {
+TEST_P(LargeMessageContract, MessagesOfItsOwnLaneDoNotOvertakeIt) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const Lane lane = channel_->NewLane();
@@ -209,7 +209,7 @@ TEST_P(LargeMessageContract, IsNotPassedByWhatIsOfItsOwnLane) {
   for (const auto& notice : notices) EXPECT_TRUE(notice.is_intact) << notice.handle;
 }
 
-TEST_P(LargeMessageContract, WithALaneOfItsOwnIsPassedByAnother) {
+TEST_P(LargeMessageContract, LargeMessagesOfOtherLanesOvertakeIt) {
   const Takers takers;
   Connect(takers.server, takers.client);
   auto held = takers.server->Hold();
@@ -222,7 +222,7 @@ TEST_P(LargeMessageContract, WithALaneOfItsOwnIsPassedByAnother) {
   EXPECT_THAT(HandlesOf(takers.server->WaitForNotices(3)), ElementsAre(0, 2, 1));
 }
 
-TEST_P(LargeMessageContract, MayBeAnAnswer) {
+TEST_P(LargeMessageContract, MayBeAReply) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const Bytes question = Patterned(kLarge);
@@ -233,7 +233,7 @@ TEST_P(LargeMessageContract, MayBeAnAnswer) {
   EXPECT_TRUE(std::ranges::equal(answer->body(), question));
 }
 
-TEST_P(LargeMessageContract, GoesBothWaysAtOnce) {
+TEST_P(LargeMessageContract, TravelsInBothDirectionsAtOnce) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const auto answers = std::make_shared<std::atomic<std::size_t>>(0);  // they may come too late
@@ -246,7 +246,7 @@ TEST_P(LargeMessageContract, GoesBothWaysAtOnce) {
   EXPECT_TRUE(EventuallyTrue([&] { return *answers == 2; }));
 }
 
-TEST_P(LargeMessageContract, IsRefusedWhileTheWindowIsFullAndLeavesRoomForOthers) {
+TEST_P(LargeMessageContract, AFullWindowRefusesItButNotSmallMessages) {
   const Takers takers;
   Connect(takers.server, takers.client);
   auto held = takers.server->Hold();
@@ -269,7 +269,7 @@ TEST_P(LargeMessageContract, IsRefusedWhileTheWindowIsFullAndLeavesRoomForOthers
   EXPECT_EQ(takers.server->WaitForNotices(sent + 4).size(), sent + 4);
 }
 
-TEST_P(LargeMessageContract, ThatIsHalfWayEndsWithTheChannel) {
+TEST_P(LargeMessageContract, ClosingTheChannelDropsAnUnfinishedMessage) {
   const Takers takers;
   Connect(takers.server, takers.client);
   auto held = takers.server->Hold();
@@ -285,7 +285,7 @@ TEST_P(LargeMessageContract, ThatIsHalfWayEndsWithTheChannel) {
   EXPECT_EQ(Notify(*channel_, 2, kLarge), Status::kNotConnected);
 }
 
-TEST_P(LargeMessageContract, OfNonsenseEndsTheChannel) {
+TEST_P(LargeMessageContract, AMalformedPartClosesTheChannel) {
   const Takers takers;
   Connect(takers.server, takers.client);
   ASSERT_EQ(channel_->Notify(MessageType::kPart, 1, Bytes(kSmall)), Status::kQueued);
@@ -294,7 +294,7 @@ TEST_P(LargeMessageContract, OfNonsenseEndsTheChannel) {
   EXPECT_TRUE(takers.client->WaitForClosed());
 }
 
-TEST_P(LargeMessageContract, ThatWasNotSentCannotHaveBeenTaken) {
+TEST_P(LargeMessageContract, AcknowledgingUnsentPartsClosesTheChannel) {
   const Takers takers;
   Connect(takers.server, takers.client);
   ASSERT_EQ(channel_->Notify(MessageType::kPartsTaken, 0, std::uint64_t{1}), Status::kQueued);

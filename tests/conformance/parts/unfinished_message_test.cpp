@@ -64,7 +64,7 @@ class Choosy final : public ChannelHandler {
 
 bool Answers(Channel& channel) { return channel.Call(kAsk, 0, Bytes(7), kLong).ok(); }
 
-TEST_P(LargeMessageContract, ThatIsNotGoneOnWithEndsTheChannel) {
+TEST_P(LargeMessageContract, AStalledMessageClosesTheChannel) {
   const auto server = std::make_shared<Choosy>();
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   HaltingMiddleware halting(pair_.client, 3);
@@ -82,7 +82,7 @@ TEST_P(LargeMessageContract, ThatIsNotGoneOnWithEndsTheChannel) {
   EXPECT_EQ(server->reason(), "desk was disconnected: it began a message and did not finish it");
 }
 
-TEST_P(LargeMessageContract, ThatIsWholeLeavesNothingToWaitFor) {
+TEST_P(LargeMessageContract, ACompleteMessageLeavesNoTimeout) {
   const auto server = std::make_shared<Choosy>();
   Connect(server, std::make_shared<ChannelHandler>());
   ASSERT_TRUE(channel_->Call(kAsk, 0, Bytes(kThreeMebibytes), kLong));
@@ -93,7 +93,7 @@ TEST_P(LargeMessageContract, ThatIsWholeLeavesNothingToWaitFor) {
   EXPECT_THAT(server->reason(), IsEmpty());
 }
 
-TEST_P(LargeMessageContract, ThatIsNotWantedIsRefusedWhenItBeginsAndTheChannelLives) {
+TEST_P(LargeMessageContract, ADisallowedMessageIsRefusedAtItsFirstPart) {
   const auto server = std::make_shared<Choosy>();
   Connect(server, std::make_shared<ChannelHandler>());
 
@@ -108,7 +108,7 @@ TEST_P(LargeMessageContract, ThatIsNotWantedIsRefusedWhenItBeginsAndTheChannelLi
   EXPECT_EQ(server->came(), 0);
 }
 
-TEST_P(LargeMessageContract, MayAnswerTooLate) {
+TEST_P(LargeMessageContract, ALateReplyIsCountedAndTheChannelStaysOpen) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<ChannelHandler>());
   channel_->Request(kKeep, 0, Bytes(), std::chrono::hours(1), [](const Result<Bytes>&) {});

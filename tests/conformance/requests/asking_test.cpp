@@ -63,7 +63,7 @@ std::future<Result<Bytes>> AskToBeKept(Channel& channel, PromptClerk& clerk) {
   return answer;
 }
 
-TEST_P(ChannelContract, WhatWasAskedMayBeAnsweredAtOnceOrMuchLater) {
+TEST_P(ChannelContract, ADirectRequestMayBeAnsweredAtOnceOrLater) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   EXPECT_EQ(*AskClerk(*channel_, kHowMany), EncodeBody(std::uint32_t{0}));
@@ -76,7 +76,7 @@ TEST_P(ChannelContract, WhatWasAskedMayBeAnsweredAtOnceOrMuchLater) {
   EXPECT_EQ(*answer.get(), EncodeBody(std::uint32_t{3}));
 }
 
-TEST_P(ChannelContract, WhatIsAskedComesBehindWhatWasSaidBeforeAndBeforeWhatIsSaidNext) {
+TEST_P(ChannelContract, DirectRequestsKeepTheOrderOfMessages) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   constexpr std::uint32_t kRounds = 300;
@@ -102,7 +102,7 @@ TEST_P(ChannelContract, WhatIsAskedComesBehindWhatWasSaidBeforeAndBeforeWhatIsSa
   for (std::uint32_t i = 0; i < kRounds; ++i) EXPECT_EQ(heard[i], i + 1);
 }
 
-TEST_P(ChannelContract, WhatWasAskedIsAnsweredBehindWhatWasSentBefore) {
+TEST_P(ChannelContract, DirectRepliesFollowEarlierMessages) {
   const auto client = std::make_shared<PromptClerk>();
   Connect(std::make_shared<PromptClerk>(), client);
   for (std::uint32_t i = 1; i <= 50; ++i) {
@@ -115,7 +115,7 @@ TEST_P(ChannelContract, WhatWasAskedIsAnsweredBehindWhatWasSentBefore) {
   }
 }
 
-TEST_P(ChannelContract, AnswersOfAllSizesToWhatWasAskedArriveWhole) {
+TEST_P(ChannelContract, DirectRepliesOfAllSizesArriveComplete) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;  // in one piece
@@ -128,7 +128,7 @@ TEST_P(ChannelContract, AnswersOfAllSizesToWhatWasAskedArriveWhole) {
   }
 }
 
-TEST_P(ChannelContract, AQuestionTooLargeForOnePieceIsAnsweredToo) {
+TEST_P(ChannelContract, ADirectRequestLargerThanAPieceIsAnswered) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
@@ -139,7 +139,7 @@ TEST_P(ChannelContract, AQuestionTooLargeForOnePieceIsAnsweredToo) {
   EXPECT_EQ(answer->body().size(), 3 * kMaxPieceSize);
 }
 
-TEST_P(ChannelContract, WhatWasAskedIsAnsweredOnceHoweverOftenItWasReplied) {
+TEST_P(ChannelContract, OnlyTheFirstDirectReplyIsSent) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
@@ -149,7 +149,7 @@ TEST_P(ChannelContract, WhatWasAskedIsAnsweredOnceHoweverOftenItWasReplied) {
   EXPECT_EQ(channel_->late_replies(), 0U);
 }
 
-TEST_P(ChannelContract, AHandlerThatThrowsRefusesWhatItWasAsked) {
+TEST_P(ChannelContract, AThrowingHandlerRefusesADirectRequest) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
@@ -160,7 +160,7 @@ TEST_P(ChannelContract, AHandlerThatThrowsRefusesWhatItWasAsked) {
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));
 }
 
-TEST_P(ChannelContract, APeerThatHangsHoldsNobodyWhoAsksUpBeyondTheDeadline) {
+TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   std::unique_lock hung(server->gate_);
@@ -181,7 +181,7 @@ TEST_P(ChannelContract, APeerThatHangsHoldsNobodyWhoAsksUpBeyondTheDeadline) {
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));
 }
 
-TEST_P(ChannelContract, WhatWasAskedEndsWithTheLink) {
+TEST_P(ChannelContract, ClosingTheLinkEndsADirectRequest) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   auto answer = AskToBeKept(*channel_, *server);
@@ -194,7 +194,7 @@ TEST_P(ChannelContract, WhatWasAskedEndsWithTheLink) {
   EXPECT_EQ(AskClerk(*channel_, kHowMany).error().code, ErrorCode::kUnreachable);
 }
 
-TEST_P(ChannelContract, BothEndsMayAskAtTheSameTime) {
+TEST_P(ChannelContract, BothEndsMaySendDirectRequestsConcurrently) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   const auto back = server->opened_.get_future().get();

@@ -58,7 +58,7 @@ void AskToKeep(Channel& channel, Oracle& oracle, Outcomes& outcomes, std::uint32
   ASSERT_TRUE(oracle.Wait([&](const Oracle& one) { return one.kept_.size() == count; }));
 }
 
-TEST_P(ChannelContract, AnswersThatAreGatheredArriveOnceAndInOrder) {
+TEST_P(ChannelContract, BatchedRepliesArriveOnceAndInOrder) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   constexpr std::uint32_t kCount = 2 * ReplyBatch::kMostReplies + 44;
@@ -75,7 +75,7 @@ TEST_P(ChannelContract, AnswersThatAreGatheredArriveOnceAndInOrder) {
   EXPECT_EQ(channel_->late_replies(), 0U);
 }
 
-TEST_P(ChannelContract, ALargeAnswerAmongGatheredOnesArrivesToo) {
+TEST_P(ChannelContract, ALargeReplyInABatchArrives) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   Outcomes outcomes;
@@ -95,7 +95,7 @@ TEST_P(ChannelContract, ALargeAnswerAmongGatheredOnesArrivesToo) {
   EXPECT_TRUE(std::ranges::equal(answer->body(), Bytes(3 * kMaxPieceSize, std::byte{7})));
 }
 
-TEST_P(ChannelContract, OfGatheredAnswersThatTheLinkDoesNotTakeAnyMoreAllAreOutstanding) {
+TEST_P(ChannelContract, ALostReplyBatchFailsAllItsRequests) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
   Outcomes outcomes;
@@ -113,7 +113,7 @@ TEST_P(ChannelContract, OfGatheredAnswersThatTheLinkDoesNotTakeAnyMoreAllAreOuts
   EXPECT_TRUE(outcomes.answered().empty());
 }
 
-TEST_P(ChannelContract, APeerWhoseAnswersAreMalformedIsCutOffAndNoneIsBelieved) {
+TEST_P(ChannelContract, AMalformedReplyBatchClosesTheChannel) {
   const auto server = std::make_shared<Oracle>();
   const auto client = std::make_shared<Oracle>();
   Connect(server, client);

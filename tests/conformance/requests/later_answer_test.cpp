@@ -23,7 +23,7 @@ bool Leave(ReplySlot& answer, std::uint32_t number) {
   return true;
 }
 
-TEST_P(LaterAnswerContract, ComesOnceItIsLeftByAnyThreadInAnyOrder) {
+TEST_P(LaterAnswerContract, MayBeFilledByAnyThreadInAnyOrder) {
   const auto leave = [](ReplySlot& answer, std::uint32_t number) {
     return std::async(std::launch::async, [&] { return Leave(answer, number); }).get();
   };
@@ -39,7 +39,7 @@ TEST_P(LaterAnswerContract, ComesOnceItIsLeftByAnyThreadInAnyOrder) {
   EXPECT_TRUE(recorder_->intact());
 }
 
-TEST_P(LaterAnswerContract, ThatIsDroppedIsNone) {
+TEST_P(LaterAnswerContract, DroppingTheSlotSendsNoReply) {
   Ask().reset();
 
   EXPECT_TRUE(EventuallyTrue([&] { return Leave(*Ask(), 7); }));
@@ -49,7 +49,7 @@ TEST_P(LaterAnswerContract, ThatIsDroppedIsNone) {
   EXPECT_EQ(recorder_->closed(), 0);
 }
 
-TEST_P(LaterAnswerContract, ThatIsBegunAndNotEndedEndsNothing) {
+TEST_P(LaterAnswerContract, AnUnfinishedReplyDoesNotCloseTheLink) {
   EXPECT_TRUE(EventuallyTrue([&] { return Begin(*Ask(), 1).has_value(); }));
 
   EXPECT_TRUE(EventuallyTrue([&] { return Leave(*Ask(), 7); }));
@@ -61,7 +61,7 @@ TEST_P(LaterAnswerContract, ThatIsBegunAndNotEndedEndsNothing) {
   EXPECT_EQ(recorder_->closed(), 0);
 }
 
-TEST_P(LaterAnswerContract, DelaysNoEndOfTheLinkThatItsAskerWants) {
+TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheOpenersClose) {
   const auto answer = Ask();
 
   asker_->Close();
@@ -71,7 +71,7 @@ TEST_P(LaterAnswerContract, DelaysNoEndOfTheLinkThatItsAskerWants) {
   if (Begin(*answer, 1)) answer->End();  // to nobody
 }
 
-TEST_P(LaterAnswerContract, DelaysNoEndOfTheLinkThatWhoIsAskedWants) {
+TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
   const auto answer = Ask();
 
   keeper_->link()->Close();
@@ -80,7 +80,7 @@ TEST_P(LaterAnswerContract, DelaysNoEndOfTheLinkThatWhoIsAskedWants) {
   EXPECT_TRUE(keeper_->WaitForClosed());
 }
 
-TEST_P(LaterAnswerContract, DelaysNoEndOfTheListenerAndTheMiddleware) {
+TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayShutdown) {
   const auto answer = Ask();
 
   End();

@@ -210,7 +210,7 @@ class GreedyViewer : public ViewingTest {
   Viewer modest{NewMiddleware(), robot->address()};
 };
 
-TEST_P(GreedyViewer, ThatNamesAColumnTwiceIsRefused) {
+TEST_P(GreedyViewer, NamingAColumnTwiceIsRefused) {
   const auto refused = greedy.Subscribe(Wanting({"Level", "Slope", "Level"}));
 
   ASSERT_FALSE(refused.ok());
@@ -219,7 +219,7 @@ TEST_P(GreedyViewer, ThatNamesAColumnTwiceIsRefused) {
                                                  "twice"));
 }
 
-TEST_P(GreedyViewer, ThatNamesAColumnAsOftenAsAMessageHoldsItHoldsNobodyUp) {
+TEST_P(GreedyViewer, NamingAColumnThousandsOfTimesDelaysNoOtherViewer) {
   ASSERT_TRUE(modest.Subscribe(Wanting({"Level"})).ok());
 
   const auto refused = greedy.Subscribe(Wanting(std::vector<std::string>(60'000, "Level")));
@@ -230,7 +230,7 @@ TEST_P(GreedyViewer, ThatNamesAColumnAsOftenAsAMessageHoldsItHoldsNobodyUp) {
   EXPECT_TRUE(EventuallyTrue([&] { return modest.listener->batches() > before + 10; }));
 }
 
-TEST_P(GreedyViewer, ThatMirrorsACommandTwiceIsRefused) {
+TEST_P(GreedyViewer, MirroringACommandTwiceIsRefused) {
   const tendon::InterfaceName level("robot", "meter", "Level");
 
   const auto refused = greedy.Mirror({level, {"GetLevel", "GetSlope", "GetLevel"}});
@@ -240,7 +240,7 @@ TEST_P(GreedyViewer, ThatMirrorsACommandTwiceIsRefused) {
   EXPECT_THAT(refused.error().message, HasSubstr("'GetLevel' of robot/meter/Level twice"));
 }
 
-TEST_P(GreedyViewer, HasSoManySubscriptionsAtMost) {
+TEST_P(GreedyViewer, LimitsTheNumberOfSubscriptions) {
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < kMostSubscriptions; ++i) {
     const auto subscribed = greedy.Subscribe(WantingNewest());
@@ -258,7 +258,7 @@ TEST_P(GreedyViewer, HasSoManySubscriptionsAtMost) {
   EXPECT_TRUE(greedy.Subscribe(WantingNewest()).ok());
 }
 
-TEST_P(GreedyViewer, HasColumnsReadInSoManyWaysAtMost) {
+TEST_P(GreedyViewer, LimitsTheNumberOfReadingsPerColumn) {
   constexpr std::size_t kColumns = 2;
   std::uint32_t last = 0;
   for (std::size_t i = 0; i < kMostReadings * kColumns; ++i) {
@@ -279,7 +279,7 @@ TEST_P(GreedyViewer, HasColumnsReadInSoManyWaysAtMost) {
   EXPECT_TRUE(greedy.Subscribe(WantingEach(20'000)).ok());
 }
 
-TEST_P(GreedyViewer, HasEachColumnOfATablePlottedAloneBesides) {
+TEST_P(GreedyViewer, MaySubscribeToSingleAndAllColumns) {
   for (const char* column : {"Level", "Slope"}) {
     EXPECT_TRUE(greedy.Subscribe(Wanting({column})).ok());
   }
@@ -288,7 +288,7 @@ TEST_P(GreedyViewer, HasEachColumnOfATablePlottedAloneBesides) {
   EXPECT_TRUE(greedy.Subscribe(Wanting({})).ok());
 }
 
-TEST_P(GreedyViewer, WhoseAnswerCannotBeSentHasNoSubscription) {
+TEST_P(GreedyViewer, AnUnsendableReplyLeavesNoSubscription) {
   const auto& library = robot->Add<Library>("library");
   ASSERT_TRUE(robot->StartAll().ok());
 
@@ -304,7 +304,7 @@ TEST_P(GreedyViewer, WhoseAnswerCannotBeSentHasNoSubscription) {
   EXPECT_EQ(greedy.listener->handles(), std::set{subscribed->handle});
 }
 
-TEST_P(GreedyViewer, ThatAsksFasterThanItIsServedIsRefused) {
+TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
@@ -320,7 +320,7 @@ TEST_P(GreedyViewer, ThatAsksFasterThanItIsServedIsRefused) {
   EXPECT_TRUE(modest.Subscribe(WantingNewest()).ok());
 }
 
-TEST_P(GreedyViewer, ThatOpensInterfacesFasterThanItIsServedIsRefused) {
+TEST_P(GreedyViewer, RefusesOpeningInterfacesFasterThanServed) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
   const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
@@ -336,7 +336,7 @@ TEST_P(GreedyViewer, ThatOpensInterfacesFasterThanItIsServedIsRefused) {
   EXPECT_TRUE(modest.Subscribe(WantingNewest()).ok());
 }
 
-TEST_P(GreedyViewer, ThatSendsMoreThanIsLookedAtIsCutOff) {
+TEST_P(GreedyViewer, TooManyUnprocessedNoticesCloseTheChannel) {
   constexpr int kMany = 100'000;
 
   const auto held = HoldUp(*robot);
@@ -347,7 +347,7 @@ TEST_P(GreedyViewer, ThatSendsMoreThanIsLookedAtIsCutOff) {
   EXPECT_TRUE(modest.is_open());
 }
 
-TEST_P(GreedyViewer, ThatEndsMoreSubscriptionsThanIsLookedAtIsNotCutOff) {
+TEST_P(GreedyViewer, ManyUnsubscribesDoNotCloseTheChannel) {
   constexpr int kMany = 20'000;
   const auto subscribed = modest.Subscribe(WantingNewest());
   ASSERT_TRUE(subscribed.ok());
@@ -360,7 +360,7 @@ TEST_P(GreedyViewer, ThatEndsMoreSubscriptionsThanIsLookedAtIsNotCutOff) {
       << "once the process has come to what was asked before";
 }
 
-TEST_P(GreedyViewer, ThatAsksInLongMessagesIsRefusedBeforeTheyAreMany) {
+TEST_P(GreedyViewer, RefusesAFewLongPendingRequests) {
   const std::string name(std::size_t{900} << 10U, 'x');
   const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {

@@ -70,7 +70,7 @@ class HostileListener : public NetworkTest {
   Camera* camera = nullptr;
 };
 
-TEST_P(HostileListener, ThatStopsReadingHoldsNoMoreThanItsShareOfLargeEvents) {
+TEST_P(HostileListener, AStoppedReaderHoldsABoundedShareOfLargeEvents) {
   constexpr std::uint32_t kMostCapacity = 65536;
   constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
   constexpr int kShare = 8 + 32;  // MiB that may wait, and what a line may hold
@@ -93,7 +93,7 @@ TEST_P(HostileListener, ThatStopsReadingHoldsNoMoreThanItsShareOfLargeEvents) {
   channel->Close();
 }
 
-TEST_P(HostileListener, ThatTakesAllItMayLeavesRoomForOthers) {
+TEST_P(HostileListener, ListeningUpToTheLimitLeavesRoomForOthers) {
   const auto greedy = Open(std::make_shared<ChannelHandler>());
   std::uint32_t listeners = 0;
   Result<message::OpenInterfaceReply> listened = Listen(*greedy, ++listeners, 1);

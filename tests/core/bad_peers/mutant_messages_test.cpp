@@ -190,7 +190,7 @@ void ExpectTypes(const std::vector<Bytes>& frames, std::size_t least) {
   EXPECT_GE(types.size(), least);
 }
 
-TEST_P(MutantMessages, OfWhoIsLetInAreBorneByAProcess) {
+TEST_P(MutantMessages, AProcessSurvivesThemFromAnAdmittedPeer) {
   const auto frames = MessagesTo(robot->address());
   ExpectTypes(frames, 12);
   FrameMutants mutants(frames);
@@ -203,7 +203,7 @@ TEST_P(MutantMessages, OfWhoIsLetInAreBorneByAProcess) {
   ExpectSoundness();
 }
 
-TEST_P(MutantMessages, OfWhoIsLetInAreBorneByTheGcm) {
+TEST_P(MutantMessages, TheGcmSurvivesThemFromAnAdmittedPeer) {
   const auto frames = MessagesTo(gcm_address);
   ExpectTypes(frames, 10);
   FrameMutants mutants(frames);

@@ -52,7 +52,7 @@ class RowNumbers : public testing::Test {
       *subscription_.Begin({.handle = 1, .epoch = 1, .first_tick = 100});
 };
 
-TEST_F(RowNumbers, BadInput63NoRowIsHeardTwice) {
+TEST_F(RowNumbers, BadInput63DeliversNoRowTwice) {
   Send(0, {100, 101, 102}, 103);
 
   Send(0, {100, 101, 102}, 103);  // all of it again
@@ -68,7 +68,7 @@ TEST_F(RowNumbers, BadInput63NoRowIsHeardTwice) {
   EXPECT_EQ(record_->lost, LostRows());
 }
 
-TEST_F(RowNumbers, BadInput63RowsThatAreJumpedOverAreLost) {
+TEST_F(RowNumbers, BadInput63CountsSkippedRowsAsLost) {
   Send(0, {100}, 101);
 
   Send(11, {111}, 112);
@@ -77,7 +77,7 @@ TEST_F(RowNumbers, BadInput63RowsThatAreJumpedOverAreLost) {
   EXPECT_EQ(record_->lost, (LostRows{.network = 10}));
 }
 
-TEST_F(RowNumbers, BadInput63WhatJumpsOverTheEndOfAllNumbersIsPassedOver) {
+TEST_F(RowNumbers, BadInput63IgnoresRowNumbersThatOverflow) {
   Send(kMost, {kMost - 1}, kMost);
 
   Send(0, {100}, 101);
@@ -97,7 +97,7 @@ std::vector<std::string> TextsOf(const LogBatch& batch) {
   return texts;
 }
 
-TEST(BadInput63, NoRecordIsHeardTwiceAndThoseThatAreJumpedOverAreCounted) {
+TEST(BadInput63, DeliversNoRecordTwiceAndCountsSkippedOnes) {
   using Texts = std::vector<std::string>;
   client::LogFeed feed;
   feed.Begin({1, 100, 100});
@@ -114,7 +114,7 @@ TEST(BadInput63, NoRecordIsHeardTwiceAndThoseThatAreJumpedOverAreCounted) {
   EXPECT_EQ(feed.Wanted().after, 106U);
 }
 
-TEST(BadInput63, AChangeOfTheCatalogueThatGoesBackOrJumpsIsNotBelieved) {
+TEST(BadInput63, RefusesCatalogueChangesOutOfSequence) {
   Catalogue catalogue;
   const auto change = [](std::uint64_t revision) {
     return CatalogueChange{.revision = revision,
@@ -135,7 +135,7 @@ TEST(BadInput63, AChangeOfTheCatalogueThatGoesBackOrJumpsIsNotBelieved) {
   EXPECT_TRUE(catalogue.Apply(change(3)));
 }
 
-TEST(BadInput63, AnAnswerWhoseNumberGoesBackOrJumpsIsNobodys) {
+TEST(BadInput63, IgnoresAnswersWithAnUnexpectedNumber) {
   PendingRequests requests;
   std::uint64_t before = 0;
   {
@@ -164,7 +164,7 @@ class Hole final : public Link {
   [[nodiscard]] std::string local() const override { return "here"; }
 };
 
-TEST(BadInput63, ACountOfPartsThatGoesBackOrJumpsIsNotBelieved) {
+TEST(BadInput63, RefusesAnImplausibleCountOfPartsTaken) {
   Hole link;
   PartSender sender;
   const Bytes body(2 * kLeastPartSize);

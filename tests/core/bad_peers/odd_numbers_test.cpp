@@ -40,7 +40,7 @@ class Owner final : public Component {
 
 class BadInput64 : public NetworkTest {};
 
-TEST_P(BadInput64, NumbersThatAreNoneOrHardlyCrossAndReturnBitByBit) {
+TEST_P(BadInput64, OddFloatingPointValuesKeepTheirBits) {
   using Limits = std::numeric_limits<double>;
   const std::vector<double> odd{
       Limits::quiet_NaN(),     -Limits::quiet_NaN(),

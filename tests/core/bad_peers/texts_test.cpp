@@ -65,7 +65,7 @@ class BadInput61 : public test::GcmFixture {};
 INSTANTIATE_TEST_SUITE_P(Over, BadInput61, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(BadInput61, ANameOfAMegabyteIsRefusedInWordsThatPrint) {
+TEST_P(BadInput61, ARefusalOfAHugeNameIsPrintable) {
   test::FakeProcess process(NewMiddleware(), Poison());
 
   const auto joined = process.Join(address_);
@@ -85,7 +85,7 @@ TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
   ExpectTame(*client->catalogue().FindComponent("robot", "arm"));
 }
 
-TEST_P(BadInput61, WhereAProcessSaysItIsReachesViewersShortAndEscaped) {
+TEST_P(BadInput61, AdvertisedAddressesReachViewersShortAndEscaped) {
   test::FakeProcess robot(NewMiddleware(), "robot");
   robot.Advertise(Poison());
 
@@ -94,7 +94,7 @@ TEST_P(BadInput61, WhereAProcessSaysItIsReachesViewersShortAndEscaped) {
   ExpectTame(gcm_->catalogue().FindProcess("robot")->process.address, "address");
 }
 
-TEST_P(BadInput61, RecordsReachViewersShortAndEscapedAndThoseOfAMegabyteNobody) {
+TEST_P(BadInput61, LogRecordsReachViewersShortAndEscaped) {
   const auto listener = std::make_shared<LogListener>();
   const auto client = Watch(listener);
   client->WatchLog();
@@ -127,7 +127,7 @@ class Refuser final : public ChannelHandler {
   }
 };
 
-TEST_P(BadInput61, ARefusalOfAMegabyteIsHeardShortAndEscaped) {
+TEST_P(BadInput61, AHugeRefusalArrivesShortAndEscaped) {
   const Hello hello{.instance = 1, .name = "robot", .cookie = 7};
   const auto server = NewMiddleware();
   const auto listener = server->Listen(

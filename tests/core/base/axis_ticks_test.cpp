@@ -33,13 +33,13 @@ std::vector<std::string> FittedIntegerLabels(Number low, Number high, int most =
   return Labels(FittedSpan(low, high, most), most);
 }
 
-TEST(AxisTicks, AreRoundAndWithoutWhatRoundingLeaves) {
+TEST(AxisTicks, AreRoundWithoutRoundingErrors) {
   EXPECT_THAT(FittedLabels(0.0, 0.5), ElementsAre("0.0", "0.1", "0.2", "0.3", "0.4", "0.5"));
   EXPECT_THAT(FittedLabels(-0.31, 0.29), ElementsAre("-0.4", "-0.2", "0.0", "0.2", "0.4"));
   EXPECT_THAT(FittedLabels(0.0, 40.0), ElementsAre("0", "10", "20", "30", "40"));
 }
 
-TEST(AxisTicks, FarFromZeroHaveAllDigitsThatTellThemApart) {
+TEST(AxisTicks, FarFromZeroHaveEnoughDigitsToDiffer) {
   EXPECT_THAT(FittedLabels(9e9, 9e9 + 4),
               ElementsAre("9000000000", "9000000001", "9000000002", "9000000003", "9000000004"));
   EXPECT_THAT(FittedLabels(1.000000000001, 1.000000000003),
@@ -47,30 +47,30 @@ TEST(AxisTicks, FarFromZeroHaveAllDigitsThatTellThemApart) {
                           "1.0000000000025", "1.0000000000030"));
 }
 
-TEST(AxisTicks, HaveExponentsWhereThoseAreShorter) {
+TEST(AxisTicks, UseExponentsIfShorter) {
   EXPECT_THAT(FittedLabels(0.0, 4e-14 * 1e3), ElementsAre("0", "1e-11", "2e-11", "3e-11", "4e-11"));
   EXPECT_THAT(FittedLabels(0.0, 2e12), ElementsAre("0", "5e+11", "1e+12", "1.5e+12", "2e+12"));
 }
 
-TEST(AxisTicks, OfNoiseAroundZeroAreThoseOfZero) {
+TEST(AxisTicks, TreatNoiseAroundZeroAsZero) {
   EXPECT_THAT(FittedLabels(-3e-14, 5e-14), ElementsAre("-1.0", "-0.5", "0.0", "0.5", "1.0"));
   EXPECT_THAT(FittedLabels(0.0, 0.0), ElementsAre("-1.0", "-0.5", "0.0", "0.5", "1.0"));
 }
 
-TEST(AxisTicks, OfAValueAtRestAreAroundIt) {
+TEST(AxisTicks, SurroundAConstantValue) {
   const double noise = 1e-16;
   EXPECT_EQ(FittedLabels(-0.8, -0.8 + noise), FittedLabels(-0.8, -0.8));
   EXPECT_THAT(FittedLabels(-0.8, -0.8), ElementsAre("-0.90", "-0.85", "-0.80", "-0.75", "-0.70"));
 }
 
-TEST(AxisTicks, OfAllDoublesAreFinite) {
+TEST(AxisTicks, AreFiniteForTheRangeOfAllDoubles) {
   const AxisSpan<double> span = FittedSpan(-kMost, kMost, 5);
 
   EXPECT_EQ(span, (AxisSpan<double>{.low = -kMost, .high = kMost}));
   EXPECT_THAT(Labels(span), ElementsAre("-1e+308", "0", "1e+308"));
 }
 
-TEST(AxisTicks, OfIntegersAreExactBeyondDoubles) {
+TEST(AxisTicks, ForIntegersAreExactBeyondDoubles) {
   constexpr std::uint64_t kLast = std::numeric_limits<std::uint64_t>::max();
   constexpr std::int64_t kFirst = std::numeric_limits<std::int64_t>::min();
   EXPECT_THAT(FittedIntegerLabels(kLast - 3, kLast),
@@ -82,12 +82,12 @@ TEST(AxisTicks, OfIntegersAreExactBeyondDoubles) {
               ElementsAre("-10", "-5", "0", "5", "10", "15"));
 }
 
-TEST(AxisTicks, OfOneIntegerHaveItsNeighboursButNoFractions) {
+TEST(AxisTicks, ForOneIntegerShowItsNeighbours) {
   EXPECT_THAT(FittedIntegerLabels<std::int64_t>(5, 5), ElementsAre("4", "5", "6"));
   EXPECT_THAT(FittedIntegerLabels<std::uint64_t>(0, 0), ElementsAre("0", "1"));
 }
 
-TEST(AxisTicks, OfIntegersNeverDivideThem) {
+TEST(AxisTicks, ForIntegersAreNeverFractions) {
   EXPECT_THAT(FittedIntegerLabels<std::int64_t>(1, 2, 10), ElementsAre("1", "2"));
 }
 

@@ -21,7 +21,7 @@ TEST(Backoff, DoublesThePauseUpToTheLongest) {
   EXPECT_EQ(pauses, (std::vector{100, 200, 400, 700, 700}));
 }
 
-TEST(Backoff, BeginsAgainWithTheShortestAfterAReset) {
+TEST(Backoff, RestartsWithTheShortestPauseAfterAReset) {
   Backoff backoff(kShortest, kLongest);
   EXPECT_FALSE(backoff.has_begun());
   (void)backoff.Next();
@@ -34,7 +34,7 @@ TEST(Backoff, BeginsAgainWithTheShortestAfterAReset) {
   EXPECT_EQ(backoff.Next(), kShortest);
 }
 
-TEST(Backoff, LeavesOutNoMoreThanTheJitterAndNotAlwaysTheSame) {
+TEST(Backoff, ShortensThePauseByARandomJitter) {
   std::set<milliseconds> pauses;
   for (int i = 0; i < 100; ++i) {
     Backoff backoff(kShortest, kLongest, 0.25);

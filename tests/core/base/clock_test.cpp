@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(DeadlineAfter, IsTheTimeoutFromNow) {
+TEST(DeadlineAfter, AddsTheTimeoutToNow) {
   const SteadyTime before = SteadyClock().Now();
 
   const SteadyTime deadline = DeadlineAfter(50ms);
@@ -17,14 +17,14 @@ TEST(DeadlineAfter, IsTheTimeoutFromNow) {
   EXPECT_LE(deadline, SteadyClock().Now() + 50ms);
 }
 
-TEST(DeadlineAfter, OfALongestTimeoutIsAYearAwayAndDoesNotOverflow) {
+TEST(DeadlineAfter, DoesNotOverflowForTheLongestTimeout) {
   const SteadyTime deadline = DeadlineAfter(std::chrono::nanoseconds::max());
 
   EXPECT_GT(deadline, SteadyClock().Now() + 364 * 24h);
   EXPECT_LE(deadline, SteadyClock().Now() + kLongestWait);
 }
 
-TEST(DeadlineAfter, OfANegativeTimeoutHasPassed) {
+TEST(DeadlineAfter, LiesInThePastForANegativeTimeout) {
   for (const std::chrono::nanoseconds timeout : {-1ns, std::chrono::nanoseconds::min()}) {
     const SteadyTime deadline = DeadlineAfter(timeout);
 

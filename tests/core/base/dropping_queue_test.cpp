@@ -21,7 +21,7 @@ class DroppingQueueTest : public testing::Test {
   std::vector<int> dropped;
 };
 
-TEST_F(DroppingQueueTest, GivesWhatWasPushedInOrder) {
+TEST_F(DroppingQueueTest, ReturnsItemsInOrder) {
   for (int i = 1; i <= 3; ++i) Push(i, 10);
 
   EXPECT_THAT(queue.Take(100), ElementsAre(1, 2, 3));
@@ -30,14 +30,14 @@ TEST_F(DroppingQueueTest, GivesWhatWasPushedInOrder) {
   EXPECT_THAT(dropped, IsEmpty());
 }
 
-TEST_F(DroppingQueueTest, TheOldestMakePlaceWhereThereAreTooMany) {
+TEST_F(DroppingQueueTest, DropsTheOldestIfThereAreTooMany) {
   for (int i = 1; i <= 6; ++i) Push(i, 1);
 
   EXPECT_THAT(dropped, ElementsAre(1, 2));
   EXPECT_THAT(queue.Take(100), ElementsAre(3, 4, 5, 6));
 }
 
-TEST_F(DroppingQueueTest, TheOldestMakePlaceWhereTheyAreTooLarge) {
+TEST_F(DroppingQueueTest, DropsTheOldestIfTheyAreTooLarge) {
   for (int i = 1; i <= 3; ++i) Push(i, 40);
   EXPECT_THAT(dropped, ElementsAre(1));
 
@@ -47,7 +47,7 @@ TEST_F(DroppingQueueTest, TheOldestMakePlaceWhereTheyAreTooLarge) {
   EXPECT_EQ(queue.bytes(), 90U);
 }
 
-TEST_F(DroppingQueueTest, OneThatIsLargerThanAllThatMayWaitIsKept) {
+TEST_F(DroppingQueueTest, KeepsASingleItemLargerThanTheLimit) {
   Push(1, 40);
   Push(2, 1000);
   EXPECT_THAT(dropped, ElementsAre(1));
@@ -58,7 +58,7 @@ TEST_F(DroppingQueueTest, OneThatIsLargerThanAllThatMayWaitIsKept) {
   EXPECT_THAT(dropped, ElementsAre(1, 3));
 }
 
-TEST_F(DroppingQueueTest, NoMoreIsTakenThanIsAskedFor) {
+TEST_F(DroppingQueueTest, TakesNoMoreThanRequested) {
   for (int i = 1; i <= 3; ++i) Push(i, 30);
 
   EXPECT_THAT(queue.Take(60), ElementsAre(1, 2));
@@ -67,7 +67,7 @@ TEST_F(DroppingQueueTest, NoMoreIsTakenThanIsAskedFor) {
   EXPECT_THAT(queue.Take(60), IsEmpty());
 }
 
-TEST(DroppingQueueOfThingsThatMove, TheyNeedNotBeCopied) {
+TEST(MoveOnlyDroppingQueue, AcceptsMoveOnlyItems) {
   DroppingQueue<std::unique_ptr<int>> queue({.elements = 1, .bytes = 100});
   int dropped = 0;
   const auto count = [&](const std::unique_ptr<int>& oldest) { dropped += *oldest; };

@@ -16,7 +16,7 @@ std::string Refusal(const std::string& name) {
   return checked ? "allowed" : checked.error().message;
 }
 
-TEST(Name, ARefusalSaysWhatWhereAndWhatIsAllowed) {
+TEST(Name, ARefusalNamesTheCharacterPositionAndRule) {
   EXPECT_EQ(Refusal("arm_2-left"), "allowed");
   EXPECT_EQ(Refusal(""), "component name is empty");
   EXPECT_EQ(Refusal("a b"),
@@ -30,7 +30,7 @@ TEST(Name, ARefusalSaysWhatWhereAndWhatIsAllowed) {
             "characters; allowed: letters digits _ - (max 64)");
 }
 
-TEST(Name, TheNearestIsSuggestedWhenItIsNear) {
+TEST(Name, SuggestsTheNearestNameIfItIsClose) {
   const std::vector<std::string> known = {"arm", "camera", "teleoperation"};
 
   EXPECT_EQ(tendon::DidYouMean("arn", known), "; did you mean 'arm'?");
@@ -38,7 +38,7 @@ TEST(Name, TheNearestIsSuggestedWhenItIsNear) {
   EXPECT_EQ(tendon::DidYouMean("gripper", known), "");
 }
 
-TEST(Name, OneOfALetterOrTwoIsNearToNoneThatHasHardlyOneOfThem) {
+TEST(Name, SuggestsNothingForVeryShortNames) {
   const std::vector<std::string> known = {"a", "b2", "abc"};
 
   EXPECT_EQ(tendon::DidYouMean("b", known), "");
@@ -48,7 +48,7 @@ TEST(Name, OneOfALetterOrTwoIsNearToNoneThatHasHardlyOneOfThem) {
   EXPECT_EQ(tendon::DidYouMean("A", known), "; did you mean 'a'?") << "but for its case";
 }
 
-TEST(Name, OneThatWasNotTypedToItsEndIsNearToTheOnlyOneThatBeginsSo) {
+TEST(Name, SuggestsTheOnlyNameWithTheSamePrefix) {
   const std::vector<std::string> known = {"MoveTo", "GetJoints", "GetLinkPose", "Stop"};
 
   EXPECT_EQ(tendon::DidYouMean("Mov", known), "; did you mean 'MoveTo'?");
@@ -57,20 +57,20 @@ TEST(Name, OneThatWasNotTypedToItsEndIsNearToTheOnlyOneThatBeginsSo) {
   EXPECT_EQ(tendon::DidYouMean("M", known), "");
 }
 
-TEST(Name, CaseMakesANameNoLessNear) {
+TEST(Name, SuggestionsIgnoreCase) {
   const std::vector<std::string> known = {"MoveTo", "GetJoints", "Stop"};
 
   EXPECT_EQ(tendon::DidYouMean("movto", known), "; did you mean 'MoveTo'?");
   EXPECT_EQ(tendon::DidYouMean("STOP", known), "; did you mean 'Stop'?");
 }
 
-TEST(Name, OneOfMegabytesIsLikeNoneAndIsNotComparedLetterByLetter) {
+TEST(Name, SuggestsNothingForHugeNamesWithoutComparing) {
   const std::vector<std::string> known(1000, std::string(64, 'x'));
 
   EXPECT_EQ(tendon::DidYouMean(std::string(std::size_t{64} << 20U, 'x'), known), "");
 }
 
-TEST(InterfaceName, IsReadAndWritten) {
+TEST(InterfaceName, ParsesAndFormats) {
   const auto name = ParseInterfaceName("robot/arm/Control");
 
   ASSERT_TRUE(name.ok());
@@ -79,13 +79,13 @@ TEST(InterfaceName, IsReadAndWritten) {
   EXPECT_EQ(ToString(tendon::InterfaceName("arm", "Control")), "arm/Control");
 }
 
-TEST(InterfaceName, OfAnotherShapeIsRefused) {
+TEST(InterfaceName, RefusesTextOfAnotherForm) {
   for (const char* text : {"", "robot", "robot/arm", "robot/arm/Control/x", "robot//Control"}) {
     EXPECT_FALSE(ParseInterfaceName(text).ok()) << text;
   }
 }
 
-TEST(Path, AllPartsAreRead) {
+TEST(Path, ParsesAllParts) {
   const auto path = ParsePath("robot/arm/state.Joints.position[0]");
 
   ASSERT_TRUE(path.ok());
@@ -97,7 +97,7 @@ TEST(Path, AllPartsAreRead) {
   EXPECT_EQ(ToString(*path), "robot/arm/state.Joints.position[0]");
 }
 
-TEST(Path, LaterPartsMayBeMissing) {
+TEST(Path, AllowsMissingLaterParts) {
   for (const char* text : {"robot", "robot/arm", "robot/arm/state", "robot/arm/state.Joints"}) {
     const auto path = ParsePath(text);
     ASSERT_TRUE(path.ok()) << text;
@@ -105,7 +105,7 @@ TEST(Path, LaterPartsMayBeMissing) {
   }
 }
 
-TEST(Path, MistakesAreNamed) {
+TEST(Path, NamesEachMistake) {
   EXPECT_FALSE(ParsePath("").ok());
   EXPECT_FALSE(ParsePath("ro bot/arm").ok());
   const auto path = ParsePath("robot/arm/state.");
@@ -115,14 +115,14 @@ TEST(Path, MistakesAreNamed) {
             "process/component/interface.member");
 }
 
-TEST(Glob, OneStarStaysWithinAName) {
+TEST(Glob, OneStarMatchesWithinAName) {
   EXPECT_TRUE(MatchesGlob("robot/*/state", "robot/arm/state"));
   EXPECT_FALSE(MatchesGlob("robot/*", "robot/arm/state"));
   EXPECT_FALSE(MatchesGlob("*/arm", "robot/leg"));
   EXPECT_TRUE(MatchesGlob("a*m", "arm"));
 }
 
-TEST(Glob, TwoStarsCrossNames) {
+TEST(Glob, TwoStarsMatchAcrossNames) {
   EXPECT_TRUE(MatchesGlob("**.position*", "robot/arm/state.position[0]"));
   EXPECT_TRUE(MatchesGlob("**", ""));
   EXPECT_FALSE(MatchesGlob("**x", "robot/arm"));

@@ -105,7 +105,7 @@ TEST(Catalogue, ASnapshotAsChangesBuildsTheSameCatalogue) {
   }
 }
 
-TEST(Catalogue, AChangeOfAnotherRevisionThanTheNextIsRefusedAndChangesNothing) {
+TEST(Catalogue, RefusesAChangeWithAnUnexpectedRevision) {
   Catalogue catalogue = RandomCatalog(1);
   const Catalogue before = catalogue;
   RandomChanges changes(2);
@@ -118,7 +118,7 @@ TEST(Catalogue, AChangeOfAnotherRevisionThanTheNextIsRefusedAndChangesNothing) {
   }
 }
 
-TEST(Catalogue, AChangeThatMakesNoSenseIsRefusedAndChangesNothing) {
+TEST(Catalogue, RefusesAnInvalidChange) {
   Catalogue catalogue;
   const Catalogue before = catalogue;
   const std::vector<CatalogueChange> changes = {
@@ -135,7 +135,7 @@ TEST(Catalogue, AChangeThatMakesNoSenseIsRefusedAndChangesNothing) {
   }
 }
 
-TEST(Catalogue, ANewInstanceOfAProcessBeginsEmpty) {
+TEST(Catalogue, ANewProcessInstanceStartsEmpty) {
   Catalogue catalogue;
   const auto apply = [&](CatalogueChange change) {
     change.revision = catalogue.revision() + 1;
@@ -177,7 +177,7 @@ Catalogue System(std::uint64_t offset) {
   return catalogue;
 }
 
-TEST(Catalogue, TheContentHashIgnoresWhatDiffersAtEachStart) {
+TEST(Catalogue, TheContentHashIgnoresPerRunValues) {
   EXPECT_NE(System(1), System(7));
   EXPECT_EQ(System(1).ContentHash(), System(7).ContentHash());
 }
@@ -212,7 +212,7 @@ TEST(Catalogue, TheContentHashSeesEachKindOfContent) {
   EXPECT_NE(changed({.kind = Kind::kProcessRemoved}), before);
 }
 
-TEST(Catalogue, FindsWhatItHasAndNothingElse) {
+TEST(Catalogue, FindsOnlyExistingEntries) {
   const Catalogue catalogue = System(1);
   const InterfaceName robot("desk", "teleoperation", "Robot");
 

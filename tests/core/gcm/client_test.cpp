@@ -44,7 +44,7 @@ TEST_P(Client, GivesArgumentsAsJson) {
   EXPECT_EQ(robot_->goal(), (test::Joints{7, 6, 5, 4, 3, 2, 1}));
 }
 
-TEST_P(Client, AnArgumentThatDoesNotFitIsRefusedBeforeAnythingIsSent) {
+TEST_P(Client, RefusesAMismatchedArgumentBeforeSending) {
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "[1,2]").find("robot/arm/Control.MoveTo: "), 0U);
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo", "{").find("robot/arm/Control.MoveTo: "), 0U);
   EXPECT_EQ(CallError("robot/arm/Control.MoveTo"),
@@ -55,7 +55,7 @@ TEST_P(Client, AnArgumentThatDoesNotFitIsRefusedBeforeAnythingIsSent) {
   EXPECT_FALSE(robot_->goal());
 }
 
-TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
+TEST_P(Client, FindsTheDifferenceOfTwoTypesWithOneName) {
   const Schema needed = test::GoalIn("rev/" + GetParam());
   const Schema offered = test::GoalIn("mm/" + GetParam());
   robot_->Know(offered);
@@ -84,7 +84,7 @@ TEST_P(Client, LearnsInWhatTwoTypesOfOneNameDiffer) {
   EXPECT_EQ(robot_->schema_requests(), asked);  // all is known
 }
 
-TEST_P(Client, ManyWhoAskForConflictingTypesShareALook) {
+TEST_P(Client, ConcurrentTypeComparisonsShareTheirRequests) {
   robot_->Add(test::Mover(test::GoalIn("in/" + GetParam())));  // of which the robot knows no more
   robot_->Add(test::Leader(test::GoalIn("ft/" + GetParam())));
   ASSERT_TRUE(EventuallyTrue([this] {
@@ -103,14 +103,14 @@ TEST_P(Client, ManyWhoAskForConflictingTypesShareALook) {
   EXPECT_LT(robot_->schema_requests(), kCrowd / 2);
 }
 
-TEST_P(Client, AStatusOtherThanGoodIsAnError) {
+TEST_P(Client, AFailureStatusIsAnError) {
   const auto stopped = Call("robot/arm/Control.Stop");
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().message,
             "robot/arm/Control.Stop: not active; start its component first");
 }
 
-TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
+TEST_P(Client, ProcessUpdatesKeepAChannelToTheSameInstance) {
   const auto middleware = NewMiddleware();
   const auto links = std::make_shared<client::ProcessLinks>(
       *middleware,
@@ -129,7 +129,7 @@ TEST_P(Client, NewsOfAProcessEndNoChannelThatLeadsThereAlready) {
   links->Stop();
 }
 
-TEST_P(Client, AWrongPathIsSaidWithWhatIsNear) {
+TEST_P(Client, AWrongPathIsReportedWithASuggestion) {
   EXPECT_EQ(CallError("robott/arm/Control.Stop"), "no process 'robott'; did you mean 'robot'?");
   EXPECT_EQ(CallError("robot/arm/Control.Stopp"),
             "no command 'robot/arm/Control.Stopp'; did you mean 'Stop'?");
@@ -138,7 +138,7 @@ TEST_P(Client, AWrongPathIsSaidWithWhatIsNear) {
   EXPECT_EQ(CallError("").find("'' is not a path"), 0U);
 }
 
-TEST_P(Client, ASchemaIsAskedForOnce) {
+TEST_P(Client, RequestsASchemaOnce) {
   const auto get = [&](Fingerprint fingerprint) {
     return Wait<Schema>(kLong,
                         [&](auto handler) { client_->GetSchema("robot", fingerprint, handler); });
@@ -156,7 +156,7 @@ TEST_P(Client, ASchemaIsAskedForOnce) {
   EXPECT_EQ(unknown.error().code, ErrorCode::kNotFound);
 }
 
-TEST_P(Client, AProcessThatIsGoneIsSaidToBe) {
+TEST_P(Client, ReportsThatAProcessIsLost) {
   ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
   robot_.reset();
   ASSERT_TRUE(EventuallyTrue([&] {
@@ -166,7 +166,7 @@ TEST_P(Client, AProcessThatIsGoneIsSaidToBe) {
   EXPECT_EQ(CallError("robot/arm/Control.GetJoints").find("process 'robot' is lost ("), 0U);
 }
 
-TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
+TEST_P(Client, ReachesARestartedProcessAtItsNewAddress) {
   ASSERT_TRUE(Call("robot/arm/Control.GetJoints"));
   const std::uint64_t before = robot_->description().instance;
   robot_.reset();
@@ -181,7 +181,7 @@ TEST_P(Client, AProcessThatWasStartedAgainIsReachedAtItsNewPlace) {
   EXPECT_EQ(*Call("robot/arm/state.Joints[0]"), "1");
 }
 
-TEST_P(Client, EveryHandlerIsCalledOnceEvenWhenTheClientGoes) {
+TEST_P(Client, CallsEachHandlerOnceEvenOnDestruction) {
   const auto desk = Join("desk", {test::Teleoperation()});
   ASSERT_TRUE(EventuallyTrue([&] { return client_->catalogue().FindProcess("desk") != nullptr; }));
   desk->set_manners(FakeProcess::Manners::kSayNothing);

@@ -41,7 +41,7 @@ void ExpectApart(std::vector<Rect> rects) {
   }
 }
 
-TEST(ColumnLayout, ANewOneGoesToTheFreePlaceNearestItsPeersAndMovesNobody) {
+TEST(ColumnLayout, ANewBlockTakesTheFreePlaceNearestItsPeers) {
   ColumnLayout layout(kSpacing);
   // 0 -> 1, 2 -> 3, 4 -> 5
   std::vector<Block> blocks = Blocks(6);
@@ -59,7 +59,7 @@ TEST(ColumnLayout, ANewOneGoesToTheFreePlaceNearestItsPeersAndMovesNobody) {
   EXPECT_FALSE(layout.Arrange(blocks, edges)) << "nothing is new";
 }
 
-TEST(ColumnLayout, OneThatHasGrownPushesDownWhatIsBelow) {
+TEST(ColumnLayout, AGrownBlockPushesDownTheBlocksBelow) {
   ColumnLayout layout(kSpacing);
   std::vector<Block> blocks = Blocks(6);
   const std::vector<LayerEdge> edges{{0, 1}, {2, 3}, {4, 5}};
@@ -72,7 +72,7 @@ TEST(ColumnLayout, OneThatHasGrownPushesDownWhatIsBelow) {
 }
 
 /// What it uses is reported: a thousand are to be placed within one turn of a window.
-TEST(ColumnLayout, AThousandInOneColumnStandApart) {
+TEST(ColumnLayout, AThousandBlocksInAColumnDoNotOverlap) {
   constexpr std::size_t kCount = 1000;
   std::vector<LayerEdge> edges;
   for (std::size_t i = 1; i < kCount; ++i) edges.push_back({0, i});
@@ -99,7 +99,7 @@ TEST(Layers, AClientIsRightOfAllItsProviders) {
   EXPECT_EQ(LayersOf(4, {{0, 1}, {1, 3}, {0, 3}}), (std::vector{0, 1, 0, 2}));
 }
 
-TEST(Layers, ARingIsCutOnce) {
+TEST(Layers, ACycleIsBrokenOnce) {
   const std::vector<int> layers = LayersOf(3, {{0, 1}, {1, 2}, {2, 0}});
 
   int rising = 0;
@@ -109,7 +109,7 @@ TEST(Layers, ARingIsCutOnce) {
   EXPECT_EQ(rising, 2);
 }
 
-TEST(Layers, OneThatProvidesToItselfStaysWhereItIs) {
+TEST(Layers, ASelfConnectionDoesNotChangeTheLayer) {
   EXPECT_EQ(LayersOf(1, {{0, 0}}), std::vector{0});
 }
 

@@ -6,7 +6,7 @@ namespace {
 
 using Flaw = ConnectionFlaw::Kind;
 
-TEST(ConnectionHealth, WhatWasLostBeforeItWasLookedAtIsNoFlaw) {
+TEST(ConnectionHealth, LossesBeforeTheFirstSampleAreNoFlaw) {
   const ConnectionCounts before{.refused = 2, .lost_events = 3};
   const ConnectionCounts now{.refused = 4, .lost_events = 5};
 
@@ -17,14 +17,14 @@ TEST(ConnectionHealth, WhatWasLostBeforeItWasLookedAtIsNoFlaw) {
                                          {.kind = Flaw::kEventsLost, .count = 5}}));
 }
 
-TEST(ConnectionHealth, ACounterThatHasBegunAnewHasGrownByAllItCounts) {
+TEST(ConnectionHealth, AResetCounterCountsFromZero) {
   const ConnectionCounts before{.lost_events = 3};
 
   EXPECT_TRUE(FlawsOf({.lost_events = 0}, before).empty());
   EXPECT_EQ(FlawsOf({.lost_events = 1}, before).size(), 1U);
 }
 
-TEST(ConnectionHealth, AMailboxIsFullBeforeNothingFits) {
+TEST(ConnectionHealth, ReportsAMailboxThatIsAlmostFull) {
   EXPECT_TRUE(FlawsOf({.capacity = 10, .waiting = 7}, std::nullopt).empty());
   EXPECT_TRUE(FlawsOf({.capacity = 0, .waiting = 0}, std::nullopt).empty());
   EXPECT_EQ(
@@ -32,7 +32,7 @@ TEST(ConnectionHealth, AMailboxIsFullBeforeNothingFits) {
       (std::vector<ConnectionFlaw>{{.kind = Flaw::kMailboxFull, .count = 8, .capacity = 10}}));
 }
 
-TEST(ConnectionHealth, EachFlawIsSaidInWords) {
+TEST(ConnectionHealth, DescribesEachFlaw) {
   EXPECT_EQ(ToString(ConnectionFlaw{.kind = Flaw::kCallsRefused, .count = 3}),
             "3 calls found the mailbox full");
   EXPECT_EQ(ToString(ConnectionFlaw{.kind = Flaw::kEventsLost, .count = 5}), "5 events were lost");

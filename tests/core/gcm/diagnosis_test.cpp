@@ -75,7 +75,7 @@ class DiagnosisTest : public testing::Test {
   ProcessDescription desk_ = test::ProcessNamed("desk", 2);
 };
 
-TEST_F(DiagnosisTest, OfAConnectionThatStandsIsGoodToTheEnd) {
+TEST_F(DiagnosisTest, OfAnActiveConnectionHasNoFailure) {
   Connect(ConnectionState::kActive);
 
   Diagnosis diagnosis = Examine();
@@ -88,7 +88,7 @@ TEST_F(DiagnosisTest, OfAConnectionThatStandsIsGoodToTheEnd) {
   EXPECT_EQ(diagnosis.steps[6].text, "process 'robot' answers within 800 us" + FromHere());
 }
 
-TEST_F(DiagnosisTest, OfTwoThatCouldBeConnectedLeavesOutWhatWasNotTried) {
+TEST_F(DiagnosisTest, OfAnUnconnectedPairOmitsUntriedSteps) {
   const Diagnosis diagnosis = Examine();
 
   EXPECT_FALSE(diagnosis.is_connected);
@@ -97,7 +97,7 @@ TEST_F(DiagnosisTest, OfTwoThatCouldBeConnectedLeavesOutWhatWasNotTried) {
   EXPECT_EQ(diagnosis.steps[4].verdict, Verdict::kNotReached);
 }
 
-TEST_F(DiagnosisTest, FindsAProcessThatIsGone) {
+TEST_F(DiagnosisTest, FindsALostProcess) {
   robot_.state = ProcessState::kLost;
   robot_.reason = "its connection broke";
   Enter(robot_);
@@ -115,7 +115,7 @@ TEST_F(DiagnosisTest, FindsAFault) {
   ExpectBad(Examine(), 2, ErrorCode::kFailed, "component 'arm' is faulted: out of range");
 }
 
-TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
+TEST_F(DiagnosisTest, FindsAStoppedComponentOfAnActiveConnection) {
   ComponentDescription arm = test::Arm();
   arm.state = ComponentState::kSuspended;
   Apply({.kind = Kind::kComponent, .process = "robot", .components = {arm}});
@@ -147,7 +147,7 @@ TEST_F(DiagnosisTest, FindsAComponentThatDoesNotRunAtEitherEndOfWhatStands) {
   EXPECT_EQ(examine().steps[1].fix, "gcm start desk/teleoperation");
 }
 
-TEST_F(DiagnosisTest, FindsAnotherConnection) {
+TEST_F(DiagnosisTest, FindsAConnectionToAnotherProvider) {
   Connect(ConnectionState::kActive, {}, {"robot", "second", "Control"});
 
   ExpectBad(Examine(), 3, ErrorCode::kExists,
@@ -157,7 +157,7 @@ TEST_F(DiagnosisTest, FindsAnotherConnection) {
       "replace this connection: gcm connect desk/teleoperation/Robot robot/arm/Control --replace");
 }
 
-TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {
+TEST_F(DiagnosisTest, FindsMismatchedSignatures) {
   const Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
 
   ExpectBad(diagnosis, 4, ErrorCode::kIncompatible, "signatures match: 1 of 2");
@@ -166,7 +166,7 @@ TEST_F(DiagnosisTest, FindsWhatDoesNotMatch) {
             "list the interfaces that fit: gcm candidates desk/teleoperation/Robot");
 }
 
-TEST_F(DiagnosisTest, FindsAnAddressThatIsOfTheOtherMachineAlone) {
+TEST_F(DiagnosisTest, FindsALoopbackAddressOfAnotherHost) {
   robot_.host = "far";
   Enter(robot_);
 
@@ -177,13 +177,13 @@ TEST_F(DiagnosisTest, FindsAnAddressThatIsOfTheOtherMachineAlone) {
   EXPECT_EQ(diagnosis.steps[4].fix, "start robot with --listen and --advertise for host far");
 }
 
-TEST_F(DiagnosisTest, FindsAConnectionThatWaits) {
+TEST_F(DiagnosisTest, FindsAPendingConnection) {
   Connect(ConnectionState::kPending, "robot did not answer");
 
   ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
 }
 
-TEST_F(DiagnosisTest, WhatCannotBeReachedIsOfTheFifthStepBeforeAndAfterItIsConnected) {
+TEST_F(DiagnosisTest, AnUnreachableProcessFailsTheFifthStep) {
   const Error refused{ErrorCode::kFailed,
                       "process 'robot' does not answer at 127.0.1.1:9: refused"};
   Diagnosis before = Examine();
@@ -199,7 +199,7 @@ TEST_F(DiagnosisTest, WhatCannotBeReachedIsOfTheFifthStepBeforeAndAfterItIsConne
   EXPECT_EQ(after.steps[4].fix, before.steps[4].fix);
 }
 
-TEST_F(DiagnosisTest, WhoIsReachedByUsMayBeSilentToTheOther) {
+TEST_F(DiagnosisTest, AProcessReachableFromHereMayNotAnswerItsPeer) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
   AddRoundTrip(diagnosis, 800us);
@@ -210,7 +210,7 @@ TEST_F(DiagnosisTest, WhoIsReachedByUsMayBeSilentToTheOther) {
   EXPECT_EQ(diagnosis.steps[4].fix, "check process 'robot': it may hang");
 }
 
-TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
+TEST_F(DiagnosisTest, AMissingRouteIsBlamedOnItsTarget) {
   const std::string no_route =
       "host '" + desk_.host + "' has no route to 10.9.1.2:9 (Network is unreachable)";
   Connect(ConnectionState::kPending, no_route);
@@ -224,7 +224,7 @@ TEST_F(DiagnosisTest, AMissingRouteIsTheFaultOfWhomItIsMissingTo) {
   EXPECT_EQ(diagnosis.steps[4], before) << "what we see from here does not change that";
 }
 
-TEST_F(DiagnosisTest, OneThatOnlyItsHostReachesIsToListenElsewhere) {
+TEST_F(DiagnosisTest, SuggestsAnotherListenAddressIfOnlyLocal) {
   robot_.reason =
       "can be reached at 127.0.0.1:9 only from its own host; start this process with --listen X";
   Enter(robot_);
@@ -233,7 +233,7 @@ TEST_F(DiagnosisTest, OneThatOnlyItsHostReachesIsToListenElsewhere) {
   EXPECT_EQ(Examine().steps[4].fix, "robot " + robot_.reason);
 }
 
-TEST_F(DiagnosisTest, OneThatHasFallenSilentIsToBeWokenOrEnded) {
+TEST_F(DiagnosisTest, SuggestsResumingOrEndingASilentProcess) {
   robot_.state = ProcessState::kLost;
   robot_.reason = std::string(kNoRenewal) + "1501 ms";
   robot_.pid = 4711;
@@ -246,13 +246,13 @@ TEST_F(DiagnosisTest, OneThatHasFallenSilentIsToBeWokenOrEnded) {
   EXPECT_NE(diagnosis.steps[0].fix.find("kill -CONT 4711"), std::string::npos);
 }
 
-TEST_F(DiagnosisTest, FindsAConnectionThatWasRefused) {
+TEST_F(DiagnosisTest, FindsARefusedConnection) {
   Connect(ConnectionState::kFailed, "no");
 
   ExpectBad(Examine(), 6, ErrorCode::kFailed, "it was refused: no");
 }
 
-TEST_F(DiagnosisTest, FindsAProcessThatDoesNotAnswer) {
+TEST_F(DiagnosisTest, FindsAnUnresponsiveProcess) {
   Connect(ConnectionState::kActive);
   Diagnosis diagnosis = Examine();
 
@@ -261,7 +261,7 @@ TEST_F(DiagnosisTest, FindsAProcessThatDoesNotAnswer) {
   ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer" + FromHere());
 }
 
-TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {
+TEST_F(DiagnosisTest, FindsLossesOfAnActiveConnection) {
   Connect(ConnectionState::kActive);
   Diagnosis diagnosis = Examine();
   const ConnectionCounts before{.capacity = 10, .refused = 3};
@@ -276,7 +276,7 @@ TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndLoses) {
   EXPECT_EQ(diagnosis.steps[5].fix, "find the component that is too slow: gcm top");
 }
 
-TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndIsLate) {
+TEST_F(DiagnosisTest, FindsASlowActiveConnection) {
   Connect(ConnectionState::kActive);
   Diagnosis diagnosis = Examine();
 
@@ -288,14 +288,14 @@ TEST_F(DiagnosisTest, FindsAConnectionThatStandsAndIsLate) {
   ExpectBad(diagnosis, 7, ErrorCode::kFailed, "process 'robot' answers after 250 ms");
 }
 
-TEST_F(DiagnosisTest, OfSomethingThatIsNotThereIsAnError) {
+TEST_F(DiagnosisTest, OfAMissingInterfaceIsAnError) {
   EXPECT_EQ(Diagnose(catalogue_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
             ErrorCode::kNotFound);
   EXPECT_EQ(Diagnose(catalogue_, {kWire.provided, kWire.provided}).error().code,
             ErrorCode::kNotFound);
 }
 
-TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
+TEST_F(DiagnosisTest, NamesTheUnknownProviderOfAPendingConnection) {
   const message::Wire to_process{kWire.required, {"robbot", "arm", "Control"}};
   const message::Wire to_component{kWire.required, {"robot", "arn", "Control"}};
   Connect(ConnectionState::kPending, "is not available", to_process.provided);
@@ -309,7 +309,7 @@ TEST_F(DiagnosisTest, OfAConnectionThatWaitsForWhatNobodyHasSeenSaysThat) {
   EXPECT_TRUE(diagnosis.is_connected);
 }
 
-TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
+TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
   Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
   using Left = ConnectionRemnant::Verdict;
   const Error none{ErrorCode::kNotFound, "serves nothing"};
@@ -336,7 +336,7 @@ TEST_F(DiagnosisTest, OfARefusedConnectionBothProcessesAreRid) {
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kNothing);
 }
 
-TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
+TEST_F(DiagnosisTest, AWantedConnectionHasNoRemnants) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
 
@@ -356,7 +356,7 @@ TEST_F(DiagnosisTest, NothingIsLeftOverOfAConnectionThatIsWanted) {
             std::vector<std::string>{"requested: desk makes the connection as soon as possible"});
 }
 
-TEST_F(DiagnosisTest, OfAConnectionWhoseOwnProcessIsLostNobodyKnowsWhatIsLeft) {
+TEST_F(DiagnosisTest, RemnantsAreUnknownIfTheClientProcessIsLost) {
   Connect(ConnectionState::kActive);
   EXPECT_FALSE(IsKept(Examine()));
   desk_.state = ProcessState::kLost;
@@ -390,7 +390,7 @@ TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {
   EXPECT_FALSE((*candidates)[3].compatibility.fits());
 }
 
-TEST_F(DiagnosisTest, AProcessThatIsGoneHasNoCandidates) {
+TEST_F(DiagnosisTest, AnAbsentProcessHasNoCandidates) {
   robot_.state = ProcessState::kLeft;
   Enter(robot_);
 

@@ -16,7 +16,7 @@ std::vector<std::string> NamesOfReads(const std::vector<MatchingRead>& reads) {
   return names;
 }
 
-TEST(MatchingReads, BeginWithOneThatAnswersTheTypeAndIsNamedLikewise) {
+TEST(MatchingReads, PreferAReadOfTheSameTypeAndName) {
   MemberDescription set = MemberOf("SetGains", CommandKind::kWrite);
   MemberDescription other = MemberOf("GetDefaults", CommandKind::kRead);
   MemberDescription get = MemberOf("GetGains", CommandKind::kRead);
@@ -37,7 +37,7 @@ TEST(MatchingReads, BeginWithOneThatAnswersTheTypeAndIsNamedLikewise) {
               testing::IsEmpty());
 }
 
-TEST(MatchingReads, GoOnWithThoseThatAnswerAnotherStructure) {
+TEST(MatchingReads, IncludeReadsOfAnotherStructureLast) {
   MemberDescription move = MemberOf("MoveTo", CommandKind::kWrite);
   move.signature.in = FingerprintOf<double>();
   move.in_type = "arm.JointGoal";
@@ -51,7 +51,7 @@ TEST(MatchingReads, GoOnWithThoseThatAnswerAnotherStructure) {
       testing::ElementsAre("GetJoints ~"));
 }
 
-TEST(CommonFields, AreThoseOfTheSameNameUnitAndShape) {
+TEST(CommonFields, HaveTheSameNameUnitAndShape) {
   using testing::ElementsAre;
   using testing::IsEmpty;
   EXPECT_THAT(CommonFields(JointGoalSchema(2), JointStateSchema(2)), ElementsAre("position"));
@@ -64,7 +64,7 @@ TEST(CommonFields, AreThoseOfTheSameNameUnitAndShape) {
   EXPECT_THAT(CommonFields(JointGoalSchema(2), image), IsEmpty()) << "it may be large";
 }
 
-TEST(CommonFields, AreTakenAndTheOthersStay) {
+TEST(CommonFields, AreCopiedAndOtherFieldsKept) {
   EXPECT_EQ(WithFieldsOf(R"({"position":[0,0],"duration":1.5})",
                          R"({"position":[0.1,-1.5],"velocity":[3,4]})", {"position"}),
             R"({"position":[0.1,-1.5],"duration":1.5})");

@@ -37,7 +37,7 @@ class Matching : public testing::Test {
 const InterfaceName kNeed("desk", "teleoperation", "Robot");
 const InterfaceName kOffer("robot", "arm", "Control");
 
-TEST_F(Matching, WhatFitsIsMeant) {
+TEST_F(Matching, MatchesCompatibleInterfaces) {
   Add("desk", test::Teleoperation());
   Add("robot", test::Arm());
   Add("robot", test::FakeArm());
@@ -49,7 +49,7 @@ TEST_F(Matching, WhatFitsIsMeant) {
   EXPECT_THAT(matches[0].provided, ElementsAre(kOffer)) << "the other one does not fit";
 }
 
-TEST_F(Matching, OfSeveralTheOneOfTheSameNameIsMeant) {
+TEST_F(Matching, PrefersTheProviderOfTheSameName) {
   ComponentDescription two = test::Arm();
   two.provided.push_back(test::Control());
   two.provided[1].name = "Robot";
@@ -60,7 +60,7 @@ TEST_F(Matching, OfSeveralTheOneOfTheSameNameIsMeant) {
   EXPECT_THAT(Of("**", "**/Control")[0].provided, ElementsAre(kOffer));
 }
 
-TEST_F(Matching, SeveralThatAreEquallyGoodAreAllTold) {
+TEST_F(Matching, ListsAllEquallyGoodProviders) {
   Add("desk", test::Teleoperation());
   Add("robot", test::Arm("left"));
   Add("robot", test::Arm("right"));
@@ -71,7 +71,7 @@ TEST_F(Matching, SeveralThatAreEquallyGoodAreAllTold) {
               ElementsAre(InterfaceName("robot", "left", "Control")));
 }
 
-TEST_F(Matching, NoComponentIsMatchedWithItself) {
+TEST_F(Matching, MatchesNoComponentWithItself) {
   ComponentDescription both = test::Arm("both");
   both.required = {test::Robot()};
   Add("robot", both);
@@ -79,7 +79,7 @@ TEST_F(Matching, NoComponentIsMatchedWithItself) {
   EXPECT_THAT(Of("**", "**")[0].provided, IsEmpty());
 }
 
-TEST_F(Matching, WhatIsConnectedIsLeftOut) {
+TEST_F(Matching, OmitsConnectedInterfaces) {
   Add("desk", test::Teleoperation());
   Add("robot", test::Arm());
   Apply({.kind = Kind::kConnection,
@@ -89,7 +89,7 @@ TEST_F(Matching, WhatIsConnectedIsLeftOut) {
   EXPECT_THAT(Of("**", "**"), IsEmpty());
 }
 
-TEST_F(Matching, WhoIsNotThereIsNotMatched) {
+TEST_F(Matching, OmitsAbsentProcesses) {
   Add("desk", test::Teleoperation());
   Add("robot", test::Arm());
   auto lost = catalogue_.FindProcess("robot")->process;

@@ -56,7 +56,7 @@ class Lookup : public testing::Test {
   Catalogue catalogue_;
 };
 
-TEST_F(Lookup, APlanSaysWhereTheProviderIs) {
+TEST_F(Lookup, APlanHasTheAddressOfTheProvider) {
   const auto plan = PlanConnect(catalogue_, {kRobot, kControl});
 
   ASSERT_TRUE(plan) << plan.error().message;
@@ -65,7 +65,7 @@ TEST_F(Lookup, APlanSaysWhereTheProviderIs) {
   EXPECT_EQ(plan->instance, robot_.instance);
 }
 
-TEST_F(Lookup, ANameThatIsNotThereIsSaidWithWhatIsNear) {
+TEST_F(Lookup, AnUnknownNameIsReportedWithASuggestion) {
   EXPECT_EQ(PlanError(kRobot, {"robot", "arn", "Control"}),
             "not found: no component 'robot/arn'; did you mean 'arm'?");
   EXPECT_EQ(PlanError(kRobot, {"robot", "arm", "Kontrol"}),
@@ -78,20 +78,20 @@ TEST_F(Lookup, ANameThatIsNotThereIsSaidWithWhatIsNear) {
             "not found: no process 'elsewhere'; there is 'desk', 'robot'");
 }
 
-TEST_F(Lookup, AConnectToAProcessThatNobodyHasSeenIsPending) {
+TEST_F(Lookup, ConnectingToAnUnknownProcessIsPending) {
   const auto plan = PlanConnect(catalogue_, {kRobot, {"elsewhere", "arm", "Control"}});
 
   ASSERT_TRUE(plan) << plan.error().message;
   EXPECT_EQ(plan->address, "");
 }
 
-TEST_F(Lookup, AReplacementMayFindItConnected) {
+TEST_F(Lookup, AReplacementMayRepeatTheConnection) {
   Connect(kRobot, kControl);
 
   EXPECT_TRUE(PlanConnect(catalogue_, {kRobot, kControl}, WhenConnected::kReplace));
 }
 
-TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
+TEST_F(Lookup, AnAbsentProviderReplacesOnlyFailedConnections) {
   const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
   Connect(kRobot, kControl);
   EXPECT_EQ(
@@ -104,7 +104,7 @@ TEST_F(Lookup, WhatIsNotThereReplacesOnlyWhatDoesNotWork) {
   EXPECT_TRUE(PlanConnect(catalogue_, wire, WhenConnected::kReplace));
 }
 
-TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
+TEST_F(Lookup, ReportsAnInterfaceOfTheWrongKind) {
   EXPECT_EQ(PlanError(kRobot, kRobot),
             "not found: desk/teleoperation/Robot is a required interface; a provided interface is "
             "needed; desk/teleoperation has none");
@@ -113,14 +113,14 @@ TEST_F(Lookup, AnInterfaceOfTheOtherSortIsSaidToBeThat) {
             "robot/arm has none");
 }
 
-TEST_F(Lookup, ANameThatCannotBeOneIsNotRepeated) {
+TEST_F(Lookup, EscapesAnInvalidName) {
   EXPECT_EQ(PlanError(kRobot, {"robot", "a\x1b[31m", "Control"}),
             "invalid: component name 'a\\x1b[31m' has '\\x1b' at 2; allowed: letters digits _ - "
             "(max 64)");
   EXPECT_EQ(PlanError({"teleoperation", "Robot"}, kControl), "invalid: process name is empty");
 }
 
-TEST_F(Lookup, TwoEndsThatDoNotFitAreRefusedAsEverywhere) {
+TEST_F(Lookup, IncompatibleEndsGetTheCommonRefusal) {
   const InterfaceName fake("robot", "fake", "Control");
   const auto compatibility =
       Compare(*catalogue_.FindRequired(kRobot), *catalogue_.FindProvided(fake));
@@ -130,7 +130,7 @@ TEST_F(Lookup, TwoEndsThatDoNotFitAreRefusedAsEverywhere) {
             "incompatible: " + Refusal(ToString(kRobot), ToString(fake), compatibility));
 }
 
-TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
+TEST_F(Lookup, ReportsTheExistingConnectionAndTheRemedy) {
   Connect(kRobot, kControl);
 
   EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}),
@@ -140,7 +140,7 @@ TEST_F(Lookup, AConnectedInterfaceSaysToWhatAndWhatToDo) {
             "exists: desk/teleoperation/Robot is connected to robot/arm/Control already");
 }
 
-TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
+TEST_F(Lookup, ReportsPendingAndRefusedConnectionsAsSuch) {
   Connect(kRobot, kControl);
   ConnectionDescription connection = *catalogue_.FindConnection(kRobot);
   const auto set = [&](ConnectionState state, const std::string& reason) {
@@ -161,7 +161,7 @@ TEST_F(Lookup, APairThatWaitsOrWasRefusedIsNotSaidToBeConnected) {
       0U);
 }
 
-TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
+TEST_F(Lookup, FindsAConnectionByNumber) {
   Connect(kRobot, kControl);
 
   EXPECT_EQ(*LookUpConnected(catalogue_, "1"), kRobot);
@@ -182,7 +182,7 @@ TEST_F(Lookup, AConnectionIsNamedByItsNumberToo) {
             "robot/1 is of robot/follower/Robot");
 }
 
-TEST_F(Lookup, AConnectToATombstoneIsPendingIfItWouldFit) {
+TEST_F(Lookup, ConnectingToALostProcessIsPendingIfItFits) {
   SetState("robot", ProcessState::kLost);
 
   const auto plan = PlanConnect(catalogue_, {kRobot, kControl});
@@ -191,7 +191,7 @@ TEST_F(Lookup, AConnectToATombstoneIsPendingIfItWouldFit) {
   EXPECT_EQ(PlanError(kRobot, {"robot", "fake", "Control"}).substr(0, 12), "incompatible");
 }
 
-TEST_F(Lookup, ATombstoneConnectsNothing) {
+TEST_F(Lookup, RefusesToConnectFromALostProcess) {
   SetState("desk", ProcessState::kLost);
   EXPECT_EQ(PlanError(kRobot, kControl), "failed: process 'desk' is lost; start it again first");
   SetState("desk", ProcessState::kLeft);
@@ -227,13 +227,13 @@ TEST_F(Lookup, FindsCommandsAndColumns) {
             "no column 'robot/arm/state.Joint'; did you mean 'Joints'?");
 }
 
-TEST_F(Lookup, ACommandOfARequiredInterfaceIsSaidToBeOfTheWrongSide) {
+TEST_F(Lookup, ReportsACommandOfARequiredInterface) {
   EXPECT_EQ(CommandError("desk/teleoperation/Robot.Stop"),
             "desk/teleoperation/Robot is a required interface; a provided interface is needed; "
             "desk/teleoperation has none");
 }
 
-TEST_F(Lookup, AnInterfaceThatIsATableTooIsListedOnce) {
+TEST_F(Lookup, ListsATableInterfaceOnce) {
   ComponentDescription arm = test::Arm();
   arm.provided.push_back({.name = "state"});
   Apply({.kind = Kind::kComponent, .process = "robot", .components = {arm}});

@@ -35,7 +35,7 @@ Fingerprint MessagesOfVersion10() {
       message::SystemHealth, message::ProcessOrder, message::Children>();  // gcm
 }
 
-TEST(Protocol, WhoChangesAMessageRaisesTheVersion) {
+TEST(Protocol, ChangedMessagesRequireANewVersion) {
   // Another fingerprint belongs to another version: two programs that know different messages would
   // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
   EXPECT_EQ(FrameHeader::kProtocolVersion, 10);

@@ -30,7 +30,7 @@ message::HistoryEntry Record(StepHistory& history, message::HistoryEntry step) {
   return step;
 }
 
-TEST(StepHistory, KnowsItsStepsAfterARestart) {
+TEST(StepHistory, KeepsItsStepsAcrossARestart) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   std::vector<message::HistoryEntry> steps;
@@ -54,7 +54,7 @@ TEST(StepHistory, KnowsItsStepsAfterARestart) {
   EXPECT_EQ(again.last(), steps[57]);
 }
 
-TEST(StepHistory, KnowsWhoHasUndoneAStepAfterARestart) {
+TEST(StepHistory, KeepsTheAuthorOfAnUndoAcrossARestart) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   {
@@ -74,7 +74,7 @@ TEST(StepHistory, KnowsWhoHasUndoneAStepAfterARestart) {
   EXPECT_EQ(folder.Read("history.jsonl").find("{\"id\"\n"), std::string::npos);
 }
 
-TEST(StepHistory, KnowsNobodyWhoHasUndoneAStepThatIsNotThere) {
+TEST(StepHistory, IgnoresAnUndoOfAMissingStep) {
   const test::Folder folder;
   const auto file = folder.path() / "h";
   folder.Write("h", R"({"undo":7,"who":"gcm undo","when":3})"
@@ -87,7 +87,7 @@ TEST(StepHistory, KnowsNobodyWhoHasUndoneAStepThatIsNotThere) {
   EXPECT_EQ(history.undo_of(8).who, "");
 }
 
-TEST(StepHistory, KnowsWhatWasReplacedAfterARestart) {
+TEST(StepHistory, KeepsAReplacedConnectionAcrossARestart) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   message::HistoryEntry step = Step(0);
@@ -101,7 +101,7 @@ TEST(StepHistory, KnowsWhatWasReplacedAfterARestart) {
   EXPECT_EQ(StepHistory(file).last(), step);
 }
 
-TEST(StepHistory, KnowsTheLifeOfAComponentAfterARestart) {
+TEST(StepHistory, KeepsLifeCycleStepsAcrossARestart) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   message::HistoryEntry step{.verb = "remove",
@@ -125,7 +125,7 @@ TEST(StepHistory, KnowsTheLifeOfAComponentAfterARestart) {
   EXPECT_EQ(ToString(Step(0)), "connect desk/teleoperation/Robot0 robot/arm/Control");
 }
 
-TEST(StepHistory, ALastLineCutShortAnywhereIsLeftOut) {
+TEST(StepHistory, IgnoresATruncatedLastLine) {
   const test::Folder folder;
   const auto file = folder.path() / "history.jsonl";
   StepHistory history(file);
@@ -146,7 +146,7 @@ TEST(StepHistory, ALastLineCutShortAnywhereIsLeftOut) {
   EXPECT_EQ(StepHistory(file).steps().entries, (std::vector{first, third}));
 }
 
-TEST(StepHistory, ALineThatDoesNotReadIsLeftOutAlone) {
+TEST(StepHistory, SkipsOnlyTheUnreadableLine) {
   const test::Folder folder;
   std::vector<message::HistoryEntry> both;
   {
@@ -209,7 +209,7 @@ TEST(StepHistory, KeepsNoMoreThanItsBytesOfLargeStepsNorALargerFile) {
   EXPECT_EQ(again.last()->id, 10U);
 }
 
-TEST(StepHistory, WhatCannotBeWrittenIsLoggedAndStillKnown) {
+TEST(StepHistory, LogsAWriteErrorAndKeepsTheStep) {
   const auto logged = std::make_shared<std::string>();  // the sink outlives this test
   AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
   StepHistory history("/proc/nowhere/history");
@@ -221,7 +221,7 @@ TEST(StepHistory, WhatCannotBeWrittenIsLoggedAndStillKnown) {
   EXPECT_EQ(history.last(), step);
 }
 
-TEST(StepHistory, OfAFolderThatTakesNoFileIsSaidToBeOffFromTheStart) {
+TEST(StepHistory, LogsAnUnwritableFolderAtTheStart) {
   const auto logged = std::make_shared<std::string>();  // the sink outlives this test
   const auto mutex = std::make_shared<std::mutex>();
   AddLogSink([logged, mutex](LogLevel, std::string_view, std::string_view text) {
@@ -240,7 +240,7 @@ TEST(StepHistory, OfAFolderThatTakesNoFileIsSaidToBeOffFromTheStart) {
   }));
 }
 
-TEST(StepHistory, AWriteThatFailedHalfwaySpoilsNoLaterLine) {
+TEST(StepHistory, APartialWriteCorruptsNoLaterLine) {
   const test::Folder folder;
   const auto file = folder.path() / "h";
   StepHistory history(file);
@@ -256,7 +256,7 @@ TEST(StepHistory, AWriteThatFailedHalfwaySpoilsNoLaterLine) {
   EXPECT_EQ(StepHistory(file).steps().entries, (std::vector{first, third}));
 }
 
-TEST(StepHistory, AStepIsKnownWhileTheDiskIsSlow) {
+TEST(StepHistory, AStepIsAvailableWhileTheDiskIsSlow) {
   const test::Folder folder;
   const auto file = folder.path() / "h";
   StepHistory history(file);

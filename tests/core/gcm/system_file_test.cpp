@@ -61,7 +61,7 @@ TEST(SystemFile, ReadsProcessesComponentsAndConnections) {
   EXPECT_EQ(system->FindProcess("none"), nullptr);
 }
 
-TEST(SystemFile, ReadsHowComponentsRunAndWhereTheyAreDrawn) {
+TEST(SystemFile, ReadsThreadsStatesAndLayout) {
   const auto system = ParseSystemFile(
       Demo("\"class\": \"HostMonitor\"}\n     ]}",
            R"("class": "HostMonitor", "period": 0.5, "state": "suspended", "comment": "slow",
@@ -89,7 +89,7 @@ TEST(SystemFile, ReadsHowComponentsRunAndWhereTheyAreDrawn) {
   EXPECT_EQ(drawn->layout.at("robot/arm"), (SystemFile::Position{12, -3.5}));
 }
 
-TEST(SystemFile, WhatAComponentMayHaveIsChecked) {
+TEST(SystemFile, ChecksTheKeysOfAComponent) {
   const auto error = [](const std::string& member) {
     const std::string text = ErrorOf(Demo("\"HostMonitor\"", "\"HostMonitor\", " + member));
     const std::string place = "line 9, column 49: processes[0].components[1]";
@@ -122,7 +122,7 @@ std::string WithStart(const std::string& start, const std::string& component = "
          R"(, "components": [)" + component + "]}]}";
 }
 
-TEST(SystemFile, ReadsWhatTheGcmStarts) {
+TEST(SystemFile, ReadsHowTheGcmStartsProcesses) {
   const auto never = ParseSystemFile(WithStart("{}"), "x");
   const auto again = ParseSystemFile(WithStart(R"({"restart": "on-failure"})"), "x");
 
@@ -146,7 +146,7 @@ TEST(SystemFile, ReadsWhetherItIsStrict) {
       << ErrorOf(strict("1"));
 }
 
-TEST(SystemFile, HowAProcessIsStartedIsChecked) {
+TEST(SystemFile, ChecksHowAProcessIsStarted) {
   EXPECT_THAT(ErrorOf(WithStart("true")),
               testing::EndsWith("processes[0].start: expected an object, got true or false"));
   EXPECT_THAT(ErrorOf(WithStart(R"({"program": "/bin/sh"})")),
@@ -161,13 +161,13 @@ TEST(SystemFile, HowAProcessIsStartedIsChecked) {
                                 "remove \"start\", or give each component a class"));
 }
 
-TEST(SystemFile, WhatNobodyCanMakeIsGivenNothing) {
+TEST(SystemFile, AComponentWithoutAClassTakesNoLibrary) {
   EXPECT_THAT(
       ErrorOf(Demo("\"SimulatedArm\"", "null")),
       testing::HasSubstr("library: a component without a class is created by its own program"));
 }
 
-TEST(SystemFile, TheLayoutIsOfComponentsOfTheFile) {
+TEST(SystemFile, TheLayoutNamesComponentsOfTheFile) {
   const auto error = [](const std::string& layout) {
     const std::string text =
         ErrorOf(Demo("\"connections\": [", "\"layout\": " + layout + ", \"connections\": ["));
@@ -183,7 +183,7 @@ TEST(SystemFile, TheLayoutIsOfComponentsOfTheFile) {
   EXPECT_EQ(error(R"({"robot/arm": [1]})"), "layout.robot/arm: expected [x, y], got a list");
 }
 
-TEST(SystemFile, WhatIsWrittenReadsBackTheSame) {
+TEST(SystemFile, AWrittenFileReadsBackEqual) {
   const test::Folder folder;
   auto system = ParseSystemFile(kDemo, "demo.json");
   ASSERT_TRUE(system);
@@ -207,7 +207,7 @@ TEST(SystemFile, WhatIsWrittenReadsBackTheSame) {
   EXPECT_TRUE(folder.Read("saved.json").starts_with("{\n  \"version\": 1,\n  \"name\": \"demo\""));
 }
 
-TEST(SystemFile, AConfigurationThatIsNoJsonIsNotWritten) {
+TEST(SystemFile, RefusesToWriteAnInvalidConfiguration) {
   const test::Folder folder;
   SystemFile system{.name = "x", .processes = {{"robot", {{"arm", "Arm", "", "{"}}}}};
 
@@ -215,7 +215,7 @@ TEST(SystemFile, AConfigurationThatIsNoJsonIsNotWritten) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
-TEST(SystemFile, WhatWouldNotBeReadAgainIsNotWritten) {
+TEST(SystemFile, RefusesToWriteUnreadableFiles) {
   const auto error = [](const std::string& configuration) {
     const SystemFile system{.name = "x",
                             .processes = {{"robot", {{"arm", "Arm", "", configuration}}}}};
@@ -232,7 +232,7 @@ TEST(SystemFile, WhatWouldNotBeReadAgainIsNotWritten) {
               testing::HasSubstr("configuration: expected a configuration of at most 65536 bytes"));
 }
 
-TEST(SystemFile, AConfigurationIsKeptInAsciiAndReadByPeopleInTheFile) {
+TEST(SystemFile, KeepsAConfigurationInAsciiButWritesItReadably) {
   const std::string umlaut = "\xc3\xa4";
   const auto system = ParseSystemFile(Demo("\"gain\": 0.5", "\"gain\": \"" + umlaut + "\""), "x");
 
@@ -244,7 +244,7 @@ TEST(SystemFile, AConfigurationIsKeptInAsciiAndReadByPeopleInTheFile) {
   EXPECT_NE(text->find(umlaut), text->npos);
 }
 
-TEST(SystemFile, AConfigurationHasALimitThatIsNamedWithItsPlace) {
+TEST(SystemFile, ALargeConfigurationIsRefusedWithItsPosition) {
   const auto of_size = [](std::size_t size) {  // as it is kept
     const std::string rest = R"({"gain":"","limits":[1,2]})";
     return Demo("0.5", "\"" + std::string(size - rest.size(), 'x') + "\"");
@@ -257,7 +257,7 @@ TEST(SystemFile, AConfigurationHasALimitThatIsNamedWithItsPlace) {
             "of at most 65536 bytes, got 65537");
 }
 
-TEST(SystemFile, OneOfThousandsOfComponentsIsRead) {
+TEST(SystemFile, ReadsThousandsOfComponents) {
   constexpr std::size_t kComponents = 10'000;  // half of them in processes of their own
   std::string processes;
   std::string components;
@@ -299,7 +299,7 @@ TEST(SystemFile, SyntaxErrorsNameLineAndColumn) {
             std::string::npos);
 }
 
-TEST(SystemFile, OddNumbersAndTextsAreRefusedOrKept) {
+TEST(SystemFile, RefusesOrKeepsOddNumbersAndTexts) {
   EXPECT_EQ(ErrorOf(Demo("0.5", "NaN")).find("line 8, column 35: invalid literal"), 0U);
   EXPECT_EQ(ErrorOf(Demo("0.5", "9223372036854775808")), "no error");
   EXPECT_EQ(ErrorOf(Demo("0.5", "-0")), "no error");
@@ -307,7 +307,7 @@ TEST(SystemFile, OddNumbersAndTextsAreRefusedOrKept) {
   EXPECT_EQ(ErrorOf(Demo("\"demo\"", overlong)).find("line 3, column "), 0U);
 }
 
-TEST(SystemFile, NoErrorRepeatsBytesThatAreNoText) {
+TEST(SystemFile, ErrorsContainOnlyPrintableText) {
   for (int byte = 0; byte < 256; ++byte) {
     const std::string letter(1, static_cast<char>(byte));
     for (const std::string& text : {letter, "{\"" + letter + "\":1}", "{\"a" + letter + letter}) {
@@ -319,7 +319,7 @@ TEST(SystemFile, NoErrorRepeatsBytesThatAreNoText) {
   }
 }
 
-TEST(SystemFile, AFileThatIsNoneIsSaidToBe) {
+TEST(SystemFile, ReportsFilesThatAreNotSystemFiles) {
   EXPECT_EQ(ErrorOf(""), "is empty");
   EXPECT_EQ(ErrorOf(" \n"), "is empty");
   EXPECT_EQ(ErrorOf("\xef\xbb\xbf" + kDemo),
@@ -333,7 +333,7 @@ TEST(SystemFile, AFileThatIsNoneIsSaidToBe) {
             "line 2, column 3: file is version 9223372036854775808, this program reads 1");
 }
 
-TEST(SystemFile, NestingHasALimitThatIsNamed) {
+TEST(SystemFile, RefusesDeepNesting) {
   const auto nested = [](std::size_t depth) {
     return Demo("[1, 2]", std::string(depth, '[') + std::string(depth, ']'));
   };
@@ -343,7 +343,7 @@ TEST(SystemFile, NestingHasALimitThatIsNamed) {
   EXPECT_EQ(ErrorOf(std::string(1'000'000, '[')), "nesting deeper than 64");
 }
 
-TEST(SystemFile, KeysAreCheckedWithTheirPlace) {
+TEST(SystemFile, KeyErrorsNameTheirPosition) {
   EXPECT_EQ(ErrorOf(Demo("\"class\": \"HostMonitor\"", "\"class\": 7")),
             "line 9, column 25: processes[0].components[1].class: expected string, got number");
   EXPECT_EQ(
@@ -366,7 +366,7 @@ TEST(SystemFile, KeysAreCheckedWithTheirPlace) {
             "line 1, column 29: processes: expected a list, got an object");
 }
 
-TEST(SystemFile, NamesAreCheckedWithTheirPlace) {
+TEST(SystemFile, NameErrorsNameTheirPosition) {
   EXPECT_EQ(ErrorOf(Demo("\"name\": \"arm\"", "\"name\": \"a m\"")),
             "line 7, column 9: processes[0].components[0].name: component name 'a m' has ' ' at 2; "
             "allowed: letters "
@@ -382,7 +382,7 @@ TEST(SystemFile, NamesAreCheckedWithTheirPlace) {
             "line 9, column 25: processes[0].components[1].class: class name is empty");
 }
 
-TEST(SystemFile, ALibraryIsANameAndNoPath) {
+TEST(SystemFile, ALibraryIsANameNotAPath) {
   for (const std::string library : {"../../x.so", "/lib/x", "a/b", "..", "a\\\\b"}) {
     const std::string error = ErrorOf(Demo("\"simulated_arm\"", "\"" + library + "\""));
     EXPECT_EQ(error.find("line 7, column 49: processes[0].components[0].library: library '"), 0U)
@@ -392,7 +392,7 @@ TEST(SystemFile, ALibraryIsANameAndNoPath) {
   EXPECT_NE(ErrorOf(Demo("\"simulated_arm\"", "\"a\\u0000b\"")), "no error");
 }
 
-TEST(SystemFile, ConnectionsNameWhatTheFileHas) {
+TEST(SystemFile, ConnectionsNameInterfacesOfTheFile) {
   EXPECT_EQ(ErrorOf(Demo("\"robot/arm/Control\"", "\"robot/arn/Control\"")),
             "line 14, column 46: connections[0].provided: the file has no component 'robot/arn'; "
             "did you mean 'arm'?");

@@ -5,7 +5,7 @@
 namespace tendon {
 namespace {
 
-TEST(OutdatedPlugin, IsAFindingAndARemedy) {
+TEST(OutdatedPlugin, ReportsAFindingAndARemedy) {
   PluginDescription plugin{.name = "arm", .file = "/opt/a: b.so", .written = 1};
   EXPECT_FALSE(FindOutdatedPlugin("robot", plugin));
   EXPECT_EQ(OutdatedPluginText("robot", plugin), "");
@@ -33,7 +33,7 @@ TEST(JsonField, FollowsFieldsAndElements) {
   EXPECT_EQ(*client::JsonField("[[1,2],[3]]", "[1][0]"), "3");
 }
 
-TEST(JsonField, LeavesNumbersAsTheyAreWritten) {
+TEST(JsonField, KeepsNumbersAsWritten) {
   const std::string json =
       R"( { "uptime" : 2000000000.123456789 , "last":18446744073709551615,"zero":-0.0,)"
       R"("te\"xt":"a \"},]","empty":[],"none":{},"list":[ [1.50,"]"] , {"x":1e-3} ] } )";
@@ -49,7 +49,7 @@ TEST(JsonField, LeavesNumbersAsTheyAreWritten) {
   EXPECT_FALSE(client::JsonField(json, ".none.x"));
 }
 
-TEST(JsonField, SaysWhereThePathLeavesTheValue) {
+TEST(JsonField, ReportsTheUnknownPartOfAPath) {
   const std::string json = R"({"position":[1,2.5]})";
 
   EXPECT_EQ(client::JsonField(json, ".positon").error().message,
@@ -61,12 +61,12 @@ TEST(JsonField, SaysWhereThePathLeavesTheValue) {
   }
 }
 
-TEST(JsonField, OfAValueThatIsNestedTooDeepIsAnError) {
+TEST(JsonField, RefusesDeepNesting) {
   EXPECT_EQ(client::JsonField(std::string(100'000, '['), "[0]").error().message,
             "nesting deeper than 64");
 }
 
-TEST(ChangesText, TellsWhatAConfigurationHadAndHas) {
+TEST(ChangesText, ShowsOldAndNewParameters) {
   message::HistoryEntry step{.verb = "configure",
                              .lifecycle = {.process = "robot", .component = "arm"}};
   step.lifecycle.former = R"({"noise":0.001,"home":[0,1],"gone":"x"})";
@@ -86,13 +86,13 @@ TEST(ChangesText, TellsWhatAConfigurationHadAndHas) {
 
 const message::ProgramVersion kOwn{.release = "1.2.3", .protocol = 7};
 
-TEST(VersionText, OfTheSameReleaseIsTheOwn) {
+TEST(VersionText, RecognizesTheSameRelease) {
   const VersionReport told = CompareVersion(kOwn, kOwn);
   EXPECT_EQ(told.text, "version 1.2.3, protocol 7");
   EXPECT_TRUE(told.is_own);
 }
 
-TEST(VersionText, OfAnotherReleaseOrProtocolIsSaid) {
+TEST(VersionText, ReportsAnotherReleaseOrProtocol) {
   for (const message::ProgramVersion& other :
        {message::ProgramVersion{.release = "1.2.4", .protocol = 7},
         message::ProgramVersion{.release = "1.2.3", .protocol = 6}}) {
@@ -102,14 +102,14 @@ TEST(VersionText, OfAnotherReleaseOrProtocolIsSaid) {
   }
 }
 
-TEST(VersionText, AProgramThatDoesNotKnowTheQuestionIsOlder) {
+TEST(VersionText, AProgramWithoutVersionReportIsOld) {
   const VersionReport told =
       CompareVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed for any role"}, kOwn);
   EXPECT_EQ(told.text, "of an old version that does not report itself");
   EXPECT_FALSE(told.is_own);
 }
 
-TEST(VersionText, WhoDoesNotAnswerIsNotCalledOld) {
+TEST(VersionText, AnUnresponsiveProgramHasAnUnknownVersion) {
   const VersionReport told = CompareVersion(Error{ErrorCode::kTimeout, "no answer"}, kOwn);
   EXPECT_EQ(told.text, "of an unknown version (no answer)");
   EXPECT_FALSE(told.is_own);

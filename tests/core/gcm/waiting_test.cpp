@@ -18,26 +18,26 @@ Catalogue Desk(ComponentState state, ProcessState process = ProcessState::kAlive
   return test::CatalogBuilder().Process("desk", {teleoperation}, process).catalogue();
 }
 
-TEST(Waiting, IsAComponentThatRunsWithoutWhatItNeeds) {
+TEST(Waiting, ReportsARunningComponentWithoutConnections) {
   for (const auto state : {ComponentState::kActive, ComponentState::kSuspended}) {
     EXPECT_EQ(WaitingReasons(DeskWaits(Desk(state))), "waiting for Robot: not connected");
   }
 }
 
-TEST(Waiting, IsNoneThatDoesNotRun) {
+TEST(Waiting, IgnoresComponentsThatDoNotRun) {
   for (const auto state : {ComponentState::kConstructed, ComponentState::kReady,
                            ComponentState::kFinished, ComponentState::kFaulted}) {
     EXPECT_THAT(DeskWaits(Desk(state)), IsEmpty()) << ToString(state);
   }
 }
 
-TEST(Waiting, IsNoneOfAProcessThatIsNotThere) {
+TEST(Waiting, IgnoresComponentsOfAbsentProcesses) {
   EXPECT_THAT(DeskWaits(Desk(ComponentState::kActive, ProcessState::kLost)), IsEmpty());
   EXPECT_THAT(DeskWaits(Desk(ComponentState::kActive, ProcessState::kLeft)), IsEmpty());
   EXPECT_EQ(DeskWaits(Desk(ComponentState::kActive, ProcessState::kSuspect)).size(), 1U);
 }
 
-TEST(Waiting, EndsWhenTheConnectionStands) {
+TEST(Waiting, EndsWhenTheConnectionIsActive) {
   test::CatalogBuilder demo = test::RunningDemo();
   EXPECT_THAT(DeskWaits(demo.catalogue()), IsEmpty());
 
@@ -46,7 +46,7 @@ TEST(Waiting, EndsWhenTheConnectionStands) {
             "waiting for Robot: pending: arm is faulted");
 }
 
-TEST(Waiting, IsSaidBesideTheState) {
+TEST(Waiting, IsShownNextToTheState) {
   const Catalogue waiting = Desk(ComponentState::kActive);
   const Catalogue stopped = Desk(ComponentState::kFinished);
   const auto text = [](const Catalogue& catalogue) {

@@ -19,7 +19,7 @@ Bytes Written(std::size_t size) {
   return encapsulation;
 }
 
-TEST(BoundedReader, ReadsWhatIsThere) {
+TEST(BoundedReader, ReadsPresentValues) {
   const Bytes bytes = BytesOf({7, 1, 0, 0, 0x80, 2, 8, 9});
   BoundedReader reader(bytes);
 
@@ -30,7 +30,7 @@ TEST(BoundedReader, ReadsWhatIsThere) {
   EXPECT_TRUE(reader.AtEnd());
 }
 
-TEST(BoundedReader, ReadsNothingThatIsNotThere) {
+TEST(BoundedReader, ReadsNothingBeyondTheEnd) {
   const Bytes bytes = BytesOf({1, 2, 3});
 
   EXPECT_FALSE(BoundedReader(bytes).ReadInt());
@@ -39,7 +39,7 @@ TEST(BoundedReader, ReadsNothingThatIsNotThere) {
   EXPECT_FALSE(BoundedReader({}).ReadSize());
 }
 
-TEST(BoundedReader, BelievesNoSizeBeyondTheEnd) {
+TEST(BoundedReader, RefusesASizeBeyondTheEnd) {
   const auto size_of = [](std::initializer_list<int> values) {
     const Bytes bytes = BytesOf(values);
     return BoundedReader(bytes).ReadSize();
@@ -55,7 +55,7 @@ TEST(BoundedReader, BelievesNoSizeBeyondTheEnd) {
   EXPECT_FALSE(size_of({255, 0, 0, 0, 32, 9})) << "2^29";
 }
 
-TEST(OnlyParameter, WhatWasWrittenIsRead) {
+TEST(OnlyParameter, ReadsBackWhatWasWritten) {
   for (const std::size_t size : {0U, 1U, 254U, 255U, 256U, 100000U}) {
     const Bytes encapsulation = Written(size);
     const auto parameter = ReadOnlyParameter(encapsulation);
@@ -65,13 +65,13 @@ TEST(OnlyParameter, WhatWasWrittenIsRead) {
   }
 }
 
-TEST(OnlyParameter, NothingMayFollow) {
+TEST(OnlyParameter, RefusesTrailingBytes) {
   Bytes encapsulation = BytesOf({9, 0, 0, 0, 1, 1, 1, 5, 6});
 
   EXPECT_FALSE(ReadOnlyParameter(encapsulation));
 }
 
-TEST(OnlyParameter, TheEncapsulationHasTheSizeItClaims) {
+TEST(OnlyParameter, RefusesAWrongEncapsulationSize) {
   for (const int size : {0, 5, 7, 9, 255}) {
     EXPECT_FALSE(ReadOnlyParameter(BytesOf({size, 0, 0, 0, 1, 1, 1, 5}))) << size;
   }
@@ -79,13 +79,13 @@ TEST(OnlyParameter, TheEncapsulationHasTheSizeItClaims) {
   EXPECT_TRUE(ReadOnlyParameter(BytesOf({8, 0, 0, 0, 1, 1, 1, 5})));
 }
 
-TEST(OnlyParameter, OnlyTheEncodingsThatWeKnowAreRead) {
+TEST(OnlyParameter, AcceptsOnlyKnownEncodings) {
   EXPECT_TRUE(ReadOnlyParameter(BytesOf({8, 0, 0, 0, 1, 0, 1, 5})));
   EXPECT_FALSE(ReadOnlyParameter(BytesOf({8, 0, 0, 0, 1, 2, 1, 5})));
   EXPECT_FALSE(ReadOnlyParameter(BytesOf({8, 0, 0, 0, 2, 0, 1, 5})));
 }
 
-TEST(OnlyParameter, IsReadFromAnyBytesWithoutLeavingThem) {
+TEST(OnlyParameter, ReadsRandomBytesWithinTheirBounds) {
   std::mt19937 random(1);
   const Bytes good = Written(300);
   for (int i = 0; i < 100000; ++i) {

@@ -94,7 +94,7 @@ class CertifiedSystem : public AuthorityTest {
   std::unique_ptr<GlobalManager> gcm_;
 };
 
-TEST_F(CertifiedSystem, ComponentsOfTwoProcessesTalk) {
+TEST_F(CertifiedSystem, ComponentsOfTwoProcessesCommunicate) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   const auto robot = StartJoined("robot");
   auto& plant = robot->Add<Plant>("plant");
@@ -108,7 +108,7 @@ TEST_F(CertifiedSystem, ComponentsOfTwoProcessesTalk) {
   EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() > 0; }));
 }
 
-TEST_F(CertifiedSystem, TheCertificateDecidesWhatAPersonMayDo) {
+TEST_F(CertifiedSystem, TheCertificateDeterminesAPersonsRights) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   const auto robot = StartJoined("robot");
   auto& plant = robot->Add<Plant>("plant");
@@ -133,7 +133,7 @@ TEST_F(CertifiedSystem, TheCertificateDecidesWhatAPersonMayDo) {
   EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() == 1; }));
 }
 
-TEST_F(CertifiedSystem, NobodyJoinsUnderAnothersName) {
+TEST_F(CertifiedSystem, RefusesAJoinUnderAnothersName) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
 
   const auto by_process =
@@ -149,7 +149,7 @@ TEST_F(CertifiedSystem, NobodyJoinsUnderAnothersName) {
 }
 
 /// The token of a membership, which whoever has it may go on with over another link.
-TEST_F(CertifiedSystem, ASessionTokenIsWorthNothingUnderAnotherCertificate) {
+TEST_F(CertifiedSystem, ASessionTokenIsBoundToItsCertificate) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   const auto robot = As("robot", Role::kOperator, Holder::kProcess);
   const auto thief = As("arm", Role::kOperator, Holder::kProcess);
@@ -174,7 +174,7 @@ TEST_F(CertifiedSystem, ASessionTokenIsWorthNothingUnderAnotherCertificate) {
   EXPECT_NE(again.joined->session, token);
 }
 
-TEST_F(CertifiedSystem, AProcessThatPosesAsTheGcmIsNotJoined) {
+TEST_F(CertifiedSystem, RefusesToJoinAnImpostorGcm) {
   const auto impostor = As("arm", Role::kOperator, Holder::kProcess);
   const auto listener = impostor->Listen(
       address_, Channel::Acceptor({.instance = 1, .name = kGcmName},
@@ -189,7 +189,7 @@ TEST_F(CertifiedSystem, AProcessThatPosesAsTheGcmIsNotJoined) {
   EXPECT_THAT(joined.error().message, HasSubstr("shows the certificate of the process 'arm'"));
 }
 
-TEST_F(CertifiedSystem, AGcmWithAnothersCertificateDoesNotStart) {
+TEST_F(CertifiedSystem, AGcmWithAForeignCertificateDoesNotStart) {
   for (const auto& middleware :
        {As("arm", Role::kOperator, Holder::kProcess), As("gcm", Role::kViewer, Holder::kProcess)}) {
     const auto gcm = MakeGcm(middleware);

@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(IceExposure, InsecureIsLoggedByThoseWhoListen) {
+TEST(IceExposure, ListeningInsecurelyIsLogged) {
   const tendon_test::LogRecord log("ice");
   const auto middleware = MakeIceMiddleware(Exposure::kInsecure);
   EXPECT_THAT(log.texts(), IsEmpty());
@@ -23,7 +23,7 @@ TEST(IceExposure, InsecureIsLoggedByThoseWhoListen) {
   EXPECT_THAT(log.texts(), ElementsAre(HasSubstr("--insecure")));
 }
 
-TEST(IceExposure, OfThisMachineAloneIsNotWorthALine) {
+TEST(IceExposure, ListeningLocallyIsNotLogged) {
   const tendon_test::LogRecord log("ice");
 
   const auto middleware = MakeIceMiddleware(Exposure::kLoopbackOnly);

@@ -96,7 +96,7 @@ class LentAnswer : public testing::Test {
   std::shared_ptr<Link> link_;
 };
 
-TEST_F(LentAnswer, ALargeOneStaysWhereItHasArrivedAsLongAsItIsHeld) {
+TEST_F(LentAnswer, ALargeReplyIsLentWithoutACopy) {
   constexpr std::uint32_t kFirst = 1'000'000;
   constexpr std::uint32_t kSecond = 900'001;
 
@@ -110,14 +110,14 @@ TEST_F(LentAnswer, ALargeOneStaysWhereItHasArrivedAsLongAsItIsHeld) {
   EXPECT_TRUE(std::ranges::equal(second.frame, FrameOf(kSecond, kSecond)));
 }
 
-TEST_F(LentAnswer, ASmallOneIsNotLent) {
+TEST_F(LentAnswer, ASmallReplyIsCopied) {
   const auto heard = Ask(100);
 
   EXPECT_EQ(heard.owner, nullptr);
   EXPECT_EQ(heard.copy, FrameOf(100, 100));
 }
 
-TEST_F(LentAnswer, OneThatIsBegunAndNotEndedIsARefusal) {
+TEST_F(LentAnswer, AnUnfinishedReplyIsARefusal) {
   const auto heard = Ask(Filler::kBroken);
 
   const auto header = ReadWholeFrame(heard.copy);

@@ -84,7 +84,7 @@ class LyingServer {
   std::thread thread_;
 };
 
-TEST(MalformedReply, TheClientGetsAnErrorOrALinkAndLivesOn) {
+TEST(MalformedReply, TheClientSurvivesWithAnErrorOrALink) {
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   std::vector<std::future<void>> opened;  // all at once, for some replies are waited for in vain
   for (const auto& [name, reply] : Replies()) {
@@ -110,7 +110,7 @@ TEST(MalformedReply, TheClientGetsAnErrorOrALinkAndLivesOn) {
   EXPECT_TRUE(client->Open((*listener)->address(), std::make_shared<Recorder>(), kPatience));
 }
 
-TEST(MalformedReply, AnAnswerThatThePeerFailsToMakeIsARefusalAtOnce) {
+TEST(MalformedReply, AFailureOfThePeerIsARefusalAtOnce) {
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   for (const Bytes& failure :
        {Reply(7, 2).String("std::bad_alloc").Finished(),
@@ -138,7 +138,7 @@ TEST(MalformedReply, AnAnswerThatThePeerFailsToMakeIsARefusalAtOnce) {
   }
 }
 
-TEST(MalformedReply, AServerThatNeverAnswersThePingTimesOut) {
+TEST(MalformedReply, AnUnansweredPingTimesOut) {
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   LyingServer liar({});
 

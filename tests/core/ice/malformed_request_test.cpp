@@ -50,7 +50,7 @@ class MalformedRequest : public testing::Test {
     standing.guest = host_.guest();
     ASSERT_TRUE(standing.guest.recorder->WaitForFrames(1));
   }
-  static void ExpectItStillStands(const Standing& standing) {
+  static void ExpectLinkStaysOpen(const Standing& standing) {
     EXPECT_EQ(standing.recorder->closed(), 0);
     EXPECT_EQ(standing.guest.link->Send(FrameOf(2)), Status::kQueued);
     EXPECT_TRUE(standing.recorder->WaitForFrames(1));
@@ -99,14 +99,14 @@ class MalformedRequest : public testing::Test {
   std::unique_ptr<Listener> listener_;
 };
 
-TEST(SequenceSizeCheck, TakesThePlaceOfIcesOwn) {
+TEST(SequenceSizeCheck, ReplacesTheCheckOfIce) {
   const Ice::CommunicatorHolder holder(Ice::initialize(Ice::InitializationData()));
 
   EXPECT_TRUE(RefusesImpossibleSizes(holder.communicator()))
       << "in this build of Ice one message can exhaust the memory";
 }
 
-TEST_F(MalformedRequest, TheServerAnswersOrHangsUpAndServesTheNext) {
+TEST_F(MalformedRequest, TheServerRepliesOrClosesAndServesTheNext) {
   ASSERT_NO_FATAL_FAILURE(ExpectThatTheNextIsServed());
   const std::size_t memory = conformance::MemoryInUse();
 
@@ -129,8 +129,9 @@ Bytes LongRequest() {
   return Request("frame", 0).Int(size + 11).Byte(1).Byte(1).Size(size).Text(text).Finished();
 }
 
-/// Who says it a byte now and then does not come to its end, which would take a minute.
-void ExpectCutOffAmidWords(const os::Socket& socket) {
+/// Sends a request byte by byte, which would take a minute; the server must close the connection
+/// first.
+void ExpectTurnedAwayWhileSlow(const os::Socket& socket) {
   const Bytes request = LongRequest();
   auto said = request.begin();
   Bytes buffer(4096);
@@ -141,25 +142,25 @@ void ExpectCutOffAmidWords(const os::Socket& socket) {
   EXPECT_LT(said - request.begin(), std::ssize(request));
 }
 
-TEST_F(MalformedRequest, SingleBytesNowAndThenGainNoTime) {
+TEST_F(MalformedRequest, SingleBytesDoNotExtendTheTimeout) {
   Standing standing;
   ASSERT_NO_FATAL_FAILURE(Open(standing));
 
-  ExpectCutOffAmidWords(Connect());
+  ExpectTurnedAwayWhileSlow(Connect());
 
-  ExpectItStillStands(standing);
+  ExpectLinkStaysOpen(standing);
 }
 
-TEST_F(MalformedRequest, WhoComesFromThePortOfAnotherHarmsHimInNothing) {
+TEST_F(MalformedRequest, APeerWithTheSamePortDoesNotDisturbALink) {
   Standing standing;
   ASSERT_NO_FATAL_FAILURE(Open(standing));
 
-  ExpectCutOffAmidWords(ConnectFrom("127.0.0.2", standing.link->local()));
+  ExpectTurnedAwayWhileSlow(ConnectFrom("127.0.0.2", standing.link->local()));
 
-  ExpectItStillStands(standing);
+  ExpectLinkStaysOpen(standing);
 }
 
-TEST_F(MalformedRequest, TheMessageThatKillsGeneratedCodeIsAnsweredInWords) {
+TEST_F(MalformedRequest, AHugeSequenceIsAnsweredWithAnError) {
   const os::Socket socket = Connect();
 
   SendAll(socket, WithSequence(kHugeSize).Finished());

@@ -54,7 +54,7 @@ class MutantsTest : public TlsTest {
   /// All killers, then so many mutants, measured after the first of them; a good client, whose link
   /// stood all the time, is then still served, and so is the next.
   template <typename Connect>
-  void ExpectBorne(Middleware& good, int count, Connect connect) {
+  void ExpectSurvives(Middleware& good, int count, Connect connect) {
     const auto recorder = std::make_shared<conformance::Recorder>();
     const auto standing = good.Open(listener_->address(), recorder, kPatience);
     ASSERT_TRUE(standing.ok()) << standing.error().message;
@@ -98,25 +98,25 @@ class MutantsTest : public TlsTest {
   std::unique_ptr<Listener> listener_;
 };
 
-TEST_F(MutantsTest, AServerWithoutTlsBearsThem) {
+TEST_F(MutantsTest, AServerWithoutTlsSurvivesThem) {
   const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const HostPort place = Serve(*server);
 
-  ExpectBorne(*client, kMutants, [&] { return PlainConnection(place); });
+  ExpectSurvives(*client, kMutants, [&] { return PlainConnection(place); });
 }
 
-TEST_F(MutantsTest, FromInsideTlsTheHolderOfACertificateIsBorne) {
+TEST_F(MutantsTest, AServerSurvivesThemFromInsideTls) {
   const HostPort place = Serve(*robot_);
   const TlsClient insider(Issue({.name = "eve"}).certificate_file);
 
-  ExpectBorne(*As({.name = "anna"}), MutantsInTls(), [&] { return insider.ConnectTo(place); });
+  ExpectSurvives(*As({.name = "anna"}), MutantsInTls(), [&] { return insider.ConnectTo(place); });
 }
 
 TEST_F(MutantsTest, UnencryptedMessagesAreNotRead) {
   const HostPort place = Serve(*robot_);
 
-  ExpectBorne(*As({.name = "anna"}), kMutants, [&] { return PlainConnection(place); });
+  ExpectSurvives(*As({.name = "anna"}), kMutants, [&] { return PlainConnection(place); });
 
   EXPECT_EQ(heard(), 2);
 }
@@ -126,7 +126,7 @@ TEST_F(MutantsTest, MessagesWithoutACertificateAreNotRead) {
   const TlsClient peer(std::nullopt);
   const int count = kMutants / 20;  // each takes a handshake
 
-  ExpectBorne(*As({.name = "anna"}), count, [&] { return peer.ConnectTo(place); });
+  ExpectSurvives(*As({.name = "anna"}), count, [&] { return peer.ConnectTo(place); });
 
   EXPECT_EQ(heard(), 2);
 }

@@ -116,7 +116,7 @@ class Slice : public testing::Test {
   const std::shared_ptr<Ice::Communicator> communicator_ = holder_.communicator();
 };
 
-TEST_F(Slice, GeneratedCodeWritesTheBytesThatWeWrite) {
+TEST_F(Slice, GeneratedCodeWritesTheSameBytes) {
   const auto capture = std::make_shared<Capture>();
   const auto adapter = Serve(capture, "tcp -h 127.0.0.1");
   const auto proxy = ProxyTo(AddressOf(*adapter));
@@ -131,7 +131,7 @@ TEST_F(Slice, GeneratedCodeWritesTheBytesThatWeWrite) {
   }
 }
 
-TEST_F(Slice, AGeneratedClientTalksWithOurServer) {
+TEST_F(Slice, AGeneratedClientWorksWithOurServer) {
   const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
   Host host;
   const auto listener = server->Listen("127.0.0.1:0", host.accept());
@@ -153,7 +153,7 @@ TEST_F(Slice, AGeneratedClientTalksWithOurServer) {
   EXPECT_EQ(endpoint->frames()[0], FrameOf(6));
 }
 
-TEST_F(Slice, OurClientTalksWithAGeneratedServer) {
+TEST_F(Slice, OurClientWorksWithAGeneratedServer) {
   const auto endpoint = std::make_shared<GeneratedEndpoint>();
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
@@ -172,7 +172,7 @@ TEST_F(Slice, OurClientTalksWithAGeneratedServer) {
   EXPECT_EQ(recorder->numbers(), std::vector<std::uint32_t>{6});
 }
 
-TEST_F(Slice, AGeneratedClientAsksOurServer) {
+TEST_F(Slice, AGeneratedClientSendsRequestsToOurServer) {
   const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto handler = std::make_shared<Answerer>();
   const auto listener =
@@ -186,7 +186,7 @@ TEST_F(Slice, AGeneratedClientAsksOurServer) {
   EXPECT_THROW(proxy->ask(ForIce(Bytes(30))), Ice::Exception);
 }
 
-TEST_F(Slice, OurClientAsksAGeneratedServer) {
+TEST_F(Slice, OurClientSendsRequestsToAGeneratedServer) {
   const auto endpoint = std::make_shared<GeneratedEndpoint>();
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
@@ -205,7 +205,7 @@ TEST_F(Slice, OurClientAsksAGeneratedServer) {
   EXPECT_EQ(recorder->numbers(), std::vector<std::uint32_t>{7});
 }
 
-TEST_F(Slice, WhoAnswersWithSomethingElseThanAFrameIsCutOff) {
+TEST_F(Slice, AReplyThatIsNotAFrameClosesTheLink) {
   const auto endpoint = std::make_shared<GeneratedEndpoint>();
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
@@ -221,7 +221,7 @@ TEST_F(Slice, WhoAnswersWithSomethingElseThanAFrameIsCutOff) {
   EXPECT_EQ((*link)->Send(FrameOf(6), Delivery::kDirect), Status::kNotConnected);
 }
 
-TEST_F(Slice, UnknownNamesAreAnsweredAsIceDoes) {
+TEST_F(Slice, AnswersUnknownNamesLikeIce) {
   const auto server = MakeIceMiddleware(Exposure::kLoopbackOnly);
   Host host;
   const auto listener = server->Listen("127.0.0.1:0", host.accept());

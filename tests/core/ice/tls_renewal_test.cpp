@@ -37,7 +37,7 @@ class TlsRenewal : public TlsTest {
   const tendon_test::LogRecord log_{"certificate"};
 };
 
-TEST_F(TlsRenewal, WhoListensShowsARenewedCertificateToTheNext) {
+TEST_F(TlsRenewal, AListenerShowsARenewedCertificate) {
   const auto anna = As({.name = "anna"});
   const auto address = Listen(robot_, "robot");
   ASSERT_TRUE(authority->Revoke("robot").ok());
@@ -51,7 +51,7 @@ TEST_F(TlsRenewal, WhoListensShowsARenewedCertificateToTheNext) {
   EXPECT_TRUE(EventuallyLogged("uses the renewed " + (out / "robot.crt").string()));
 }
 
-TEST_F(TlsRenewal, WhoOpensShowsARenewedCertificateAtTheNextLink) {
+TEST_F(TlsRenewal, AnOpenerShowsARenewedCertificate) {
   const auto arm = As(RequestOf("arm"));
   const auto address = Listen(robot_, "robot");
   ASSERT_TRUE(authority->Revoke("arm").ok());
@@ -63,7 +63,7 @@ TEST_F(TlsRenewal, WhoOpensShowsARenewedCertificateAtTheNextLink) {
   EXPECT_TRUE(Open(arm, address, "arm").ok());
 }
 
-TEST_F(TlsRenewal, ALinkThatStandsIsNotDisturbed) {
+TEST_F(TlsRenewal, ARenewalKeepsOpenLinks) {
   const auto anna = As({.name = "anna"});
   const auto address = Listen(robot_, "robot");
   const auto standing = Open(anna, address, "gcm ls", "robot");
@@ -75,7 +75,7 @@ TEST_F(TlsRenewal, ALinkThatStandsIsNotDisturbed) {
   EXPECT_TRUE((*standing)->is_open());
 }
 
-TEST_F(TlsRenewal, OneThatIsNotGoodIsNotShownAndItIsSaidWhy) {
+TEST_F(TlsRenewal, ReportsAnInvalidCertificateAndKeepsTheOld) {
   const auto anna = As({.name = "anna"});
   const auto address = Listen(robot_, "robot");
   const auto put = [&](const Request& request) {
@@ -98,7 +98,7 @@ TEST_F(TlsRenewal, OneThatIsNotGoodIsNotShownAndItIsSaidWhy) {
   EXPECT_TRUE(EventuallyLogged("robot.crt"));
 }
 
-TEST_F(TlsRenewal, ItTakesThePlaceOnceItsKeyIsThereToo) {
+TEST_F(TlsRenewal, ACertificateIsUsedOnlyWithItsKey) {
   const auto anna = As({.name = "anna"});
   const auto address = Listen(robot_, "robot");
   const auto renewed = Reissued(RequestOf("robot"));

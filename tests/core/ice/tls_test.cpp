@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST_F(TlsTest, TheOpenerKnowsWhoTheAcceptorIs) {
+TEST_F(TlsTest, TheOpenerLearnsTheAcceptorsIdentity) {
   const auto anna = As({.name = "anna"});
 
   const auto channel = Open(anna, Listen(robot_, "robot"), "gcm ls", "robot");
@@ -23,7 +23,7 @@ TEST_F(TlsTest, TheOpenerKnowsWhoTheAcceptorIs) {
   EXPECT_EQ((*channel)->peer().role, Role::kOperator);
 }
 
-TEST_F(TlsTest, TheAcceptorKnowsNameAndRoleByTheCertificate) {
+TEST_F(TlsTest, TheAcceptorReadsNameAndRoleFromTheCertificate) {
   const auto desk = As({.name = "desk", .role = Role::kOperator, .holder = kProcess});
   const auto anna = As({.name = "anna", .role = Role::kViewer});
 
@@ -35,7 +35,7 @@ TEST_F(TlsTest, TheAcceptorKnowsNameAndRoleByTheCertificate) {
   EXPECT_EQ(Guest(anna, "anna").name, "anna (anna)") << "a person is no process";
 }
 
-TEST_F(TlsTest, WhoCallsItselfAnotherThanItsCertificateDoesIsNotTrusted) {
+TEST_F(TlsTest, RefusesANameThatDiffersFromTheCertificate) {
   const auto arm = As({.name = "arm", .role = Role::kOperator, .holder = kProcess});
 
   const auto refusal = Refusal(robot_, Listen(arm, "gcm"), "gcm");
@@ -45,14 +45,14 @@ TEST_F(TlsTest, WhoCallsItselfAnotherThanItsCertificateDoesIsNotTrusted) {
               HasSubstr("calls itself 'gcm', but shows the certificate of the process 'arm'"));
 }
 
-TEST_F(TlsTest, AnotherThanTheOneWantedIsNotTalkedTo) {
+TEST_F(TlsTest, RefusesAnUnexpectedPeer) {
   const auto refusal = Refusal(As({.name = "anna"}), Listen(robot_, "robot"), "gcm");
 
   EXPECT_EQ(refusal.code, ErrorCode::kUnreachable);
   EXPECT_THAT(refusal.message, HasSubstr("is 'robot', not 'gcm'"));
 }
 
-TEST_F(TlsTest, WhoWasRevokedHearsItAndNobodyLetsItIn) {
+TEST_F(TlsTest, ARevokedOpenerIsRefusedWithTheReason) {
   const auto eve = Issue({.name = "eve", .role = Role::kOperator}).certificate_file;
   const auto uninformed = Showing(eve, CopyOfPublicFiles());
   const auto address = Listen(robot_, "robot");
@@ -68,7 +68,7 @@ TEST_F(TlsTest, WhoWasRevokedHearsItAndNobodyLetsItIn) {
   EXPECT_TRUE(EventuallyAudited("was refused: the certificate of 'eve' was revoked"));
 }
 
-TEST_F(TlsTest, NoLinkIsOpenedToOneWhoWasRevoked) {
+TEST_F(TlsTest, RefusesARevokedAcceptor) {
   const auto arm = As({.name = "arm", .role = Role::kOperator, .holder = kProcess});
   const auto address = Listen(arm, "arm");
   ASSERT_TRUE(Open(robot_, address, "robot").ok());
@@ -80,7 +80,7 @@ TEST_F(TlsTest, NoLinkIsOpenedToOneWhoWasRevoked) {
   EXPECT_THAT(refusal.message, HasSubstr("is not trusted: the certificate of 'arm' was revoked"));
 }
 
-TEST_F(TlsTest, AnotherCaIsNotBelievedByEitherEnd) {
+TEST_F(TlsTest, NeitherEndTrustsAnotherCa) {
   const auto elsewhere = CertificateAuthority::Init(home.path() / "elsewhere");
   const auto mallory = elsewhere->Issue(
       {.name = "robot", .role = Role::kOperator, .holder = kProcess}, home.path() / "mallory");
@@ -96,7 +96,7 @@ TEST_F(TlsTest, AnotherCaIsNotBelievedByEitherEnd) {
   EXPECT_TRUE(EventuallyAudited("certificate verification failure"));
 }
 
-TEST_F(TlsTest, APersonIsNoAcceptor) {
+TEST_F(TlsTest, RefusesAPersonAsAcceptor) {
   const auto anna = As({.name = "anna", .role = Role::kOperator});
 
   const auto refusal = Refusal(robot_, Listen(anna, "anna"));
@@ -105,7 +105,7 @@ TEST_F(TlsTest, APersonIsNoAcceptor) {
   EXPECT_THAT(refusal.message, HasSubstr("its certificate belongs to a person"));
 }
 
-TEST_F(TlsTest, AnExpiredCertificateIsNotEvenShown) {
+TEST_F(TlsTest, DoesNotUseAnExpiredCertificate) {
   const auto file = Expiring(std::chrono::minutes(-1));
 
   const auto own = MakeIceMiddleware(Credentials{.certificate = file, .authority = folder});
@@ -114,7 +114,7 @@ TEST_F(TlsTest, AnExpiredCertificateIsNotEvenShown) {
   EXPECT_THAT(own.error().message, HasSubstr("expired on "));
 }
 
-TEST_F(TlsTest, WhoseCertificateHasExpiredMeanwhileIsNotTrusted) {
+TEST_F(TlsTest, RefusesACertificateThatExpiresLater) {
   const auto old = Showing(Expiring(std::chrono::seconds(4)));
   const auto address = Listen(old, "old");
   std::string why;
@@ -128,7 +128,7 @@ TEST_F(TlsTest, WhoseCertificateHasExpiredMeanwhileIsNotTrusted) {
   EXPECT_THAT(why, HasSubstr("expired"));
 }
 
-TEST_F(TlsTest, AViewersCertificateIsNotThatOfOneWhoGivesOrders) {
+TEST_F(TlsTest, RefusesAViewersCertificateFromTheGcm) {
   const auto gcm = As({.name = "gcm", .role = Role::kViewer, .holder = kProcess});
 
   const auto refusal = Refusal(robot_, Listen(gcm, "gcm"), "gcm");
@@ -137,7 +137,7 @@ TEST_F(TlsTest, AViewersCertificateIsNotThatOfOneWhoGivesOrders) {
   EXPECT_THAT(refusal.message, HasSubstr("has the certificate of a viewer"));
 }
 
-TEST_F(TlsTest, WhoeverIsRefusedIsNamedWhateverTheLogLevel) {
+TEST_F(TlsTest, LogsRefusedPeersAtAnyLogLevel) {
   SetLogLevel(LogLevel::kError);
   const auto address = Listen(robot_, "robot");
   const auto copy = CopyOfPublicFiles();
@@ -152,7 +152,7 @@ TEST_F(TlsTest, WhoeverIsRefusedIsNamedWhateverTheLogLevel) {
   SetLogLevel(LogLevel::kInfo);
 }
 
-TEST_F(TlsTest, WithoutItsCaFilesAProgramTrustsNobodyUntilTheyAreBack) {
+TEST_F(TlsTest, TrustsNobodyWhileItsCaFilesAreMissing) {
   const auto address = Listen(robot_, "robot");
   const auto anna = Showing(Issue({.name = "anna"}).certificate_file, CopyOfPublicFiles());
   fs::rename(folder / "crl.pem", home.path() / "kept");
@@ -162,7 +162,7 @@ TEST_F(TlsTest, WithoutItsCaFilesAProgramTrustsNobodyUntilTheyAreBack) {
   EXPECT_TRUE(Open(anna, address, "gcm").ok());
 }
 
-TEST_F(TlsTest, WithoutACertificateNobodyIsLetIn) {
+TEST_F(TlsTest, RefusesAPeerWithoutACertificate) {
   const std::shared_ptr<Middleware> plain = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto address = Listen(robot_, "robot");
 
@@ -174,7 +174,7 @@ TEST_F(TlsTest, WithoutACertificateNobodyIsLetIn) {
   EXPECT_THAT(channel.error().message, HasSubstr("or requires a --certificate"));
 }
 
-TEST_F(TlsTest, WhoSpeaksNoTlsIsNotSpokenTo) {
+TEST_F(TlsTest, RefusesAnAcceptorWithoutTls) {
   const std::shared_ptr<Middleware> plain = MakeIceMiddleware(Exposure::kLoopbackOnly);
 
   const auto refusal = Refusal(As({.name = "anna"}), Listen(plain, "robot"));
@@ -183,7 +183,7 @@ TEST_F(TlsTest, WhoSpeaksNoTlsIsNotSpokenTo) {
   EXPECT_THAT(refusal.message, HasSubstr("or does not use TLS"));
 }
 
-TEST_F(TlsTest, WhoseHandshakeTakesForEverIsCutOffByTheNextWhereThereAreMany) {
+TEST_F(TlsTest, NewHandshakesReplaceTheSlowestPendingOnes) {
   const auto address = Listen(robot_, "robot");
   const HostPort place = *ParseAddress(address, 1);
   std::vector<os::Socket> slow;

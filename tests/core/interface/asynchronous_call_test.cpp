@@ -36,7 +36,7 @@ class AsynchronousCall : public testing::Test {
   std::vector<std::byte> out;
 };
 
-TEST_F(AsynchronousCall, EndsOnceItWasExecuted) {
+TEST_F(AsynchronousCall, EndsAfterItsExecution) {
   planner.moves = {1, 2};
   auto* const describe = Bind("Describe");
   ASSERT_EQ(Begin(*describe, std::string("moves: ")), Status(Status::kQueued));
@@ -51,7 +51,7 @@ TEST_F(AsynchronousCall, EndsOnceItWasExecuted) {
   EXPECT_EQ(message.text, "moves: 2");
 }
 
-TEST_F(AsynchronousCall, TellsWhoListens) {
+TEST_F(AsynchronousCall, NotifiesItsListener) {
   auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kQueued));
   const tendon_test::Executor executor(planner.inbox);
@@ -63,7 +63,7 @@ TEST_F(AsynchronousCall, TellsWhoListens) {
   EXPECT_EQ(move->EndEncoded(call, out), Status(Status::kDone));
 }
 
-TEST_F(AsynchronousCall, ThatIsEndedBeforeItWasExecutedIsNotExecuted) {
+TEST_F(AsynchronousCall, IsNotExecutedIfEndedBefore) {
   auto* const move = Bind("Move");
   ASSERT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kQueued));
 
@@ -97,7 +97,7 @@ TEST_F(AsynchronousCall, IsRefusedWhenTheMailboxIsFull) {
   EXPECT_EQ(planner.moves, (std::vector<std::int32_t>{1, 2}));
 }
 
-TEST_F(AsynchronousCall, OfAComponentWithoutAThreadIsExecutedAtOnce) {
+TEST_F(AsynchronousCall, IsExecutedAtOnceWithoutAThread) {
   const auto move = planner.plans.FindCommand("Move")->Bind(nullptr);
 
   EXPECT_EQ(Begin(*move, std::int32_t{5}), Status(Status::kDone));

@@ -108,7 +108,7 @@ struct Open {
   std::unique_ptr<Connection> connection = ConnectionOf(everybody.office, office.desk);
 };
 
-TEST(ManyCallers, OfOneFunctionLoseTearAndReorderNothing) {
+TEST(ManyCallers, KeepCallsOfOneFunctionCompleteAndInOrder) {
   constexpr std::uint64_t kCalls = 10'000;
   Open both;
   const Executor server(both.office.inbox);
@@ -128,7 +128,7 @@ TEST(ManyCallers, OfOneFunctionLoseTearAndReorderNothing) {
   for (const std::uint64_t received : both.office.next) EXPECT_EQ(received, kCalls);
 }
 
-TEST(ManyCallers, PassDynamicArgumentsWhole) {
+TEST(ManyCallers, PassDynamicArgumentsCompletely) {
   constexpr int kCalls = 2000;
   Open both;
   const Executor server(both.office.inbox);
@@ -146,7 +146,7 @@ TEST(ManyCallers, PassDynamicArgumentsWhole) {
   EXPECT_EQ(both.office.texts, accepted);
 }
 
-TEST(ManyCallers, GetTheirOwnAnswers) {
+TEST(ManyCallers, GetTheirOwnReplies) {
   constexpr int kCalls = 500;
   Open both;
   const Executor server(both.office.inbox);
@@ -202,7 +202,7 @@ TEST(ManyCallers, ThroughTheCodecDoNotMixTheirValues) {
   EXPECT_EQ(wrong, 0);
 }
 
-TEST(ManyCallers, OfATaskAreAllowedWhereItSaysSo) {
+TEST(ManyCallers, AreAllowedForATaskThatDeclaresThem) {
   Office office;
   tendon::Inbox inbox;
   inbox.BindToThisThread();
@@ -218,7 +218,7 @@ TEST(ManyCallers, OfATaskAreAllowedWhereItSaysSo) {
   EXPECT_EQ(office.wrong, 0U);
 }
 
-TEST(ManyCallers, DisconnectingUnderThemFreesNothingInUse) {
+TEST(ManyCallers, MayCallDuringADisconnect) {
   Office office;
   Public everybody;
   const Executor server(office.inbox);
@@ -252,7 +252,7 @@ TEST(ManyCallers, DisconnectingUnderThemFreesNothingInUse) {
   EXPECT_EQ(office.texts, accepted);
 }
 
-TEST(ManyRaisers, OfAThreadLessComponentLoseNoEventOfAnother) {
+TEST(ManyRaisers, CountEveryEventThatDoesNotFit) {
   tendon::ProvidedInterface source("Source", nullptr);
   tendon::WriteEvent<Ticket> taken;
   source.AddEvent(taken, "Taken");
@@ -271,7 +271,7 @@ TEST(ManyRaisers, OfAThreadLessComponentLoseNoEventOfAnother) {
   EXPECT_EQ((*connection)->lost_events(), taken.lost());
 }
 
-TEST(CallersDeathTest, AFunctionOfATaskThatAnotherThreadCallsIsFoundInDebugBuilds) {
+TEST(CallersDeathTest, ACallFromAnotherThreadAbortsADebugBuild) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   Planner planner;
   Operator client;

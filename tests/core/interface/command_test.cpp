@@ -98,7 +98,7 @@ TEST(FilteredWrite, ConvertsInTheCallersThreadAndQueuesTheResult) {
   EXPECT_EQ(both.gripper.widths, std::vector<double>{0.25});
 }
 
-TEST(FilteredWrite, WhatItsFilterRefusesIsNotQueued) {
+TEST(FilteredWrite, RejectedByItsFilterIsNotQueued) {
   Held both;
 
   EXPECT_EQ(both.hand.set_width(-1), Status::kFailed);
@@ -115,7 +115,7 @@ TEST(FilteredWrite, CanBeWaitedFor) {
   EXPECT_EQ(both.gripper.widths, std::vector<double>{0.01});
 }
 
-TEST(LatestOnly, ANewerWriteReplacesTheOneThatWaits) {
+TEST(LatestOnly, ANewerWriteReplacesTheQueuedOne) {
   Held both;
 
   for (int i = 1; i <= 100; ++i) EXPECT_EQ(both.hand.follow(i), Status::kQueued);
@@ -127,7 +127,7 @@ TEST(LatestOnly, ANewerWriteReplacesTheOneThatWaits) {
   EXPECT_EQ(both.connection->refused(), 0U);
 }
 
-TEST(LatestOnly, IsNotRefusedByAFullMailboxAndDropsNoOtherCommand) {
+TEST(LatestOnly, AFullMailboxDoesNotRefuseIt) {
   Held both;
   for (int i = 0; i < 4; ++i) EXPECT_EQ(both.hand.pulse(), Status::kQueued);
   EXPECT_EQ(both.hand.pulse(), Status::kQueueFull);
@@ -142,7 +142,7 @@ TEST(LatestOnly, IsNotRefusedByAFullMailboxAndDropsNoOtherCommand) {
   EXPECT_EQ(both.gripper.texts, std::vector<std::string>{"b"});
 }
 
-TEST(LatestOnly, AWriteWhileTheOlderOneIsExecutedIsNotLost) {
+TEST(LatestOnly, KeepsAWriteDuringTheOldersExecution) {
   struct Echo {
     tendon::Inbox inbox;
     tendon::ProvidedInterface control{"Control", &inbox};
@@ -181,7 +181,7 @@ TEST(LatestOnly, StartsAfreshAfterItsTokenWasDropped) {
   EXPECT_EQ(both.gripper.widths, std::vector<double>{2});
 }
 
-TEST(LatestOnly, ACallThatIsWaitedForIsNotReplaced) {
+TEST(LatestOnly, DoesNotReplaceAWaitedCall) {
   Held both;
   EXPECT_EQ(both.hand.follow(1), Status::kQueued);
   const Executor server(both.gripper.inbox);
@@ -207,7 +207,7 @@ TEST(LatestOnly, AllocatesNothingOnceWarm) {
   }
 }
 
-TEST(Offer, ADisabledCommandSaysSoUntilItIsEnabled) {
+TEST(Offer, ReportsADisabledCommandUntilEnabled) {
   Held both;
   both.gripper.open->Disable();
 
@@ -236,7 +236,7 @@ TEST(ProvidedInterface, NamesTheTypesOfNumbersAndArrays) {
   EXPECT_EQ(type_of(description.events, "Moved"), "float64[7]");
 }
 
-TEST(Connection, ShowsWhichFunctionsGoThroughTheCodec) {
+TEST(Connection, ListsConvertedFunctions) {
   Arm arm;
   tendon::RequiredInterface robot("Robot", nullptr);
   tendon::WriteFunction<PaddedJointGoal> move_to;

@@ -88,7 +88,7 @@ struct Carrier : Receiver {
 };
 
 /// Both ends run, and are connected and disconnected meanwhile.
-TEST(ConnectionStress, NothingAcceptedIsLostTornOrReorderedThroughManyConnections) {
+TEST(ConnectionStress, AcceptedCallsSurviveReconnectsCompleteAndInOrder) {
   constexpr int kConnections = 150;
   Depot depot;
   Carrier carrier;

@@ -27,14 +27,14 @@ struct Connected {
   std::unique_ptr<Connection> connection = std::move(*Connect(teleoperation, arm));
 };
 
-TEST(Function, AnUnconnectedOneSaysSo) {
+TEST(Function, ReportsThatItIsNotConnected) {
   Teleoperation teleoperation;
 
   EXPECT_EQ(teleoperation.stop(), Status::kNotConnected);
   EXPECT_FALSE(teleoperation.stop.is_connected());
 }
 
-TEST(Function, ADefaultConstructedOneThatBelongsNowhereSaysSo) {
+TEST(Function, ReportsNotConnectedWithoutAnInterface) {
   tendon::VoidFunction stop;
 
   EXPECT_EQ(stop(), Status::kNotConnected);
@@ -57,7 +57,7 @@ TEST(Connection, CommandsRunInTheServersThreadInOrder) {
   EXPECT_EQ(both.arm.stops, 1);
 }
 
-TEST(Connection, DynamicPayloadsArriveWhole) {
+TEST(Connection, DynamicPayloadsArriveComplete) {
   Connected both;
 
   EXPECT_EQ(both.teleoperation.say({"hello", {1.0, 2.0}}), Status::kQueued);
@@ -79,7 +79,7 @@ TEST(Connection, ReadsGiveTheNewestRowAndNoSampleBeforeTheFirst) {
   EXPECT_EQ(read.position[3], 0.5);
 }
 
-TEST(Connection, QualifiedReadsAnswerTheirQuestionAndContainExceptions) {
+TEST(Connection, QualifiedReadsAnswerAndContainExceptions) {
   Connected both;
   both.arm.joints.position[6] = 0.25;
   both.arm.Advance();
@@ -134,7 +134,7 @@ TEST(Connection, CallingAllocatesNothing) {
   both.teleoperation.inbox.ExecuteQueued();
 }
 
-TEST(Connection, AFullMailboxRefusesAndCountsAndLosesNothingAccepted) {
+TEST(Connection, AFullMailboxRefusesAndCountsCalls) {
   Arm arm;
   Teleoperation teleoperation;
   teleoperation.robot.SetMailboxCapacity(4);
@@ -150,7 +150,7 @@ TEST(Connection, AFullMailboxRefusesAndCountsAndLosesNothingAccepted) {
   EXPECT_EQ(teleoperation.stop(), Status::kQueued);
 }
 
-TEST(Connection, AnEventForAFullMailboxIsCountedAsLost) {
+TEST(Connection, CountsAnEventForAFullMailboxAsLost) {
   Arm arm;
   Teleoperation teleoperation;
   teleoperation.robot.SetMailboxCapacity(1);
@@ -162,14 +162,14 @@ TEST(Connection, AnEventForAFullMailboxIsCountedAsLost) {
   EXPECT_EQ(arm.limit_exceeded.lost(), 1U);
 }
 
-TEST(Connection, AServerThatDoesNotRunRefuses) {
+TEST(Connection, AStoppedServerRefusesCalls) {
   Connected both;
   both.arm.inbox.SetAccepting(false);
 
   EXPECT_EQ(both.teleoperation.stop(), Status::kNotActive);
 }
 
-TEST(Connection, ASecondOneOfTheSameRequiredInterfaceIsRefused) {
+TEST(Connection, RefusesASecondConnectionOfARequiredInterface) {
   Connected both;
   Arm other;
 
@@ -204,7 +204,7 @@ TEST(Connection, ARefusalNamesBothEndsAndEveryMember) {
   EXPECT_FALSE(move_to.is_connected());
 }
 
-TEST(Connection, AnOptionalFunctionStaysEmptyWhereNothingIsOffered) {
+TEST(Connection, AnOptionalFunctionWithoutAnOfferStaysEmpty) {
   Connected both;
 
   EXPECT_EQ(both.teleoperation.wave(), Status::kNotConnected);
@@ -235,7 +235,7 @@ TEST(Connection, TheSameTypeInAnotherLayoutIsConverted) {
   EXPECT_EQ(read.position[2], 0.75);
 }
 
-TEST(Connection, ClosingExecutesWhatWasAcceptedAndThenRefuses) {
+TEST(Connection, ClosingExecutesAcceptedCallsThenRefuses) {
   Connected both;
   EXPECT_EQ(both.teleoperation.stop(), Status::kQueued);
   std::atomic<bool> done = false;
@@ -252,7 +252,7 @@ TEST(Connection, ClosingExecutesWhatWasAcceptedAndThenRefuses) {
   EXPECT_EQ(both.teleoperation.stop(), Status::kNotConnected);
 }
 
-TEST(Connection, ClosingDropsAndCountsWhatAServerDoesNotExecute) {
+TEST(Connection, ClosingDropsAndCountsUnexecutedCalls) {
   Connected both;
   EXPECT_EQ(both.teleoperation.stop(), Status::kQueued);
   both.arm.limit_exceeded(1);
@@ -286,7 +286,7 @@ TEST(Inbox, ANestedCallExecutesNothing) {
   EXPECT_EQ(server.nested, 0U);
 }
 
-TEST(Inbox, AnExceptionOfACommandPassesAndTheNextCallRuns) {
+TEST(Inbox, RethrowsACommandsExceptionAndContinues) {
   struct Throwing {
     tendon::Inbox inbox;
     tendon::ProvidedInterface control{"Control", &inbox};
@@ -311,7 +311,7 @@ TEST(Inbox, AnExceptionOfACommandPassesAndTheNextCallRuns) {
   EXPECT_EQ(server.calls, 2);
 }
 
-TEST(ProvidedInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
+TEST(ProvidedInterface, RefusesADuplicateMemberNamingTheFirst) {
   Arm arm;
   const std::string found =
       " already exists in interface 'Control' \\(added at "
@@ -327,7 +327,7 @@ TEST(ProvidedInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
               HasSubstr("command name 'Stop it' has ' ' at 5"));
 }
 
-TEST(RequiredInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
+TEST(RequiredInterface, RefusesADuplicateMemberNamingTheFirst) {
   Teleoperation client;
   const std::string found =
       " already exists in interface 'Robot' \\(added at "
@@ -341,14 +341,14 @@ TEST(RequiredInterface, ASecondMemberOfOneNameIsRefusedAndTheFirstIsFound) {
               MatchesRegex("event handler 'Stopped'" + found));
 }
 
-TEST(ProvidedInterface, ASealedOneIsRefused) {
+TEST(ProvidedInterface, RefusesMembersOnceSealed) {
   Arm arm;
   arm.control.Seal();
 
   EXPECT_THROW(arm.control.AddCommandVoid(&Arm::Stop, &arm, "Halt"), tendon::ConfigurationError);
 }
 
-TEST(RequiredInterface, AMailboxCapacityOutOfRangeIsRefused) {
+TEST(RequiredInterface, RefusesAMailboxCapacityOutOfRange) {
   Teleoperation teleoperation;
 
   EXPECT_THROW(teleoperation.robot.SetMailboxCapacity(0), tendon::ConfigurationError);
@@ -356,7 +356,7 @@ TEST(RequiredInterface, AMailboxCapacityOutOfRangeIsRefused) {
 }
 
 /// A pointer and a goal fill one cache line, with a time they need two.
-TEST(Connection, TellsWhatTheSlotsOfItsMailboxesTake) {
+TEST(Connection, ReportsTheMemoryOfItsMailboxes) {
   Arm arm;
   Teleoperation teleoperation;
   tendon::RequiredInterface plain("Plain", nullptr);
@@ -368,7 +368,7 @@ TEST(Connection, TellsWhatTheSlotsOfItsMailboxesTake) {
   EXPECT_EQ(Connection::MailboxBytes(teleoperation.robot, arm.control), 3U * (64 + 128));
 }
 
-TEST(Connection, ConnectingAndDisconnectingUnderLoadLosesNothingAccepted) {
+TEST(Connection, ReconnectingUnderLoadLosesNoAcceptedCall) {
   Arm arm;
   Teleoperation teleoperation;
   std::atomic<bool> done = false;

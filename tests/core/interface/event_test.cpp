@@ -46,7 +46,7 @@ struct Direct : Observer {
   void OnStopped() { threads.push_back(std::this_thread::get_id()); }
 };
 
-TEST(DirectHandler, RunsInTheThreadThatRaises) {
+TEST(DirectHandler, RunsInTheRaisersThread) {
   Direct client;
 
   std::jthread raiser([&] {
@@ -56,7 +56,7 @@ TEST(DirectHandler, RunsInTheThreadThatRaises) {
   });
 }
 
-TEST(DirectHandler, ThatThrowsIsCountedAsLostAndStopsNobody) {
+TEST(DirectHandler, ThrowingCountsAsLostAndStopsNoOther) {
   struct Throwing {
     void OnStopped() { throw std::runtime_error("broken"); }
   } throwing;
@@ -74,7 +74,7 @@ TEST(DirectHandler, ThatThrowsIsCountedAsLostAndStopsNobody) {
   EXPECT_EQ(other.stops_seen, 1);
 }
 
-TEST(EventHandler, CanKeepTheLatestOnly) {
+TEST(EventHandler, CanKeepOnlyTheLatest) {
   struct Latest : Observer {
     std::vector<std::int32_t> joints;
     Latest() {
@@ -93,7 +93,7 @@ TEST(EventHandler, CanKeepTheLatestOnly) {
   EXPECT_EQ(client.arm.limit_exceeded.lost(), 0U);
 }
 
-TEST(EventHandler, AnOptionalOneIsNotCalledWhereNoSuchEventIsOffered) {
+TEST(EventHandler, IsNotCalledIfItsOptionalEventIsNotOffered) {
   struct Curious : Observer {
     int calls = 0;
     Curious() {
@@ -110,7 +110,7 @@ TEST(EventHandler, AnOptionalOneIsNotCalledWhereNoSuchEventIsOffered) {
   EXPECT_EQ(client.calls, 1);
 }
 
-TEST(Event, WhatIsLostIsCountedAtBothEnds) {
+TEST(Event, LossesAreCountedAtBothEnds) {
   Arm arm;
   Teleoperation teleoperation;
   teleoperation.robot.SetMailboxCapacity(2);
@@ -122,7 +122,7 @@ TEST(Event, WhatIsLostIsCountedAtBothEnds) {
   EXPECT_EQ((*connection)->lost_events(), 3U);
 }
 
-TEST(Event, ADisabledOneReachesNobody) {
+TEST(Event, IsNotDeliveredWhileDisabled) {
   Arm arm;
   Teleoperation teleoperation;
   const auto connection = Connect(teleoperation, arm);
@@ -151,7 +151,7 @@ TEST(EventWaiter, WaitsUntilTheEventIsRaised) {
   EXPECT_EQ(client.stopped.Wait(60s), Status::kDone);
 }
 
-TEST(EventWaiter, GetsTheNewestThatCameMeanwhileOnce) {
+TEST(EventWaiter, ReturnsTheNewestQueuedEventOnce) {
   Observer client;
   client.AwaitEvents();
   client.arm.limit_exceeded(1);
@@ -164,7 +164,7 @@ TEST(EventWaiter, GetsTheNewestThatCameMeanwhileOnce) {
   EXPECT_EQ(client.limit.Wait(joint, 1ms), Status::kTimeout);
 }
 
-TEST(EventWaiter, ForgetsWhatCameBefore) {
+TEST(EventWaiter, ForgetsEarlierEvents) {
   Observer client;
   client.AwaitEvents();
   client.arm.stopped();
@@ -174,7 +174,7 @@ TEST(EventWaiter, ForgetsWhatCameBefore) {
   EXPECT_EQ(client.stopped.Wait(1ms), Status::kTimeout);
 }
 
-TEST(EventWaiter, IsToldOfADisconnect) {
+TEST(EventWaiter, ADisconnectEndsItsWait) {
   Observer client;
   EXPECT_EQ(client.stopped.Wait(60s), Status::kNotConnected);
   client.AwaitEvents();

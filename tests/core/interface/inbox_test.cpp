@@ -24,7 +24,7 @@ struct Caller {
   void Connect(Arm& arm) { connection = ConnectionOf(robot, arm.control); }
 };
 
-TEST(Inbox, FindsTheOneCallAmongHundredsOfConnections) {
+TEST(Inbox, FindsOneCallAmongHundredsOfConnections) {
   Arm arm;
   std::vector<Caller> callers(200);
   for (Caller& caller : callers) caller.Connect(arm);
@@ -40,7 +40,7 @@ TEST(Inbox, FindsTheOneCallAmongHundredsOfConnections) {
   EXPECT_EQ(arm.stops, 5);
 }
 
-TEST(Inbox, APlaceThatWasFreedServesTheNextConnection) {
+TEST(Inbox, ReusesAFreedPlaceForTheNextConnection) {
   Arm arm;
   std::vector<Caller> callers(3);
   for (Caller& caller : callers) caller.Connect(arm);
@@ -56,7 +56,7 @@ TEST(Inbox, APlaceThatWasFreedServesTheNextConnection) {
   EXPECT_EQ(arm.inbox.ExecuteQueued(), 2U);
 }
 
-TEST(Inbox, WhatALimitHasLeftIsFoundTheNextTime) {
+TEST(Inbox, ExecutesCallsBeyondALimitTheNextTime) {
   Arm arm;
   std::vector<Caller> callers(2);
   for (Caller& caller : callers) {
@@ -101,7 +101,7 @@ TEST(Inbox, AFastClientDoesNotStarveTheOthers) {
   EXPECT_EQ(server.executed, 2);
 }
 
-TEST(Inbox, AnIdleOneLooksAtNoMailbox) {
+TEST(Inbox, ChecksNoMailboxWhileIdle) {
   Arm arm;
   Caller caller;
   caller.Connect(arm);
@@ -147,9 +147,9 @@ struct Stuck : testing::Test {
   }
 };
 
-using AHandlerThatHangs = Stuck;
+using HungHandler = Stuck;
 
-TEST_F(AHandlerThatHangs, DoesNotHoldUpADisconnect) {
+TEST_F(HungHandler, DoesNotBlockADisconnect) {
   EXPECT_EQ(connection->Close(0ms), 2U);  // the one that runs, and the one behind it
   connection.reset();
 
@@ -159,7 +159,7 @@ TEST_F(AHandlerThatHangs, DoesNotHoldUpADisconnect) {
   EXPECT_TRUE(planner.moves.empty()) << "what was dropped is not executed afterwards";
 }
 
-TEST_F(AHandlerThatHangs, DoesNotHoldUpAnotherConnection) {
+TEST_F(HungHandler, DoesNotBlockAnotherConnection) {
   Operator other;
   const auto second = Connect(other, planner);
   ASSERT_TRUE(second.ok());
@@ -173,7 +173,7 @@ TEST_F(AHandlerThatHangs, DoesNotHoldUpAnotherConnection) {
   EXPECT_EQ(planner.moves.size(), 2U);
 }
 
-TEST_F(AHandlerThatHangs, DoesNotLetItsThreadMistakeTheNextConnectionForTheOneBefore) {
+TEST_F(HungHandler, DoesNotConfuseConnectionsOfOnePlace) {
   Operator other;
   Operator next;
   auto before = std::move(*Connect(other, planner));
@@ -191,7 +191,7 @@ TEST_F(AHandlerThatHangs, DoesNotLetItsThreadMistakeTheNextConnectionForTheOneBe
   EXPECT_EQ((*connected)->Close(10s), 0U);
 }
 
-TEST(EventTime, IsThatAtWhichTheHandledEventWasRaised) {
+TEST(EventTime, IsTheTimeTheHandledEventWasRaised) {
   Arm arm;
   Teleoperation teleoperation;
   const auto connection = Connect(teleoperation, arm);
@@ -209,7 +209,7 @@ TEST(EventTime, IsThatAtWhichTheHandledEventWasRaised) {
   EXPECT_LE(teleoperation.robot.event_time(), after);
 }
 
-TEST(EventTime, LeavesTheArgumentWhole) {
+TEST(EventTime, KeepsTheArgumentIntact) {
   struct Wide {
     tendon::Inbox inbox;
     tendon::RequiredInterface source{"Source", &inbox};

@@ -67,9 +67,9 @@ struct Store {
 };
 
 /// Its calls, from one thread or from any.
-class AThrowingCopy : public testing::TestWithParam<CallerThreads> {
+class ThrowingCopy : public testing::TestWithParam<CallerThreads> {
  protected:
-  AThrowingCopy() {
+  ThrowingCopy() {
     required_.SetCallers(GetParam());
     required_.AddFunction(take_, "Take");
     required_.AddFunction(follow_, "Follow");
@@ -89,7 +89,7 @@ class AThrowingCopy : public testing::TestWithParam<CallerThreads> {
   std::unique_ptr<tendon::Connection> connection_;
 };
 
-TEST_P(AThrowingCopy, OfAnArgumentFailsThatCallAndHoldsUpNoOther) {
+TEST_P(ThrowingCopy, OfAnArgumentFailsOnlyThatCall) {
   const Fragile first(1);
   {
     const ShortOfMemory memory;
@@ -104,7 +104,7 @@ TEST_P(AThrowingCopy, OfAnArgumentFailsThatCallAndHoldsUpNoOther) {
   EXPECT_EQ(connection_->waiting(), 0U);
 }
 
-TEST_P(AThrowingCopy, OfTheLatestValueFailsThatCallAlone) {
+TEST_P(ThrowingCopy, OfTheLatestValueFailsOnlyThatCall) {
   {
     const ShortOfMemory memory;
     EXPECT_EQ(follow_(Fragile(1)), Status::kFailed);
@@ -117,7 +117,7 @@ TEST_P(AThrowingCopy, OfTheLatestValueFailsThatCallAlone) {
 }
 
 /// There are as many records for answers as slots.
-TEST_P(AThrowingCopy, OfAnAnswerFailsThatCallAlone) {
+TEST_P(ThrowingCopy, OfAReplyFailsOnlyThatCall) {
   const Executor server(store_.inbox);
   Fragile answer;
   for (int i = 0; i < 10; ++i) {
@@ -130,7 +130,7 @@ TEST_P(AThrowingCopy, OfAnAnswerFailsThatCallAlone) {
   EXPECT_EQ(answer.number, 7);
 }
 
-TEST_P(AThrowingCopy, OfAnEventLosesThatEventAlone) {
+TEST_P(ThrowingCopy, OfAnEventLosesOnlyThatEvent) {
   {
     const ShortOfMemory memory;
     store_.arrived(Fragile(1));
@@ -144,7 +144,7 @@ TEST_P(AThrowingCopy, OfAnEventLosesThatEventAlone) {
   EXPECT_EQ(store_.arrived.lost(), 1U);
 }
 
-TEST_P(AThrowingCopy, OfAnAwaitedEventFailsThatWaitAlone) {
+TEST_P(ThrowingCopy, OfAnAwaitedEventFailsOnlyThatWait) {
   Fragile value;
   store_.arrived(Fragile(1));
   {
@@ -157,7 +157,7 @@ TEST_P(AThrowingCopy, OfAnAwaitedEventFailsThatWaitAlone) {
   EXPECT_EQ(value.number, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(, AThrowingCopy,
+INSTANTIATE_TEST_SUITE_P(, ThrowingCopy,
                          testing::Values(CallerThreads::kOneThread, CallerThreads::kManyThreads),
                          [](const auto& callers) {
                            return callers.param == CallerThreads::kOneThread ? "OneCaller"

@@ -19,7 +19,7 @@ struct WaitingPair {
   std::unique_ptr<Connection> connection = std::move(*Connect(client, planner));
 };
 
-TEST(Waiting, ForAWriteReturnsOnceTheServerHasExecutedIt) {
+TEST(Waiting, ForAWriteReturnsAfterItsExecution) {
   WaitingPair both;
   const Executor server(both.planner.inbox);
 
@@ -28,7 +28,7 @@ TEST(Waiting, ForAWriteReturnsOnceTheServerHasExecutedIt) {
   EXPECT_EQ(both.planner.moves, std::vector<std::int32_t>{7});
 }
 
-TEST(Waiting, ForAVoidCommandToo) {
+TEST(Waiting, ForAVoidCommandReturnsAfterItsExecution) {
   WaitingPair both;
   const Executor server(both.planner.inbox);
 
@@ -48,7 +48,7 @@ TEST(Waiting, KeepsTheOrderOfEarlierCalls) {
   EXPECT_EQ(both.planner.moves, (std::vector<std::int32_t>{1, 2, 3}));
 }
 
-TEST(Waiting, BringsTheAnswerOfAVoidReturnCommand) {
+TEST(Waiting, ReturnsTheResultOfAVoidReturnCommand) {
   WaitingPair both;
   EXPECT_EQ(both.client.move(1), Status::kQueued);
   const Executor server(both.planner.inbox);
@@ -59,7 +59,7 @@ TEST(Waiting, BringsTheAnswerOfAVoidReturnCommand) {
   EXPECT_EQ(count, 1);
 }
 
-TEST(Waiting, BringsTheDynamicAnswerOfAWriteReturnCommand) {
+TEST(Waiting, ReturnsTheDynamicResultOfAWriteReturnCommand) {
   WaitingPair both;
   EXPECT_EQ(both.client.move(5), Status::kQueued);
   const Executor server(both.planner.inbox);
@@ -111,7 +111,7 @@ TEST(Waiting, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
   EXPECT_EQ(both.client.move.Wait(1, kLong), Status::kDone);
 }
 
-TEST(Waiting, ACallThatThrowsHasFailedAndTheExceptionGoesItsWay) {
+TEST(Waiting, AThrowingCallFailsAndItsExceptionPropagates) {
   WaitingPair both;
   std::atomic<bool> is_thrown = false;
   std::jthread server([&] {
@@ -129,7 +129,7 @@ TEST(Waiting, ACallThatThrowsHasFailedAndTheExceptionGoesItsWay) {
   EXPECT_TRUE(EventuallyTrue([&] { return is_thrown.load(); }));
 }
 
-TEST(Waiting, ForAServerThatDoesNotRunIsRefusedAtOnce) {
+TEST(Waiting, ForAStoppedServerIsRefusedAtOnce) {
   WaitingPair both;
   both.planner.inbox.SetAccepting(false);
   std::int32_t count = 0;
@@ -137,7 +137,7 @@ TEST(Waiting, ForAServerThatDoesNotRunIsRefusedAtOnce) {
   EXPECT_EQ(both.client.count.Wait(count, kLong), Status::kNotActive);
 }
 
-TEST(Waiting, EndsWhenTheServerStopsAndTheCallIsNotExecutedLater) {
+TEST(Waiting, EndsWithTheServersStopWithoutExecution) {
   WaitingPair both;
   Status status = Status::kDone;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
@@ -171,7 +171,7 @@ TEST(Waiting, WithoutAConnectionIsRefused) {
   EXPECT_EQ(client.count.Wait(count, kLong), Status::kNotConnected);
 }
 
-TEST(Waiting, ForOnesOwnThreadIsRefused) {
+TEST(Waiting, ForTheCallersOwnThreadIsRefused) {
   WaitingPair both;
   both.planner.inbox.BindToThisThread();
   std::int32_t count = 0;
@@ -181,7 +181,7 @@ TEST(Waiting, ForOnesOwnThreadIsRefused) {
   EXPECT_EQ(both.client.move(1), Status::kQueued);
 }
 
-TEST(Waiting, ATaskIsNotConnectedToItselfByACommandThatMakesItWait) {
+TEST(Waiting, RefusesASelfConnectionThatWouldDeadlock) {
   Planner planner;
   tendon::RequiredInterface self("Self", &planner.inbox);
   tendon::VoidReturnFunction<std::int32_t> count;
@@ -195,7 +195,7 @@ TEST(Waiting, ATaskIsNotConnectedToItselfByACommandThatMakesItWait) {
             "planner/Plans is executed by the task that calls it; call the method directly");
 }
 
-TEST(Waiting, IsEndedByADisconnect) {
+TEST(Waiting, EndsWithADisconnect) {
   WaitingPair both;
   Status status = Status::kDone;
   std::jthread client([&] { status = both.client.move.Wait(1, kLong); });
@@ -220,7 +220,7 @@ TEST(Waiting, ADisconnectLetsAnActiveServerAnswerFirst) {
   EXPECT_EQ(status, Status::kDone);
 }
 
-TEST(Waiting, ForAComponentWithoutAThreadIsToCallIt) {
+TEST(Waiting, ForAThreadlessComponentCallsDirectly) {
   struct Plain {
     tendon::ProvidedInterface plans{"Plans", nullptr};
     Plain() { plans.AddCommandVoidReturn(&Plain::Count, this, "Count"); }
@@ -237,7 +237,7 @@ TEST(Waiting, ForAComponentWithoutAThreadIsToCallIt) {
   EXPECT_EQ(answer, 42);
 }
 
-TEST(Waiting, AnAnswerInAnotherLayoutIsConverted) {
+TEST(Waiting, ConvertsAReplyInAnotherLayout) {
   struct Server {
     tendon::Inbox inbox;
     tendon::ProvidedInterface control{"Control", &inbox};

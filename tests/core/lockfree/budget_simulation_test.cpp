@@ -22,7 +22,7 @@ struct Shared {
   }
 };
 
-TEST(BudgetSimulation, IsWholeAgainWhateverTheOrder) {
+TEST(BudgetSimulation, IsCompleteAfterAnyInterleaving) {
   const Report report = Explore([](Scenario& scenario) {
     const auto shared = std::make_shared<Shared>();
     scenario.Thread([=] { shared->TakeAndGive(1); });
@@ -37,7 +37,7 @@ TEST(BudgetSimulation, IsWholeAgainWhateverTheOrder) {
 }
 
 /// Who gives nothing back: both fit, or one is refused.
-TEST(BudgetSimulation, NeverLetsTwoHaveMoreThanThereIs) {
+TEST(BudgetSimulation, NeverGrantsMoreThanItsTotal) {
   const Report report = Explore([](Scenario& scenario) {
     const auto shared = std::make_shared<Shared>();
     const auto taken = std::make_shared<std::array<bool, 2>>();

@@ -7,7 +7,7 @@ namespace {
 
 using tendon::Budget;
 
-TEST(Budget, IsTakenUpToItsMostAndAgainOnceItIsGivenBack) {
+TEST(Budget, GrantsUpToItsLimitAndAgainAfterReturns) {
   Budget<> budget(10);
   EXPECT_TRUE(budget.Take(6));
   EXPECT_TRUE(budget.Take(4));
@@ -19,7 +19,7 @@ TEST(Budget, IsTakenUpToItsMostAndAgainOnceItIsGivenBack) {
   EXPECT_TRUE(budget.Take(4));
 }
 
-TEST(Budget, LetsOneAloneHaveMore) {
+TEST(Budget, GrantsASingleHolderMoreThanItsLimit) {
   Budget<> budget(10);
   EXPECT_TRUE(budget.Take(1000));
   EXPECT_FALSE(budget.Take(0));
@@ -30,13 +30,13 @@ TEST(Budget, LetsOneAloneHaveMore) {
   EXPECT_FALSE(budget.Take(1000));
 }
 
-TEST(Budget, WithoutALimitIsNeverUsedUp) {
+TEST(Budget, WithoutALimitIsNeverExhausted) {
   Budget<> budget;
   EXPECT_TRUE(budget.Take(Budget<>::kNoLimit));
   EXPECT_TRUE(budget.Take(Budget<>::kNoLimit));
 }
 
-TEST(Budget, LosesNothingBetweenThreads) {
+TEST(Budget, LosesNothingBetweenTwoThreads) {
   constexpr int kTimes = 100'000;
   Budget<> budget(3);
   const auto take_and_give = [&budget] {

@@ -59,7 +59,7 @@ Report ExploreCall() {
   });
 }
 
-TEST(CompletionSimulation, EndsOnceWhoeverIsFirst) {
+TEST(CompletionSimulation, EndsOnceInEveryInterleaving) {
   EXPECT_THAT(ExploreCall<SimulatedAtomics>(), Passes(1000));
 }
 

@@ -16,7 +16,7 @@ constexpr auto kNever = [] { return false; };
 
 SteadyTime In(std::chrono::nanoseconds time) { return StdAtomics::Now() + time; }
 
-TEST(Completion, IsTakenByOne) {
+TEST(Completion, CanBeTakenOnlyOnce) {
   Completion<> completion;
 
   EXPECT_TRUE(completion.TryTake());
@@ -26,7 +26,7 @@ TEST(Completion, IsTakenByOne) {
   EXPECT_TRUE(completion.TryTake());
 }
 
-TEST(Completion, AnExecutedCallEndsTheWait) {
+TEST(Completion, ExecutingTheCallEndsTheWait) {
   Completion<> completion;
   ASSERT_TRUE(completion.TryTake());
   std::jthread server([&] {
@@ -63,7 +63,7 @@ TEST(Completion, ACallAbandonedTooLateIsFreedByTheServer) {
   EXPECT_TRUE(completion.TryTake());
 }
 
-TEST(Completion, AnInterruptionIsToldToTheListener) {
+TEST(Completion, NotifiesTheListenerOfAnInterruption) {
   Completion<> completion;
   Wakeup<> listener;
   Flag is_interrupted;

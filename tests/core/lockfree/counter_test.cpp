@@ -17,7 +17,7 @@ TEST(Counter, CountsUp) {
   EXPECT_EQ(counter.value(), 42U);
 }
 
-TEST(Counter, OneThreadCountsWhileAnotherLooks) {
+TEST(Counter, CanBeReadWhileAnotherThreadCounts) {
   constexpr std::uint64_t kCounts = 100'000;
   Counter<> counter;
 
@@ -49,7 +49,7 @@ TEST(SharedCounter, ManyThreadsCountWithoutLoss) {
   EXPECT_EQ(counter.value(), 3 * kCounts);
 }
 
-TEST(Flag, PublishesWhatWasWrittenBefore) {
+TEST(Flag, PublishesEarlierWrites) {
   Flag flag;
   int data = 0;
 

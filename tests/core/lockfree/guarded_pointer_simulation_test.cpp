@@ -100,7 +100,7 @@ Report ExploreAdmission() {
   });
 }
 
-TEST(GuardedPointerSimulation, ACallerAdmitsNothingThatWasWithdrawn) {
+TEST(GuardedPointerSimulation, ACallerAdmitsNoWithdrawnObject) {
   EXPECT_THAT(ExploreAdmission<SimulatedAtomics>(), Passes());
 }
 

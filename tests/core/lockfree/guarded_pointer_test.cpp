@@ -22,13 +22,13 @@ class AnyGuardedPointer : public testing::Test {};
 using Kinds = testing::Types<GuardedPointer<int>, SharedGuardedPointer<int>>;
 TYPED_TEST_SUITE(AnyGuardedPointer, Kinds);
 
-TYPED_TEST(AnyGuardedPointer, IsNullAtFirst) {
+TYPED_TEST(AnyGuardedPointer, IsInitiallyNull) {
   TypeParam guarded;
   const typename TypeParam::Call call(guarded);
   EXPECT_EQ(call.get(), nullptr);
 }
 
-TYPED_TEST(AnyGuardedPointer, GivesTheOldObjectForTheNew) {
+TYPED_TEST(AnyGuardedPointer, ExchangeReturnsTheOldObject) {
   int first = 1;
   int second = 2;
   TypeParam guarded(&first);
@@ -63,7 +63,7 @@ int* ObjectOfACallThatBeginsMeanwhile(Guarded& guarded, int& next) {
   return call->get();
 }
 
-TEST(GuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
+TEST(GuardedPointer, AnExchangeDoesNotWaitForCallsOfTheNewObject) {
   int first = 1;
   int second = 2;
   GuardedPointer<int, WithACallBetween> guarded(&first);
@@ -71,7 +71,7 @@ TEST(GuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
   EXPECT_EQ(ObjectOfACallThatBeginsMeanwhile(guarded, second), &second);
 }
 
-TEST(SharedGuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
+TEST(SharedGuardedPointer, AnExchangeDoesNotWaitForCallsOfTheNewObject) {
   int first = 1;
   int second = 2;
   SharedGuardedPointer<int, WithACallBetween> guarded(&first);
@@ -79,7 +79,7 @@ TEST(SharedGuardedPointer, AnExchangeDoesNotWaitForACallThatUsesTheNewObject) {
   EXPECT_EQ(ObjectOfACallThatBeginsMeanwhile(guarded, second), &second);
 }
 
-TEST(GuardedPointer, AnObjectThatComesBackDoesNotFreeTheOneOfANestedCall) {
+TEST(GuardedPointer, ExchangingBackDoesNotFreeTheObjectOfANestedCall) {
   int first = 1;
   int second = 2;
   GuardedPointer<int> guarded(&first);
@@ -94,7 +94,7 @@ TEST(GuardedPointer, AnObjectThatComesBackDoesNotFreeTheOneOfANestedCall) {
   EXPECT_TRUE(guarded.TryExchange(&first, SteadyTime::min()));
 }
 
-TEST(GuardedPointer, AnExchangeWithADeadlineGivesUpWhileACallUsesTheOldObject) {
+TEST(GuardedPointer, AnExchangeTimesOutWhileTheOldObjectIsInUse) {
   int first = 1;
   int second = 2;
   GuardedPointer<int> guarded(&first);
@@ -109,7 +109,7 @@ TEST(GuardedPointer, AnExchangeWithADeadlineGivesUpWhileACallUsesTheOldObject) {
   EXPECT_TRUE(guarded.TryExchange(nullptr, SteadyTime::min()));
 }
 
-TYPED_TEST(AnyGuardedPointer, AnExchangeWaitsForTheCallThatUsesTheOldObject) {
+TYPED_TEST(AnyGuardedPointer, AnExchangeWaitsForCallsOfTheOldObject) {
   int object = 1;
   TypeParam guarded(&object);
   std::atomic<bool> has_call_ended = false;
@@ -193,11 +193,11 @@ int WrongValuesSeen(std::size_t callers) {
   return wrong;
 }
 
-TEST(GuardedPointer, ABusyCallerNeitherSeesAFreedObjectNorHoldsUpTheExchange) {
+TEST(GuardedPointer, ABusyCallerSeesNoFreedObject) {
   EXPECT_EQ(WrongValuesSeen<GuardedPointer>(1), 0);
 }
 
-TEST(SharedGuardedPointer, BusyCallersNeitherSeeAFreedObjectNorHoldUpTheExchange) {
+TEST(SharedGuardedPointer, BusyCallersSeeNoFreedObject) {
   EXPECT_EQ(WrongValuesSeen<SharedGuardedPointer>(3), 0);
 }
 

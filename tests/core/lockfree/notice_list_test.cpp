@@ -10,7 +10,7 @@
 namespace tendon {
 namespace {
 
-TEST(NoticeList, GivesAllThatHasComeInItsOrder) {
+TEST(NoticeList, ReturnsAllNoticesInOrder) {
   NoticeList<std::string> list;
   for (const char* const text : {"one", "two", "three"}) list.Send(text);
   std::vector<std::string> taken;
@@ -36,7 +36,7 @@ TEST(NoticeList, TakingNeitherAllocatesNorFrees) {
   EXPECT_EQ(notice.use_count(), 1);
 }
 
-TEST(NoticeList, KnowsWhatIsUnread) {
+TEST(NoticeList, FindsUnreadNotices) {
   NoticeList<int> list;
   list.Send(1);
   const auto is = [](int wanted) { return [wanted](int one) { return one == wanted; }; };

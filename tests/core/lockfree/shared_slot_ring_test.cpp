@@ -15,7 +15,7 @@ namespace {
 using test::Pop;
 using test::Push;
 
-TEST(SharedSlotRing, HoldsItsCapacityAndKeepsTheOrderThroughManyTurns) {
+TEST(SharedSlotRing, HoldsItsCapacityInOrderThroughManyWraps) {
   for (const std::size_t capacity : {1, 2, 3, 5, 64}) {
     SharedSlotRing<> ring(capacity, 8, 8);
     std::uint64_t pushed = 0;
@@ -29,14 +29,14 @@ TEST(SharedSlotRing, HoldsItsCapacityAndKeepsTheOrderThroughManyTurns) {
   }
 }
 
-TEST(SharedSlotRing, OfCapacityNoneRefusesEverything) {
+TEST(SharedSlotRing, OfZeroCapacityRefusesEverything) {
   SharedSlotRing<> ring(0, 8, 8);
 
   EXPECT_EQ(ring.Claim(), nullptr);
   EXPECT_EQ(ring.Front(), nullptr);
 }
 
-TEST(SharedSlotRing, TheReserveIsForThoseAloneWhoAskForIt) {
+TEST(SharedSlotRing, TheReserveNeedsAnExplicitClaim) {
   SharedSlotRing<> ring(2, 8, 8, 1);
   while (Push(ring, 0)) {
   }
@@ -74,7 +74,7 @@ TEST(SharedSlotRing, AllocatesNothingOnceMade) {
   }
 }
 
-TEST(SharedSlotRing, FromManyThreadsEverySlotArrivesOnceWholeAndInItsThreadsOrder) {
+TEST(SharedSlotRing, ManyProducersLoseTearAndReorderNothing) {
   using Message = std::array<std::uint64_t, 8>;
   constexpr std::uint64_t kProducers = 3;
   constexpr std::uint64_t kMessages = 10'000;

@@ -31,7 +31,7 @@ TEST(SlotRing, ACapacityOf64Holds64) {
   EXPECT_EQ(ring.storage(), 64U);
 }
 
-TEST(SlotRing, HonoursACapacityThatIsNoPowerOfTwo) {
+TEST(SlotRing, HonoursACapacityThatIsNotAPowerOfTwo) {
   SlotRing<> ring(5, 8, 8);
 
   EXPECT_EQ(Fill(ring), 5U);
@@ -39,14 +39,14 @@ TEST(SlotRing, HonoursACapacityThatIsNoPowerOfTwo) {
   EXPECT_EQ(ring.storage(), 8U);
 }
 
-TEST(SlotRing, OfCapacityNoneRefusesEverything) {
+TEST(SlotRing, OfZeroCapacityRefusesEverything) {
   SlotRing<> ring(0, 8, 8);
 
   EXPECT_EQ(ring.Claim(), nullptr);
   EXPECT_EQ(ring.Front(), nullptr);
 }
 
-TEST(SlotRing, KeepsTheOrderThroughManyTurns) {
+TEST(SlotRing, KeepsTheOrderThroughManyWraps) {
   for (const std::size_t capacity : {1, 2, 3, 5, 8}) {
     SlotRing<> ring(capacity, 8, 8);
     std::uint64_t pushed = 0;
@@ -95,7 +95,7 @@ TEST(SlotRing, AFrontSlotIsNotReusedUntilItIsReleased) {
   EXPECT_EQ(ring.Claim(), front);
 }
 
-TEST(SlotRing, TheReserveIsForThoseAloneWhoAskForIt) {
+TEST(SlotRing, TheReserveNeedsAnExplicitClaim) {
   SlotRing<> ring(2, 8, 8, 1);
   EXPECT_EQ(Fill(ring), 2U);
 
@@ -107,7 +107,7 @@ TEST(SlotRing, TheReserveIsForThoseAloneWhoAskForIt) {
   EXPECT_EQ(ring.size(), 3U);
 }
 
-TEST(SlotRing, CountsWhatWaits) {
+TEST(SlotRing, CountsWaitingSlots) {
   SlotRing<> ring(4, 8, 8);
   EXPECT_EQ(ring.size(), 0U);
   Push(ring, 1);
@@ -122,7 +122,7 @@ TEST(SlotRing, CountsWhatWaits) {
 class SlotRingShape
     : public testing::TestWithParam<std::tuple<std::size_t, std::size_t, std::size_t>> {};
 
-TEST_P(SlotRingShape, SlotsAreAlignedApartAndNumbered) {
+TEST_P(SlotRingShape, SlotsAreAlignedAndNumbered) {
   const auto [size, alignment, stride] = GetParam();
   SlotRing<> ring(6, size, alignment);
   EXPECT_EQ(ring.stride(), stride);
@@ -156,7 +156,7 @@ TEST(SlotRing, AllocatesNothingOnceMade) {
   }
 }
 
-TEST(SlotRing, BetweenTwoThreadsEverySlotArrivesOnceWholeAndInOrder) {
+TEST(SlotRing, TwoThreadsLoseTearAndReorderNothing) {
   using Message = std::array<std::uint64_t, 8>;
   constexpr std::uint64_t kMessages = 200'000;
   SlotRing<> ring(7, sizeof(Message), alignof(Message));

@@ -31,7 +31,7 @@ TEST(SpscQueue, GivesValuesBackInOrder) {
   }
 }
 
-TEST(SpscQueue, WhenFullLeavesTheValueWithTheCaller) {
+TEST(SpscQueue, PushToAFullQueueKeepsTheValue) {
   SpscQueue<std::unique_ptr<int>> queue(1);
   EXPECT_TRUE(queue.Push(std::make_unique<int>(1)));
   auto second = std::make_unique<int>(2);
@@ -42,7 +42,7 @@ TEST(SpscQueue, WhenFullLeavesTheValueWithTheCaller) {
   EXPECT_EQ(*second, 2);
 }
 
-TEST(SpscQueue, WhenEmptyLeavesTheTargetAsItWas) {
+TEST(SpscQueue, PopFromAnEmptyQueueKeepsTheTarget) {
   SpscQueue<int> queue(1);
   int value = 42;
 
@@ -51,7 +51,7 @@ TEST(SpscQueue, WhenEmptyLeavesTheTargetAsItWas) {
   EXPECT_EQ(value, 42);
 }
 
-TEST(SpscQueue, DestroysWhatIsLeft) {
+TEST(SpscQueue, DestroysRemainingValues) {
   const auto counted = std::make_shared<int>();
   {
     SpscQueue<std::shared_ptr<int>> queue(4);
@@ -75,7 +75,7 @@ TEST(SpscQueue, AllocatesNothingOnceMade) {
   }
 }
 
-TEST(SpscQueue, BetweenTwoThreadsEveryValueArrivesOnceAndInOrder) {
+TEST(SpscQueue, TwoThreadsLoseAndReorderNothing) {
   constexpr std::uint64_t kValues = 200'000;
   SpscQueue<std::unique_ptr<std::uint64_t>> queue(16);
 

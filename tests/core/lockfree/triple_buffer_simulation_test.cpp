@@ -41,7 +41,7 @@ Report ExploreWriterAndReader() {
   });
 }
 
-TEST(SnapshotSimulation, NeverGivesAValueThatIsBeingWritten) {
+TEST(SnapshotSimulation, NeverReturnsAPartlyWrittenValue) {
   EXPECT_THAT(ExploreWriterAndReader<SimulatedAtomics>(), Passes(100));
 }
 
@@ -71,7 +71,9 @@ Report ExploreLease() {
   });
 }
 
-TEST(LeaseSimulation, WhoHasItIsAlone) { EXPECT_THAT(ExploreLease<SimulatedAtomics>(), Passes()); }
+TEST(LeaseSimulation, HasOneHolderAtATime) {
+  EXPECT_THAT(ExploreLease<SimulatedAtomics>(), Passes());
+}
 
 TEST(LeaseSimulation, NeedsItsOrders) {
   EXPECT_THAT(ExploreLease<WithoutRelease>(), FailsWith("races"));

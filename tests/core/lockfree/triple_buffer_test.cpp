@@ -13,7 +13,7 @@
 namespace tendon {
 namespace {
 
-TEST(TripleBuffer, GivesTheNewestValueOnce) {
+TEST(TripleBuffer, ReturnsTheNewestValueOnce) {
   TripleBuffer<int> buffer;
   EXPECT_EQ(buffer.Take(), nullptr);
 
@@ -28,7 +28,7 @@ TEST(TripleBuffer, GivesTheNewestValueOnce) {
   EXPECT_EQ(*buffer.Take(), 3);
 }
 
-TEST(TripleBuffer, KeepsWhatItsValuesHaveAllocated) {
+TEST(TripleBuffer, KeepsTheMemoryOfItsValues) {
   const std::string text(100, 'x');
   TripleBuffer<std::string> buffer;
   for (int i = 0; i < 3; ++i) {
@@ -41,7 +41,7 @@ TEST(TripleBuffer, KeepsWhatItsValuesHaveAllocated) {
   ASSERT_NE(buffer.Take(), nullptr);
 }
 
-TEST(TripleBuffer, ATakenValueStaysWholeWhileNewerOnesAreWritten) {
+TEST(TripleBuffer, ATakenValueStaysIntactDuringWrites) {
   using Block = std::array<std::uint64_t, 32>;
   constexpr std::uint64_t kWrites = 200'000;
   const auto buffer = std::make_unique<TripleBuffer<Block>>();
@@ -69,7 +69,7 @@ TEST(TripleBuffer, ATakenValueStaysWholeWhileNewerOnesAreWritten) {
   EXPECT_EQ(wrong, 0U);
 }
 
-TEST(TryLock, OneHasItAtATime) {
+TEST(TryLock, HasOneHolderAtATime) {
   TryLock<> lease;
 
   EXPECT_TRUE(lease.TryTake());

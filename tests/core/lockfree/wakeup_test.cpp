@@ -20,7 +20,7 @@ TEST(Wakeup, ReturnsAtOnceWhenReady) {
   EXPECT_TRUE(wakeup.WaitUntil([] { return true; }, SteadyTime::max()));
 }
 
-TEST(Wakeup, AWorkFoundAtAPassedDeadlineStillCounts) {
+TEST(Wakeup, FindsWorkAtAPassedDeadline) {
   Wakeup<> wakeup;
   EXPECT_TRUE(wakeup.WaitUntil([] { return true; }, SteadyTime::min()));
   EXPECT_FALSE(wakeup.WaitUntil([] { return false; }, SteadyTime::min()));
@@ -57,7 +57,7 @@ TEST(Wakeup, ANotificationWithoutWorkDoesNotEndTheWait) {
   poster.join();
 }
 
-TEST(Wakeup, WhoWakesByItselfInTimeIsLeftAsleep) {
+TEST(Wakeup, DoesNotWakeASleeperThatWakesInTime) {
   Wakeup<> wakeup;
   std::atomic<int> looks = 0;
   const SteadyTime until = After(50ms);
@@ -71,7 +71,7 @@ TEST(Wakeup, WhoWakesByItselfInTimeIsLeftAsleep) {
   EXPECT_LE(looks, 10) << "before it sleeps, at its end, and where the kernel wakes it";
 }
 
-TEST(Wakeup, WhoWouldWakeTooLateIsWoken) {
+TEST(Wakeup, WakesASleeperThatWouldWakeTooLate) {
   Wakeup<> wakeup;
   std::atomic<bool> has_work = false;
   std::atomic<int> looks = 0;
@@ -97,7 +97,7 @@ TEST(Wakeup, NotifyingAllocatesNothing) {
   EXPECT_TRUE(wakeup.WaitUntil([] { return true; }, SteadyTime::max()));
 }
 
-TEST(Wakeup, NoneOfManyTurnsIsLost) {
+TEST(Wakeup, LosesNoneOfManyWakeUps) {
   constexpr int kTurns = 20'000;
   std::array<Wakeup<>, 2> wakeups;
   std::atomic<int> turn = 0;

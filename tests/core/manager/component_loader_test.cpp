@@ -56,7 +56,7 @@ struct ComponentRegistryTest : testing::Test {
   tendon::ComponentRegistry registry;
 };
 
-TEST_F(ComponentRegistryTest, MakesAComponentFromDefaultsAndWhatIsGiven) {
+TEST_F(ComponentRegistryTest, MergesDefaultsWithTheGivenConfiguration) {
   const auto created = registry.Create("Gripper", "hand", R"({"force": 2.5})");
 
   ASSERT_TRUE(created.ok()) << created.error().message;
@@ -89,7 +89,7 @@ struct ComponentLoaderTest : testing::Test {
   tendon::ComponentLoader loader{{folder}};
 };
 
-TEST_F(ComponentLoaderTest, AMissingLibraryNamesTheFoldersAndTheNearest) {
+TEST_F(ComponentLoaderTest, AMissingLibraryIsReportedWithASuggestion) {
   std::ofstream(folder / "gripper.so") << "";
 
   const std::string refusal = Refusal("griper");
@@ -98,11 +98,11 @@ TEST_F(ComponentLoaderTest, AMissingLibraryNamesTheFoldersAndTheNearest) {
   EXPECT_THAT(refusal, HasSubstr(folder.string()));
 }
 
-TEST_F(ComponentLoaderTest, APathIsNoNameOfALibrary) {
+TEST_F(ComponentLoaderTest, RefusesAPathAsALibraryName) {
   EXPECT_THAT(Refusal("../gripper"), HasSubstr("allowed: letters digits _ -"));
 }
 
-TEST_F(ComponentLoaderTest, AFileThatIsNoLibraryIsRefusedInOneSentence) {
+TEST_F(ComponentLoaderTest, RefusesAFileThatIsNotALibrary) {
   std::ofstream(folder / "text.so") << "this is no library";
 
   EXPECT_THAT(Refusal("text"), HasSubstr("text.so: expected a shared library for "));

@@ -69,7 +69,7 @@ TEST_F(LocalManagerTest, ComponentsWithoutThreadsRunInTheCallersThread) {
   EXPECT_EQ(person.seen, 1);
 }
 
-TEST_F(LocalManagerTest, ASecondComponentOfOneNameIsRefusedAndTheFirstIsFound) {
+TEST_F(LocalManagerTest, RefusesADuplicateComponentName) {
   const auto refusal = [this](const std::string& name) {
     return Refusal([&] { manager.Add<Arm>(name); });
   };
@@ -84,7 +84,7 @@ TEST_F(LocalManagerTest, ASecondComponentOfOneNameIsRefusedAndTheFirstIsFound) {
   EXPECT_THAT(manager.components(), SizeIs(3));
 }
 
-TEST(LocalManager, SaysWhichFunctionsOfAConnectionAreConverted) {
+TEST(LocalManager, ListsConvertedFunctionsOfAConnection) {
   class Client final : public tendon::Component {
    public:
     explicit Client(std::string name) : Component(std::move(name)) {
@@ -130,7 +130,7 @@ struct ConnectionToAnIdleTask : testing::Test {
   }
 };
 
-TEST_F(ConnectionToAnIdleTask, IsCounted) {
+TEST_F(ConnectionToAnIdleTask, CountsItsCalls) {
   const auto flooded = manager.Counts(required);
   ASSERT_TRUE(flooded.ok());
   EXPECT_GT(flooded->age.count(), 0);
@@ -148,7 +148,7 @@ TEST_F(ConnectionToAnIdleTask, IsCounted) {
   EXPECT_EQ(manager.Counts(required).error().message, "client/Server is not connected");
 }
 
-TEST_F(ConnectionToAnIdleTask, SaysWhatADisconnectHasDropped) {
+TEST_F(ConnectionToAnIdleTask, LogsCallsDroppedByADisconnect) {
   const tendon_test::LogRecord log("client");
 
   ASSERT_TRUE(manager.Suspend("server").ok());
@@ -159,7 +159,7 @@ TEST_F(ConnectionToAnIdleTask, SaysWhatADisconnectHasDropped) {
                                "64 calls and events that were not executed"));
 }
 
-TEST_F(ConnectionToAnIdleTask, SaysWhatTheRemovalOfAnEndHasDropped) {
+TEST_F(ConnectionToAnIdleTask, LogsCallsDroppedByRemovingAnEnd) {
   const tendon_test::LogRecord log("client");
 
   ASSERT_TRUE(manager.Remove("client").ok());
@@ -167,11 +167,11 @@ TEST_F(ConnectionToAnIdleTask, SaysWhatTheRemovalOfAnEndHasDropped) {
   EXPECT_THAT(log.texts(), testing::ElementsAre(HasSubstr("has dropped 64 calls")));
 }
 
-TEST_F(LocalManagerTest, NoComponentIsNone) {
+TEST_F(LocalManagerTest, RefusesANullComponent) {
   EXPECT_EQ(Refusal([&] { manager.Add(nullptr, {}); }), "LocalManager::Add: null component");
 }
 
-TEST_F(LocalManagerTest, RequestsNameTheMissingComponentAndTheNearest) {
+TEST_F(LocalManagerTest, RequestsNameTheMissingComponentAndSuggestOne) {
   const std::string sentence = "no component 'arn'; did you mean 'arm'?";
 
   EXPECT_EQ(manager.Start("arn").error().message, sentence);
@@ -206,7 +206,7 @@ TEST_F(LocalManagerTest, AConnectionLeadsFromARequiredToAProvidedInterface) {
       "interface 'Control' of component 'arm' is a provided interface; give a required interface");
 }
 
-TEST_F(LocalManagerTest, ASecondServerForOneRequiredInterfaceIsRefused) {
+TEST_F(LocalManagerTest, RefusesASecondServerForARequiredInterface) {
   manager.Add<Arm>("second");
   ASSERT_TRUE(manager.Connect({"operator", "Robot"}, {"arm", "Control"}).ok());
 
@@ -217,7 +217,7 @@ TEST_F(LocalManagerTest, ASecondServerForOneRequiredInterfaceIsRefused) {
   EXPECT_THAT(connected.error().message, HasSubstr("operator/Robot is already connected"));
 }
 
-TEST_F(LocalManagerTest, ConnectNamesTheMissingComponentAndTheNearest) {
+TEST_F(LocalManagerTest, ConnectNamesTheMissingComponentAndSuggestsOne) {
   const auto connected = manager.Connect({"operator", "Robot"}, {"arn", "Control"});
 
   ASSERT_FALSE(connected.ok());
@@ -225,7 +225,7 @@ TEST_F(LocalManagerTest, ConnectNamesTheMissingComponentAndTheNearest) {
   EXPECT_EQ(connected.error().message, "no component 'arn'; did you mean 'arm'?");
 }
 
-TEST_F(LocalManagerTest, ConnectNamesTheMissingInterfaceAndTheNearest) {
+TEST_F(LocalManagerTest, ConnectNamesTheMissingInterfaceAndSuggestsOne) {
   const auto connected = manager.Connect({"operator", "Robto"}, {"arm", "Control"});
 
   ASSERT_FALSE(connected.ok());
@@ -278,7 +278,7 @@ class ObservingManager final : public tendon::LocalManager {
 
 constexpr std::chrono::hours kPeriod(1);
 
-TEST(LocalManager, OneThatReplacesAnotherHasItsPlaceItsLeaderAndItsConnectionsInOneChange) {
+TEST(LocalManager, AReplacementKeepsPlaceLeaderAndConnections) {
   ObservingManager manager;
   manager.Add<Periodic>("leader", kPeriod);
   manager.Add<Periodic>("follower", kPeriod);
@@ -305,7 +305,7 @@ TEST(LocalManager, OneThatReplacesAnotherHasItsPlaceItsLeaderAndItsConnectionsIn
   EXPECT_EQ(arm.stops, 1);
 }
 
-TEST(LocalManager, WhatCannotBeReplacedStaysAsItIs) {
+TEST(LocalManager, AFailedReplacementChangesNothing) {
   tendon::LocalManager manager;
   manager.Add<Periodic>("leader", kPeriod);
   manager.Add<Periodic>("follower", kPeriod);
@@ -333,7 +333,7 @@ TEST(LocalManager, WhatCannotBeReplacedStaysAsItIs) {
   EXPECT_EQ(manager.SettingsOf("follower")->leader, "leader");
 }
 
-TEST(LocalManager, ADerivedOneHearsOfEveryChange) {
+TEST(LocalManager, NotifiesADerivedManagerOfEveryChange) {
   ObservingManager manager;
 
   manager.Add<Arm>("arm");

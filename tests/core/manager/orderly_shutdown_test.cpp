@@ -51,7 +51,7 @@ class OrderlyShutdownTest : public testing::Test {
                                           "server ends, not connected"};
 };
 
-TEST_F(OrderlyShutdownTest, OfAManagerExecutesWhatAClientSendsLast) {
+TEST_F(OrderlyShutdownTest, DestroyingAManagerExecutesTheLastCommands) {
   Lead("client", "server");
   ASSERT_TRUE(manager->StartAll());
 
@@ -60,7 +60,7 @@ TEST_F(OrderlyShutdownTest, OfAManagerExecutesWhatAClientSendsLast) {
   EXPECT_EQ(story.values(), in_order);
 }
 
-TEST_F(OrderlyShutdownTest, IsThatOfTheConnectionsWhateverWasAddedFirst) {
+TEST_F(OrderlyShutdownTest, FollowsConnectionsNotTheOrderOfAddition) {
   Add("first");
   Lead("server", "first");
   Lead("first", "client");
@@ -72,7 +72,7 @@ TEST_F(OrderlyShutdownTest, IsThatOfTheConnectionsWhateverWasAddedFirst) {
                                           "client is stopped", "client ends, not connected"));
 }
 
-TEST_F(OrderlyShutdownTest, GetsTheLastCommandThroughAFullQueue) {
+TEST_F(OrderlyShutdownTest, DeliversTheLastCommandThroughAFullQueue) {
   server.work = 20ms;
   Flood();
 
@@ -99,7 +99,7 @@ TEST_F(OrderlyShutdownTest, StopsAllInOrder) {
   EXPECT_EQ(story.values(), in_order);
 }
 
-TEST_F(OrderlyShutdownTest, OfOneLetsItsServerExecuteWhatItSendsLast) {
+TEST_F(OrderlyShutdownTest, StoppingAClientExecutesItsLastCommands) {
   server.work = 20ms;
   Flood();
 
@@ -109,7 +109,7 @@ TEST_F(OrderlyShutdownTest, OfOneLetsItsServerExecuteWhatItSendsLast) {
   EXPECT_EQ(story.values(), in_order);
 }
 
-TEST_F(OrderlyShutdownTest, ByARemovalStopsBeforeItDisconnects) {
+TEST_F(OrderlyShutdownTest, ARemovalStopsBeforeItDisconnects) {
   server.work = 20ms;
   Flood();
 
@@ -118,7 +118,7 @@ TEST_F(OrderlyShutdownTest, ByARemovalStopsBeforeItDisconnects) {
   EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
-TEST_F(OrderlyShutdownTest, OfAServerThatIsRemovedLeavesItsClientRunning) {
+TEST_F(OrderlyShutdownTest, RemovingAServerKeepsItsClientRunning) {
   Lead("client", "server");
   ASSERT_TRUE(manager->StartAll());
 
@@ -130,7 +130,7 @@ TEST_F(OrderlyShutdownTest, OfAServerThatIsRemovedLeavesItsClientRunning) {
               ElementsAre("server ends, not connected", "client ends, not connected"));
 }
 
-TEST_F(OrderlyShutdownTest, BreaksCirclesAtTheSamePlaceEachTime) {
+TEST_F(OrderlyShutdownTest, BreaksCyclesDeterministically) {
   for (int round = 0; round < 3; ++round) {
     leading::Story told;
     {
@@ -147,7 +147,7 @@ TEST_F(OrderlyShutdownTest, BreaksCirclesAtTheSamePlaceEachTime) {
   }
 }
 
-TEST_F(OrderlyShutdownTest, EndsOneThatLeadsItself) {
+TEST_F(OrderlyShutdownTest, EndsAComponentThatLeadsItself) {
   Lead("client", "client");
   ASSERT_TRUE(manager->StartAll());
 
@@ -164,7 +164,7 @@ TEST_F(OrderlyShutdownTest, EndsFollowersBeforeTheirLeader) {
   EXPECT_EQ(story.values(), in_order);
 }
 
-TEST_F(OrderlyShutdownTest, EndsOneWhoseLeaderBelongsToAnotherManager) {
+TEST_F(OrderlyShutdownTest, EndsAFollowerOfAnotherManagersLeader) {
   LocalManager other;
   auto& leader = other.Add<Task>("leader", story);
   ASSERT_TRUE(client.RunAfter(leader));
@@ -178,7 +178,7 @@ TEST_F(OrderlyShutdownTest, EndsOneWhoseLeaderBelongsToAnotherManager) {
   EXPECT_TRUE(other.StopAll());
 }
 
-TEST_F(OrderlyShutdownTest, EndsAClientThatLeadsItsServerAlsoInOneThread) {
+TEST_F(OrderlyShutdownTest, EndsAClientThatLeadsItsServerInOneThread) {
   Lead("client", "server");
   ASSERT_TRUE(manager->RunAfter("server", "client"));
   ASSERT_TRUE(manager->StartAll());
@@ -188,7 +188,7 @@ TEST_F(OrderlyShutdownTest, EndsAClientThatLeadsItsServerAlsoInOneThread) {
   EXPECT_THAT(story.values(), ElementsAre("server ends, not connected", "client ends, not active"));
 }
 
-TEST_F(OrderlyShutdownTest, WaitsForNoServerThatRests) {
+TEST_F(OrderlyShutdownTest, DoesNotWaitForASuspendedServer) {
   Lead("client", "server");
   ASSERT_TRUE(manager->StartAll());
   ASSERT_TRUE(manager->Suspend("server"));
@@ -198,7 +198,7 @@ TEST_F(OrderlyShutdownTest, WaitsForNoServerThatRests) {
   EXPECT_THAT(story.values(), ElementsAre("client ends, not active", "server ends, not connected"));
 }
 
-TEST_F(OrderlyShutdownTest, OfOneThatIsBusyDoesNotHoldUpThoseThatItDoesNotCall) {
+TEST_F(OrderlyShutdownTest, ABusyComponentDelaysOnlyItsServers) {
   auto& busy = Add("busy");
   ASSERT_TRUE(manager->StartAll());
   busy.holds = true;
@@ -215,7 +215,7 @@ TEST_F(OrderlyShutdownTest, OfOneThatIsBusyDoesNotHoldUpThoseThatItDoesNotCall) 
   EXPECT_TRUE(is_released);
 }
 
-TEST_F(OrderlyShutdownTest, SaysWhenTheLastCommandWasNotExecuted) {
+TEST_F(OrderlyShutdownTest, LogsThatTheLastCommandWasNotExecuted) {
   const tendon_test::LogRecord log("client");
   Lead("client", "server");
   server.executes = false;
@@ -227,7 +227,7 @@ TEST_F(OrderlyShutdownTest, SaysWhenTheLastCommandWasNotExecuted) {
   EXPECT_TRUE(server.WaitFor(ComponentState::kFinished, 20s));
 }
 
-TEST_F(OrderlyShutdownTest, WaitsForNoServerWhoseCyclesAreMadeHere) {
+TEST_F(OrderlyShutdownTest, DoesNotWaitForAServerOfThisThread) {
   const tendon_test::LogRecord log("client");
   auto& here = manager->Add<leading::Leading<tendon::MainTask>>("here", story);
   Lead("client", "here");

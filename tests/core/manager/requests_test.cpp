@@ -38,7 +38,7 @@ struct BusyComponent : testing::Test {
   std::thread starting;
 };
 
-TEST_F(BusyComponent, HoldsUpNoOther) {
+TEST_F(BusyComponent, DoesNotBlockOthers) {
   EXPECT_TRUE(manager.Start("arm").ok());
   EXPECT_TRUE(manager.Stop("arm").ok());
   EXPECT_EQ(manager.components().size(), 2U);
@@ -47,7 +47,7 @@ TEST_F(BusyComponent, HoldsUpNoOther) {
   EXPECT_EQ(slow.state(), ComponentState::kConstructed);
 }
 
-TEST_F(BusyComponent, IsAskedNothingElseMeanwhileNorRemoved) {
+TEST_F(BusyComponent, RefusesFurtherRequestsMeanwhile) {
   for (const auto& answer : {manager.Start("slow", kNoWait), manager.Stop("slow", 1ms),
                              manager.Remove("slow", 1ms), manager.RunAfter("slow", "arm", 1ms)}) {
     ASSERT_FALSE(answer.ok());
@@ -64,7 +64,7 @@ TEST_F(BusyComponent, IsAskedNothingElseMeanwhileNorRemoved) {
   EXPECT_TRUE(manager.Remove("slow").ok());
 }
 
-TEST_F(BusyComponent, IsStoppedAsSoonAsItCanBeWhereSomebodyWaits) {
+TEST_F(BusyComponent, IsStoppedAsSoonAsItBecomesIdle) {
   std::thread stopping([this] { EXPECT_TRUE(manager.Stop("slow", 20s).ok()); });
 
   Release();
@@ -83,7 +83,7 @@ TEST_F(BusyComponent, IsStoppedWithTheOthers) {
   EXPECT_FALSE(IsRunning(slow.state()));
 }
 
-TEST_F(BusyComponent, ThatIsToStopBeforeItIsConfiguredIsNotStarted) {
+TEST_F(BusyComponent, IsNotStartedIfAStopComesFirst) {
   std::atomic<bool> proceeds = true;
   Release();
   ASSERT_TRUE(manager.Stop("slow").ok());

@@ -57,7 +57,7 @@ class TransitionToTest : public testing::Test {
   LocalManager manager_;
 };
 
-TEST_F(TransitionToTest, AComponentComesToTheStateThatIsWanted) {
+TEST_F(TransitionToTest, ReachesTheWantedState) {
   using enum ComponentState;
   const auto transition_to = [this](const std::string& name, ComponentState wanted) {
     manager_.Add<Component>(name);
@@ -71,7 +71,7 @@ TEST_F(TransitionToTest, AComponentComesToTheStateThatIsWanted) {
   EXPECT_EQ(transition_to("constructed", kConstructed), kConstructed);
 }
 
-TEST_F(TransitionToTest, WhatCannotBeSuspendedIsStopped) {
+TEST_F(TransitionToTest, StopsAComponentThatCannotBeSuspended) {
   manager_.Add<Restless>("arm");
 
   const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended, kShort);
@@ -83,7 +83,7 @@ TEST_F(TransitionToTest, WhatCannotBeSuspendedIsStopped) {
   EXPECT_EQ(StateOf("arm"), ComponentState::kFinished);
 }
 
-TEST_F(TransitionToTest, WhatStartsTooLateIsStoppedOnceItHas) {
+TEST_F(TransitionToTest, StopsAComponentThatStartsTooLate) {
   Slow& arm = manager_.Add<Slow>("arm");
 
   const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended, kShort);
@@ -94,7 +94,7 @@ TEST_F(TransitionToTest, WhatStartsTooLateIsStoppedOnceItHas) {
   EXPECT_EQ(arm.state(), ComponentState::kFinished);
 }
 
-TEST_F(TransitionToTest, WhatDoesNotStartIsNotStopped) {
+TEST_F(TransitionToTest, DoesNotStopAComponentThatFailsToStart) {
   manager_.Add<Failing>("arm");
 
   const auto result = manager_.TransitionTo("arm", ComponentState::kSuspended);

@@ -43,18 +43,18 @@ TEST(UnsatisfiedInterface, IsARequiredInterfaceWithoutAConnection) {
   EXPECT_FALSE(needs[0].has_connection);
 }
 
-TEST(UnsatisfiedInterface, IsNoneOfAnInterfaceThatIsConnected) {
+TEST(UnsatisfiedInterface, ExcludesConnectedInterfaces) {
   EXPECT_THAT(UnmetNeedsOf(Client({Robot()}), {Connected("Robot")}), IsEmpty());
 }
 
-TEST(UnsatisfiedInterface, IsNotMetByTheConnectionOfAnotherComponent) {
+TEST(UnsatisfiedInterface, IgnoresConnectionsOfOtherComponents) {
   ConnectionDescription other = Connected("Robot");
   other.required.component = "another";
 
   EXPECT_EQ(UnmetNeedsOf(Client({Robot()}), {other}).size(), 1U);
 }
 
-TEST(UnsatisfiedInterface, OfAConnectionThatDoesNotStandHasItsReason) {
+TEST(UnsatisfiedInterface, NamesTheReasonOfAnInactiveConnection) {
   const auto reason = [](ConnectionState state, const std::string& why) {
     const auto needs = UnmetNeedsOf(Client({Robot()}), {Connected("Robot", state, why)});
     EXPECT_EQ(needs.size(), 1U);
@@ -68,7 +68,7 @@ TEST(UnsatisfiedInterface, OfAConnectionThatDoesNotStandHasItsReason) {
   EXPECT_EQ(reason(ConnectionState::kFailed, "it does not fit"), "failed: it does not fit");
 }
 
-TEST(UnsatisfiedInterface, IsNoneOfWhatIsOptional) {
+TEST(UnsatisfiedInterface, ExcludesOptionalInterfaces) {
   RequiredDescription optional = Robot();
   optional.optional = true;
   const RequiredDescription of_optional_members{.name = "Viewer",
@@ -79,7 +79,7 @@ TEST(UnsatisfiedInterface, IsNoneOfWhatIsOptional) {
   EXPECT_THAT(UnmetNeedsOf(Client({optional, of_optional_members, empty}), kNone), IsEmpty());
 }
 
-TEST(UnsatisfiedInterface, IsAlsoThatOfAnEventAlone) {
+TEST(UnsatisfiedInterface, IncludesInterfacesWithOnlyEvents) {
   const RequiredDescription events{.name = "Alarm", .event_handlers = {Member("Raised")}};
   const RequiredDescription partly{.name = "Viewer",
                                    .functions = {Member("Show", true), Member("Hide")}};

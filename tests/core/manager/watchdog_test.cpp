@@ -14,7 +14,7 @@ using tendon_test::Script;
 using testing::MatchesRegex;
 using namespace std::chrono_literals;
 
-TEST(Watchdog, ThreePeriodsAndAGraceAfterACycleATaskIsOverdue) {
+TEST(Watchdog, ATaskIsOverdueAfterThreePeriodsAndAGrace) {
   EXPECT_FALSE(Watchdog::IsOverdue(10ms, 30ms + Watchdog::kGrace));
   EXPECT_TRUE(Watchdog::IsOverdue(10ms, 31ms + Watchdog::kGrace));
   EXPECT_FALSE(Watchdog::IsOverdue(0s, 1h));  // has no period
@@ -34,7 +34,7 @@ TEST(Watchdog, OnlyAnActiveTaskCanBeOverdue) {
   EXPECT_EQ(in_an_hour(), 0ns);
 }
 
-TEST(Watchdog, NamesATaskWhoseCycleBlocksAndLeavesTheOthersAlone) {
+TEST(Watchdog, NamesOnlyTheTaskWhoseCycleBlocks) {
   tendon::LocalManager manager;
   auto& servo = manager.Add<Periodic>("servo", 10ms);
   auto& other = manager.Add<Periodic>("other", 10ms);
@@ -52,7 +52,7 @@ TEST(Watchdog, NamesATaskWhoseCycleBlocksAndLeavesTheOthersAlone) {
   EXPECT_TRUE(EventuallyTrue([&] { return warning(0).empty(); }));
 }
 
-TEST(Watchdog, TellsItsOwnerOfBothChanges) {
+TEST(Watchdog, NotifiesItsOwnerOfBothChanges) {
   tendon::LocalManager manager;
   auto& servo = manager.Add<Periodic>("servo", 10ms);
   std::atomic<int> changes = 0;

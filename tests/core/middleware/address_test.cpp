@@ -20,7 +20,7 @@ TEST(Address, HasAHostAndAPort) {
   EXPECT_EQ(ToString(*place), "robot-1.lab:10705");
 }
 
-TEST(Address, Ipv6StandsInBrackets) {
+TEST(Address, Ipv6NeedsBrackets) {
   const auto place = ParseAddress("[::1]:80", 1);
 
   ASSERT_TRUE(place);
@@ -30,11 +30,11 @@ TEST(Address, Ipv6StandsInBrackets) {
             "address '::1:80': put an IPv6 host in brackets, such as [::1]:10705");
 }
 
-TEST(Address, LocalhostIsANumberSoThatNobodyCanSendItElsewhere) {
+TEST(Address, LocalhostResolvesToALoopbackAddress) {
   EXPECT_EQ(ParseAddress("localhost:80", 1)->host, "127.0.0.1");
 }
 
-TEST(Address, PortsAreCheckedByTheSentence) {
+TEST(Address, ReportsAnInvalidPort) {
   EXPECT_EQ(RefusalOf("h:abc"), "port 'abc': expected 1..65535");
   EXPECT_EQ(RefusalOf("h:"), "port '': expected 1..65535");
   EXPECT_EQ(RefusalOf("h:0"), "port '0': expected 1..65535");
@@ -45,7 +45,7 @@ TEST(Address, PortsAreCheckedByTheSentence) {
   EXPECT_TRUE(ParseAddress("h:0", 0));
 }
 
-TEST(Address, AHostIsOneWordWithoutAnythingToQuote) {
+TEST(Address, RefusesAHostWithSpecialCharacters) {
   EXPECT_EQ(RefusalOf("10705"), "address '10705': expected host:port, such as 127.0.0.1:10705");
   EXPECT_EQ(RefusalOf(":80"), "address ':80': expected a host before the ':'");
   for (const std::string host : {"a b", "a\"b", "a\x1b[31m", "a/b", "-h"}) {
@@ -59,7 +59,7 @@ TEST(Exposure, ThisMachineIsAlwaysAllowed) {
   }
 }
 
-TEST(Exposure, OtherMachinesAndTheirDisguisesAreDenied) {
+TEST(Exposure, DeniesRemoteAndDisguisedHosts) {
   for (const std::string host :
        {"0.0.0.0", "192.168.0.1", "128.0.0.1", "::", "robot", "127.0.0.1.example.org",
         "127.example.org", "127.0.0", "127.0.0.256", "127.0.0.1.1", "127.0.0.", ""}) {
@@ -71,7 +71,7 @@ TEST(Exposure, OtherMachinesAndTheirDisguisesAreDenied) {
   }
 }
 
-TEST(Exposure, TheRefusalSaysWhatToDo) {
+TEST(Exposure, TheRefusalNamesTheRemedy) {
   EXPECT_EQ(CheckExposure("10.0.0.7", Exposure::kLoopbackOnly).error().message,
             "host '10.0.0.7' is on another machine and the connection is not encrypted: use "
             "127.0.0.1, encrypt the connection with --certificate, or allow unencrypted "

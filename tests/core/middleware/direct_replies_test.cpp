@@ -78,14 +78,14 @@ class DirectReplies : public testing::Test {
   std::unique_ptr<Listener> listener_;
 };
 
-TEST_F(DirectReplies, AreWholeOnceTheLineIsKnownToBeQuick) {
+TEST_F(DirectReplies, AreSentWholeOnAFastLink) {
   const auto channel = Open();
 
   EXPECT_EQ(WayOf(*channel, kLargest), Ways{MessageType::kPart});
   EXPECT_TRUE(IsOnceReturned(*channel, kLargest));
 }
 
-TEST_F(DirectReplies, ComeInPartsWhereTheyAreTooLarge) {
+TEST_F(DirectReplies, AreSentInPartsIfTooLarge) {
   const auto channel = Open();
 
   EXPECT_FALSE(IsOnceReturned(*channel, kLargest + 1));

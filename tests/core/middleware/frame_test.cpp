@@ -21,7 +21,7 @@ FrameHeader HeaderOf(std::uint32_t size) {
   return header;
 }
 
-TEST(Frame, TheHeaderIsTheseBytesForEver) {
+TEST(Frame, TheHeaderHasAFixedLayout) {
   const Bytes frame = Written(HeaderOf(2), {std::byte{7}, std::byte{8}});
 
   constexpr unsigned char kNow = FrameHeader::kProtocolVersion;
@@ -32,7 +32,7 @@ TEST(Frame, TheHeaderIsTheseBytesForEver) {
   EXPECT_EQ(std::memcmp(frame.data(), expected, sizeof(expected)), 0);
 }
 
-TEST(Frame, WhatWasWrittenIsRead) {
+TEST(Frame, ReadsBackWhatWasWritten) {
   const auto header = ReadWholeFrame(Written(HeaderOf(3), Bytes(3)));
 
   ASSERT_TRUE(header);
@@ -54,7 +54,7 @@ TEST(Frame, ABufferKeepsItsMemory) {
   EXPECT_EQ(frame.size(), FrameHeader::kSize);
 }
 
-TEST(Frame, TooFewBytesAreNoHeader) {
+TEST(Frame, RefusesATruncatedHeader) {
   const Bytes frame = Written(HeaderOf(0), {});
   for (std::size_t size = 0; size < FrameHeader::kSize; ++size) {
     EXPECT_FALSE(ReadFrameHeader(std::span(frame).first(size))) << size;
@@ -62,21 +62,21 @@ TEST(Frame, TooFewBytesAreNoHeader) {
   EXPECT_TRUE(ReadFrameHeader(frame));
 }
 
-TEST(Frame, AnotherMagicNumberIsNoHeader) {
+TEST(Frame, RefusesAnotherMagicNumber) {
   Bytes frame = Written(HeaderOf(0), {});
   frame[0] = std::byte{'X'};
 
   EXPECT_FALSE(ReadFrameHeader(frame));
 }
 
-TEST(Frame, AnotherVersionIsAHeaderSoThatItCanBeRefusedInASentence) {
+TEST(Frame, ReadsAHeaderOfAnotherVersion) {
   FrameHeader header = HeaderOf(0);
   header.version = 999;
 
   EXPECT_EQ(ReadFrameHeader(Written(header, {}))->version, 999);
 }
 
-TEST(Frame, ASizeOverTheLimitIsNoHeader) {
+TEST(Frame, RefusesASizeOverTheLimit) {
   Bytes frame = Written(HeaderOf(0), {});
   const auto with_size = [&](std::uint32_t size) {
     std::memcpy(frame.data() + offsetof(FrameHeader, size), &size, sizeof(size));
@@ -88,7 +88,7 @@ TEST(Frame, ASizeOverTheLimitIsNoHeader) {
   EXPECT_FALSE(with_size(0xffffffffU));
 }
 
-TEST(Frame, AFrameHasExactlyTheSizeItClaims) {
+TEST(Frame, RefusesAFrameOfAWrongSize) {
   Bytes frame = Written(HeaderOf(3), Bytes(3));
 
   frame.push_back({});

@@ -65,7 +65,7 @@ struct Talk {
   Hello robot;  // as the opener knows it
 };
 
-TEST(Handshake, BothEndsLearnWhoTheOtherIsAndTheAcceptorTheSession) {
+TEST(Handshake, BothEndsLearnThePeersIdentity) {
   Talk talk;
 
   const auto desk = talk.Run();
@@ -78,7 +78,7 @@ TEST(Handshake, BothEndsLearnWhoTheOtherIsAndTheAcceptorTheSession) {
   EXPECT_EQ(desk->cookie + talk.robot.cookie + talk.robot.session, 0U);
 }
 
-TEST(Handshake, WhoDoesNotKnowTheCookieIsDenied) {
+TEST(Handshake, DeniesAPeerWithoutTheCookie) {
   const Error denied{ErrorCode::kDenied,
                      "robot does not know 'desk': both must run as the same user of this machine"};
 
@@ -87,11 +87,11 @@ TEST(Handshake, WhoDoesNotKnowTheCookieIsDenied) {
   EXPECT_EQ(Talk(HelloOf("desk"), HelloOf("robot", 0)).Run().error(), denied);
 }
 
-TEST(Handshake, NoCookieAtBothEndsIsNoKnowledge) {
+TEST(Handshake, DeniesMissingCookiesAtBothEnds) {
   EXPECT_EQ(Talk(HelloOf("desk", 0), HelloOf("robot", 0)).Run().error().code, ErrorCode::kDenied);
 }
 
-TEST(Handshake, AllowedUnauthenticatedPeersMayShowNoneButNoWrongOne) {
+TEST(Handshake, AnAllowedPeerMayOmitButNotForgeAProof) {
   EXPECT_TRUE(Talk(HelloOf("desk", 0), HelloOf("robot"), UnauthenticatedPeers::kAllowed).Run());
   Talk talk(HelloOf("desk", 0), HelloOf("robot"), UnauthenticatedPeers::kAllowed);
   ASSERT_TRUE(talk.Hear(MessageType::kHello, talk.opener.Greet()));
@@ -101,7 +101,7 @@ TEST(Handshake, AllowedUnauthenticatedPeersMayShowNoneButNoWrongOne) {
   EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(wrong)));
 }
 
-TEST(Handshake, FromElsewhereNoCookieIsAskedForAndNoneIsUsed) {
+TEST(Handshake, RemotePeersNeedNoCookie) {
   Talk talk(HelloOf("desk", 0), HelloOf("robot", 0), UnauthenticatedPeers::kFromElsewhere);
 
   const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
@@ -112,7 +112,7 @@ TEST(Handshake, FromElsewhereNoCookieIsAskedForAndNoneIsUsed) {
       Talk(HelloOf("desk", 0), HelloOf("robot", 0), UnauthenticatedPeers::kFromElsewhere).Run());
 }
 
-TEST(Handshake, NothingThatIsSaidHoldsTheCookie) {
+TEST(Handshake, NoMessageContainsTheCookie) {
   Talk talk;
   const Bytes greeting = talk.opener.Greet();
   const auto challenge = talk.Hear(MessageType::kHello, greeting);
@@ -124,7 +124,7 @@ TEST(Handshake, NothingThatIsSaidHoldsTheCookie) {
   }
 }
 
-TEST(Handshake, AProofIsOfNoUseOnAnotherLink) {
+TEST(Handshake, AProofIsBoundToItsLink) {
   Talk recorded;
   const Bytes greeting = recorded.opener.Greet();
   const auto proof = recorded.Answer(*recorded.Hear(MessageType::kHello, greeting));
@@ -138,7 +138,7 @@ TEST(Handshake, AProofIsOfNoUseOnAnotherLink) {
   EXPECT_EQ(judged.error().code, ErrorCode::kDenied);
 }
 
-TEST(Handshake, AnAcceptorsProofIsNoOpeners) {
+TEST(Handshake, AnAcceptorsProofCannotBeReflected) {
   Talk talk;
   const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
   Proof mirrored;
@@ -156,13 +156,13 @@ TEST(Handshake, AProofCoversTheSession) {
   EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(*proof)));
 }
 
-TEST(Handshake, WhoFoundTheAcceptorElsewhereIsDenied) {
+TEST(Handshake, DeniesAnOpenerWithAnotherAddress) {
   Talk talk(HelloOf("desk"), HelloOf("robot"), UnauthenticatedPeers::kRefused, "127.0.0.1:6666");
 
   EXPECT_EQ(talk.Run().error().code, ErrorCode::kDenied);
 }
 
-TEST(Handshake, AHelloInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
+TEST(Handshake, RefusesAHelloOfAnotherVersion) {
   const auto refusal_of = [](std::uint16_t version) {
     return Talk().acceptor.Take(HeaderOf(MessageType::kHello, version), Bytes(5)).error();
   };
@@ -174,7 +174,7 @@ TEST(Handshake, AHelloInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
             (Error{ErrorCode::kIncompatible, begin + kNewerText + ": update robot"}));
 }
 
-TEST(Handshake, AChallengeInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
+TEST(Handshake, RefusesAChallengeOfAnotherVersion) {
   const auto refusal_of = [](std::uint16_t version) {
     Talk talk;
     (void)talk.opener.Greet();
@@ -189,7 +189,7 @@ TEST(Handshake, AChallengeInAnotherVersionIsRefusedBeforeItsBodyIsRead) {
             (Error{ErrorCode::kIncompatible, begin + kNewerText + ours + "this program"}));
 }
 
-TEST(Handshake, ALaterFrameInAnotherVersionIsRefused) {
+TEST(Handshake, RefusesALaterFrameOfAnotherVersion) {
   Talk talk;
   const auto challenge = talk.Hear(MessageType::kHello, talk.opener.Greet());
   ASSERT_TRUE(challenge);
@@ -205,7 +205,7 @@ TEST(Handshake, ALaterFrameInAnotherVersionIsRefused) {
   EXPECT_EQ(late_welcome.error().code, ErrorCode::kIncompatible);
 }
 
-TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
+TEST(Handshake, RefusesMessagesOutOfTurn) {
   for (const auto type : {MessageType::kProof, MessageType::kWelcome, MessageType::kReply}) {
     EXPECT_EQ(Talk().Hear(type, Bytes(5)).error().code, ErrorCode::kInvalid);
   }
@@ -217,7 +217,7 @@ TEST(Handshake, WhatIsOutOfTurnIsInvalid) {
             ErrorCode::kInvalid);
 }
 
-TEST(Handshake, TheRefusalOfAnotherVersionIsReadAllTheSame) {
+TEST(Handshake, ReadsARefusalOfAnotherVersion) {
   const Error refusal{ErrorCode::kIncompatible,
                       "robot speaks protocol " + kNewerText + ", this program 6: update"};
   Talk talk;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(ReadRefusal, AReasonThatCannotBeReadIsStillARefusal) {
+TEST(ReadRefusal, AnUnreadableReasonIsStillARefusal) {
   EXPECT_EQ(ReadRefusal(Bytes(3), "robot"),
             (Error{ErrorCode::kFailed, "robot refused, and its reason cannot be read"}));
 }
@@ -30,7 +30,7 @@ class LoopbackCookieTest : public testing::Test {
   const fs::path base_ = folder_.path();
 };
 
-TEST_F(LoopbackCookieTest, IsMadeOnceAndReadByAll) {
+TEST_F(LoopbackCookieTest, IsCreatedOnceAndShared) {
   const auto first = LoopbackCookie();
   const auto second = LoopbackCookie();
 
@@ -47,7 +47,7 @@ TEST_F(LoopbackCookieTest, CanBeReadByItsUserOnly) {
   EXPECT_EQ(std::distance(fs::directory_iterator(file().parent_path()), {}), 1) << "drafts remain";
 }
 
-TEST_F(LoopbackCookieTest, OfManyMakersAtOnceOneWins) {
+TEST_F(LoopbackCookieTest, ConcurrentCreatorsAgree) {
   std::vector<std::uint64_t> cookies(16);
   std::vector<std::thread> makers;
   for (auto& cookie : cookies) {
@@ -58,7 +58,7 @@ TEST_F(LoopbackCookieTest, OfManyMakersAtOnceOneWins) {
   EXPECT_EQ(cookies, std::vector<std::uint64_t>(16, cookies.front()));
 }
 
-TEST_F(LoopbackCookieTest, AFileThatOthersCanReadIsDenied) {
+TEST_F(LoopbackCookieTest, RefusesAFileReadableByOthers) {
   ASSERT_TRUE(LoopbackCookie());
   fs::permissions(file(), fs::perms::others_read, fs::perm_options::add);
 
@@ -68,7 +68,7 @@ TEST_F(LoopbackCookieTest, AFileThatOthersCanReadIsDenied) {
   EXPECT_EQ(cookie.error().code, ErrorCode::kDenied);
 }
 
-TEST_F(LoopbackCookieTest, ALinkToAnotherFileIsDenied) {
+TEST_F(LoopbackCookieTest, RefusesASymbolicLink) {
   ASSERT_TRUE(LoopbackCookie());
   fs::rename(file(), base_ / "elsewhere");
   fs::create_symlink(base_ / "elsewhere", file());
@@ -76,7 +76,7 @@ TEST_F(LoopbackCookieTest, ALinkToAnotherFileIsDenied) {
   EXPECT_FALSE(LoopbackCookie());
 }
 
-TEST_F(LoopbackCookieTest, ADamagedFileIsNamed) {
+TEST_F(LoopbackCookieTest, NamesADamagedFile) {
   ASSERT_TRUE(LoopbackCookie());
   std::ofstream(file(), std::ios::trunc) << "no number";
 

@@ -43,7 +43,7 @@ class FaultyLoopback : public testing::Test {
 
 using Numbers = std::vector<std::uint32_t>;
 
-TEST_F(FaultyLoopback, LosesFramesAndTheSenderDoesNotNotice) {
+TEST_F(FaultyLoopback, LosesFramesUnnoticedByTheSender) {
   network_->SetFaultInjector([](const loopback::Frame& frame) {
     return NumberOf(frame) % 2 == 0 ? loopback::kPass : loopback::kDrop;
   });
@@ -55,7 +55,7 @@ TEST_F(FaultyLoopback, LosesFramesAndTheSenderDoesNotNotice) {
   EXPECT_EQ(guest.recorder->numbers(), (Numbers{0, 2, 4}));
 }
 
-TEST_F(FaultyLoopback, IsCutOneWay) {
+TEST_F(FaultyLoopback, CanBeCutInOneDirection) {
   const auto guest = host_.guest();
   network_->SetFaultInjector([this](const loopback::Frame& frame) {
     return frame.to == address_ ? loopback::kDrop : loopback::kPass;
@@ -75,7 +75,7 @@ TEST_F(FaultyLoopback, IsCutOneWay) {
   EXPECT_EQ(recorder_->numbers(), Numbers{2});
 }
 
-TEST_F(FaultyLoopback, DelaysAFrameAndWhatComesBehindIt) {
+TEST_F(FaultyLoopback, DelaysAFrameAndItsSuccessors) {
   constexpr std::chrono::milliseconds kDelay(50);
   network_->SetFaultInjector([&](const loopback::Frame& frame) {
     return NumberOf(frame) == 1 ? loopback::Fault{.delay = kDelay} : loopback::kPass;
@@ -107,7 +107,7 @@ TEST_F(FaultyLoopback, HoldsFramesUntilTheyAreReleased) {
   EXPECT_EQ(guest.recorder->numbers(), (Numbers{1, 2, 3}));
 }
 
-TEST_F(FaultyLoopback, AStalledLinkIsFullOneDay) {
+TEST_F(FaultyLoopback, AStalledLinkBecomesFull) {
   network_->SetFaultInjector([](const loopback::Frame& /*frame*/) { return loopback::kHold; });
   const Bytes frame = FrameOf(1, 65536);
   Status status = Status::kQueued;
@@ -119,7 +119,7 @@ TEST_F(FaultyLoopback, AStalledLinkIsFullOneDay) {
   EXPECT_EQ(status, Status::kQueueFull);
 }
 
-TEST_F(FaultyLoopback, WhoHasCrashedIsGoneForTheOthersAndSaysNothingMore) {
+TEST_F(FaultyLoopback, ACrashedProcessIsLostToItsPeers) {
   const auto guest = host_.guest();
 
   server_.Crash();
@@ -131,7 +131,7 @@ TEST_F(FaultyLoopback, WhoHasCrashedIsGoneForTheOthersAndSaysNothingMore) {
   EXPECT_FALSE(server_.Open(address_, std::make_shared<Recorder>(), kPatience));
 }
 
-TEST_F(FaultyLoopback, ItsAddressIsThatOfItsSuccessor) {
+TEST_F(FaultyLoopback, ASuccessorMayReuseTheAddress) {
   server_.Crash();
   LoopbackMiddleware successor(network_);
   Host host;
@@ -146,7 +146,7 @@ TEST_F(FaultyLoopback, ItsAddressIsThatOfItsSuccessor) {
   EXPECT_TRUE(host.guest().recorder->WaitForFrames(1));
 }
 
-TEST(Loopback, NetworksDoNotKnowEachOther) {
+TEST(Loopback, NetworksAreSeparate) {
   LoopbackMiddleware server(std::make_shared<LoopbackNetwork>());
   LoopbackMiddleware client(std::make_shared<LoopbackNetwork>());
   Host host;
@@ -159,7 +159,7 @@ TEST(Loopback, NetworksDoNotKnowEachOther) {
   EXPECT_EQ(link.error(), (Error{ErrorCode::kUnreachable, "nobody listens at robot:10705"}));
 }
 
-TEST(Loopback, AProcessMayTalkToItself) {
+TEST(Loopback, AProcessMayConnectToItself) {
   LoopbackMiddleware both(std::make_shared<LoopbackNetwork>());
   Host host;
   const auto listener = both.Listen("robot:0", host.accept());

@@ -109,7 +109,7 @@ class NarrowLinkTest : public testing::Test {
   std::shared_ptr<Channel> server_channel_;
 };
 
-TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnWithWhateverIsSent) {
+TEST_F(NarrowLinkTest, SendingResumesWaitingParts) {
   client_.link->has_room = false;
   ASSERT_EQ(Tell(*channel_, 2 * kPartSize), Status::kQueued);
   client_.link->has_room = true;
@@ -119,7 +119,7 @@ TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnWithWhateverIsSent) {
   EXPECT_TRUE(EventuallyTrue([&] { return server_end_->notices == 2; }));
 }
 
-TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnInTime) {
+TEST_F(NarrowLinkTest, ExpireResumesWaitingParts) {
   client_.link->has_room = false;
   ASSERT_EQ(Tell(*channel_, 2 * kPartSize), Status::kQueued);
   client_.link->has_room = true;
@@ -129,7 +129,7 @@ TEST_F(NarrowLinkTest, PartsThatWaitForRoomGoOnInTime) {
   EXPECT_TRUE(EventuallyTrue([&] { return server_end_->notices == 1; }));
 }
 
-TEST_F(NarrowLinkTest, WhoAsksHearsAtOnceThatHisAnswerCouldNotBeMade) {
+TEST_F(NarrowLinkTest, AFailedReplyIsRefusedAtOnce) {
   client_.link->is_memory_short = true;
 
   const auto answer =
@@ -139,7 +139,7 @@ TEST_F(NarrowLinkTest, WhoAsksHearsAtOnceThatHisAnswerCouldNotBeMade) {
   EXPECT_EQ(answer.error().code, ErrorCode::kFailed) << answer.error().message;
 }
 
-TEST_F(NarrowLinkTest, ThePeerIsToldWhatWasTakenAsSoonAsThereIsRoom) {
+TEST_F(NarrowLinkTest, AcknowledgesPartsAsSoonAsThereIsRoom) {
   constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // parts
   client_.link->has_room = false;
   ASSERT_EQ(Tell(*server_channel_, 2 * kAhead * kPartSize), Status::kQueued);

@@ -19,7 +19,7 @@ Bytes Filled(std::size_t size, int fill) { return Bytes(size, static_cast<std::b
 
 using Notices = std::vector<test::TracedChannel::Notice>;
 
-TEST(NotifyInPlace, SendsTheFrameFromWhereItLies) {
+TEST(NotifyInPlace, SendsTheFrameWithoutACopy) {
   const test::TracedChannel channel;
   Bytes first = FrameWith(16, 1);
   Bytes second = FrameWith(0, 2);
@@ -56,7 +56,7 @@ TEST(NotifyInPlace, WaitsBehindALargeMessageOfItsLane) {
   EXPECT_EQ(channel.notices().back(), (Notices::value_type{2, Filled(8, 2)}));
 }
 
-TEST(NotifyInPlace, RefusesABodyThatIsTooLarge) {
+TEST(NotifyInPlace, RefusesATooLargeBody) {
   const test::TracedChannel channel;
   Bytes frame(FrameHeader::kSize + kMaxBodySize + 1);
 

@@ -8,7 +8,7 @@ namespace {
 
 using std::chrono::hours;
 
-TEST(OneShotValue, WhatIsGivenIsReceived) {
+TEST(OneShotValue, DeliversTheValue) {
   OneShotValue<int> handover;
   std::thread giver([&] { EXPECT_TRUE(handover.Give(7)); });
 
@@ -16,14 +16,14 @@ TEST(OneShotValue, WhatIsGivenIsReceived) {
   giver.join();
 }
 
-TEST(OneShotValue, NothingIsReceivedAfterTheDeadlineAndTheGiverIsTold) {
+TEST(OneShotValue, TimesOutAndRefusesALateValue) {
   OneShotValue<int> handover;
 
   EXPECT_EQ(handover.WaitUntil(SteadyClock().Now()), std::nullopt);
   EXPECT_FALSE(handover.Give(7));
 }
 
-TEST(OneShotValue, OnlyTheFirstIsTaken) {
+TEST(OneShotValue, AcceptsOnlyTheFirstValue) {
   OneShotValue<int> handover;
 
   EXPECT_TRUE(handover.Give(7));

@@ -37,7 +37,7 @@ void ExpectSame(const PartAssembly::Frame& whole, const Bytes& frame) {
   EXPECT_EQ(whole.body, BodyOf(frame));
 }
 
-TEST(PartAssembly, PutsPartsOfSeveralFramesTogether) {
+TEST(PartAssembly, AssemblesSeveralFrames) {
   PartAssembly assembly;
   const Bytes first = FrameOfSize(2 * kPartSize + 1, std::byte{1}, static_cast<MessageType>(0x101));
   const Bytes second = FrameOfSize(2 * kPartSize, std::byte{2}, static_cast<MessageType>(0x102));
@@ -64,7 +64,7 @@ TEST(PartAssembly, AFrameMayBeOnePart) {
   ExpectSame(whole, frame);
 }
 
-TEST(PartAssembly, RefusesWhatIsNoPart) {
+TEST(PartAssembly, RefusesInvalidParts) {
   const Bytes frame = FrameOfSize(2 * kPartSize);
   PartAssembly::Frame whole;
   Bytes foreign = frame;
@@ -86,7 +86,7 @@ TEST(PartAssembly, RefusesWhatIsNoPart) {
   EXPECT_EQ(begun.Add(1, Bytes(kPartSize + 1), whole), Progress::kNonsense);
 }
 
-TEST(PartAssembly, PutsPartsOfAllSizesTogether) {
+TEST(PartAssembly, AssemblesPartsOfAllSizes) {
   PartAssembly assembly;
   const Bytes frame = FrameOfSize(4 * kLeastPartSize + 1);
   const auto rest = std::span(frame);
@@ -99,7 +99,7 @@ TEST(PartAssembly, PutsPartsOfAllSizesTogether) {
   EXPECT_EQ(whole.body, BodyOf(frame));
 }
 
-TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
+TEST(PartAssembly, HoldsNoMoreThanASenderMaySend) {
   PartAssembly assembly;
   PartAssembly::Frame whole;
   const Bytes largest = FrameOfSize(kMaxBodySize + FrameHeader::kSize);
@@ -112,7 +112,7 @@ TEST(PartAssembly, KeepsNoMoreThanOneSenderLetsOnItsWay) {
             Progress::kNonsense);
 }
 
-TEST(PartAssembly, KeepsOneHugeFrameAndAWindowOfOthers) {
+TEST(PartAssembly, HoldsOneHugeFrameOrAWindow) {
   PartAssembly huge;
   PartAssembly assembly;
   PartAssembly::Frame whole;
@@ -126,7 +126,7 @@ TEST(PartAssembly, KeepsOneHugeFrameAndAWindowOfOthers) {
   EXPECT_EQ(assembly.Add(3, PartOf(half, 0), whole), Progress::kNonsense);
 }
 
-TEST(PartAssembly, KeepsNothingOfWhatIsNotWanted) {
+TEST(PartAssembly, DiscardsUnwantedFrames) {
   const Bytes frame = FrameOfSize(2 * kPartSize);
   const Bytes other = FrameOfSize(100);
   Budget<> none(0);
@@ -141,7 +141,7 @@ TEST(PartAssembly, KeepsNothingOfWhatIsNotWanted) {
   EXPECT_EQ(assembly.taken(), frame.size() + other.size());
 }
 
-TEST(PartAssembly, AllThatShareABudgetKeepNoMoreThanThat) {
+TEST(PartAssembly, AssembliesOfOneBudgetStayWithinIt) {
   Budget<> budget(2 * kPartSize);
   PartAssembly first(nullptr, budget);
   const Bytes frame = FrameOfSize(4 * kPartSize);
@@ -160,7 +160,7 @@ TEST(PartAssembly, AllThatShareABudgetKeepNoMoreThanThat) {
   EXPECT_EQ(third.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
 }
 
-TEST(PartAssembly, WhatIsWholeCountsInNoBudget) {
+TEST(PartAssembly, CompleteFramesLeaveTheBudget) {
   Budget<> budget(kPartSize);
   PartAssembly assembly(nullptr, budget);
   const Bytes frame = FrameOfSize(2 * kPartSize);
@@ -172,7 +172,7 @@ TEST(PartAssembly, WhatIsWholeCountsInNoBudget) {
   }
 }
 
-TEST(PartAssembly, TakesMemoryForWhatHasComeAndNotForWhatIsClaimed) {
+TEST(PartAssembly, AllocatesForReceivedBytesOnly) {
   PartAssembly assembly;
   PartAssembly::Frame whole;
   const Bytes frame = FrameOfSize(kMaxBodySize + FrameHeader::kSize);
@@ -188,7 +188,7 @@ TEST(PartAssembly, TakesMemoryForWhatHasComeAndNotForWhatIsClaimed) {
   EXPECT_EQ(whole.header.size, kMaxBodySize);
 }
 
-TEST(PartAssembly, WaitsForTheNextPartOfEachFrameAndNotForEver) {
+TEST(PartAssembly, TimesOutAFrameWithoutFurtherParts) {
   ManualClock clock;
   PartAssembly assembly(nullptr, PartAssembly::BudgetOfProcess(), clock);
   const Bytes frame = FrameOfSize(3 * kPartSize);
@@ -210,7 +210,7 @@ TEST(PartAssembly, WaitsForTheNextPartOfEachFrameAndNotForEver) {
   EXPECT_EQ(assembly.given_up(), SteadyTime::max());
 }
 
-TEST(PartAssembly, FreesWhatHasBegun) {
+TEST(PartAssembly, ClearFreesUnfinishedFrames) {
   PartAssembly assembly;
   PartAssembly::Frame whole;
   const Bytes frame = FrameOfSize(2 * kPartSize);
@@ -223,7 +223,7 @@ TEST(PartAssembly, FreesWhatHasBegun) {
   EXPECT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
 }
 
-TEST(MaxPayload, IsNamedWithWhatExceedsIt) {
+TEST(MaxPayload, ErrorsNameTheLimitAndTheExcess) {
   EXPECT_EQ(ExceedsMaxPayload("'cloud'", 80'000'000, "robot/arm/Cloud"),
             (Error{ErrorCode::kInvalid,
                    "'cloud' of 80 000 000 B exceeds max_payload 67 108 864 B of robot/arm/Cloud"}));

@@ -32,7 +32,7 @@ class PartReceiverTest : public testing::Test {
   PartReceiver receiver_{nullptr};
 };
 
-TEST_F(PartReceiverTest, ReportsTheBytesThatHaveArrivedOnce) {
+TEST_F(PartReceiverTest, ReportsArrivedBytesOnce) {
   EXPECT_FALSE(receiver_.has_news());
   AddFirstPart();
   EXPECT_TRUE(receiver_.has_news());
@@ -47,7 +47,7 @@ TEST_F(PartReceiverTest, ReportsTheBytesThatHaveArrivedOnce) {
   EXPECT_FALSE(receiver_.has_news());
 }
 
-TEST_F(PartReceiverTest, AReportThatCannotBeSentStaysDue) {
+TEST_F(PartReceiverTest, AFailedReportStaysDue) {
   AddFirstPart();
 
   receiver_.Report([](std::uint64_t /*taken*/) -> Status { return Status::kQueueFull; });

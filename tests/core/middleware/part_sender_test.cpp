@@ -80,7 +80,7 @@ class PartSenderTest : public testing::Test {
   std::uint64_t taken = 0;
 };
 
-TEST_F(PartSenderTest, TakesWhatIsLargeOrBehindALargeOneOfItsLane) {
+TEST_F(PartSenderTest, TakesLargeMessagesAndThoseBehindThem) {
   EXPECT_FALSE(sender.MustSendInParts(1, kMaxPieceSize));
   EXPECT_TRUE(sender.MustSendInParts(1, kMaxPieceSize + 1));
 
@@ -92,7 +92,7 @@ TEST_F(PartSenderTest, TakesWhatIsLargeOrBehindALargeOneOfItsLane) {
   EXPECT_FALSE(sender.MustSendInParts(kOwnLane, 30));
 }
 
-TEST_F(PartSenderTest, SendsNoFurtherAheadThanThePeerHasTaken) {
+TEST_F(PartSenderTest, LimitsUnacknowledgedParts) {
   ASSERT_EQ(Add(1, 3 * kAhead), Status::kQueued);
   EXPECT_EQ(link.sent.size(), kAhead);
 
@@ -103,7 +103,7 @@ TEST_F(PartSenderTest, SendsNoFurtherAheadThanThePeerHasTaken) {
   EXPECT_EQ(link.sent.size(), 2 * kAhead + 1);
 }
 
-TEST_F(PartSenderTest, TakesTheLanesInTurnAndEachInOrder) {
+TEST_F(PartSenderTest, AlternatesBetweenLanesInOrder) {
   link.has_room = false;
   ASSERT_EQ(Add(1, 3), Status::kQueued);
   ASSERT_EQ(Add(2, 1), Status::kQueued);
@@ -116,7 +116,7 @@ TEST_F(PartSenderTest, TakesTheLanesInTurnAndEachInOrder) {
   EXPECT_FALSE(sender.MustSendInParts(1, 30));
 }
 
-TEST_F(PartSenderTest, GoesOnWhereTheLinkHadNoRoom) {
+TEST_F(PartSenderTest, ResumesWhenTheLinkHasRoom) {
   link.has_room = false;
   ASSERT_EQ(Add(1, 2), Status::kQueued);
   sender.Resume(link);
@@ -128,7 +128,7 @@ TEST_F(PartSenderTest, GoesOnWhereTheLinkHadNoRoom) {
   EXPECT_THAT(link.sent, ElementsAre(2, 2));
 }
 
-TEST_F(PartSenderTest, KeepsPartsSmallUntilItIsKnownWhatTheLineCarries) {
+TEST_F(PartSenderTest, StartsWithSmallParts) {
   PartSender unknown(clock);
   FakeLink fresh;
   EXPECT_EQ(unknown.part_size(), kLeastPartSize);
@@ -141,7 +141,7 @@ TEST_F(PartSenderTest, KeepsPartsSmallUntilItIsKnownWhatTheLineCarries) {
   EXPECT_EQ(fresh.sizes.size(), kAhead);
 }
 
-TEST_F(PartSenderTest, APartTakesNoLongerThanItsTimeOnASlowLine) {
+TEST_F(PartSenderTest, SlowLinksGetSmallParts) {
   constexpr std::size_t kCarried = 100'000;  // bytes in the time of a part
   TakeSlowly(std::size_t{8} << 20U, kCarried);
   EXPECT_LE(sender.part_size(), kCarried);
@@ -155,7 +155,7 @@ TEST_F(PartSenderTest, APartTakesNoLongerThanItsTimeOnASlowLine) {
   EXPECT_THAT(link.sizes, testing::Each(testing::Le(kCarried)));
 }
 
-TEST_F(PartSenderTest, PartsBecomeLargeAgainWithALineThatIsQuickAgain) {
+TEST_F(PartSenderTest, PartsGrowAgainOnAFasterLink) {
   TakeSlowly(std::size_t{4} << 20U, 1'000);
   EXPECT_EQ(sender.part_size(), kLeastPartSize);
 
@@ -166,7 +166,7 @@ TEST_F(PartSenderTest, PartsBecomeLargeAgainWithALineThatIsQuickAgain) {
   EXPECT_EQ(sender.part_size(), kPartSize);
 }
 
-TEST_F(PartSenderTest, ALineIsQuickForAWhileOnceItWasFoundToCarryWhatIsReturned) {
+TEST_F(PartSenderTest, AFastLinkCountsAsQuickForAWhile) {
   EXPECT_TRUE(sender.is_quick());
 
   clock.Advance(PartSender::kQuickFor);
@@ -174,14 +174,14 @@ TEST_F(PartSenderTest, ALineIsQuickForAWhileOnceItWasFoundToCarryWhatIsReturned)
   EXPECT_FALSE(sender.is_quick());
 }
 
-TEST_F(PartSenderTest, ALineOnWhichPartsAreLargeMayBeTooSlowForMore) {
+TEST_F(PartSenderTest, LargePartsDoNotMakeALinkQuick) {
   TakeSlowly(std::size_t{4} << 20U, kMaxReturned / 2);
 
   EXPECT_EQ(sender.part_size(), kPartSize);
   EXPECT_FALSE(sender.is_quick());
 }
 
-TEST_F(PartSenderTest, CountsAFrameUntilThePeerHasTakenItsEnd) {
+TEST_F(PartSenderTest, CountsAFrameUntilItIsAcknowledged) {
   ASSERT_EQ(Add(1, 2), Status::kQueued);
   EXPECT_EQ(sender.waiting(), 2 * kPartSize);
 
@@ -191,7 +191,7 @@ TEST_F(PartSenderTest, CountsAFrameUntilThePeerHasTakenItsEnd) {
   EXPECT_EQ(sender.waiting(), 0U);
 }
 
-TEST_F(PartSenderTest, RefusesWhatExceedsTheWindow) {
+TEST_F(PartSenderTest, RefusesFramesBeyondTheWindow) {
   constexpr std::size_t kHalf = kSendWindow / kPartSize / 2;
   EXPECT_EQ(Add(1, kHalf), Status::kQueued);
   EXPECT_EQ(Add(1, kHalf), Status::kQueued);
@@ -201,7 +201,7 @@ TEST_F(PartSenderTest, RefusesWhatExceedsTheWindow) {
   EXPECT_EQ(Add(3, 3 * kHalf), Status::kQueueFull);
 }
 
-TEST_F(PartSenderTest, DoesNotBelieveThatMoreWasTakenThanWasSentOrThatItWasGivenBack) {
+TEST_F(PartSenderTest, RefusesImplausibleAcknowledgements) {
   ASSERT_EQ(Add(1, 2), Status::kQueued);
 
   EXPECT_FALSE(Take(2 * kPartSize + 1));
@@ -209,7 +209,7 @@ TEST_F(PartSenderTest, DoesNotBelieveThatMoreWasTakenThanWasSentOrThatItWasGiven
   EXPECT_FALSE(Take(99));
 }
 
-TEST_F(PartSenderTest, FreesAllWhenTheLinkEnds) {
+TEST_F(PartSenderTest, CloseFreesAllFrames) {
   ASSERT_EQ(Add(1, 3 * kAhead), Status::kQueued);
 
   sender.Close();

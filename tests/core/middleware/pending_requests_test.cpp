@@ -25,7 +25,7 @@ std::uint64_t Add(PendingRequests& requests, PendingRequests::Handler handler,
   return requests.Add(timeout, handler);
 }
 
-TEST(PendingRequests, EachHasANumberOfItsOwnThatIsNotZero) {
+TEST(PendingRequests, EachHasAUniqueNonZeroNumber) {
   PendingRequests requests;
   Outcomes outcomes;
 
@@ -37,7 +37,7 @@ TEST(PendingRequests, EachHasANumberOfItsOwnThatIsNotZero) {
   EXPECT_NE(first, second);
 }
 
-TEST(PendingRequests, TheFirstAnswerCountsAndTheOthersAreLate) {
+TEST(PendingRequests, CountsFurtherAnswersAsLate) {
   PendingRequests requests;
   Outcomes outcomes;
   const auto request = Add(requests, outcomes.Keep());
@@ -51,7 +51,7 @@ TEST(PendingRequests, TheFirstAnswerCountsAndTheOthersAreLate) {
   EXPECT_EQ(requests.late_answers(), 2U);
 }
 
-TEST(PendingRequests, ExpireEndsWhatIsDue) {
+TEST(PendingRequests, ExpireEndsDueRequests) {
   PendingRequests requests;
   Outcomes outcomes;
   Add(requests, outcomes.Keep(), hours(1));
@@ -65,7 +65,7 @@ TEST(PendingRequests, ExpireEndsWhatIsDue) {
       (Error{ErrorCode::kTimeout, "no answer from robot within 3600000 ms; outcome unknown"}));
 }
 
-TEST(PendingRequests, FinishAllEndsAllAndTakesNoMore) {
+TEST(PendingRequests, FinishAllEndsAllAndRefusesNewOnes) {
   PendingRequests requests;
   Outcomes outcomes;
   Add(requests, outcomes.Keep());
@@ -82,7 +82,7 @@ TEST(PendingRequests, FinishAllEndsAllAndTakesNoMore) {
   EXPECT_TRUE(handler) << "the caller still has it";
 }
 
-TEST(PendingRequests, AHandlerMayAskAgain) {
+TEST(PendingRequests, AHandlerMaySendAnotherRequest) {
   PendingRequests requests;
   Outcomes outcomes;
   std::uint64_t second = 0;
@@ -95,7 +95,7 @@ TEST(PendingRequests, AHandlerMayAskAgain) {
   EXPECT_EQ(outcomes.all.size(), 1U);
 }
 
-TEST(PendingRequests, WhatAHandlerThrowsStaysHere) {
+TEST(PendingRequests, ContainsExceptionsOfHandlers) {
   PendingRequests requests;
   const auto request =
       Add(requests, [](const Result<Bytes>& /*outcome*/) { throw std::runtime_error("oh"); });
@@ -103,7 +103,7 @@ TEST(PendingRequests, WhatAHandlerThrowsStaysHere) {
   EXPECT_NO_THROW(requests.OnAnswer(request, Answer(Bytes())));
 }
 
-TEST(PendingRequests, AWithdrawnOneIsForgotten) {
+TEST(PendingRequests, ForgetsAWithdrawnRequest) {
   PendingRequests requests;
   int called = 0;
   PendingRequests::Handler handler = [&called](const Result<Bytes>& /*answer*/) { ++called; };
@@ -116,7 +116,7 @@ TEST(PendingRequests, AWithdrawnOneIsForgotten) {
   EXPECT_EQ(called, 0);
 }
 
-TEST(PendingRequests, OneThatWaitsLongKeepsItsNumberAmongManyOthers) {
+TEST(PendingRequests, ALongPendingRequestKeepsItsNumber) {
   PendingRequests requests;
   Outcomes outcomes;
   std::set<std::uint64_t> numbers{Add(requests, outcomes.Keep())};
@@ -146,7 +146,7 @@ TEST(PendingRequests, FinishAllKeepsTheOrderOfMany) {
   EXPECT_TRUE(std::is_sorted(ended.begin(), ended.end()));
 }
 
-TEST(BlockingRequest, IsWhatTheRequestWasFinishedWith) {
+TEST(BlockingRequest, ReturnsTheAnswer) {
   PendingRequests requests;
   BlockingRequest answer(requests);
   const auto peer =
@@ -159,7 +159,7 @@ TEST(BlockingRequest, IsWhatTheRequestWasFinishedWith) {
   EXPECT_EQ(requests.late_answers(), 0U);
 }
 
-TEST(BlockingRequest, IsWhereItsBytesWereLentAndKeepsThemThere) {
+TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
   PendingRequests requests;
   BlockingRequest answer(requests);
   auto lent = std::make_shared<Bytes>(100'000, std::byte{7});
@@ -177,7 +177,7 @@ TEST(BlockingRequest, IsWhereItsBytesWereLentAndKeepsThemThere) {
   EXPECT_TRUE(still.expired());
 }
 
-TEST(PendingRequests, AHandlerGetsACopyOfWhatIsLent) {
+TEST(PendingRequests, AHandlerGetsACopyOfALentAnswer) {
   PendingRequests requests;
   Bytes heard;
   PendingRequests::Handler handler = [&heard](Result<Bytes> answer) { heard = *std::move(answer); };
@@ -190,7 +190,7 @@ TEST(PendingRequests, AHandlerGetsACopyOfWhatIsLent) {
   EXPECT_EQ(heard, Bytes(100, std::byte{7}));
 }
 
-TEST(BlockingRequest, IsLateOnceItsTimeIsOver) {
+TEST(BlockingRequest, CountsAnAnswerAfterTheDeadlineAsLate) {
   PendingRequests requests;
   BlockingRequest answer(requests);
 
@@ -200,7 +200,7 @@ TEST(BlockingRequest, IsLateOnceItsTimeIsOver) {
   EXPECT_EQ(requests.late_answers(), 1U);
 }
 
-TEST(BlockingRequest, IsLateWhereNobodyHasWaited) {
+TEST(BlockingRequest, CountsAnAnswerWithoutAWaitAsLate) {
   PendingRequests requests;
   std::uint64_t number = 0;
   {
@@ -213,7 +213,7 @@ TEST(BlockingRequest, IsLateWhereNobodyHasWaited) {
   EXPECT_EQ(requests.late_answers(), 1U);
 }
 
-TEST(BlockingRequest, OfOneIsNotThatOfTheNextWhoWaits) {
+TEST(BlockingRequest, IgnoresTheAnswerOfAnEarlierRequest) {
   PendingRequests requests;
   std::uint64_t first = 0;
   {
@@ -231,7 +231,7 @@ TEST(BlockingRequest, OfOneIsNotThatOfTheNextWhoWaits) {
   EXPECT_EQ((*outcome)->body().size(), 2U);
 }
 
-TEST(BlockingRequest, EndsWithAllOthersAndBeginsNoMore) {
+TEST(BlockingRequest, FinishAllEndsItAndRefusesNewOnes) {
   PendingRequests requests;
   const Error reason{ErrorCode::kUnreachable, "gone"};
   BlockingRequest answer(requests);

@@ -40,7 +40,7 @@ TEST(ReplyBatch, KeepsTheOrder) {
   EXPECT_TRUE(IsReplyBatch(TwoReplies()));
 }
 
-TEST(ReplyBatch, HasTheBytesOfTheProtocol) {
+TEST(ReplyBatch, HasAFixedLayout) {
   const auto bytes = [](std::initializer_list<unsigned char> all) {
     Bytes result;
     for (const unsigned char one : all) result.push_back(std::byte{one});
@@ -51,7 +51,7 @@ TEST(ReplyBatch, HasTheBytesOfTheProtocol) {
                                  255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 0}));
 }
 
-TEST(ReplyBatch, TakesSoManyAndNoMore) {
+TEST(ReplyBatch, LimitsTheNumberOfReplies) {
   ReplyBatch batch;
   for (std::uint64_t i = 1; i <= ReplyBatch::kMostReplies; ++i) EXPECT_TRUE(batch.Add(i, {}));
 
@@ -62,7 +62,7 @@ TEST(ReplyBatch, TakesSoManyAndNoMore) {
   EXPECT_TRUE(batch.Add(1000, {}));
 }
 
-TEST(ReplyBatch, TakesSoManyBytesAndNoMore) {
+TEST(ReplyBatch, LimitsTheNumberOfBytes) {
   constexpr std::size_t kLargest = ReplyBatch::kMostBytes - ReplyBatch::kOverhead;
   ReplyBatch batch;
 
@@ -74,7 +74,7 @@ TEST(ReplyBatch, TakesSoManyBytesAndNoMore) {
   EXPECT_TRUE(IsReplyBatch(batch.body()));
 }
 
-TEST(ReplyBatch, OfALiarIsNone) {
+TEST(ReplyBatch, RefusesFalseSizes) {
   const Bytes whole = TwoReplies();
   for (std::size_t size = 0; size < whole.size(); ++size) {
     const bool ends_with_a_reply = size == ReplyBatch::kOverhead + 2;
@@ -90,7 +90,7 @@ TEST(ReplyBatch, OfALiarIsNone) {
   }
 }
 
-TEST(ReplyBatch, OfTooManyOrTooLargeIsNone) {
+TEST(ReplyBatch, RefusesTooManyOrTooLargeReplies) {
   EXPECT_FALSE(IsReplyBatch(Bytes((ReplyBatch::kMostReplies + 1) * ReplyBatch::kOverhead)));
   Bytes large(ReplyBatch::kMostBytes + 1);
   const auto size = static_cast<std::uint32_t>(large.size() - ReplyBatch::kOverhead);
@@ -184,7 +184,7 @@ class ReplyBatcherTest : public testing::Test {
   std::shared_ptr<Channel> other_;
 };
 
-TEST_F(ReplyBatcherTest, SendsWhatWasAnsweredInOneMessage) {
+TEST_F(ReplyBatcherTest, SendsRepliesInOneMessage) {
   Ask(*one_, 5);
 
   AnswerTogether(5);
@@ -193,7 +193,7 @@ TEST_F(ReplyBatcherTest, SendsWhatWasAnsweredInOneMessage) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 5; }));
 }
 
-TEST_F(ReplyBatcherTest, SendsOneAnswerAlone) {
+TEST_F(ReplyBatcherTest, SendsASingleReplyUnbatched) {
   Ask(*one_, 1);
 
   AnswerTogether(1);
@@ -202,13 +202,13 @@ TEST_F(ReplyBatcherTest, SendsOneAnswerAlone) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 1; }));
 }
 
-TEST_F(ReplyBatcherTest, OfNoneSendsNothing) {
+TEST_F(ReplyBatcherTest, SendsNothingWithoutReplies) {
   AnswerTogether(0);
 
   EXPECT_EQ(sent(), Types{});
 }
 
-TEST_F(ReplyBatcherTest, IsOverWhereItEnds) {
+TEST_F(ReplyBatcherTest, EndsWithItsScope) {
   Ask(*one_, 3);
   AnswerTogether(2);
 
@@ -217,7 +217,7 @@ TEST_F(ReplyBatcherTest, IsOverWhereItEnds) {
   EXPECT_EQ(sent(), (Types{MessageType::kReplies, MessageType::kReply}));
 }
 
-TEST_F(ReplyBatcherTest, SendsAFullMessageAndGoesOn) {
+TEST_F(ReplyBatcherTest, SendsAFullMessageAndContinues) {
   Ask(*one_, ReplyBatch::kMostReplies + 1);
 
   AnswerTogether(ReplyBatch::kMostReplies + 1);
@@ -226,7 +226,7 @@ TEST_F(ReplyBatcherTest, SendsAFullMessageAndGoesOn) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == ReplyBatch::kMostReplies + 1; }));
 }
 
-TEST_F(ReplyBatcherTest, KeepsNoMoreBytesThanAMessageHas) {
+TEST_F(ReplyBatcherTest, LimitsTheBytesOfAMessage) {
   Ask(*one_, 4);
 
   AnswerTogether(4, ReplyBatch::kMostBytes / 3);
@@ -235,7 +235,7 @@ TEST_F(ReplyBatcherTest, KeepsNoMoreBytesThanAMessageHas) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 4; }));
 }
 
-TEST_F(ReplyBatcherTest, SendsWhatIsTooLargeForItByItself) {
+TEST_F(ReplyBatcherTest, SendsTooLargeRepliesUnbatched) {
   Ask(*one_, 2);
 
   AnswerTogether(2, ReplyBatch::kMostBytes);
@@ -244,7 +244,7 @@ TEST_F(ReplyBatcherTest, SendsWhatIsTooLargeForItByItself) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 2; }));
 }
 
-TEST_F(ReplyBatcherTest, MixesNoTwoPeers) {
+TEST_F(ReplyBatcherTest, KeepsPeersSeparate) {
   Ask(*one_, 2);
   Ask(*other_, 2);
 

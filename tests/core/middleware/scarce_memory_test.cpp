@@ -24,7 +24,7 @@ using testing::HasSubstr;
 constexpr std::size_t kLarge = std::size_t{100} << 10U;
 
 /// A listener with one link that stands, and the socket of another that does.
-class WhereMemoryIsScarce : public testing::Test {
+class LowMemory : public testing::Test {
  protected:
   void SetUp() override {
     auto listener = middleware_->Listen("127.0.0.1:0", host_.accept());
@@ -46,7 +46,7 @@ class WhereMemoryIsScarce : public testing::Test {
     return *std::move(connected);
   }
 
-  void ExpectTheOldOneLives() {
+  void ExpectFirstLinkWorks() {
     ASSERT_EQ(old_->Send(FrameOf(7)), Status::kQueued);
     EXPECT_TRUE(host_.guest(0).recorder->WaitForFrames(1));
     EXPECT_EQ(old_recorder_->closed(), 0);
@@ -60,7 +60,7 @@ class WhereMemoryIsScarce : public testing::Test {
   os::Socket socket_;
 };
 
-TEST_F(WhereMemoryIsScarce, ALinkWhoseFrameCannotBeKeptIsClosedWithThatReason) {
+TEST_F(LowMemory, ClosesALinkThatExhaustsMemory) {
   const Bytes frame = FrameOf(1, kLarge);
   const auto guest = host_.guest(1);
   {
@@ -72,10 +72,10 @@ TEST_F(WhereMemoryIsScarce, ALinkWhoseFrameCannotBeKeptIsClosedWithThatReason) {
   }
   EXPECT_EQ(guest.recorder->reason().code, ErrorCode::kFailed);
   EXPECT_THAT(guest.recorder->reason().message, HasSubstr("out of memory (ulimit -v)"));
-  ExpectTheOldOneLives();
+  ExpectFirstLinkWorks();
 }
 
-TEST_F(WhereMemoryIsScarce, WhoComesThenIsTurnedAwayAndLaterIsServed) {
+TEST_F(LowMemory, RefusesNewcomersUntilMemoryIsFree) {
   Bytes buffer(100);
   {
     const ScarceMemory scarce(256);
@@ -86,10 +86,10 @@ TEST_F(WhereMemoryIsScarce, WhoComesThenIsTurnedAwayAndLaterIsServed) {
   EXPECT_EQ(host_.count(), 2U);
   const os::Socket later = Connect();
   EXPECT_NE(host_.guest(2).link, nullptr);
-  ExpectTheOldOneLives();
+  ExpectFirstLinkWorks();
 }
 
-TEST_F(WhereMemoryIsScarce, NothingFollowsAFrameOfWhichOnlyTheBeginningWasSent) {
+TEST_F(LowMemory, SendsNothingAfterAPartialFrame) {
   std::promise<void> go_on;
   std::atomic<bool> is_deaf = false;
   Host deaf([&is_deaf, gone_on = go_on.get_future().share()](const std::shared_ptr<Link>& /*to*/) {
@@ -132,7 +132,7 @@ class Overwhelmed final : public LinkHandler {
   void OnClosed(const Error& /*reason*/) override { throw std::bad_alloc(); }
 };
 
-TEST(TcpWhereMemoryIsScarce, WhoStopsListeningClosesAllLinksWhateverTheirHandlersLack) {
+TEST(TcpLowMemory, StoppingClosesAllLinksDespiteThrowingHandlers) {
   const auto middleware = MakeTcpMiddleware(Exposure::kLoopbackOnly);
   auto listener = middleware->Listen("127.0.0.1:0", [](const std::shared_ptr<Link>& link) {
     link->Admit();
@@ -165,7 +165,7 @@ class Answerer final : public ChannelHandler {
   const Bytes answer_ = Bytes(8000, std::byte{7});
 };
 
-TEST(ChannelWhereMemoryIsScarce, AnAnswerThatCannotBeKeptIsLostAndNothingElse) {
+TEST(ChannelLowMemory, LosesOnlyTheAnswerThatDoesNotFit) {
   constexpr auto kAsk = static_cast<MessageType>(0x101);
   const Hello hello{.instance = 1, .name = "robot", .cookie = 7};
   const auto middleware = MakeTcpMiddleware(Exposure::kLoopbackOnly);

@@ -52,7 +52,7 @@ struct Wire {
   os::Socket socket;
 };
 
-TEST(Tcp, FramesFollowEachOtherWithNothingBetween) {
+TEST(Tcp, FramesFollowEachOtherDirectly) {
   Wire wire;
   Bytes bytes;
   for (std::uint32_t i = 0; i < 3; ++i) {
@@ -91,7 +91,7 @@ TEST(Tcp, APortInUseNamesTheProgram) {
                                         std::to_string(os::ProcessId()) + " (middleware_test)");
 }
 
-TEST(Tcp, GarbageAfterAFrameEndsTheLinkWithThatReason) {
+TEST(Tcp, GarbageAfterAFrameClosesTheLink) {
   Wire wire;
   Bytes bytes = FrameOf(1);
   bytes.resize(bytes.size() + FrameHeader::kSize, std::byte{'x'});
@@ -104,7 +104,7 @@ TEST(Tcp, GarbageAfterAFrameEndsTheLinkWithThatReason) {
   EXPECT_EQ(guest.recorder->reason().code, ErrorCode::kInvalid);
 }
 
-TEST(Tcp, WhoIsKnownCannotHaveMoreKeptThanAPiece) {
+TEST(Tcp, LimitsAnAdmittedPeerToOnePiece) {
   Wire wire;
   FrameHeader header;
   header.size = kMaxPieceSize - FrameHeader::kSize + 1;
@@ -132,7 +132,7 @@ TEST(Tcp, AFloodOfGarbageIsLoggedOnceWithoutDrowningTheLog) {
   EXPECT_EQ(Warnings().size(), before + 1);
 }
 
-TEST(Tcp, InsecureIsLoggedByThoseWhoListen) {
+TEST(Tcp, ListeningInsecurelyIsLogged) {
   const std::size_t before = Warnings().size();
 
   const auto middleware = MakeTcpMiddleware(Exposure::kInsecure);
@@ -144,7 +144,7 @@ TEST(Tcp, InsecureIsLoggedByThoseWhoListen) {
   EXPECT_THAT(Warnings().back(), HasSubstr("--insecure"));
 }
 
-TEST(Tcp, OutOfDescriptorsTheOldLinksLiveAndNewOnesWaitTheirTurn) {
+TEST(Tcp, OutOfDescriptorsOldLinksStayAndNewOnesWait) {
   Wire wire;
   const auto guest = wire.host.guest();
   rlimit before{};

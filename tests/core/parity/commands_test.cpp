@@ -8,7 +8,7 @@ using tendon::Status;
 /// Every kind of command.
 using Commands = AnyPlacedPair;
 
-TEST_P(Commands, VoidOnesAndWritesRunInTheServersThreadInOrder) {
+TEST_P(Commands, VoidAndWriteCommandsRunInTheServersThread) {
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     for (int i = 1; i <= 20; ++i) EXPECT_EQ(port.write(Sample<P>(i)), pair.queued());
@@ -46,7 +46,7 @@ TEST_P(Commands, ReadsGiveTheNewestRow) {
   }
 }
 
-TEST_P(Commands, QualifiedReadsAnswerAQuestionAboutTheRow) {
+TEST_P(Commands, QualifiedReadsTakeAnArgument) {
   pair.InServer([&](auto& port) { Fill(port.goal, 5); });
   pair.OnceInServer([&] { pair.server.Publish(); });
 
@@ -102,7 +102,7 @@ TEST_P(Commands, AFilterRunsInTheCallersThreadAndItsOutputIsQueued) {
   });
 }
 
-TEST_P(Commands, DirectOnesRunInTheCallersThread) {
+TEST_P(Commands, DirectCommandsRunInTheCallersThread) {
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     EXPECT_EQ(port.reset.Wait(kLong), Status::kDone);
@@ -118,7 +118,7 @@ TEST_P(Commands, DirectOnesRunInTheCallersThread) {
   pair.InServer([&](auto& port) { pair.ExpectInThreadOf(client, port.direct_thread); });
 }
 
-TEST_P(Commands, OneThatKeepsTheLatestOnlyIsNeverRefusedAndLosesNotTheLast) {
+TEST_P(Commands, LatestOnlyCommandsAreNeverRefused) {
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     for (int i = 1; i <= 200; ++i) EXPECT_EQ(port.keep(Sample<P>(i)), pair.queued());

@@ -57,7 +57,7 @@ TEST_P(Events, DirectHandlersRunInTheRaisersThread) {
   });
 }
 
-TEST_P(Events, AreWaitedForWithADeadline) {
+TEST_P(Events, CanBeAwaitedWithADeadline) {
   pair.InClient([&](auto& port) {
     PayloadIn<decltype(port)> value;
     EXPECT_EQ(port.settled.Wait(value, 10us), Status::kTimeout);
@@ -77,7 +77,7 @@ TEST_P(Events, AreWaitedForWithADeadline) {
   raised.get();
 }
 
-TEST_P(Events, OneThatIsOffReachesNobody) {
+TEST_P(Events, AreNotDeliveredWhileDisabled) {
   pair.InServer([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     port.reached.Disable();
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(RemoteParity, Events, testing::ValuesIn(RemotePairs()),
 /// Clients with a thread, which can be busy.
 using BusyClient = AnyPair;
 
-TEST_P(BusyClient, MissesTheEventsForWhichItHasNoRoomAndTheServerCountsThem) {
+TEST_P(BusyClient, MissesEventsWithoutRoomAndTheServerCountsThem) {
   pair.HoldClient();
 
   pair.InServer([&](auto& port) {

@@ -30,7 +30,7 @@ TEST_P(Interfaces, AnOptionalInterfaceIsFilledWhileBothRun) {
   EXPECT_EQ(steps, 1);
 }
 
-TEST_P(Interfaces, ACommandThatIsOffSaysSoAndTheOthersAreNotConcerned) {
+TEST_P(Interfaces, ADisabledCommandDoesNotAffectOthers) {
   pair.InServer([](auto& port) { port.write->Disable(); });
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
@@ -52,7 +52,7 @@ TEST_P(Interfaces, ACommandThatIsOffSaysSoAndTheOthersAreNotConcerned) {
   });
 }
 
-TEST_P(Interfaces, DisconnectAndConnectWhileBothRun) {
+TEST_P(Interfaces, ReconnectWhileBothRun) {
   for (int round = 1; round <= 3; ++round) {
     pair.InClient([&](auto& port) {
       using P = PayloadIn<decltype(port)>;
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Parity, Interfaces, AllPairs(), NameOfPair);
 /// Mailboxes of servers that are busy.
 using FullMailbox = AnyPair;
 
-TEST_P(FullMailbox, Of64Holds64RefusesTheRestAndLosesNothingAccepted) {
+TEST_P(FullMailbox, Of64Holds64AndRefusesTheRest) {
   pair.HoldServer();
 
   pair.InClient([&](auto& port) {
@@ -108,7 +108,7 @@ TEST_P(FullMailbox, Of64Holds64RefusesTheRestAndLosesNothingAccepted) {
   });
 }
 
-TEST_P(FullMailbox, IsAsLargeAsTheClientSays) {
+TEST_P(FullMailbox, HasTheClientsCapacity) {
   const auto set = [&](std::size_t capacity) {
     pair.Disconnect();
     for (const char* const port : kPortNames) {

@@ -13,7 +13,7 @@ struct Lifecycle : AnyServer {
   [[nodiscard]] ComponentState state() const { return pair.server.component().state(); }
 };
 
-TEST_P(Lifecycle, IsAskedForWithAndWithoutWaiting) {
+TEST_P(Lifecycle, ChangesWithAndWithoutWaiting) {
   ASSERT_TRUE(manager.Suspend("server").ok());
   EXPECT_EQ(state(), ComponentState::kSuspended);
   ASSERT_TRUE(manager.Start("server").ok());
@@ -36,7 +36,7 @@ TEST_P(Lifecycle, AWaitForAStateEndsAtItsDeadline) {
   EXPECT_EQ(waited.error().code, tendon::ErrorCode::kTimeout);
 }
 
-TEST_P(Lifecycle, OfAllIsAskedForTogether) {
+TEST_P(Lifecycle, ChangesForAllTogether) {
   ASSERT_TRUE(manager.SuspendAll().ok());
   EXPECT_TRUE(manager.WaitForAll(ComponentState::kSuspended, kLong).ok());
   ASSERT_TRUE(manager.StartAll().ok());
@@ -45,7 +45,7 @@ TEST_P(Lifecycle, OfAllIsAskedForTogether) {
   EXPECT_TRUE(manager.WaitForAll(ComponentState::kFinished, kLong).ok());
 }
 
-TEST_P(Lifecycle, ItsCyclesRunInOneThreadThatIsItsOwnOrLent) {
+TEST_P(Lifecycle, CyclesRunInOneOwnOrLentThread) {
   if (GetParam() == Kind::kThreadless) {
     EXPECT_EQ(pair.server.runs, 0U);
     return;
@@ -88,7 +88,7 @@ struct ServerLifecycle : AnyPair {
   }
 };
 
-TEST_P(ServerLifecycle, SuspendedItRefusesAtOnceAndThenGoesOn) {
+TEST_P(ServerLifecycle, RefusesWhileSuspendedAndServesAfterResuming) {
   ExpectService(1);
   ASSERT_TRUE(manager.Suspend("server").ok());
   ExpectRefusal(Status::kNotActive);
@@ -97,7 +97,7 @@ TEST_P(ServerLifecycle, SuspendedItRefusesAtOnceAndThenGoesOn) {
   ExpectService(2);
 }
 
-TEST_P(ServerLifecycle, StoppedItRefusesAndAfterARestartItServesItsOldConnections) {
+TEST_P(ServerLifecycle, RefusesWhileStoppedAndServesAfterARestart) {
   ASSERT_TRUE(manager.Stop("server").ok());
   ExpectRefusal(Status::kNotActive);
 
@@ -105,7 +105,7 @@ TEST_P(ServerLifecycle, StoppedItRefusesAndAfterARestartItServesItsOldConnection
   ExpectService(2);
 }
 
-TEST_P(ServerLifecycle, RemovedItLeavesItsClientRunning) {
+TEST_P(ServerLifecycle, RemovalKeepsItsClientRunning) {
   ExpectService(1);
 
   pair.Remove(pair.server);
@@ -114,7 +114,7 @@ TEST_P(ServerLifecycle, RemovedItLeavesItsClientRunning) {
   EXPECT_EQ(pair.client.component().state(), ComponentState::kActive);
 }
 
-TEST_P(ServerLifecycle, ARemovedClientLeavesItRunning) {
+TEST_P(ServerLifecycle, RemovingAClientKeepsItRunning) {
   ExpectService(1);
 
   pair.Remove(pair.client);

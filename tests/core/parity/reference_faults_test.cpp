@@ -26,7 +26,7 @@ using tendon::RowResult;
 using tendon::Status;
 using namespace std::chrono_literals;
 
-TEST(ReferenceFault, AFullQueueIsCountedAndNothingIsLogged) {
+TEST(ReferenceFault, AFullQueueIsCountedButNotLogged) {
   tendon::Inbox inbox;
   inbox.SetAccepting(true);
   tendon::ProvidedInterface provided("Pose", &inbox);
@@ -68,7 +68,7 @@ class Growing final : public tendon::CallbackTask {
   }
 };
 
-TEST(ReferenceFault, ATableThatHoldsRowsIsNotGrownAndStaysWhole) {
+TEST(ReferenceFault, ATableWithRowsIsNotGrownAndStaysIntact) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Growing>("task");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -92,7 +92,7 @@ TEST(ReferenceFault, ATableThatHoldsRowsIsNotGrownAndStaysWhole) {
 /// A value that has no place on the wire: a text beyond its column, an enum without a name.
 using Unserialisable = AnyPair;
 
-TEST_P(Unserialisable, ValuesStopNeitherTheirInterfaceNorTheOthers) {
+TEST_P(Unserialisable, ValuesStopNoInterface) {
   pair.OnceInServer([&] {  // all in one cycle
     ForEachPort(pair.server.ports, [](auto& port) { Fill(port.goal, 3); });
     std::get<ServerPort<std::string>>(pair.server.ports).goal.assign(2 * kColumnCapacity, 'x');
@@ -141,7 +141,7 @@ class Unbindable final : public tendon::Offer {
   }
 };
 
-TEST(ReferenceFault, AConnectThatFailsHalfWayIsRolledBack) {
+TEST(ReferenceFault, AFailedConnectIsRolledBack) {
   tendon::Inbox server_inbox;
   tendon::Inbox client_inbox;
   server_inbox.SetAccepting(true);
@@ -179,7 +179,7 @@ TEST(ReferenceFault, AConnectThatFailsHalfWayIsRolledBack) {
 /// A client that does not stop calling while it is disconnected.
 using DisconnectUnderLoad = AnyPair;
 
-TEST_P(DisconnectUnderLoad, HasHappenedWhenItReturns) {
+TEST_P(DisconnectUnderLoad, IsCompleteWhenItReturns) {
   auto& server = std::get<ServerPort<Joints>>(pair.server.ports);
   std::atomic<int> accepted = 0;
   auto calling = std::async(std::launch::async, [&] {
@@ -209,7 +209,7 @@ TEST_P(DisconnectUnderLoad, HasHappenedWhenItReturns) {
 
 INSTANTIATE_TEST_SUITE_P(Parity, DisconnectUnderLoad, AllPairs(), NameOfPair);
 
-TEST(ReferenceFault, AConnectionTakesNoThread) {
+TEST(ReferenceFault, AConnectionNeedsNoThread) {
   const auto threads = [] {
     const std::filesystem::directory_iterator entries("/proc/self/task");
     return std::distance(begin(entries), end(entries));

@@ -16,7 +16,7 @@ using testing::StartsWith;
 
 using RemoteFault = RemoteConnection;
 
-TEST_P(RemoteFault, NobodyListensBeyondThisMachineUnasked) {
+TEST_P(RemoteFault, ListensOnlyLocallyByDefault) {
   StartRobot();
 
   EXPECT_THAT(robot->address(), StartsWith("127.0.0.1:"));
@@ -24,7 +24,7 @@ TEST_P(RemoteFault, NobodyListensBeyondThisMachineUnasked) {
   EXPECT_THAT(tendon::GlobalManager::Options().address, StartsWith("127.0.0.1:"));
 }
 
-TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesTakeNoFurtherThreads) {
+TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesNeedNoThreads) {
   const auto threads = [] {
     const std::filesystem::directory_iterator entries("/proc/self/task");
     return std::distance(begin(entries), end(entries));

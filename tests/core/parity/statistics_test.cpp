@@ -34,7 +34,7 @@ void ExpectOrdered(const TimeStatistics& time) {
 /// The statistics of every kind of task.
 using Statistics = AnyServer;
 
-TEST_P(Statistics, AreColumnsOfItsOwnTable) {
+TEST_P(Statistics, AreColumnsOfTheTasksTable) {
   auto& observer = pair.manager.Add<Observer>("observer");
   ASSERT_TRUE(pair.manager.Connect({"observer", "State"}, {"server", "state"}).ok());
   CycleStatistics cycle;
@@ -54,7 +54,7 @@ TEST_P(Statistics, AreColumnsOfItsOwnTable) {
 
 INSTANTIATE_TEST_SUITE_P(Parity, Statistics, testing::ValuesIn(TaskKinds()), NameOfKind);
 
-TEST(StatisticsOfASecond, AreSummedUpForEveryKindOfTask) {
+TEST(CycleSummaries, CoverEveryKindOfTask) {
   std::vector<std::unique_ptr<Pair>> pairs;
   std::vector<Observer*> observers;
   for (const Kind kind : TaskKinds()) {

@@ -71,7 +71,7 @@ TEST_P(Tables, AreReadByNewestIndexAndDelayThroughEveryWrap) {
   }
 }
 
-TEST_P(Tables, SayWhichRowsAreLostAndWhichAreToCome) {
+TEST_P(Tables, DistinguishLostFromFutureRows) {
   Write(1, 30);
 
   ForEachColumn([](const auto& column, auto& value) {
@@ -97,7 +97,7 @@ TEST_P(Tables, AreReadByTime) {
   });
 }
 
-TEST_P(Tables, AreReadByRangeAndLosesAreCounted) {
+TEST_P(Tables, AreReadByRangeAndLossesAreCounted) {
   Write(1, 30);
 
   ForEachColumn([](const auto& column, auto& value) {
@@ -121,7 +121,7 @@ TEST_P(Tables, AreReadByRangeAndLosesAreCounted) {
   });
 }
 
-TEST_P(Tables, AreReadByWholeRowsOfOneCycle) {
+TEST_P(Tables, AreReadByCompleteRowsOfOneCycle) {
   tendon::RowCopy copy(history);
   Write(1, 12);
 
@@ -135,7 +135,7 @@ TEST_P(Tables, AreReadByWholeRowsOfOneCycle) {
   });
 }
 
-TEST_P(Tables, HaveColumnsThatAreFilteredOnceARow) {
+TEST_P(Tables, FilterTheirColumnsOncePerRow) {
   for (int row = 1; row <= 10; ++row) {
     Write(row, row);
 
@@ -148,11 +148,11 @@ TEST_P(Tables, HaveColumnsThatAreFilteredOnceARow) {
 INSTANTIATE_TEST_SUITE_P(Parity, Tables, testing::ValuesIn(AllKinds()), NameOfKind);
 
 /// The tables that tasks write by themselves.
-struct TablesOfTasks : AnyServer {
+struct TaskTables : AnyServer {
   const tendon::StateTable& table = *pair.server.table;
 };
 
-TEST_P(TablesOfTasks, GetARowACycleAndThoseByHandGetNone) {
+TEST_P(TaskTables, GetOneRowPerCycleUnlessAdvancedByHand) {
   const std::uint64_t before = table.next_tick();
   EXPECT_TRUE(EventuallyTrue([&] {
     pair.OnceInServer([] {});
@@ -168,7 +168,7 @@ TEST_P(TablesOfTasks, GetARowACycleAndThoseByHandGetNone) {
   EXPECT_EQ(pair.server.history->next_tick(), 0U);
 }
 
-TEST_P(TablesOfTasks, AreStampedByAClockThatNeverGoesBack) {
+TEST_P(TaskTables, UseMonotonicTimeStamps) {
   const SteadyTime begin = tendon::SteadyClock().Now();
   const std::uint64_t first = table.next_tick();
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -188,7 +188,7 @@ TEST_P(TablesOfTasks, AreStampedByAClockThatNeverGoesBack) {
   EXPECT_LE(last, tendon::SteadyClock().Now());
 }
 
-TEST_P(TablesOfTasks, AreInterfacesWithAReadForEachColumn) {
+TEST_P(TaskTables, AreInterfacesWithOneReadPerColumn) {
   const auto* const state = pair.server.component().FindProvided("state");
   const auto* const further = pair.server.component().FindProvided("state-history");
 
@@ -200,7 +200,7 @@ TEST_P(TablesOfTasks, AreInterfacesWithAReadForEachColumn) {
   EXPECT_NE(further->FindCommand("Doubled"), nullptr);
 }
 
-INSTANTIATE_TEST_SUITE_P(Parity, TablesOfTasks, testing::ValuesIn(TaskKinds()), NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Parity, TaskTables, testing::ValuesIn(TaskKinds()), NameOfKind);
 
 }  // namespace
 }  // namespace tendon_test

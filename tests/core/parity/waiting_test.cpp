@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 /// Calls that are waited for: with a deadline, always.
 using Waiting = AnyPlacedPair;
 
-TEST_P(Waiting, ReturnsOnceTheServerHasExecutedTheCall) {
+TEST_P(Waiting, ReturnsAfterTheServerHasExecutedTheCall) {
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
     for (int i = 1; i <= 3; ++i) {
@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Parity, BusyServer,
                          NameOfPair);
 
 /// Two tasks in one thread.
-TEST(WaitingForOnesOwnThread, IsRefusedAtOnce) {
+TEST(WaitInOwnThread, IsRefusedAtOnce) {
   Pair pair(Kind::kSignal, Kind::kPeriodic);
   ASSERT_TRUE(pair.manager.Stop("client").ok());
   ASSERT_TRUE(pair.manager.RunAfter("client", "server").ok());

@@ -38,7 +38,7 @@ struct JumpingWallClock : AnyPair {
   ~JumpingWallClock() override { the_clock_jumps = false; }
 };
 
-TEST_P(JumpingWallClock, MovesNeitherRowsNorDeadlines) {
+TEST_P(JumpingWallClock, AffectsNeitherRowsNorDeadlines) {
   const auto day = std::chrono::system_clock::now();
   ASSERT_GT(std::chrono::abs(std::chrono::system_clock::now() - day), 24h) << "it does not jump";
   const tendon::SteadyTime begin = tendon::SteadyClock().Now();

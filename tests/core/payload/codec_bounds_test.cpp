@@ -35,7 +35,7 @@ using BoundedTypes =
                    sample::Fixed, sample::Dynamic>;
 TYPED_TEST_SUITE(DecodeBounds, BoundedTypes);
 
-TYPED_TEST(DecodeBounds, ABodyCutAtAnyByteIsRefused) {
+TYPED_TEST(DecodeBounds, RefusesABodyTruncatedAtAnyByte) {
   const auto body = Encoded(Sample<TypeParam>(4));
   for (std::size_t size = 0; size < body.size(); ++size) {
     TypeParam value{};
@@ -43,7 +43,7 @@ TYPED_TEST(DecodeBounds, ABodyCutAtAnyByteIsRefused) {
   }
 }
 
-TYPED_TEST(DecodeBounds, PaddingToAMultipleOfEightIsAcceptedAndNoMore) {
+TYPED_TEST(DecodeBounds, AcceptsPaddingOnlyToAMultipleOfEight) {
   const TypeParam sent = Sample<TypeParam>(5);
   auto body = Encoded(sent);
   const std::size_t padded = (body.size() + 7) / 8 * 8;
@@ -56,7 +56,7 @@ TYPED_TEST(DecodeBounds, PaddingToAMultipleOfEightIsAcceptedAndNoMore) {
   EXPECT_FALSE(DecodeExactly(body, value)) << body.size();
 }
 
-TYPED_TEST(DecodeBounds, WhatItAcceptsOfAMutatedBodyEncodesToAsMuchAgain) {
+TYPED_TEST(DecodeBounds, AnAcceptedMutatedBodyReencodesToItsSize) {
   std::mt19937 random(6);
   TypeParam value{};
   std::size_t accepted = 0;
@@ -74,12 +74,12 @@ TYPED_TEST(DecodeBounds, WhatItAcceptsOfAMutatedBodyEncodesToAsMuchAgain) {
   EXPECT_GT(accepted, 0U);
 }
 
-TEST(Decode, AnEmptyBodyIsNoValueNotEvenNone) {
+TEST(Decode, RefusesAnEmptyBodyEvenForNone) {
   None none;
   EXPECT_FALSE(Decode({}, none));
 }
 
-TEST(Decode, ABoolIsZeroOrOne) {
+TEST(Decode, RefusesABoolOtherThanZeroOrOne) {
   bool value = false;
   for (const int byte : {2, 128, 255}) {
     const std::array body{static_cast<std::byte>(byte)};
@@ -87,7 +87,7 @@ TEST(Decode, ABoolIsZeroOrOne) {
   }
 }
 
-TEST(Decode, AnEnumHasAName) {
+TEST(Decode, RefusesAnUnnamedEnumValue) {
   sample::Mode mode{};
   EXPECT_TRUE(Decode(Encoded(std::int32_t{5}), mode));
   EXPECT_EQ(mode, sample::Mode::kTracking);
@@ -115,7 +115,7 @@ TEST(Decode, ASecondHasLessThanABillionNanoseconds) {
   EXPECT_FALSE(Decode(Encoded(std::array<std::uint32_t, 2>{1, 1'000'000'000}), time));
 }
 
-TEST(Decode, ALengthBeyondTheBodyAllocatesNothing) {
+TEST(Decode, AnExcessiveLengthAllocatesNothing) {
   for (const std::uint32_t length : {2U, 0x7fffffffU, 0x80000000U, 0xffffffffU}) {
     auto body = Encoded(length);
     body.resize(4 + 8 + 4);  // aligned, and one double

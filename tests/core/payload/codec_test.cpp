@@ -40,7 +40,7 @@ TEST(Codec, ANumberIsAlignedToItsSizeFromTheStartOfTheBody) {
   EXPECT_EQ(body[28], std::byte{9});
 }
 
-TEST(Codec, PaddingIsZeroWhateverWasThere) {
+TEST(Codec, PaddingIsAlwaysZero) {
   std::vector<std::byte> body(64, std::byte{0xee});
 
   Encode(sample::Ragged{}, body);
@@ -52,7 +52,7 @@ TEST(Codec, AStringHasItsLengthAndATerminator) {
   EXPECT_EQ(Encoded(std::string("ab")), Bytes({3, 0, 0, 0, 'a', 'b', 0}));
 }
 
-TEST(Codec, AnEnumIsAnInt32WhateverItIsInMemory) {
+TEST(Codec, AnEnumIsEncodedAsInt32) {
   EXPECT_EQ(Encoded(sample::Mode::kFault), Bytes({0xff, 0xff, 0xff, 0xff}));
   EXPECT_EQ(Encoded(sample::Plain::kLarge), Bytes({200, 0, 0, 0}));
 }
@@ -66,7 +66,7 @@ TEST(Codec, ANegativeDurationHasPositiveNanoseconds) {
   EXPECT_EQ(Encoded(milliseconds(-1500)), Bytes({0xfe, 0xff, 0xff, 0xff, 0, 0x65, 0xcd, 0x1d}));
 }
 
-TEST(Codec, ADurationBeyondTheWireBecomesTheLongest) {
+TEST(Codec, ADurationOutOfRangeBecomesTheLongest) {
   hours decoded{};
 
   ASSERT_TRUE(Decode(Encoded(hours(100'000'000)), decoded));
@@ -87,7 +87,7 @@ TEST(Codec, ADurationInFloatingPointIsRoundedToNanoseconds) {
   EXPECT_EQ(decoded, nanoseconds(0));
 }
 
-TEST(Codec, ADurationIsCutToWhatTheReceiverCounts) {
+TEST(Codec, ADurationIsTruncatedToTheReceiversUnit) {
   std::chrono::duration<std::int16_t, std::milli> decoded{};
 
   ASSERT_TRUE(Decode(Encoded(nanoseconds(1'999'999)), decoded));
@@ -121,7 +121,7 @@ void ExpectEveryBitKept() {
   }
 }
 
-TEST(Codec, ANumberKeepsEveryBitAlsoWhereItIsNone) {
+TEST(Codec, ANumberKeepsEveryBitEvenForNan) {
   ExpectEveryBitKept<double, std::uint64_t>();
   ExpectEveryBitKept<float, std::uint32_t>();
 }
@@ -138,7 +138,7 @@ TEST(Codec, TheSizeOfAFixedTypeIsAConstant) {
   }
 }
 
-TEST(Codec, EncodeToWritesNothingWhereItDoesNotFit) {
+TEST(Codec, EncodeToWritesNothingIfItDoesNotFit) {
   std::vector<std::byte> out(111, std::byte{7});
 
   EXPECT_EQ(EncodeTo(sample::JointState{}, std::span(out)), 0U);
@@ -146,7 +146,7 @@ TEST(Codec, EncodeToWritesNothingWhereItDoesNotFit) {
   EXPECT_THAT(out, testing::Each(std::byte{7}));
 }
 
-TEST(Codec, EncodeToUsesTheFrontAndSaysHowMuch) {
+TEST(Codec, EncodeToWritesAtTheFrontAndReturnsTheSize) {
   std::vector<std::byte> out(20, std::byte{7});
 
   EXPECT_EQ(EncodeTo(std::int64_t{1}, std::span(out)), 8U);

@@ -29,7 +29,7 @@ inline constexpr auto tendon::kPayload<Stamped> =
 namespace tendon {
 namespace {
 
-TEST(Description, SaysWhichTypesTravel) {
+TEST(Description, DefinesWhichTypesArePayloads) {
   static_assert(Payload<bool> && Payload<std::byte> && Payload<long> && Payload<long long>);
   static_assert(Payload<std::string> && Payload<std::vector<std::array<std::string, 2>>>);
   static_assert(Payload<std::chrono::hours> && Payload<std::chrono::duration<float>>);
@@ -43,18 +43,18 @@ TEST(Description, SaysWhichTypesTravel) {
   static_assert(!Payload<std::map<int, int>> && !Payload<std::string_view>);
 }
 
-TEST(Description, SaysWhichTypesHaveOneSize) {
+TEST(Description, DefinesWhichPayloadsHaveAFixedSize) {
   static_assert(FixedPayload<double> && FixedPayload<sample::Fixed> && FixedPayload<None>);
   static_assert(!FixedPayload<std::string> && !FixedPayload<std::vector<int>>);
   static_assert(!FixedPayload<std::array<std::string, 2>> && !FixedPayload<sample::Dynamic>);
 }
 
-TEST(Description, KnowsDescribedFromBuiltIn) {
+TEST(Description, DistinguishesDescribedFromBuiltInTypes) {
   static_assert(Described<sample::Point> && Described<sample::Mode> && Described<None>);
   static_assert(!Described<int> && !Described<sample::Plain> && !Described<NotDescribedAtAll>);
 }
 
-TEST(Description, AMemberOfABaseIsAField) {
+TEST(Description, AMemberOfABaseClassIsAField) {
   Stamped value;
   value.x = 2.5;
   value.time = 7;

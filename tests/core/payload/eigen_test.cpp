@@ -26,7 +26,7 @@ namespace {
 
 using test::Encoded;
 
-TEST(Eigen, SaysWhichTypesHaveOneSize) {
+TEST(Eigen, DefinesWhichPayloadsHaveAFixedSize) {
   static_assert(FixedPayload<Eigen::Vector3d> && FixedPayload<Eigen::Matrix<float, 6, 7>>);
   static_assert(FixedPayload<Eigen::Quaterniond> && FixedPayload<Eigen::Isometry3d>);
   static_assert(Payload<Eigen::VectorXd> && Payload<Eigen::MatrixXf>);
@@ -42,7 +42,7 @@ TEST(Eigen, HasTheSchemaOfItsShape) {
   EXPECT_EQ(SchemaOf<Eigen::Isometry3d>().TypeName(), "geometry_msgs.Transform");
 }
 
-TEST(Eigen, AMatrixTravelsRowByRow) {
+TEST(Eigen, AMatrixIsEncodedRowByRow) {
   Eigen::Matrix<double, 2, 3> matrix;
   matrix << 1, 2, 3, 4, 5, 6;
 
@@ -50,11 +50,11 @@ TEST(Eigen, AMatrixTravelsRowByRow) {
   EXPECT_EQ(ToJson(Eigen::MatrixXd(matrix)), R"({"rows":2,"cols":3,"data":[1,2,3,4,5,6]})");
 }
 
-TEST(Eigen, AQuaternionTravelsAsXyzw) {
+TEST(Eigen, AQuaternionIsEncodedAsXyzw) {
   EXPECT_EQ(ToJson(Eigen::Quaterniond(1, 2, 3, 4)), R"({"x":2,"y":3,"z":4,"w":1})");
 }
 
-TEST(Eigen, EveryTypeMakesARoundTrip) {
+TEST(Eigen, EveryTypeRoundTrips) {
   arm::Model model;
   model.gravity = {0, 0, -9.81};
   model.inertia << 1, 2, 3, 4, 5, 6, 7, 8, 9;
@@ -75,7 +75,7 @@ TEST(Eigen, EveryTypeMakesARoundTrip) {
   EXPECT_TRUE(decoded.tool.isApprox(model.tool, 1e-12));
 }
 
-TEST(Eigen, WhatMatricesWriteIsWhatTheirSchemaSays) {
+TEST(Eigen, MatricesAreWrittenAsTheirSchemaDefines) {
   arm::Model model;
   model.torque.setOnes(2);
   model.jacobian.setIdentity(2, 2);
@@ -87,7 +87,7 @@ TEST(Eigen, WhatMatricesWriteIsWhatTheirSchemaSays) {
   EXPECT_EQ(ToJson(*back), json);
 }
 
-TEST(Eigen, AMatrixWhoseShapeContradictsItsDataIsRefused) {
+TEST(Eigen, RefusesAMatrixWithAContradictoryShape) {
   using Wire = payload::MatrixOnWire<double>;
   Eigen::MatrixXd matrix;
   Eigen::Matrix<double, Eigen::Dynamic, 3> three_wide;
@@ -100,7 +100,7 @@ TEST(Eigen, AMatrixWhoseShapeContradictsItsDataIsRefused) {
   EXPECT_TRUE(Decode(Encoded(Wire{1, 3, {1, 2, 3}}), three_wide));
 }
 
-TEST(Eigen, AMatrixCutAtAnyByteIsRefused) {
+TEST(Eigen, RefusesAMatrixTruncatedAtAnyByte) {
   const auto body = Encoded(Eigen::MatrixXd(Eigen::MatrixXd::Random(2, 3)));
   for (std::size_t size = 0; size < body.size(); ++size) {
     Eigen::MatrixXd matrix;

@@ -72,7 +72,7 @@ TEST(FieldHelp, ReachesTheSchema) {
   EXPECT_EQ(fields[3].range, std::nullopt);
 }
 
-TEST(FieldHelp, TravelsInATextOfItsOwn) {
+TEST(FieldHelp, IsSentInASeparateText) {
   EXPECT_EQ(SchemaOf<arm::Goal<1>>().TextWithHelp(), kText);
 
   const auto read = Schema::Parse(kText);
@@ -100,7 +100,7 @@ TEST(FieldHelp, IsACommentInARosMessage) {
             "builtin");
 }
 
-TEST(FieldHelp, ThatIsMalformedIsRefusedWithItsPlace) {
+TEST(FieldHelp, RefusesMalformedHelpWithItsPosition) {
   const auto error = [](const std::string& line, const std::string& type) {
     const auto schema = Schema::Parse("struct a.B {\n  " + line + "\n  x: " + type + "\n}");
     return schema ? "accepted" : schema.error().message;
@@ -124,7 +124,7 @@ TEST(FieldHelp, ThatIsMalformedIsRefusedWithItsPlace) {
   }
 }
 
-TEST(FieldRange, HoldsForJsonFromOutside) {
+TEST(FieldRange, IsCheckedForJsonInput) {
   EXPECT_EQ(ErrorOfGoal(JsonOf("[0,2.5]", "3", "0.25")), "accepted");
   EXPECT_EQ(ErrorOfGoal(JsonOf("[0,2.6]", "3", "1")),
             "speed[1]: expected a number from 0 to 2.5 (rad/s), got number 2.6");
@@ -138,7 +138,7 @@ TEST(FieldRange, HoldsForJsonFromOutside) {
             "timeout: expected a number of seconds from 0.25 to inf, got number 0.2");
 }
 
-TEST(FieldRange, HoldsThroughASchemaAlone) {
+TEST(FieldRange, IsCheckedWithOnlyASchema) {
   const auto schema = Schema::Parse(kText);
   ASSERT_TRUE(schema);
 
@@ -148,7 +148,7 @@ TEST(FieldRange, HoldsThroughASchemaAlone) {
   EXPECT_EQ(body.error().message, ErrorOfGoal(JsonOf("[3,0]", "0", "1")));
 }
 
-TEST(FieldRange, DoesNotKeepAValueFromTravelling) {
+TEST(FieldRange, IsNotCheckedByTheCodec) {
   arm::Goal<1> goal;
   goal.speed = {7, std::nan("")};
   std::vector<std::byte> body;

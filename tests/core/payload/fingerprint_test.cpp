@@ -25,12 +25,12 @@ TEST(Fingerprint, IsXxh3OfTheText) {
   EXPECT_EQ(ToString(FingerprintOf("")), "99aa06d3014798d86001c324468d497f");
 }
 
-TEST(Fingerprint, OfATypeIsThatOfItsSchema) {
+TEST(Fingerprint, OfATypeEqualsThatOfItsSchema) {
   EXPECT_EQ(FingerprintOf<sample::Dynamic>(), FingerprintOf(SchemaOf<sample::Dynamic>().Text()));
   EXPECT_EQ(FingerprintOf<sample::Dynamic>(), SchemaOf<sample::Dynamic>().fingerprint());
 }
 
-TEST(Fingerprint, LeadsBackToTheSchema) {
+TEST(Fingerprint, IdentifiesTheSchema) {
   const auto schema = FindSchema(FingerprintOf<sample::Numbers>());
 
   ASSERT_TRUE(schema);
@@ -44,7 +44,7 @@ TEST(Fingerprint, NeverChanges) {
   EXPECT_EQ(ToString(FingerprintOf<None>()), "0a54fef99433da665ae59fe784501e58");
 }
 
-TEST(Fingerprint, ChangesWithAllThatTwoEndsMustAgreeOn) {
+TEST(Fingerprint, ChangesWithEveryRelevantDifference) {
   const auto mode = [](const std::string& name, std::int32_t value) {
     return Schema::Enum("arm.Mode", {{name, value}});
   };

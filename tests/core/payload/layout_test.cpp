@@ -19,7 +19,7 @@ void ExpectAnotherLayout() {
   EXPECT_NE(LayoutOf<A>(), LayoutOf<B>());
 }
 
-TEST(Layout, DiffersWhereEqualBytesMeanAnotherValue) {
+TEST(Layout, DiffersIfEqualBytesMeanAnotherValue) {
   ExpectAnotherLayout<milliseconds, nanoseconds>();
   ExpectAnotherLayout<nanoseconds, duration<double>>();
   ExpectAnotherLayout<std::vector<milliseconds>, std::vector<nanoseconds>>();
@@ -32,7 +32,7 @@ struct Reordered {
   std::array<double, 7> position{};
 };
 
-TEST(Layout, IsNeverThatOfAProxy) {
+TEST(Layout, DiffersFromThatOfAProxy) {
   EXPECT_NE(LayoutOf<None>(), layout::kNone);
   EXPECT_EQ(LayoutOf<sample::Dynamic>(), LayoutOf<sample::Dynamic>());
 }
@@ -48,7 +48,9 @@ inline constexpr auto tendon::kPayload<tendon::Reordered> = tendon::Describe(
 namespace tendon {
 namespace {
 
-TEST(Layout, DiffersWithThePlacesOfFields) { ExpectAnotherLayout<Reordered, sample::JointState>(); }
+TEST(Layout, DiffersWithTheOffsetsOfFields) {
+  ExpectAnotherLayout<Reordered, sample::JointState>();
+}
 
 }  // namespace
 }  // namespace tendon

@@ -19,7 +19,7 @@ std::vector<std::string> Paths(const std::vector<NumericField>& fields) {
   return paths;
 }
 
-TEST(NumericField, ANumberIsOneOfItself) {
+TEST(NumericField, ANumberIsItsOwnOnlyField) {
   const auto fields = NumericFields(SchemaOf<double>());
 
   ASSERT_EQ(fields.size(), 1U);
@@ -82,7 +82,7 @@ TEST(NumericField, OffsetsOfAFixedTypeAgreeWithTheCodec) {
   }
 }
 
-TEST(NumericField, EveryOffsetIsWhatAWalkFinds) {
+TEST(NumericField, EveryOffsetMatchesASequentialWalk) {
   std::mt19937 random(9);
   sample::Fixed value;
   sample::Randomise(random, value);
@@ -119,7 +119,7 @@ namespace {
 
 const Report kReport{"robot", 12.5, {800, 1600}, {{1, 2, 3}}, 42};
 
-TEST(NumericField, BehindAStringHasNoOffsetAndIsFoundByAWalk) {
+TEST(NumericField, AfterAStringHasNoFixedOffset) {
   const auto fields = NumericFields(SchemaOf<Report>());
 
   EXPECT_THAT(Paths(fields), ElementsAre(".load", ".count"));
@@ -140,14 +140,14 @@ TEST(NumericField, ElementsOfSequencesAreListedByValue) {
   EXPECT_EQ(ReadAsDouble(fields[5], body), 3);
 }
 
-TEST(NumericField, AnElementThatIsNotThereReadsAsNothing) {
+TEST(NumericField, AMissingElementReadsAsNothing) {
   const auto field = FindNumericField(SchemaOf<Report>(), ".cores[2]");
 
   ASSERT_TRUE(field);
   EXPECT_EQ(ReadAsDouble(*field, Encoded(kReport)), std::nullopt);
 }
 
-TEST(NumericField, NoCutBodyIsReadBeyondItsEnd) {
+TEST(NumericField, ReadsATruncatedBodyWithinItsBounds) {
   const auto body = Encoded(kReport);
   const auto fields = NumericFields(SchemaOf<Report>(), body);
   for (std::size_t size = 0; size < body.size(); ++size) {
@@ -171,7 +171,7 @@ TEST(NumericField, HugeArraysAreListedUpToALimit) {
   EXPECT_EQ(NumericFields(*nothings)[0].offset, 1'000'000'000U);
 }
 
-TEST(FindNumericField, KnowsOffsetUnitAndTypeOfAPath) {
+TEST(FindNumericField, ReturnsOffsetUnitAndType) {
   const auto field = FindNumericField(SchemaOf<sample::JointState>(), ".velocity[6]");
 
   ASSERT_TRUE(field);
@@ -187,7 +187,7 @@ TEST(FindNumericField, TakesAPathWithoutTheFirstDot) {
   EXPECT_EQ(field->path, ".velocity[6]");
 }
 
-TEST(FindNumericField, SaysWhereAPathLeavesTheSchema) {
+TEST(FindNumericField, NamesTheUnknownPartOfAPath) {
   const auto error = [](std::string_view path) {
     const auto field = FindNumericField(SchemaOf<sample::JointState>(), path);
     return field ? "found" : field.error().message;

@@ -36,7 +36,7 @@ TEST(NumericValue, IntegersKeepAllDigits) {
   EXPECT_EQ(TextOf(std::uint8_t{255}), "255");
 }
 
-TEST(NumericValue, FloatsHaveTheShortestTextOfTheirOwnWidth) {
+TEST(NumericValue, FloatsHaveTheirShortestExactText) {
   EXPECT_EQ(TextOf(0.1F), "0.1");
   EXPECT_EQ(TextOf(0.1), "0.1");
   EXPECT_EQ(TextOf(-0.0), "-0");
@@ -66,14 +66,14 @@ TEST(NumericValue, DurationsKeepTheirNanoseconds) {
   EXPECT_EQ(ValueOf(nanoseconds(1'500'000'000)).real(), 1.5);
 }
 
-TEST(NumericValue, EqualsWhatHasTheSameBits) {
+TEST(NumericValue, EqualityComparesBits) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(NumericValue(none), NumericValue(none));
   EXPECT_FALSE(NumericValue(0.0) == NumericValue(-0.0));
   EXPECT_FALSE(ValueOf(kExact + 1) == ValueOf(kExact));
 }
 
-TEST(NumericValue, StatesAndCountsAreStepped) {
+TEST(NumericValue, StatesAndCountsAreDrawnAsSteps) {
   EXPECT_TRUE(IsStepped(SchemaOf<bool>()));
   EXPECT_TRUE(IsStepped(SchemaOf<std::uint64_t>()));
   EXPECT_TRUE(IsStepped(SchemaOf<std::int8_t>()));

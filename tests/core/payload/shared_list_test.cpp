@@ -22,7 +22,7 @@ TEST(SharedList, IsAVectorUntilItIsShared) {
   EXPECT_EQ(words.holders(), 1);
 }
 
-TEST(SharedList, CopiesOfASharedOneAreHeldOnce) {
+TEST(SharedList, CopiesOfASharedListShareTheirItems) {
   Words words = {"one", "two"};
   words.Share();
   words.Share();
@@ -34,7 +34,7 @@ TEST(SharedList, CopiesOfASharedOneAreHeldOnce) {
   EXPECT_EQ(words.holders(), 2);
 }
 
-TEST(SharedList, WhoChangesOneLeavesTheOthersAsTheyWere) {
+TEST(SharedList, ChangingACopyKeepsTheOthers) {
   Words words = {"one"};
   words.Share();
   Words copy = words;
@@ -47,7 +47,7 @@ TEST(SharedList, WhoChangesOneLeavesTheOthersAsTheyWere) {
   EXPECT_EQ(words.holders(), 1);
 }
 
-TEST(SharedList, IsEqualByItsContent) {
+TEST(SharedList, IsComparedByContent) {
   Words shared = {"one"};
   shared.Share();
   Words other = {"one"};
@@ -59,7 +59,7 @@ TEST(SharedList, IsEqualByItsContent) {
   EXPECT_EQ(other, Words());
 }
 
-TEST(SharedList, TravelsAsAVector) {
+TEST(SharedList, IsEncodedAsAVector) {
   EXPECT_EQ(FingerprintOf<Words>(), FingerprintOf<std::vector<std::string>>());
   Words words = {"one", "two"};
   words.Share();

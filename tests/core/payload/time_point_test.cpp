@@ -13,7 +13,7 @@ using std::chrono::sys_time;
 
 using test::Encoded;
 
-TEST(TimePoint, IsTheTimeOfRos) {
+TEST(TimePoint, EqualsTheTimeOfRos) {
   static_assert(FixedPayload<std::chrono::system_clock::time_point>);
   EXPECT_EQ(TypeNameOf<std::chrono::system_clock::time_point>(), "builtin_interfaces.Time");
   EXPECT_EQ(RosTypeName(SchemaOf<sys_time<seconds>>()), "builtin_interfaces/msg/Time");
@@ -23,7 +23,7 @@ TEST(TimePoint, IsTheTimeOfRos) {
             R"({"sec":-1,"nanosec":500000000})");
 }
 
-TEST(TimePoint, MakesARoundTripInAnyUnit) {
+TEST(TimePoint, RoundTripsInAnyUnit) {
   const sys_time<nanoseconds> sent(nanoseconds(1'700'000'000'123'456'789));
   sys_time<nanoseconds> exact;
   sys_time<milliseconds> rounded;
@@ -35,7 +35,7 @@ TEST(TimePoint, MakesARoundTripInAnyUnit) {
   EXPECT_EQ(rounded.time_since_epoch(), milliseconds(1'700'000'000'123));
 }
 
-TEST(TimePoint, BeyondTheWireBecomesTheNearest) {
+TEST(TimePoint, OutOfRangeBecomesTheNearest) {
   sys_time<seconds> time;
 
   ASSERT_TRUE(Decode(Encoded(sys_time<seconds>(seconds(std::int64_t{1} << 40))), time));

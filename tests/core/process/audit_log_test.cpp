@@ -37,7 +37,7 @@ class AuditRecords {
   std::vector<Record> records_;
 };
 
-TEST(AuditLog, IsWrittenAtItsOwnLevelHoweverLittleElseIs) {
+TEST(AuditLog, IsWrittenRegardlessOfTheLogLevel) {
   const std::size_t before = AuditRecords::All().size();
   testing::internal::CaptureStderr();
   tendon::SetLogLevel(LogLevel::kError);

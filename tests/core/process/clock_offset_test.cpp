@@ -51,7 +51,7 @@ TEST(ClockOffset, IsUnknownBeforeTheFirstAnswer) {
   EXPECT_EQ(clock.SlewedAt(SteadyTime(5s)), 0ns);
 }
 
-TEST(ClockOffset, IsExactWhereBothWaysAreEquallyLong) {
+TEST(ClockOffset, IsExactForSymmetricDelays) {
   TwoHosts hosts(1h);
 
   hosts.Ask(100us, 100us);
@@ -61,7 +61,7 @@ TEST(ClockOffset, IsExactWhereBothWaysAreEquallyLong) {
   EXPECT_EQ(hosts.slewed(), 1h);
 }
 
-TEST(ClockOffset, IsOffByNoMoreThanItSaysWhereOneWayIsLonger) {
+TEST(ClockOffset, ErrorIsBoundedForAsymmetricDelays) {
   for (const nanoseconds there : {0us, 50us, 3000us}) {
     TwoHosts hosts(-10min);
 
@@ -72,7 +72,7 @@ TEST(ClockOffset, IsOffByNoMoreThanItSaysWhereOneWayIsLonger) {
   }
 }
 
-TEST(ClockOffset, GoesByTheAnswerWithTheShortestRoundTrip) {
+TEST(ClockOffset, UsesTheAnswerWithTheShortestRoundTrip) {
   TwoHosts hosts(1h);
   hosts.Ask(9ms, 1ms);
   hosts.Ask(30us, 30us);
@@ -82,7 +82,7 @@ TEST(ClockOffset, GoesByTheAnswerWithTheShortestRoundTrip) {
   EXPECT_LT(hosts.estimate().uncertainty, 40us);
 }
 
-TEST(ClockOffset, GrowsLessCertainAsTheLastAnswerAges) {
+TEST(ClockOffset, UncertaintyGrowsWithTheAgeOfTheLastAnswer) {
   TwoHosts hosts(1h);
   hosts.Ask(50us, 50us);
   EXPECT_EQ(hosts.estimate().uncertainty, 50us);
@@ -92,7 +92,7 @@ TEST(ClockOffset, GrowsLessCertainAsTheLastAnswerAges) {
   EXPECT_EQ(hosts.estimate().uncertainty, 50us + 1ms);
 }
 
-TEST(ClockOffset, OfAClockThatRunsFastOrSlowIsWithinItsUncertaintyForHours) {
+TEST(ClockOffset, TracksADriftingClockForHours) {
   for (const double drift : {-9e-5, -1e-6, 0.0, 3e-5, 9e-5}) {
     std::mt19937 random(7);
     std::exponential_distribution<double> delay(1.0 / 300.0);  // us
@@ -112,7 +112,7 @@ TEST(ClockOffset, OfAClockThatRunsFastOrSlowIsWithinItsUncertaintyForHours) {
   }
 }
 
-TEST(ClockOffset, IsZeroOnOneHostHoweverUnlikeTheWays) {
+TEST(ClockOffset, IsZeroOnOneHostDespiteAsymmetricDelays) {
   std::mt19937 random(1);
   TwoHosts hosts(0s);
 
@@ -123,7 +123,7 @@ TEST(ClockOffset, IsZeroOnOneHostHoweverUnlikeTheWays) {
   }
 }
 
-TEST(ClockOffset, ForgetsWhatItKnewWhenAClockJumps) {
+TEST(ClockOffset, RestartsWhenAClockJumps) {
   TwoHosts hosts(1h);
   for (int i = 0; i < 8; ++i) hosts.Ask(20us, 20us);
 
@@ -137,7 +137,7 @@ TEST(ClockOffset, ForgetsWhatItKnewWhenAClockJumps) {
   EXPECT_EQ(hosts.estimate().offset, 30min + 1ms);
 }
 
-TEST(ClockOffset, CorrectsByAtMostFiveHundredPartsInAMillion) {
+TEST(ClockOffset, CorrectsByAtMostFiveHundredPartsPerMillion) {
   TwoHosts hosts(1h);
   hosts.Ask(0us, 0us);
   hosts.Jump(10ms);
@@ -156,7 +156,7 @@ TEST(ClockOffset, CorrectsByAtMostFiveHundredPartsInAMillion) {
   EXPECT_EQ(before, 1h + 10ms);  // after 20 s
 }
 
-TEST(ClockOffset, CorrectsWhatIsNewAndWhatIsOldByOneLine) {
+TEST(ClockOffset, CorrectsNewAndOldTimesConsistently) {
   TwoHosts hosts(1h);
   hosts.Ask(0us, 0us);
   hosts.Jump(10ms);
@@ -168,7 +168,7 @@ TEST(ClockOffset, CorrectsWhatIsNewAndWhatIsOldByOneLine) {
   EXPECT_EQ(hosts.clock.SlewedAt(later), 1h + 1ms);
 }
 
-TEST(ClockOffset, PassesOverAnswersThatCannotBe) {
+TEST(ClockOffset, IgnoresImpossibleAnswers) {
   TwoHosts hosts(1h);
   hosts.Ask(20us, 20us);
   const SteadyTime now = hosts.now();

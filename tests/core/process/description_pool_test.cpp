@@ -14,7 +14,7 @@ ComponentDescription ComponentWith(const std::string& name, const std::string& c
   return {.name = name, .provided = {{.name = "Control", .commands = {{.name = command}}}}};
 }
 
-TEST(DescriptionPool, WhatIsEqualIsHeldOnce) {
+TEST(DescriptionPool, StoresEqualInterfacesOnce) {
   DescriptionPool pool;
   ComponentDescription one = ComponentWith("one", "Move");
   ComponentDescription two = ComponentWith("two", "Move");
@@ -29,7 +29,7 @@ TEST(DescriptionPool, WhatIsEqualIsHeldOnce) {
   EXPECT_EQ(pool.size(), 2U);
 }
 
-TEST(DescriptionPool, KnowsMembersByAllThatTheySay) {
+TEST(DescriptionPool, ComparesMembersCompletely) {
   DescriptionPool pool;
   ComponentDescription plain = ComponentWith("arm", "Move");
   ComponentDescription hazard = plain;
@@ -43,7 +43,7 @@ TEST(DescriptionPool, KnowsMembersByAllThatTheySay) {
   EXPECT_EQ(plain, ComponentWith("arm", "Move"));
 }
 
-TEST(DescriptionPool, ForgetsWhatNobodyHolds) {
+TEST(DescriptionPool, ReleasesUnusedInterfaces) {
   constexpr int kMany = 1000;
   DescriptionPool pool;
   ComponentDescription kept = ComponentWith("kept", "Stay");

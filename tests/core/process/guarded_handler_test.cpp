@@ -111,7 +111,7 @@ void ExpectDenied(const Result<T>& result, const std::string& act) {
                 "' needs the role operator, but 'looker' is a viewer here: try again as operator");
 }
 
-TEST_P(GuardedTest, AGcmDeniesAViewerWhatChangesSomething) {
+TEST_P(GuardedTest, AGcmDeniesChangesToAViewer) {
   const auto viewer = Client(Role::kViewer);
   const tendon::InterfaceName required("desk", "operator", "Robot");
   const tendon::InterfaceName provided("robot", "plant", "Control");
@@ -137,7 +137,7 @@ TEST_P(GuardedTest, AGcmDeniesAViewerWhatChangesSomething) {
                              testing::EndsWith(": refused"))));
 }
 
-TEST_P(GuardedTest, AProcessDeniesAViewerACall) {
+TEST_P(GuardedTest, AProcessDeniesCallsToAViewer) {
   const auto viewer = Client(Role::kViewer);
 
   ExpectDenied(
@@ -148,7 +148,7 @@ TEST_P(GuardedTest, AProcessDeniesAViewerACall) {
   EXPECT_THAT(audit.lines(), Contains(HasSubstr("call a command plant/Control.Stop: refused")));
 }
 
-TEST_P(GuardedTest, AViewerSeesWhatAnOperatorSees) {
+TEST_P(GuardedTest, AViewerMayReadAsMuchAsAnOperator) {
   const auto viewer = Client(Role::kViewer);
   const auto lines = audit.lines();
 
@@ -161,7 +161,7 @@ TEST_P(GuardedTest, AViewerSeesWhatAnOperatorSees) {
   EXPECT_EQ(audit.lines(), lines);
 }
 
-TEST_P(GuardedTest, WhoListensToEventsCallsNothing) {
+TEST_P(GuardedTest, AnEventListenerMayNotCallFunctions) {
   const auto channel = Lowered({tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer))});
   tendon::message::OpenInterface open{.required = {"looker", "events", "Control"},
                                       .provided = {"robot", "plant", "Control"},
@@ -187,7 +187,7 @@ TEST_P(GuardedTest, WhoListensToEventsCallsNothing) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, WhatAnOperatorDoesIsWrittenDown) {
+TEST_P(GuardedTest, AuditsTheActionsOfAnOperator) {
   const auto client = Client(Role::kOperator);
 
   const auto called =
@@ -199,7 +199,7 @@ TEST_P(GuardedTest, WhatAnOperatorDoesIsWrittenDown) {
                                             testing::EndsWith(": allowed"))));
 }
 
-TEST_P(GuardedTest, ARoleThatWasGivenUpIsNotGivenBack) {
+TEST_P(GuardedTest, ALoweredRoleCannotBeRaised) {
   constexpr auto kViewer = static_cast<std::uint8_t>(Role::kViewer);
   constexpr auto kOperator = static_cast<std::uint8_t>(Role::kOperator);
   const auto channel = Lowered({tendon::EncodeBody(kViewer), tendon::EncodeBody(kOperator)});
@@ -209,7 +209,7 @@ TEST_P(GuardedTest, ARoleThatWasGivenUpIsNotGivenBack) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, ARoleThatIsNoneIsTheLeast) {
+TEST_P(GuardedTest, AnInvalidRoleCountsAsTheLowest) {
   for (const tendon::Bytes& nonsense :
        {tendon::Bytes{}, tendon::Bytes{std::byte{200}}, tendon::Bytes(9)}) {
     const auto channel = Lowered({nonsense});
@@ -221,7 +221,7 @@ TEST_P(GuardedTest, ARoleThatIsNoneIsTheLeast) {
   operator_still->Close();
 }
 
-TEST_P(GuardedTest, AMessageThatIsInNoTableIsDeniedToAll) {
+TEST_P(GuardedTest, DeniesUnlistedMessagesToAll) {
   const auto channel = Lowered({});
 
   const auto answer = channel->Call(static_cast<MessageType>(0x3ff), 0, {}, kPatience);
@@ -233,7 +233,7 @@ TEST_P(GuardedTest, AMessageThatIsInNoTableIsDeniedToAll) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, ALargeMessageIsDeniedWhenItBegins) {
+TEST_P(GuardedTest, DeniesALargeMessageAtItsFirstPart) {
   const tendon::Bytes large(3 * tendon::kMaxPieceSize);
   tendon::conformance::HaltingMiddleware way(middleware, 1);
   const tendon::Bytes viewer = tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer));
@@ -249,7 +249,7 @@ TEST_P(GuardedTest, ALargeMessageIsDeniedWhenItBegins) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, NobodySendsMuchOfWhatViewersMaySend) {
+TEST_P(GuardedTest, LimitsTheSizeOfViewerMessages) {
   const tendon::Bytes large((std::size_t{1} << 20U) + 1);
   tendon::conformance::HaltingMiddleware way(middleware, 1);
   const auto channel = Lowered({}, way);
@@ -266,7 +266,7 @@ TEST_P(GuardedTest, NobodySendsMuchOfWhatViewersMaySend) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, NoticesAreDeniedToo) {
+TEST_P(GuardedTest, DeniesNotices) {
   const auto channel = Lowered({tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer))});
 
   EXPECT_TRUE(channel->Notify(static_cast<MessageType>(0x102), 0, tendon::Bytes(8)));
@@ -280,7 +280,7 @@ TEST_P(GuardedTest, NoticesAreDeniedToo) {
   channel->Close();
 }
 
-TEST_P(GuardedTest, OneWhoAsksInVainAThousandTimesIsCountedNotRepeated) {
+TEST_P(GuardedTest, CountsRepeatedDenialsInsteadOfLoggingThem) {
   constexpr int kTimes = 1000;
   const auto channel = Lowered({tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer))});
 
@@ -303,7 +303,7 @@ TEST_P(GuardedTest, OneWhoAsksInVainAThousandTimesIsCountedNotRepeated) {
   EXPECT_LE(told().first, static_cast<std::uint64_t>(50 + 1 + tenths));
 }
 
-TEST_P(GuardedTest, TheAuditLogIsOneLineAnEntryWhateverItIsAbout) {
+TEST_P(GuardedTest, AnAuditEntryIsAlwaysOneLine) {
   const auto channel = Lowered({});
 
   (void)channel->Call<CallMemberReply>(tendon::message::kCallMember, 0,

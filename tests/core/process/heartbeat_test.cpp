@@ -25,7 +25,7 @@ struct Watched {
   std::shared_ptr<ViewerMonitor> watch;
 };
 
-TEST(ViewerMonitor, GivesUpWhoIsSilentAfterItHasAskedAndNobodyElse) {
+TEST(ViewerMonitor, ClosesOnlyPeersThatPingedAndFellSilent) {
   const auto worker = std::make_shared<tendon::Worker>("watch");
   const Watched other(worker);  // of another kind, that never asks
   Watched silent(worker);
@@ -40,7 +40,7 @@ TEST(ViewerMonitor, GivesUpWhoIsSilentAfterItHasAskedAndNobodyElse) {
 /// A process that has a plant.
 class SilentViewer : public ViewingTest {};
 
-TEST_P(SilentViewer, ThatHasSubscribedIsGivenUpByTheProcess) {
+TEST_P(SilentViewer, IsDisconnectedDespiteASubscription) {
   const auto robot = Start("robot");
   robot->Add<plant::Plant>("plant");
   const auto middleware = NewMiddleware();

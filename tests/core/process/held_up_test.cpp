@@ -127,14 +127,14 @@ class MonitorPeer : public testing::Test {
   const std::shared_ptr<Worker> worker_ = std::make_shared<Worker>("timer", "test");
 };
 
-TEST_F(MonitorPeer, WhatHangsIsGivenUp) {
+TEST_F(MonitorPeer, ClosesTheLinkToAHungPeer) {
   handler_->SetHeld(true);
   ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(8)), Status::kQueued);
 
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
 }
 
-TEST_F(MonitorPeer, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
+TEST_F(MonitorPeer, AcknowledgedPartsCountAsSignsOfLife) {
   are_lost_ = true;
 
   const Bytes large(tendon::kMaxPieceSize + 1);
@@ -148,7 +148,7 @@ TEST_F(MonitorPeer, PartsOfLargeMessagesThatAreTakenAreSignsOfLife) {
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); })) << "they have ended";
 }
 
-TEST_F(MonitorPeer, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
+TEST_F(MonitorPeer, ToleratesASlowLinkWithALargeMessage) {
   are_lost_ = true;
   is_slow_ = true;
 
@@ -159,7 +159,7 @@ TEST_F(MonitorPeer, ALineIsNotGivenUpThatTakesLongForALargeMessage) {
   EXPECT_TRUE(IsKept());
 }
 
-TEST_F(MonitorPeer, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) {
+TEST_F(MonitorPeer, ToleratesSlowHandlingOfALargeMessage) {
   handler_->SetHeld(true);
   ASSERT_EQ(channel_->Notify(tendon::message::kCommands, 0, Bytes(kLarge)), Status::kQueued);
 
@@ -171,7 +171,7 @@ TEST_F(MonitorPeer, WhoTakesLongToHandleALargeMessageIsNotTakenForOneThatHangs) 
   EXPECT_TRUE(channel_->Call(tendon::message::kPing, 0, Bytes(), kLongEnough).ok());
 }
 
-TEST_F(MonitorPeer, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
+TEST_F(MonitorPeer, ToleratesSilenceDuringLocalLargeMessages) {
   are_lost_ = true;
   std::optional<LargeMessageInProgress> large(std::in_place);
 
@@ -182,7 +182,7 @@ TEST_F(MonitorPeer, WhileALargeMessageIsHandledHereNobodyIsToBlameForSilence) {
   EXPECT_TRUE(EventuallyTrue([&] { return !channel_->is_open(); }));
 }
 
-TEST_F(MonitorPeer, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
+TEST_F(MonitorPeer, DetectsAHungPeerDespiteConstantReads) {
   are_lost_ = true;
 
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -191,7 +191,7 @@ TEST_F(MonitorPeer, WhoseReadsAreServedAllTheTimeStillSeesWhoHangs) {
   }));
 }
 
-TEST(LargeMessageInProgress, ExcusesNobodyForEver) {
+TEST(LargeMessageInProgress, ExcusesSilenceForALimitedTime) {
   const LargeMessageInProgress large;
   const tendon::SteadyTime now = tendon::SteadyClock().Now();
 
@@ -201,7 +201,7 @@ TEST(LargeMessageInProgress, ExcusesNobodyForEver) {
             now + LargeMessageInProgress::kAtMost);
 }
 
-TEST(LargeMessageInProgress, WhatIsDoneSoonExcusesNobody) {
+TEST(LargeMessageInProgress, ExcusesNothingIfItIsShort) {
   const auto leaves_no_trace = [] {
     const tendon::SteadyTime before = LargeMessageInProgress::Last(tendon::SteadyClock().Now());
     {
@@ -337,7 +337,7 @@ class Lease : public testing::Test {
   std::unique_ptr<tendon::Membership> member_;
 };
 
-TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopiesWhatIsLarge) {
+TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopies) {
   Idler copying;
   context_.network->Add(copying);
   copying.AwaitWork();
@@ -350,7 +350,7 @@ TEST_F(Lease, IsRenewedWhileTheNetworkThreadCopiesWhatIsLarge) {
   context_.network->Remove(copying);
 }
 
-TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
+TEST_F(Lease, IsKeptByBothEndsDuringALargeMessage) {
   process_.is_large = true;
   are_renewals_lost_ = true;
 
@@ -368,7 +368,7 @@ TEST_F(Lease, IsNotGivenUpByEitherEndWhileALargeMessageIsOnItsWay) {
   EXPECT_TRUE(EventuallyTrue([&] { return !member_->is_joined(); })) << "nothing more is renewed";
 }
 
-TEST_F(Lease, IsNotGivenUpWhileTheAnswersMayWaitBehindALargeMessage) {
+TEST_F(Lease, IsKeptWhileRepliesWaitBehindALargeMessage) {
   std::optional<LargeMessageInProgress> large(std::in_place);
   are_answers_lost_ = true;
 

@@ -37,7 +37,7 @@ class Accepting final : public ChannelHandler {
   std::promise<std::shared_ptr<Channel>> opened;
 };
 
-TEST(KeepExpiring, EndsWhatIsDueOnAChannelThatAsksNothing) {
+TEST(KeepExpiring, ExpiresRequestsOnAnIdleChannel) {
   const auto network = std::make_shared<tendon::LoopbackNetwork>();
   tendon::LoopbackMiddleware server(network);
   tendon::LoopbackMiddleware client(network);

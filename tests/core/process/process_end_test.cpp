@@ -59,13 +59,13 @@ class ProcessEnd : public NetworkTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, ProcessEnd, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(ProcessEnd, ExecutesAtTheServerWhatAClientSendsLast) {
+TEST_P(ProcessEnd, ExecutesTheLastCommandsOfAClient) {
   desk.reset();
 
   EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
-TEST_P(ProcessEnd, ExecutesItBehindAFullQueueTimeAndAgain) {
+TEST_P(ProcessEnd, ExecutesTheLastCommandsBehindAFullQueue) {
   server->work = 5ms;
   for (int round = 0; round < 5; ++round) {
     Flood();
@@ -89,7 +89,7 @@ TEST_P(ProcessEnd, WaitsForABusyServer) {
   EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
-TEST_P(ProcessEnd, OfOneComponentLetsItsServerExecuteWhatItSendsLast) {
+TEST_P(ProcessEnd, StoppingAClientExecutesItsLastCommands) {
   server->work = 20ms;
   Flood();
 
@@ -100,7 +100,7 @@ TEST_P(ProcessEnd, OfOneComponentLetsItsServerExecuteWhatItSendsLast) {
               ElementsAre("client ends", "server is stopped", "server ends, not connected"));
 }
 
-TEST_P(ProcessEnd, ByARemovalStopsBeforeItDisconnects) {
+TEST_P(ProcessEnd, ARemovalStopsBeforeItDisconnects) {
   server->work = 20ms;
   Flood();
 
@@ -109,7 +109,7 @@ TEST_P(ProcessEnd, ByARemovalStopsBeforeItDisconnects) {
   EXPECT_THAT(story.values(), ElementsAre("client ends", "server is stopped"));
 }
 
-TEST_P(ProcessEnd, OfTheServersProcessLeavesTheClientRunning) {
+TEST_P(ProcessEnd, OfTheServersProcessKeepsTheClientRunning) {
   robot.reset();
 
   EXPECT_EQ(client->state(), ComponentState::kActive);
@@ -119,7 +119,7 @@ TEST_P(ProcessEnd, OfTheServersProcessLeavesTheClientRunning) {
               ElementsAre("server ends, not connected", "client ends, not connected"));
 }
 
-TEST_P(ProcessEnd, WaitsForNoServerThatRests) {
+TEST_P(ProcessEnd, DoesNotWaitForASuspendedServer) {
   const tendon_test::LogRecord log("client");
   ASSERT_TRUE(robot->Suspend("server"));
 
@@ -128,7 +128,7 @@ TEST_P(ProcessEnd, WaitsForNoServerThatRests) {
   EXPECT_THAT(log.texts(), testing::IsEmpty());
 }
 
-TEST_P(ProcessEnd, SaysWhenTheLastCommandWasNotExecuted) {
+TEST_P(ProcessEnd, LogsThatTheLastCommandWasNotExecuted) {
   const tendon_test::LogRecord log("client");
   server->executes = false;
 

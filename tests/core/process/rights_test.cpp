@@ -34,7 +34,7 @@ const Types kActs = {
     message::kProcess,        message::kMirror,     message::kPlanLock};
 
 /// By name: a number in the table that belongs to another message would show here.
-TEST(Rights, AreThoseOfTheMessages) {
+TEST(Rights, CoverEveryMessage) {
   for (unsigned number = 0; number <= UINT16_MAX; ++number) {
     const auto type = static_cast<MessageType>(number);
     const Right* right = FindRight(static_cast<std::uint16_t>(number));
@@ -50,7 +50,7 @@ TEST(Rights, AreThoseOfTheMessages) {
   }
 }
 
-TEST(Rights, WhatChangesTheSystemIsWrittenDown) {
+TEST(Rights, AuditEveryChangeOfTheSystem) {
   // Who may open an interface, or join, tries until it can: that it could is written down by
   // others.
   const Types written = {message::kCallMember, message::kLeave,       message::kConnect,

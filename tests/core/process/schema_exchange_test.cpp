@@ -35,7 +35,7 @@ tendon::test::Record<std::string>& Listen() {
   return warnings;
 }
 
-TEST(SchemaCache, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
+TEST(SchemaCache, LimitsItsTypesAndWarnsOnce) {
   const auto& warnings = Listen();
   SchemaCache learned({.types = 2, .text = 10'000});
   EXPECT_TRUE(learned.Learn(Type("number.One")));
@@ -53,7 +53,7 @@ TEST(SchemaCache, AreNoMoreThanAllowedAndTheRestIsWarnedOfOnce) {
   EXPECT_THAT(warnings.values(), testing::ElementsAre(testing::HasSubstr("2, of ")));
 }
 
-TEST(SchemaCache, HaveNoLongerTextsThanAllowed) {
+TEST(SchemaCache, LimitsTheLengthOfTexts) {
   const std::size_t size = Type("text.One").TextWithHelp().size();
   SchemaCache learned({.types = 10, .text = 2 * size});
   EXPECT_TRUE(learned.Learn(Type("text.One")));

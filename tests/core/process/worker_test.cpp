@@ -31,7 +31,7 @@ TEST(Worker, RunsTasksInTheOrderTheyWerePosted) {
   for (int i = 0; i < 100; ++i) EXPECT_EQ(order[static_cast<std::size_t>(i)], i);
 }
 
-TEST(Worker, ATaskForLaterLetsOthersGoFirst) {
+TEST(Worker, ADelayedTaskLetsOthersRunFirst) {
   Worker worker("test");
   std::vector<int> order;
   std::promise<void> done;
@@ -73,7 +73,7 @@ std::vector<std::string> ErrorsOfRobot() {
   return listening ? errors.Take() : std::vector<std::string>();
 }
 
-TEST(Worker, ATaskThatThrowsIsLoggedByItsOwnersNameAndTheOthersRun) {
+TEST(Worker, LogsAThrowingTaskAndRunsTheOthers) {
   ErrorsOfRobot();
   std::promise<void> done;
   Worker worker("test", "robot");
@@ -118,7 +118,7 @@ TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {
   EXPECT_EQ(dropped.use_count(), 1);
 }
 
-TEST(Worker, StopEndsTheWaitForALinkOfTheRunningTaskAlone) {
+TEST(Worker, StopCancelsOnlyTheRunningTasksConnect) {
   Worker worker("test");
   std::latch running(1);
   std::atomic<bool> is_other_given_up = false;

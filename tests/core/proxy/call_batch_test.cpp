@@ -21,7 +21,7 @@ Calls Read(std::span<const std::byte> body) {
   return calls;
 }
 
-TEST(CallBatch, IsReadAsItWasWritten) {
+TEST(CallBatch, ReadsBackWhatWasWritten) {
   const Calls calls{{7, Filled(3, 1)}, {8, {}}, {0xffffffffU, Filled(16, 2)}, {9, Filled(1, 3)}};
   CallBatch batch;
   for (int round = 0; round < 2; ++round) {
@@ -34,7 +34,7 @@ TEST(CallBatch, IsReadAsItWasWritten) {
   }
 }
 
-TEST(CallBatch, WithTimesIsReadAsItWasWritten) {
+TEST(CallBatch, ReadsBackTimesAsWritten) {
   struct TimedCall {
     std::uint32_t handle;
     Bytes argument;
@@ -59,7 +59,7 @@ TEST(CallBatch, WithTimesIsReadAsItWasWritten) {
   EXPECT_EQ(read, calls);
 }
 
-TEST(CallBatch, HasRoomForTheHeaderOfItsFrame) {
+TEST(CallBatch, ReservesRoomForTheFrameHeader) {
   CallBatch batch;
   EXPECT_TRUE(batch.frame().empty());
   EXPECT_TRUE(batch.body().empty());
@@ -74,7 +74,7 @@ TEST(CallBatch, HasRoomForTheHeaderOfItsFrame) {
   }
 }
 
-TEST(CallBatch, ThatIsCutOffGivesItsWholeCalls) {
+TEST(CallBatch, TruncatedBatchYieldsItsCompleteCalls) {
   CallBatch batch;
   batch.Add(1, Filled(8, 1));
   batch.Add(2, Filled(8, 2));
@@ -84,7 +84,7 @@ TEST(CallBatch, ThatIsCutOffGivesItsWholeCalls) {
   EXPECT_EQ(Read({}).size(), 0U);
 }
 
-TEST(CallBatch, OfRandomBytesIsReadWithinItsBounds) {
+TEST(CallBatch, ReadsRandomBytesWithinItsBounds) {
   std::mt19937 random(1);
   for (int round = 0; round < 20'000; ++round) {
     Bytes body(random() % 64);

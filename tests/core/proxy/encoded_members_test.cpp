@@ -67,7 +67,7 @@ TEST(FunctionProxy, CallsCommandsWithEncodedValues) {
   EXPECT_EQ(answer, EncodeBody(2.5));
 }
 
-TEST(FunctionProxy, LeavesNothingOfTheAnswerBefore) {
+TEST(FunctionProxy, ReplacesAnEarlierAnswer) {
   Counter counter;
   tendon::ProvidedInterface provided("Counter", nullptr);
   provided.AddCommandWrite(&Counter::Add, &counter, "Add");
@@ -95,7 +95,7 @@ struct Camera {
   std::shared_ptr<const Picture> newest_picture;
 };
 
-TEST(SharedRead, IsEncodedFromWhereItLiesAndCopiedForWhoWantsACopy) {
+TEST(SharedRead, IsEncodedInPlaceAndCopiedOnRequest) {
   Camera camera;
   tendon::ProvidedInterface provided("Camera", nullptr);
   provided.AddCommandRead(&Camera::newest, &camera, "Get", tendon::kThreadSafe);
@@ -127,7 +127,7 @@ TEST(SharedRead, IsEncodedFromWhereItLiesAndCopiedForWhoWantsACopy) {
   EXPECT_EQ(Picture::copies, 1);
 }
 
-TEST(EventProxy, RaisesEncodedValuesForTypedHandlers) {
+TEST(EventProxy, DeliversEncodedValuesToTypedHandlers) {
   Counter counter;
   tendon::EventProxy event;
   tendon::ProvidedInterface provided("Source", nullptr);
@@ -149,7 +149,7 @@ TEST(EventProxy, RaisesEncodedValuesForTypedHandlers) {
   EXPECT_EQ(event.lost(), 1U);
 }
 
-TEST(ReadProxy, KeepsTheStatusBehindTheAnswer) {
+TEST(ReadProxy, AppendsTheStatusToTheAnswer) {
   Bytes answer = EncodeBody(1.0);
   tendon::AppendStatus(Status::kNoSample, answer);
 
@@ -157,7 +157,7 @@ TEST(ReadProxy, KeepsTheStatusBehindTheAnswer) {
   EXPECT_EQ(answer, EncodeBody(1.0));
 }
 
-TEST(ReadProxy, ALargeAnswerTakesNoMoreMemoryForItsStatus) {
+TEST(ReadProxy, AppendingAStatusDoesNotReallocate) {
   Bytes answer(std::size_t{1} << 20U);
   answer.shrink_to_fit();
   tendon::AppendStatus(Status::kDone, answer);
@@ -165,7 +165,7 @@ TEST(ReadProxy, ALargeAnswerTakesNoMoreMemoryForItsStatus) {
   EXPECT_LE(answer.capacity(), (std::size_t{1} << 20U) + 64);
 }
 
-TEST(ReadProxy, RefusesAStatusThatIsNone) {
+TEST(ReadProxy, RefusesAnInvalidStatus) {
   Bytes nothing;
   Bytes unknown{std::byte{200}};
 

@@ -15,7 +15,7 @@ class Refusing final : public CommandBase {
   }
 };
 
-TEST(EventProxy, KeepsApartWhatWasLostAtEitherEnd) {
+TEST(EventProxy, CountsLossesOfEachEndSeparately) {
   Refusing handler;
   EventProxy event;
   event.Subscribe(handler);
@@ -28,7 +28,7 @@ TEST(EventProxy, KeepsApartWhatWasLostAtEitherEnd) {
   EXPECT_EQ(event.lost_here(), 2U);
 }
 
-TEST(EventProxy, RemembersWhatWasLostThereBeforeItHadHandlers) {
+TEST(EventProxy, CountsEarlierRemoteLossesForANewHandler) {
   Refusing handler;
   SharedCounter<> lost;
   EventProxy event;

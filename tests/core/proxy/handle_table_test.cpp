@@ -5,7 +5,7 @@ namespace {
 
 using Table = tendon::HandleTable<int>;
 
-TEST(HandleTable, FindsAnObjectAndItsMembersByTheirNumbers) {
+TEST(HandleTable, FindsAnObjectAndItsMembersByHandle) {
   Table table;
   const auto first = table.Reserve(2);
   const auto second = table.Reserve(0);
@@ -19,7 +19,7 @@ TEST(HandleTable, FindsAnObjectAndItsMembersByTheirNumbers) {
   EXPECT_EQ(*table.Find(second).object, 2);
 }
 
-TEST(HandleTable, KnowsNoNumberThatItHasNotIssued) {
+TEST(HandleTable, RefusesHandlesThatItHasNotIssued) {
   Table table;
   EXPECT_EQ(table.Find(0).object, nullptr);
   EXPECT_EQ(table.Find(1).object, nullptr);
@@ -31,7 +31,7 @@ TEST(HandleTable, KnowsNoNumberThatItHasNotIssued) {
   EXPECT_EQ(table.Find(0xffffffffU).object, nullptr);
 }
 
-TEST(HandleTable, NeverIssuesANumberTwice) {
+TEST(HandleTable, NeverIssuesAHandleTwice) {
   Table table;
   const auto first = table.Reserve(3);
   table.Put(first, std::make_shared<int>(1));
@@ -44,7 +44,7 @@ TEST(HandleTable, NeverIssuesANumberTwice) {
   EXPECT_EQ(table.Find(first + 1).object, nullptr);
 }
 
-TEST(HandleTable, DropsAnObjectWhoseNumberWasRemovedBefore) {
+TEST(HandleTable, DropsAnObjectWithARemovedHandle) {
   Table table;
   const auto handle = table.Reserve(0);
   table.Remove(handle);

@@ -12,7 +12,7 @@
 namespace tendon {
 namespace {
 
-TEST_F(InterfaceProxies, SendNoMoreThanTheServerHasRoomForAndLoseNothing) {
+TEST_F(InterfaceProxies, SendOnlyWhatFitsTheServersMailbox) {
   int accepted = 0;
   const bool is_full = EventuallyTrue([&] {
     while (push(accepted)) ++accepted;
@@ -31,7 +31,7 @@ TEST_F(InterfaceProxies, SendNoMoreThanTheServerHasRoomForAndLoseNothing) {
   EXPECT_EQ(push(0), Status(Status::kQueued));
 }
 
-TEST_F(InterfaceProxies, PassOnWhetherTheServerExecutesCalls) {
+TEST_F(InterfaceProxies, ReportWhetherTheServerExecutesCalls) {
   server_inbox.SetAccepting(false);
   thread->Notify();
   EXPECT_TRUE(EventuallyTrue([&] { return push(0) == Status(Status::kNotActive); }));
@@ -41,7 +41,7 @@ TEST_F(InterfaceProxies, PassOnWhetherTheServerExecutesCalls) {
   EXPECT_TRUE(EventuallyTrue([&] { return push(1) == Status(Status::kQueued); }));
 }
 
-TEST_F(InterfaceProxies, CountACallThatTheServerRefusedAsDone) {
+TEST_F(InterfaceProxies, CountARefusedCallAsDone) {
   server_inbox.SetAccepting(false);  // not yet known to the client
   for (int i = 0; i < 100; ++i) {
     ASSERT_TRUE(EventuallyTrue([&] {
@@ -65,7 +65,7 @@ TEST_F(InterfaceProxies, RefuseCallsOnceTheyAreSevered) {
   EXPECT_EQ(push(0), Status(Status::kNotConnected));
 }
 
-TEST_F(InterfaceProxies, RefuseWhatDoesNotFitIntoAFrame) {
+TEST_F(InterfaceProxies, RefuseTooLargeArguments) {
   EXPECT_EQ(load(std::vector<double>(9'000'000)), Status(Status::kInvalid));
   EXPECT_EQ(load(std::vector<double>(100'000)), Status(Status::kQueued));
 
@@ -76,7 +76,7 @@ TEST_F(InterfaceProxies, RefuseWhatDoesNotFitIntoAFrame) {
   EXPECT_EQ(loads, std::vector{std::size_t{100'000}});
 }
 
-TEST_F(InterfaceProxies, KeepWhatALinkHasNoRoomFor) {
+TEST_F(InterfaceProxies, KeepCallsForAFullLink) {
   const std::vector<double> big(700'000);  // more than half of what may wait on a link
   int accepted = 0;
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -87,7 +87,7 @@ TEST_F(InterfaceProxies, KeepWhatALinkHasNoRoomFor) {
   EXPECT_EQ(accepted, 30);
 }
 
-TEST_F(InterfaceProxies, SendInLanesOfTheirOwn) {
+TEST_F(InterfaceProxies, SendInTheirOwnLanes) {
   Wakeup<> wakeup;
   const Outbox other(channel, message::kCommands, wakeup, "other");
 
@@ -96,7 +96,7 @@ TEST_F(InterfaceProxies, SendInLanesOfTheirOwn) {
   EXPECT_NE(server_end->proxy->lane(), kCommonLane);
 }
 
-TEST_F(InterfaceProxies, SendWhatALinkHadNoRoomForWhenTheConnectionEnds) {
+TEST_F(InterfaceProxies, SendKeptCallsWhenTheConnectionEnds) {
   const std::vector<double> big(700'000);
   std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
   for (int i = 0; i < 3; ++i) EXPECT_EQ(load(big), Status(Status::kQueued));
@@ -119,7 +119,7 @@ TEST_F(InterfaceProxies, AnswerReadsAtOnce) {
   EXPECT_EQ(answer, 17);
 }
 
-TEST_F(InterfaceProxies, AReadThatFailedTellsNothingOfAnother) {
+TEST_F(InterfaceProxies, AFailedReadLeaksNoEarlierAnswer) {
   int answer = 0;
   ASSERT_EQ(count(answer), Status(Status::kDone));
 
@@ -136,7 +136,7 @@ TEST_F(InterfaceProxies, LeaveAnOptionalFunctionWithoutACommand) {
   EXPECT_EQ(missing(), Status(Status::kNotConnected));
 }
 
-TEST_F(InterfaceProxies, BringEventsInOrder) {
+TEST_F(InterfaceProxies, DeliverEventsInOrder) {
   int raised = 0;
   EXPECT_TRUE(EventuallyTrue([&] {
     if (raised < 100 && raised - static_cast<int>(heard.size()) < 4) pushed(raised++);
@@ -147,7 +147,7 @@ TEST_F(InterfaceProxies, BringEventsInOrder) {
   EXPECT_EQ(pushed.lost(), 0U);
 }
 
-TEST_F(InterfaceProxies, DoNotMixUpCommandsAndReads) {
+TEST_F(InterfaceProxies, DoNotConfuseCommandsAndReads) {
   const auto read_of_a_write =
       channel->Call(message::kRead, kServerHandle + 1, EncodeBody(5), std::chrono::seconds(20));
   CallBatch calls;
@@ -164,7 +164,7 @@ TEST_F(InterfaceProxies, DoNotMixUpCommandsAndReads) {
   EXPECT_EQ(numbers, std::vector{6});
 }
 
-TEST_F(InterfaceProxies, AreNotMadeFromNonsense) {
+TEST_F(InterfaceProxies, RefuseInvalidDescriptions) {
   auto description = required.description();
   description.functions.front().name = "no name";
   auto remote = Remote();
@@ -188,7 +188,7 @@ TEST_F(InterfaceProxies, AWaitEndsWhenTheServerHasExecutedTheCall) {
   EXPECT_EQ(numbers, (std::vector{7}));
 }
 
-TEST_F(InterfaceProxies, AWaitComesBehindTheCallsBeforeIt) {
+TEST_F(InterfaceProxies, AWaitFollowsEarlierCalls) {
   EXPECT_EQ(push(1), Status(Status::kQueued));
   EXPECT_EQ(push(2), Status(Status::kQueued));
   auto status =
@@ -201,7 +201,7 @@ TEST_F(InterfaceProxies, AWaitComesBehindTheCallsBeforeIt) {
   EXPECT_EQ(numbers, (std::vector{1, 2, 3}));
 }
 
-TEST_F(InterfaceProxies, AWaitIsSentByItsCallerWhereNothingWaits) {
+TEST_F(InterfaceProxies, AWaitIsSentByItsCallerIfNothingIsQueued) {
   thread->Remove(*client_end->proxy);  // it sends nothing any more
   auto status =
       std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); });
@@ -213,7 +213,7 @@ TEST_F(InterfaceProxies, AWaitIsSentByItsCallerWhereNothingWaits) {
   EXPECT_EQ(numbers, (std::vector{1}));
 }
 
-TEST_F(InterfaceProxies, AWaitDoesNotOvertakeWhatIsNotSentYet) {
+TEST_F(InterfaceProxies, AWaitDoesNotOvertakeUnsentCalls) {
   thread->Remove(*client_end->proxy);
   EXPECT_EQ(push(1), Status(Status::kQueued));
   auto status =
@@ -229,7 +229,7 @@ TEST_F(InterfaceProxies, AWaitDoesNotOvertakeWhatIsNotSentYet) {
   EXPECT_EQ(numbers, (std::vector{1, 2}));
 }
 
-TEST_F(InterfaceProxies, WaitsNeedCreditWhoeverSendsThem) {
+TEST_F(InterfaceProxies, WaitsAlwaysNeedCredit) {
   thread->Remove(*client_end->proxy);
   server_end->is_silent = true;
   for (int number = 0; number < 4; ++number) {
@@ -251,7 +251,7 @@ TEST_F(InterfaceProxies, WaitsNeedCreditWhoeverSendsThem) {
   EXPECT_EQ(status.get(), Status(Status::kDone));
 }
 
-TEST_F(InterfaceProxies, AnAnsweredWaitIsCreditForWhatWasSentBeforeIt) {
+TEST_F(InterfaceProxies, AnAnsweredWaitReturnsCreditForEarlierCalls) {
   client_end->is_deaf = true;
   for (int i = 0; i < 5; ++i) {  // rounds of three, of four that may be under way
     EXPECT_EQ(push(1), Status(Status::kQueued));
@@ -283,7 +283,7 @@ class Executor {
   std::jthread thread_;
 };
 
-TEST_F(InterfaceProxies, BadInput63CreditThatGoesBackTakesNothingAway) {
+TEST_F(InterfaceProxies, BadInput63DecreasingCreditIsIgnored) {
   for (int number = 0; number < 4; ++number) EXPECT_TRUE(push(number));
   ASSERT_TRUE(EventuallyTrue([this] {
     server_inbox.ExecuteQueued();
@@ -297,7 +297,7 @@ TEST_F(InterfaceProxies, BadInput63CreditThatGoesBackTakesNothingAway) {
   EXPECT_TRUE(channel->is_open());
 }
 
-TEST_F(InterfaceProxies, BadInput61AFaultOfAMegabyteIsKeptShortAndEscaped) {
+TEST_F(InterfaceProxies, BadInput61AHugeFaultTextIsKeptShortAndEscaped) {
   const std::string poison = "\x1b]0;owned\x07" + std::string(1'000'000, 'x');
   const message::Credit credit{.executed = 0, .accepting = true, .fault = poison};
 
@@ -307,7 +307,7 @@ TEST_F(InterfaceProxies, BadInput61AFaultOfAMegabyteIsKeptShortAndEscaped) {
   EXPECT_FALSE(client_end->proxy->OnCredit(credit)) << "it is no news";
 }
 
-TEST_F(InterfaceProxies, BadInput63CreditForMoreThanWasSentEndsTheChannel) {
+TEST_F(InterfaceProxies, BadInput63CreditForUnsentCallsClosesTheChannel) {
   EXPECT_TRUE(push(1));
   ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
 
@@ -321,7 +321,7 @@ TEST_F(InterfaceProxies, BadInput63CreditForMoreThanWasSentEndsTheChannel) {
   })) << client_end->why_closed();
 }
 
-TEST_F(InterfaceProxies, WhatAnswersMayNotHaveToldIsToldAllTheSame) {
+TEST_F(InterfaceProxies, ReportCreditAlsoForAnsweredWaits) {
   constexpr std::uint64_t kWaits = 100;
   const Executor executor(server_inbox);
 
@@ -332,7 +332,7 @@ TEST_F(InterfaceProxies, WhatAnswersMayNotHaveToldIsToldAllTheSame) {
   EXPECT_TRUE(EventuallyTrue([&] { return client_end->executed == kWaits; }));
 }
 
-TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
+TEST_F(InterfaceProxies, AWaitEndsWithTheLinkSentOrNot) {
   std::vector<std::future<Status>> statuses;
   statuses.push_back(
       std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); }));
@@ -345,7 +345,7 @@ TEST_F(InterfaceProxies, AWaitEndsWithTheLinkWhetherItWasSentOrNot) {
   EXPECT_EQ(push.Wait(2, std::chrono::seconds(20)), Status(Status::kNotConnected));
 }
 
-TEST_F(InterfaceProxies, AWaitThatTheLinkRefusesEndsAtOnceWhoeverSendsIt) {
+TEST_F(InterfaceProxies, AWaitRefusedByTheLinkEndsAtOnce) {
   channel->Close();
   EXPECT_EQ(push.Wait(1, std::chrono::seconds(20)), Status(Status::kNotConnected));
 
@@ -359,7 +359,7 @@ TEST_F(InterfaceProxies, AWaitThatTheLinkRefusesEndsAtOnceWhoeverSendsIt) {
   EXPECT_EQ(status.get(), Status(Status::kNotConnected));
 }
 
-TEST_F(InterfaceProxies, AWaitThatIsNotAnsweredEndsAtItsDeadline) {
+TEST_F(InterfaceProxies, AnUnansweredWaitEndsAtItsDeadline) {
   server_end->is_silent = true;
 
   Status first = Status::kTimeout;  // and not sent: the machine stood still
@@ -379,7 +379,7 @@ TEST_F(InterfaceProxies, AWaitThatIsNotAnsweredEndsAtItsDeadline) {
   EXPECT_EQ(numbers, (std::vector{2}));
 }
 
-TEST_F(InterfaceProxies, AWaitThatThereIsNoCreditForIsNotExecutedAfterItsDeadline) {
+TEST_F(InterfaceProxies, AWaitWithoutCreditIsNotExecutedLate) {
   for (int number = 0; number < 4; ++number) {
     EXPECT_EQ(push(number), Status(Status::kQueued));
   }
@@ -393,7 +393,7 @@ TEST_F(InterfaceProxies, AWaitThatThereIsNoCreditForIsNotExecutedAfterItsDeadlin
   EXPECT_EQ(numbers, (std::vector{0, 1, 2, 3, 5}));
 }
 
-TEST_F(InterfaceProxies, AWaitIsNotEndedByAWordThatTheCallIsQueued) {
+TEST_F(InterfaceProxies, AReplyOfQueuedIsInvalidForAWait) {
   server_end->is_silent = true;
   auto status =
       std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); });
@@ -404,7 +404,7 @@ TEST_F(InterfaceProxies, AWaitIsNotEndedByAWordThatTheCallIsQueued) {
   EXPECT_EQ(status.get(), Status(Status::kInvalid));
 }
 
-TEST_F(InterfaceProxies, AWaitThatALinkHasNoRoomForIsSentWholeOnceThereIs) {
+TEST_F(InterfaceProxies, AWaitForAFullLinkIsSentOnceThereIsRoom) {
   client_end->is_deaf = true;  // to credit for what it has not sent itself
   Wakeup<> wakeup;
   Outbox outbox(channel, message::kCommands, wakeup, "server");

@@ -6,7 +6,7 @@ namespace {
 
 using LatestOnly = InterfaceProxies;
 
-TEST_F(LatestOnly, ACallIsNeverRefusedForWantOfRoom) {
+TEST_F(LatestOnly, ACallIsNeverRefusedForLackOfRoom) {
   ASSERT_TRUE(EventuallyTrue([&] {
     while (push(0)) continue;
     return server_inbox.size() == 4 && push(0) == Status(Status::kQueueFull);
@@ -23,7 +23,7 @@ TEST_F(LatestOnly, ACallIsNeverRefusedForWantOfRoom) {
   EXPECT_EQ(numbers.size(), 8U) << "no other is dropped for it";
 }
 
-TEST_F(LatestOnly, ACallReplacesThatWhichWaitsAtTheServer) {
+TEST_F(LatestOnly, ACallReplacesTheOneQueuedAtTheServer) {
   for (int i = 0; i < 20; ++i) {
     ASSERT_EQ(follow(i), Status(Status::kQueued));
     ASSERT_TRUE(EventuallyTrue([&] { return client_connection->waiting() == 0; }));
@@ -54,7 +54,7 @@ TEST_F(LatestOnly, ACallIsRefusedOnceTheProxyIsSevered) {
   EXPECT_EQ(follow(0), Status(Status::kNotConnected));
 }
 
-TEST_F(LatestOnly, AnEventIsNotLostForWantOfRoom) {
+TEST_F(LatestOnly, AnEventIsNotLostForLackOfRoom) {
   thread->Remove(*server_end->proxy);  // it sends nothing for now
   for (int i = 0; i < 100; ++i) moved(i);
   EXPECT_EQ(moved.lost(), 0U);
@@ -68,7 +68,7 @@ TEST_F(LatestOnly, AnEventIsNotLostForWantOfRoom) {
   EXPECT_EQ(seen, std::vector{99});
 }
 
-TEST_F(LatestOnly, IsWhatQueuedCommandsAloneCanBe) {
+TEST_F(LatestOnly, AppliesOnlyToQueuedCommandsAndEvents) {
   EXPECT_EQ(provided.latest_only(), std::vector<std::string>{"Follow"});
   EXPECT_EQ(required.latest_only(), std::vector<std::string>{"Moved"});
 }

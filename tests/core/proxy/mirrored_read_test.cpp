@@ -13,7 +13,7 @@ using Value = std::vector<std::byte>;
 
 SteadyTime At(std::int64_t time) { return SteadyTime(std::chrono::nanoseconds(time)); }
 
-TEST(MirroredValue, GivesTheLastThatWasPutAndWhenItWasWritten) {
+TEST(MirroredValue, ReturnsTheLastValueAndItsTime) {
   MirroredValue mirrored(9);
   Value value;
   SteadyTime time;
@@ -27,7 +27,7 @@ TEST(MirroredValue, GivesTheLastThatWasPutAndWhenItWasWritten) {
   EXPECT_EQ(time, At(2));
 }
 
-TEST(MirroredValue, RefusesWhatIsLargerThanWasSaid) {
+TEST(MirroredValue, RefusesAValueLargerThanDeclared) {
   MirroredValue mirrored(9);
   Value value;
   SteadyTime time;
@@ -39,7 +39,7 @@ TEST(MirroredValue, RefusesWhatIsLargerThanWasSaid) {
   EXPECT_EQ(value, Value(9, std::byte{1}));
 }
 
-TEST(MirroredValue, GivesNothingWhereThereWasNoValueAndOnceItHasEnded) {
+TEST(MirroredValue, ReturnsNothingWithoutAValueAndAfterItsEnd) {
   MirroredValue mirrored(9);
   Value value;
   SteadyTime time;
@@ -53,7 +53,7 @@ TEST(MirroredValue, GivesNothingWhereThereWasNoValueAndOnceItHasEnded) {
   EXPECT_EQ(mirrored.Read(value, time), Status(Status::kNotConnected));
 }
 
-TEST(MirroredValue, IsWholeForEveryReaderWhileItIsReplaced) {
+TEST(MirroredValue, ReadersSeeIntactValuesDuringWrites) {
   constexpr std::int64_t kCopies = 20'000;
   MirroredValue mirrored(255);
   const auto read = [&mirrored] {

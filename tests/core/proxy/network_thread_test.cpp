@@ -22,7 +22,7 @@ struct CountingJob final : tendon::NetworkJob {
   milliseconds pause{0};
 };
 
-TEST(NetworkThread, WorksForAJobWhenItIsTold) {
+TEST(NetworkThread, RunsAJobWhenNotified) {
   NetworkThread thread;
   CountingJob job;
   thread.Add(job);
@@ -34,7 +34,7 @@ TEST(NetworkThread, WorksForAJobWhenItIsTold) {
   thread.Remove(job);
 }
 
-TEST(NetworkThread, WorksAgainAtOnceWhileThereIsMore) {
+TEST(NetworkThread, RunsAgainAtOnceWhileThereIsMoreWork) {
   NetworkThread thread;
   CountingJob job;
   job.more = 1000;
@@ -44,7 +44,7 @@ TEST(NetworkThread, WorksAgainAtOnceWhileThereIsMore) {
   thread.Remove(job);
 }
 
-TEST(NetworkThread, WorksAgainAtTheTimeAJobHasNamed) {
+TEST(NetworkThread, RunsAgainAtTheRequestedTime) {
   NetworkThread thread;
   CountingJob job;
   job.pause = milliseconds(1);
@@ -54,7 +54,7 @@ TEST(NetworkThread, WorksAgainAtTheTimeAJobHasNamed) {
   thread.Remove(job);
 }
 
-TEST(NetworkThread, LeavesARemovedJobAlone) {
+TEST(NetworkThread, DoesNotRunARemovedJob) {
   NetworkThread thread;
   CountingJob other;
   other.more = 1'000'000'000;  // never rests

@@ -29,7 +29,7 @@ class NarrowOutbox : public InterfaceProxies {
   BytesSink nothing{bytes};
 };
 
-TEST_F(NarrowOutbox, RefusesWhatWouldBeMoreThanMayWait) {
+TEST_F(NarrowOutbox, RefusesCallsBeyondItsLimit) {
   for (int i = 0; i < 3; ++i) ASSERT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
 
   EXPECT_EQ(Post(kLoad), Status(Status::kQueueFull));
@@ -41,7 +41,7 @@ TEST_F(NarrowOutbox, RefusesWhatWouldBeMoreThanMayWait) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
 }
 
-TEST_F(NarrowOutbox, LetsOneAloneBeLarger) {
+TEST_F(NarrowOutbox, AcceptsASingleLargerCall) {
   EXPECT_EQ(Post(10 * kLoad), Status(Status::kQueued));
   EXPECT_EQ(Post(kLoad), Status(Status::kQueueFull));
 
@@ -50,7 +50,7 @@ TEST_F(NarrowOutbox, LetsOneAloneBeLarger) {
   EXPECT_EQ(Post(kLoad), Status(Status::kQueued));
 }
 
-TEST_F(NarrowOutbox, GivesBackWhatIsDropped) {
+TEST_F(NarrowOutbox, ReleasesTheRoomOfDroppedCalls) {
   for (int i = 0; i < 3; ++i) ASSERT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
   while (mailbox.DropOne()) {
   }
@@ -78,7 +78,7 @@ struct TracedOutbox {
   Bytes bytes;
 };
 
-TEST(Outbox, SendsEachBatchFromWhereItWasCollected) {
+TEST(Outbox, SendsEachBatchWithoutACopy) {
   const test::TracedChannel channel;
   TracedOutbox first(channel, 1);
   TracedOutbox second(channel, 2);

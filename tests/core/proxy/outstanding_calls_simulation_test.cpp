@@ -111,7 +111,7 @@ class Link {
 
 class OutstandingCallsSimulation : public testing::TestWithParam<Peer> {};
 
-TEST_P(OutstandingCallsSimulation, EndsEachCallOnceAndSendsNoneThatWasSaidNotToBe) {
+TEST_P(OutstandingCallsSimulation, EndsEachCallOnceAndSendsNoCancelledOne) {
   const Report report = Explore(
       [](Scenario& scenario) {
         const auto link = std::make_shared<Link>(GetParam());

@@ -11,7 +11,7 @@ namespace {
 
 using tendon_test::LogRecord;
 
-TEST(RefusedPayloads, AreToldOnceByTheNetworkThread) {
+TEST(RefusedPayloads, AreLoggedOnceByTheNetworkThread) {
   const LogRecord log("network");
   RefusedPayloads refused("robot/arm/Cloud");
   refused.Add(0x2000007, "cloud");

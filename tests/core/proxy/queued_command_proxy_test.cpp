@@ -86,7 +86,7 @@ TEST_P(RemoteCommand, AllocatesNothingOnceWarm) {
   call_all();
 }
 
-TEST_P(RemoteCommand, IsNotHeldUpByAnArgumentThatThrows) {
+TEST_P(RemoteCommand, AThrowingArgumentDoesNotBlockIt) {
   TracedArgument broken(4 * kSize);
   broken.throws = true;
   for (std::size_t i = 0; i < 2 * kCapacity; ++i) {
@@ -101,7 +101,7 @@ TEST_P(RemoteCommand, IsNotHeldUpByAnArgumentThatThrows) {
   EXPECT_EQ(offer.refused(), 2 * kCapacity);
 }
 
-TEST_P(RemoteCommand, SendsNothingOfAnArgumentThatChangesMeanwhile) {
+TEST_P(RemoteCommand, SendsNothingIfTheArgumentChangesMeanwhile) {
   TracedArgument changing(kSize);
   changing.changes = true;
 
@@ -111,7 +111,7 @@ TEST_P(RemoteCommand, SendsNothingOfAnArgumentThatChangesMeanwhile) {
   EXPECT_EQ(offer.refused(), 1U);
 }
 
-TEST_P(RemoteCommand, WritesNoArgumentThatIsTooLarge) {
+TEST_P(RemoteCommand, WritesNoTooLargeArgument) {
   const TracedArgument argument(kMaxPayload + 1);
 
   EXPECT_EQ(Call(argument), Status(Status::kInvalid));
@@ -140,7 +140,7 @@ TEST_P(RemoteCommand, WritesNoArgumentIntoAClosedMailbox) {
   EXPECT_EQ(mailbox->size(), 0U);
 }
 
-TEST_P(RemoteCommand, SendsEncodedBytesAsWell) {
+TEST_P(RemoteCommand, SendsEncodedBytes) {
   const Bytes values = EncodeBody(std::vector<double>(7));
 
   EXPECT_EQ(command->ExecuteEncoded(values, nothing), Status(Status::kQueued));
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(, RemoteCommand, testing::Values(Overflow::kRefuse, Ove
 /// Has a slot for each call that waits.
 class QueuedRemoteCommand : public RemoteCommand {};
 
-TEST_P(QueuedRemoteCommand, WritesEachArgumentIntoTheBufferOfItsSlot) {
+TEST_P(QueuedRemoteCommand, WritesEachArgumentIntoItsSlotsBuffer) {
   const TracedArgument argument(kSize);
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < kCapacity; ++i) {

@@ -35,7 +35,7 @@ class Barrier {
 
 SteadyTime Later() { return SteadyClock().Now() + 30s; }
 
-TEST(WorkerPool, ExecuteTheCallsOfALineOneAtATimeInTheirOrder) {
+TEST(WorkerPool, RunsTheCallsOfALineSequentially) {
   WorkerPool threads("test");
   const auto line = threads.MakeLine(kMany);
   std::vector<std::size_t> executed;  // a race, unless it is one at a time
@@ -49,7 +49,7 @@ TEST(WorkerPool, ExecuteTheCallsOfALineOneAtATimeInTheirOrder) {
   for (std::size_t i = 0; i < kMany; ++i) EXPECT_EQ(executed[i], i);
 }
 
-TEST(WorkerPool, ExecuteSeveralLinesSideBySide) {
+TEST(WorkerPool, RunsSeveralLinesInParallel) {
   WorkerPool threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<SerialExecutor>> lines;
@@ -63,7 +63,7 @@ TEST(WorkerPool, ExecuteSeveralLinesSideBySide) {
   for (const auto& line : lines) EXPECT_TRUE(line->Drain(Later()));
 }
 
-TEST(WorkerPool, AreNoMoreThanTheMost) {
+TEST(WorkerPool, LimitsItsThreads) {
   WorkerPool threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<SerialExecutor>> lines;
@@ -82,7 +82,7 @@ TEST(WorkerPool, AreNoMoreThanTheMost) {
   EXPECT_EQ(barrier.entered(), static_cast<int>(WorkerPool::kMost) + 1);
 }
 
-TEST(WorkerPool, OfOneSortThatHangHoldUpNoOtherSort) {
+TEST(WorkerPool, HungCallsOfOneKindDoNotBlockOthers) {
   Barrier barrier;
   CallExecutors sorts;
   for (std::size_t i = 0; i < 2 * WorkerPool::kMost; ++i) {
@@ -98,7 +98,7 @@ TEST(WorkerPool, OfOneSortThatHangHoldUpNoOtherSort) {
   barrier.Open();
 }
 
-TEST(WorkerPool, TakeNoMoreThanALineMayHave) {
+TEST(WorkerPool, LimitsTheCallsOfALine) {
   WorkerPool threads("test");
   Barrier barrier;
   const auto line = threads.MakeLine(2);
@@ -114,7 +114,7 @@ TEST(WorkerPool, TakeNoMoreThanALineMayHave) {
   EXPECT_TRUE(line->Post([] {}));
 }
 
-TEST(WorkerPool, TakeNoMoreBytesThanALineMayHaveUnlessItIsOneCall) {
+TEST(WorkerPool, LimitsTheBytesOfALineExceptForOneCall) {
   WorkerPool threads("test");
   Barrier barrier;
   const auto line = threads.MakeLine(kMany, 100);
@@ -132,7 +132,7 @@ TEST(WorkerPool, TakeNoMoreBytesThanALineMayHaveUnlessItIsOneCall) {
   EXPECT_TRUE(line->Drain(Later()));
 }
 
-TEST(WorkerPool, GoOnAfterACallThatThrows) {
+TEST(WorkerPool, ContinuesAfterAThrowingCall) {
   WorkerPool threads("test");
   const auto line = threads.MakeLine(kMany);
   std::atomic<bool> is_executed = false;
@@ -144,7 +144,7 @@ TEST(WorkerPool, GoOnAfterACallThatThrows) {
   EXPECT_TRUE(is_executed);
 }
 
-TEST(WorkerPool, EndAfterTheCallThatRunsAndDropWhatWaits) {
+TEST(WorkerPool, FinishesTheRunningCallAndDropsTheRest) {
   std::optional<WorkerPool> threads(std::in_place, "test");
   const auto line = threads->MakeLine(1000 * kMany);
   Barrier barrier;

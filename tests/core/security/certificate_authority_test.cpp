@@ -21,7 +21,7 @@ void ExpectRefused(const auto& result, ErrorCode code, const std::string& senten
   EXPECT_THAT(result.error().message, HasSubstr(sentence));
 }
 
-TEST_F(CertificateAuthorityTest, NobodyElseCanLookIntoItsFolder) {
+TEST_F(CertificateAuthorityTest, ItsFolderIsPrivate) {
   ASSERT_TRUE(authority.ok()) << authority.error().message;
   Issue({.name = "robot", .holder = Holder::kProcess});
   ASSERT_TRUE(authority->Revoke("robot").ok());
@@ -41,7 +41,7 @@ TEST_F(CertificateAuthorityTest, LastsTenYears) {
   EXPECT_LE(authority->not_after(), Now() + std::chrono::years(10));
 }
 
-TEST_F(CertificateAuthorityTest, IsNeverMadeOverAnotherOne) {
+TEST_F(CertificateAuthorityTest, DoesNotOverwriteAnotherCa) {
   const std::string key = home.Read("ca/ca.key");
 
   ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists, "there is a CA in");
@@ -49,7 +49,7 @@ TEST_F(CertificateAuthorityTest, IsNeverMadeOverAnotherOne) {
   EXPECT_EQ(home.Read("ca/ca.key"), key);
 }
 
-TEST_F(CertificateAuthorityTest, ThatIsHalfMadeIsNotTakenForOne) {
+TEST_F(CertificateAuthorityTest, RefusesAnIncompleteCa) {
   fs::remove(folder / "ca.crt");
 
   ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists,
@@ -57,13 +57,13 @@ TEST_F(CertificateAuthorityTest, ThatIsHalfMadeIsNotTakenForOne) {
   ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kNotFound, "there is no CA in");
 }
 
-TEST_F(CertificateAuthorityTest, IsNotMadeAmongOtherFiles) {
+TEST_F(CertificateAuthorityTest, RefusesAFolderWithOtherFiles) {
   home.Write("letter", "");
 
   ExpectRefused(CertificateAuthority::Init(home.path()), ErrorCode::kExists, "holds other files");
 }
 
-TEST_F(CertificateAuthorityTest, IssuesACertificateThatSaysWhoAndWhat) {
+TEST_F(CertificateAuthorityTest, IssuesACertificateWithNameAndRole) {
   const auto issued =
       Issue({.name = "anna", .role = Role::kOperator, .validity = std::chrono::days(7)});
 
@@ -79,7 +79,7 @@ TEST_F(CertificateAuthorityTest, IssuesACertificateThatSaysWhoAndWhat) {
   EXPECT_GE(read->serial.size(), 30U);
 }
 
-TEST_F(CertificateAuthorityTest, TwoCertificatesOfANameDifferInSerialAndKey) {
+TEST_F(CertificateAuthorityTest, CertificatesOfOneNameDifferInSerialAndKey) {
   const auto first = Issue({.name = "robot"});
   const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
 
@@ -88,7 +88,7 @@ TEST_F(CertificateAuthorityTest, TwoCertificatesOfANameDifferInSerialAndKey) {
   EXPECT_NE(home.Read("out/robot.key"), home.Read("next/robot.key"));
 }
 
-TEST_F(CertificateAuthorityTest, OverwritesNothing) {
+TEST_F(CertificateAuthorityTest, DoesNotOverwriteFiles) {
   Issue({.name = "robot"});
   const std::string key = home.Read("out/robot.key");
 
@@ -102,7 +102,7 @@ TEST_F(CertificateAuthorityTest, OverwritesNothing) {
   EXPECT_FALSE(fs::exists(out / "robot.crt"));
 }
 
-TEST_F(CertificateAuthorityTest, RefusesWhatACertificateCannotSay) {
+TEST_F(CertificateAuthorityTest, RefusesInvalidRequests) {
   const std::vector<std::pair<Request, std::string>> cases = {
       {{.name = ""}, "certificate name is empty"},
       {{.name = "../robot"}, "certificate name '../robot' has '.' at 1"},
@@ -120,7 +120,7 @@ TEST_F(CertificateAuthorityTest, RefusesWhatACertificateCannotSay) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST_F(CertificateAuthorityTest, RevokesAllOfAName) {
+TEST_F(CertificateAuthorityTest, RevokesAllCertificatesOfAName) {
   const auto first = Issue({.name = "robot"});
   const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
   Issue({.name = "desk"});
@@ -134,7 +134,7 @@ TEST_F(CertificateAuthorityTest, RevokesAllOfAName) {
   ExpectRefused(authority->Revoke("robot"), ErrorCode::kExists, "are already revoked");
 }
 
-TEST_F(CertificateAuthorityTest, RevokesNothingWhileACopyCannotBeRead) {
+TEST_F(CertificateAuthorityTest, RevokesNothingIfACopyIsUnreadable) {
   Issue({.name = "robot"});
   const auto second = authority->Issue({.name = "robot"}, home.path() / "next");
   ASSERT_TRUE(second.ok()) << second.error().message;
@@ -147,20 +147,20 @@ TEST_F(CertificateAuthorityTest, RevokesNothingWhileACopyCannotBeRead) {
   EXPECT_EQ(home.Read("ca/crl.pem"), revoked);
 }
 
-TEST_F(CertificateAuthorityTest, RevokesDespiteACopyThatWasNeverFinished) {
+TEST_F(CertificateAuthorityTest, RevokesDespiteAnUnfinishedCopy) {
   Issue({.name = "robot"});
   home.Write("ca/issued/1234.crt.new", "-----BEGIN");
 
   EXPECT_TRUE(authority->Revoke("robot").ok());
 }
 
-TEST_F(CertificateAuthorityTest, KnowsWhomItHasIssuedNothing) {
+TEST_F(CertificateAuthorityTest, ReportsANameWithoutCertificates) {
   Issue({.name = "robot"});
 
   ExpectRefused(authority->Revoke("robto"), ErrorCode::kNotFound, "did you mean 'robot'?");
 }
 
-TEST_F(CertificateAuthorityTest, IsNotUsedWithAKeyThatOthersCanRead) {
+TEST_F(CertificateAuthorityTest, RefusesItsKeyIfReadableByOthers) {
   fs::permissions(folder / "ca.key", fs::perms(0640));
 
   const auto opened = CertificateAuthority::Open(folder);
@@ -169,7 +169,7 @@ TEST_F(CertificateAuthorityTest, IsNotUsedWithAKeyThatOthersCanRead) {
   ExpectRefused(authority->Issue({.name = "robot"}, out), ErrorCode::kDenied, "ca.key");
 }
 
-TEST_F(CertificateAuthorityTest, IsNotUsedWithAnotherOnesKey) {
+TEST_F(CertificateAuthorityTest, RefusesAForeignKey) {
   ASSERT_TRUE(CertificateAuthority::Init(home.path() / "other").ok());
   fs::copy_file(home.path() / "other" / "ca.key", folder / "ca.key",
                 fs::copy_options::overwrite_existing);
@@ -177,12 +177,12 @@ TEST_F(CertificateAuthorityTest, IsNotUsedWithAnotherOnesKey) {
   ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kInvalid, "does not belong to");
 }
 
-TEST_F(CertificateAuthorityTest, ThatIsNotThereIsMissed) {
+TEST_F(CertificateAuthorityTest, ReportsAMissingCa) {
   ExpectRefused(CertificateAuthority::Open(home.path() / "nowhere"), ErrorCode::kNotFound,
                 "make one with gcm cert init, or name its folder with --ca");
 }
 
-TEST_F(CertificateAuthorityTest, IsChangedByOneAtATime) {
+TEST_F(CertificateAuthorityTest, AllowsOneChangeAtATime) {
   home.Write("ca/lock", "somebody");
   fs::permissions(folder / "lock", fs::perms(0600));
 

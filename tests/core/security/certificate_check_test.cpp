@@ -37,7 +37,7 @@ class CertificateCheckTest : public AuthorityTest {
   }
 };
 
-TEST_F(CertificateCheckTest, SaysWhoseAGoodOneIs) {
+TEST_F(CertificateCheckTest, ReturnsTheIdentityOfAValidCertificate) {
   const auto checked = Check();
 
   ASSERT_TRUE(checked.ok()) << checked.error().message;
@@ -48,7 +48,7 @@ TEST_F(CertificateCheckTest, SaysWhoseAGoodOneIs) {
   EXPECT_EQ(checked->warning, "");
 }
 
-TEST_F(CertificateCheckTest, NeedsNeitherItsKeyNorThatOfTheCa) {
+TEST_F(CertificateCheckTest, NeedsNoPrivateKey) {
   fs::remove(out / "robot.key");
   fs::remove(folder / "ca.key");
 
@@ -66,11 +66,11 @@ TEST_F(CertificateCheckTest, WarnsBeforeItExpires) {
   ExpectBad(ErrorCode::kDenied, "expired on " + DateText(last), last + std::chrono::seconds(1));
 }
 
-TEST_F(CertificateCheckTest, OneOfTomorrowIsNotGoodYet) {
+TEST_F(CertificateCheckTest, RefusesACertificateThatIsNotYetValid) {
   ExpectBad(ErrorCode::kDenied, "check the clock of this machine", Now() - days(1));
 }
 
-TEST_F(CertificateCheckTest, ARevokedOneIsRefusedAndTheNextOneIsNot) {
+TEST_F(CertificateCheckTest, RefusesARevokedButNotANewCertificate) {
   ASSERT_TRUE(authority->Revoke("robot").ok());
   const auto next = authority->Issue({.name = "robot"}, home.path() / "next");
   ASSERT_TRUE(next.ok()) << next.error().message;
@@ -79,7 +79,7 @@ TEST_F(CertificateCheckTest, ARevokedOneIsRefusedAndTheNextOneIsNot) {
   EXPECT_TRUE(CheckCertificate(next->certificate_file, folder, Now()).ok());
 }
 
-TEST_F(CertificateCheckTest, WhoeverWasRevokedOnceStaysSo) {
+TEST_F(CertificateCheckTest, ARevocationIsPermanent) {
   Issue({.name = "desk"});
 
   ASSERT_TRUE(authority->Revoke("robot").ok());
@@ -88,7 +88,7 @@ TEST_F(CertificateCheckTest, WhoeverWasRevokedOnceStaysSo) {
   ExpectBad(ErrorCode::kDenied, "was revoked");
 }
 
-TEST_F(CertificateCheckTest, WithoutAListOfTheRevokedNobodyIsBelieved) {
+TEST_F(CertificateCheckTest, RequiresARevocationList) {
   fs::remove(folder / "crl.pem");
   ExpectBad(ErrorCode::kNotFound, "crl.pem: copy it from the CA");
 
@@ -96,7 +96,7 @@ TEST_F(CertificateCheckTest, WithoutAListOfTheRevokedNobodyIsBelieved) {
   ExpectBad(ErrorCode::kInvalid, "is not a list of revoked certificates");
 }
 
-TEST_F(CertificateCheckTest, AListOfAnotherCaIsNotBelieved) {
+TEST_F(CertificateCheckTest, RefusesTheRevocationListOfAnotherCa) {
   ASSERT_TRUE(CertificateAuthority::Init(home.path() / "other").ok());
   fs::copy_file(home.path() / "other" / "crl.pem", folder / "crl.pem",
                 fs::copy_options::overwrite_existing);
@@ -104,7 +104,7 @@ TEST_F(CertificateCheckTest, AListOfAnotherCaIsNotBelieved) {
   ExpectBad(ErrorCode::kDenied, "cannot be trusted: unable to get certificate CRL");
 }
 
-TEST_F(CertificateCheckTest, OneOfAnotherCaIsRefused) {
+TEST_F(CertificateCheckTest, RefusesTheCertificateOfAnotherCa) {
   const auto other = CertificateAuthority::Init(home.path() / "other");
   ASSERT_TRUE(other.ok()) << other.error().message;
   const auto foreign = other->Issue({.name = "robot"}, home.path() / "foreign");
@@ -117,14 +117,14 @@ TEST_F(CertificateCheckTest, OneOfAnotherCaIsRefused) {
   EXPECT_THAT(checked.error().message, HasSubstr("was not issued by the CA in " + folder.string()));
 }
 
-TEST_F(CertificateCheckTest, TheCaItselfIsNobody) {
+TEST_F(CertificateCheckTest, RefusesTheCertificateOfTheCa) {
   const auto checked = CheckCertificate(folder / "ca.crt", folder, Now());
 
   ASSERT_FALSE(checked.ok());
   EXPECT_THAT(checked.error().message, HasSubstr("the certificate of a CA"));
 }
 
-TEST_F(CertificateCheckTest, AKeyThatOthersCanReadIsRefused) {
+TEST_F(CertificateCheckTest, RefusesAKeyReadableByOthers) {
   for (const unsigned mode : {0604U, 0640U, 0620U, 0601U}) {
     fs::permissions(out / "robot.key", fs::perms(mode));
     ExpectBad(ErrorCode::kDenied, "robot.key can be read by others (mode 0" +
@@ -133,14 +133,14 @@ TEST_F(CertificateCheckTest, AKeyThatOthersCanReadIsRefused) {
   }
 }
 
-TEST_F(CertificateCheckTest, AKeyOfAnotherIsRefused) {
+TEST_F(CertificateCheckTest, RefusesAForeignKey) {
   Issue({.name = "desk"});
   fs::rename(out / "desk.key", out / "robot.key");
 
   ExpectBad(ErrorCode::kDenied, "robot.key does not belong to ");
 }
 
-TEST_F(CertificateCheckTest, WhatIsNoCertificateIsSaidToBeNone) {
+TEST_F(CertificateCheckTest, ReportsFilesThatAreNotCertificates) {
   fs::remove(out / "robot.crt");
   ExpectBad(ErrorCode::kNotFound, "there is no file ");
 
@@ -155,14 +155,14 @@ TEST_F(CertificateCheckTest, WhatIsNoCertificateIsSaidToBeNone) {
   ExpectBad(ErrorCode::kInvalid, "larger than the limit of 1 MiB");
 }
 
-TEST_F(CertificateCheckTest, AKeyInPlaceOfACertificateIsNotRepeated) {
+TEST_F(CertificateCheckTest, DoesNotQuoteAPrivateKey) {
   fs::copy_file(out / "robot.key", out / "robot.crt", fs::copy_options::overwrite_existing);
 
   ExpectBad(ErrorCode::kInvalid, "holds a private key");
   EXPECT_EQ(Check().error().message.find("BEGIN"), std::string::npos);
 }
 
-TEST_F(CertificateCheckTest, ManyMayAskWhileTheAuthorityChanges) {
+TEST_F(CertificateCheckTest, IsSafeDuringChangesOfTheCa) {
   openssl::TrustedAuthority issuer(folder);
   const auto pem = ReadSmallFile(out / "robot.crt");
   ASSERT_TRUE(pem.ok());

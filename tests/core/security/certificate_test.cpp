@@ -18,14 +18,14 @@ std::string Refusal(std::string_view pem) {
 
 class CertificateTest : public AuthorityTest {};
 
-TEST_F(CertificateTest, OfAProcessIsTheEndOfALinkToo) {
+TEST_F(CertificateTest, OfAProcessIsValidForBothEnds) {
   const auto issued = Issue({.name = "robot", .holder = Holder::kProcess, .hosts = {"10.0.0.1"}});
 
   EXPECT_EQ(issued.certificate.holder, Holder::kProcess);
   EXPECT_EQ(issued.certificate.role, Role::kViewer);
 }
 
-TEST_F(CertificateTest, OneCutAnywhereIsNone) {
+TEST_F(CertificateTest, RefusesATruncatedCertificate) {
   Issue({.name = "robot"});
   const std::string pem = home.Read("out/robot.crt");
 
@@ -35,7 +35,7 @@ TEST_F(CertificateTest, OneCutAnywhereIsNone) {
   }
 }
 
-TEST_F(CertificateTest, OneWithAnyLetterChangedIsReadOrRefused) {
+TEST_F(CertificateTest, HandlesAnyChangedCharacter) {
   Issue({.name = "robot"});
   const std::string pem = home.Read("out/robot.crt");
 
@@ -47,11 +47,11 @@ TEST_F(CertificateTest, OneWithAnyLetterChangedIsReadOrRefused) {
   }
 }
 
-TEST_F(CertificateTest, OfACaIsNobodys) {
+TEST_F(CertificateTest, RefusesTheCertificateOfACa) {
   EXPECT_THAT(Refusal(home.Read("ca/ca.crt")), HasSubstr("the certificate of a CA"));
 }
 
-TEST(Certificate, IsNotLookedForInALongText) {
+TEST(Certificate, RefusesATooLongText) {
   EXPECT_THAT(Refusal(std::string(kMaxCertificateSize + 1, '-')), HasSubstr("the longest has"));
   EXPECT_THAT(Refusal("hello"), HasSubstr("is not a certificate"));
 }
@@ -63,7 +63,7 @@ TEST(Certificate, DatesAreInUtc) {
             "2027-02-28 23:59:59Z");
 }
 
-TEST(Role, IsReadAsItIsWritten) {
+TEST(Role, RoundTripsThroughText) {
   for (const Role role : {Role::kViewer, Role::kOperator}) {
     EXPECT_EQ(*ParseRole(ToString(role)), role);
   }

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// It needs the fence that stands after the flag was raised, not only the one before: here that of
 /// the last item, which nothing follows.
-TEST(SeededSleepingConsumerSimulation, MissesAFlagThatIsRaisedTooLate) {
+TEST(SeededSleepingConsumerSimulation, MissesAFlagRaisedTooLate) {
   constexpr std::size_t kLast = 3;  // two for an item that finds the flag down
   const auto report = ExploreAsleep(WithoutOneFence("NoFence", kSender, kLast));
   EXPECT_THAT(report.failure, HasSubstr("every thread waits"));

@@ -44,26 +44,26 @@ inline constexpr auto kPayload<test::Switch> = Describe("test.Switch",
 
 namespace {
 
-TEST(Cell, NumbersWithoutGapsLieAsOnTheWire) {
+TEST(Cell, NumbersWithoutGapsHaveTheWireLayout) {
   EXPECT_TRUE(LiesAsOnWire(0.0));
   EXPECT_TRUE(LiesAsOnWire(std::array<std::int16_t, 3>{}));
   EXPECT_TRUE(LiesAsOnWire(test::Pose{}));
   EXPECT_TRUE(LiesAsOnWire(test::Arm{}));
 }
 
-TEST(Cell, AGapOrAnotherOrderDoesNotLieAsOnTheWire) {
+TEST(Cell, AGapOrAnotherOrderDiffersFromTheWireLayout) {
   EXPECT_FALSE(LiesAsOnWire(test::Sample{}));
   EXPECT_FALSE(LiesAsOnWire(test::Swapped{}));
 }
 
-TEST(Cell, WhatIsCheckedWhenItIsDecodedDoesNotCountAsLyingThere) {
+TEST(Cell, TypesCheckedOnDecodingHaveNoWireLayout) {
   EXPECT_FALSE(LiesAsOnWire(true));
   EXPECT_FALSE(LiesAsOnWire(test::Switch{}));
   EXPECT_FALSE(LiesAsOnWire(test::Gear::kLow));
   EXPECT_FALSE(LiesAsOnWire(None{}));
 }
 
-TEST(Cell, LoadsNoMoreBytesThanThereAre) {
+TEST(Cell, LoadsNoMoreBytesThanPresent) {
   const std::array<RowRing<>::Word, 2> cell{0x0807060504030201, 0xffff'ffff'ff0b'0a09};
   std::array<std::uint8_t, 12> bytes{};
 

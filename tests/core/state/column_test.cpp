@@ -58,7 +58,7 @@ TEST_F(ColumnTest, ReadsTheNewestRowWithItsTickAndTime) {
   EXPECT_EQ(stamp, (RowStamp{2, TimeOf(2)}));
 }
 
-TEST_F(ColumnTest, DoesNotSeeAVariableThatChangedAfterTheRow) {
+TEST_F(ColumnTest, IgnoresChangesAfterTheRow) {
   Advance(1);
   sample_.count = 99;
   EXPECT_EQ(column().ReadNewest(read_), Status::kDone);
@@ -75,7 +75,7 @@ TEST_F(ColumnTest, ReadsByTick) {
 }
 
 /// In the reference system a delayed read stands still whenever the writer passes the ring's end.
-TEST_F(ColumnTest, ADelayedReadAdvancesWithEveryRowThroughTheWrap) {
+TEST_F(ColumnTest, ADelayedReadAdvancesThroughTheWrap) {
   constexpr std::size_t kDelay = 5;
   Advance(kDelay);
   EXPECT_EQ(column().ReadDelayed(kDelay, read_), RowResult::kNotYet);
@@ -86,12 +86,12 @@ TEST_F(ColumnTest, ADelayedReadAdvancesWithEveryRowThroughTheWrap) {
   }
 }
 
-TEST_F(ColumnTest, ADelayOfMoreThanTheRingIsTold) {
+TEST_F(ColumnTest, ReportsADelayBeyondTheRing) {
   Advance(100);
   EXPECT_EQ(column().ReadDelayed(50, read_), RowResult::kOvertaken);
 }
 
-TEST_F(ColumnTest, ReadsWhatHeldAtATime) {
+TEST_F(ColumnTest, ReadsTheValueAtATime) {
   Advance(20);
 
   EXPECT_EQ(column().ReadAtTime(TimeOf(17), read_), RowResult::kDone);
@@ -120,7 +120,7 @@ TEST_F(ColumnTest, ReadsEveryRowSinceATick) {
   EXPECT_THAT(counts, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12));
 }
 
-TEST_F(ColumnTest, CountsTheRowsThatWereLostSinceATick) {
+TEST_F(ColumnTest, CountsLostRowsSinceATick) {
   Advance(100);
   std::uint64_t lost = 0;
   std::uint64_t visited = 0;
@@ -135,7 +135,7 @@ TEST_F(ColumnTest, CountsTheRowsThatWereLostSinceATick) {
   EXPECT_EQ(lost + visited, 90U);
 }
 
-TEST_F(ColumnTest, ATickToComeIsAwaited) {
+TEST_F(ColumnTest, ReadingSinceAFutureTickReturnsNothing) {
   Advance(5);
   std::uint64_t lost = 0;
   const auto next =
@@ -160,7 +160,7 @@ TEST_F(ColumnTest, ReadsARangeOfRows) {
   EXPECT_EQ(lost, 0U);
 }
 
-TEST_F(ColumnTest, CountsTheLostRowsOfARangeAlone) {
+TEST_F(ColumnTest, CountsOnlyTheLostRowsOfARange) {
   Advance(100);
   std::uint64_t lost = 0;
   const auto visit = [](const auto&, const auto&) { FAIL() << "a row"; };
@@ -168,7 +168,7 @@ TEST_F(ColumnTest, CountsTheLostRowsOfARangeAlone) {
   EXPECT_EQ(lost, 30U);
 }
 
-TEST_F(ColumnTest, ReadsTheRowsOfASpanOfTime) {
+TEST_F(ColumnTest, ReadsTheRowsOfATimeSpan) {
   Advance(7);
   std::uint64_t first = 0;
   std::uint64_t last = 0;
@@ -214,7 +214,7 @@ TEST(Column, ReadingADynamicPayloadAllocatesNothingOnceWarm) {
 }
 
 /// Read without a copy in between, since it lies in memory as on the wire.
-TEST(Column, AnArrayOfPlainNumbersArrivesWhole) {
+TEST(Column, ReadsAnArrayOfPlainNumbers) {
   std::array<double, 9> plain{1, 2, 3, 4, 5, 6, 7, 8, 9};
   StateTable table;
   table.Add(plain, "Plain");
@@ -230,7 +230,7 @@ TEST(Column, AnArrayOfPlainNumbersArrivesWhole) {
   EXPECT_EQ(stamp, (RowStamp{0, TimeOf(0)}));
 }
 
-TEST(Column, AValueThatIsNoneOfItsTypeIsInvalid) {
+TEST(Column, ReportsAnInvalidEnumValue) {
   auto gear = static_cast<Gear>(77);
   StateTable table;
   table.Add(gear, "Gear");

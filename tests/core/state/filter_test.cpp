@@ -39,7 +39,7 @@ class FilterTest : public testing::Test {
   double square_ = 0;
 };
 
-TEST_F(FilterTest, ComputesAColumnOnceARow) {
+TEST_F(FilterTest, ComputesAColumnOncePerRow) {
   table_.Add(raw_, "Raw");
   table_.AddFiltered(raw_, smooth_, Smooth(0.5), "Smooth");
 
@@ -53,7 +53,7 @@ TEST_F(FilterTest, ComputesAColumnOnceARow) {
   EXPECT_NE(table_.Find("Smooth"), nullptr);
 }
 
-TEST_F(FilterTest, AFilterGoesOnWithWhatAnotherComputed) {
+TEST_F(FilterTest, AFilterMayUseTheOutputOfAnother) {
   table_.AddFiltered(raw_, smooth_, Smooth(0.5), "Smooth");
   table_.AddFiltered(
       smooth_, square_,
@@ -63,7 +63,7 @@ TEST_F(FilterTest, AFilterGoesOnWithWhatAnotherComputed) {
   EXPECT_EQ(Newest(square_), 9.0);
 }
 
-TEST_F(FilterTest, DoesNotRunInACycleThatWritesNoRow) {
+TEST_F(FilterTest, DoesNotRunInACycleWithoutARow) {
   table_.AddFiltered(raw_, smooth_, Smooth(0.5), "Smooth");
   table_.AdvanceOnlyByHand();
   raw_ = 8;
@@ -72,7 +72,7 @@ TEST_F(FilterTest, DoesNotRunInACycleThatWritesNoRow) {
   EXPECT_EQ(Newest(smooth_), 4.0);
 }
 
-TEST_F(FilterTest, OfAColumnThatIsRefusedDoesNotRun) {
+TEST_F(FilterTest, OfARefusedColumnDoesNotRun) {
   table_.AddFiltered(raw_, smooth_, Smooth(0.5), "Smooth");
   EXPECT_THROW(table_.AddFiltered(raw_, square_, Smooth(0.5), "Smooth"), ConfigurationError);
   raw_ = 2;

@@ -63,7 +63,7 @@ std::int32_t Read(ReadFunction<std::int32_t>& function) {
   return value;
 }
 
-TEST(ReadStateCommand, HasNoSampleBeforeThereAreEnoughRows) {
+TEST(ReadStateCommand, HasNoSampleBeforeEnoughRows) {
   Reading reading;
 
   EXPECT_EQ(Read(reading.get_fast), kNoSample);
@@ -75,7 +75,7 @@ TEST(ReadStateCommand, HasNoSampleBeforeThereAreEnoughRows) {
   EXPECT_EQ(Read(reading.get_old_fast), 0);
 }
 
-TEST(ReadStateCommand, FollowsTheNewestRowAtItsDelayRoundTheRing) {
+TEST(ReadStateCommand, FollowsTheNewestRowAtItsDelay) {
   Reading reading;
   for (std::int32_t row = 0; row < static_cast<std::int32_t>(kDelay); ++row) {
     reading.AdvanceFast(row);
@@ -88,7 +88,7 @@ TEST(ReadStateCommand, FollowsTheNewestRowAtItsDelayRoundTheRing) {
   }
 }
 
-TEST(ReadStateCommand, HasNoSampleThatTheTableIsTooShortToKeep) {
+TEST(ReadStateCommand, HasNoSampleIfTheTableIsTooShort) {
   Reading reading;
 
   for (std::int32_t row = 0; row < 30; ++row) reading.AdvanceFast(row);
@@ -96,7 +96,7 @@ TEST(ReadStateCommand, HasNoSampleThatTheTableIsTooShortToKeep) {
   EXPECT_EQ(Read(reading.get_lost_fast), kNoSample);
 }
 
-TEST(ReadStateCommand, TablesOfOneComponentAdvanceApart) {
+TEST(ReadStateCommand, TablesOfOneComponentAdvanceIndependently) {
   Reading reading;
   for (std::int32_t row = 0; row < 12; ++row) {
     reading.AdvanceFast(row);

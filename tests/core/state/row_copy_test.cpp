@@ -60,7 +60,7 @@ TEST_F(RowCopyTest, HasNoValuesBeforeTheFirstRow) {
   EXPECT_EQ(number, -1);
 }
 
-TEST_F(RowCopyTest, GivesAllColumnsOfTheNewestRow) {
+TEST_F(RowCopyTest, ReturnsAllColumnsOfTheNewestRow) {
   Advance(5);
   RowCopy row(table_);
   ASSERT_EQ(row.ReadNewest(), Status::kDone);
@@ -68,7 +68,7 @@ TEST_F(RowCopyTest, GivesAllColumnsOfTheNewestRow) {
   ExpectRow(row, 4);
 }
 
-TEST_F(RowCopyTest, GivesARowByTickAndByTime) {
+TEST_F(RowCopyTest, ReturnsARowByTickAndByTime) {
   Advance(20);
   RowCopy row(table_);
   ASSERT_EQ(row.ReadAt(15), RowResult::kDone);
@@ -77,7 +77,7 @@ TEST_F(RowCopyTest, GivesARowByTickAndByTime) {
   ExpectRow(row, 17);
 }
 
-TEST_F(RowCopyTest, OfALostRowHasNoValuesOfAnother) {
+TEST_F(RowCopyTest, ALostRowHasNoValues) {
   Advance(20);
   RowCopy row(table_);
   ASSERT_EQ(row.ReadNewest(), Status::kDone);
@@ -91,7 +91,7 @@ TEST_F(RowCopyTest, OfALostRowHasNoValuesOfAnother) {
   EXPECT_EQ(number, -1);
 }
 
-TEST_F(RowCopyTest, TellsAnAbsentValueFromAnInvalidOne) {
+TEST_F(RowCopyTest, DistinguishesAbsentFromInvalidValues) {
   StateTable table;
   auto gear = static_cast<Gear>(77);
   std::string text(1000, 'x');

@@ -48,11 +48,11 @@ Report ExploreAt() {
   });
 }
 
-TEST(RowRingSimulation, NeverGivesATornNewestRow) {
+TEST(RowRingSimulation, NeverReturnsATornNewestRow) {
   EXPECT_THAT(ExploreNewest<SimulatedAtomics>(), Passes(1000));
 }
 
-TEST(RowRingSimulation, NeverGivesATornRowThatIsReplaced) {
+TEST(RowRingSimulation, NeverReturnsATornRowDuringReplacement) {
   EXPECT_THAT(ExploreAt<SimulatedAtomics>(), Passes(1000));
 }
 

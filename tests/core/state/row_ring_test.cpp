@@ -31,7 +31,7 @@ class RowRingTest : public testing::Test {
   Words words_{};
 };
 
-TEST_F(RowRingTest, HasNoRowAtFirst) {
+TEST_F(RowRingTest, StartsEmpty) {
   std::uint64_t tick = 0;
   EXPECT_EQ(ring_.next_tick(), 0U);
   EXPECT_EQ(Read(ring_, 0, words_), RowResult::kNotYet);
@@ -39,7 +39,7 @@ TEST_F(RowRingTest, HasNoRowAtFirst) {
   EXPECT_EQ(ring_.Find(0, tick), RowResult::kNotYet);
 }
 
-TEST_F(RowRingTest, KeepsAtLeastTheRowsAskedFor) {
+TEST_F(RowRingTest, KeepsAtLeastTheRequestedRows) {
   for (std::uint64_t tick = 0; tick < 100; ++tick) {
     Write(ring_, tick, 0);
     for (std::uint64_t back = 0; back < 5 && back <= tick; ++back) {
@@ -49,7 +49,7 @@ TEST_F(RowRingTest, KeepsAtLeastTheRowsAskedFor) {
   }
 }
 
-TEST_F(RowRingTest, TellsRowsToComeFromRowsThatAreLost) {
+TEST_F(RowRingTest, DistinguishesFutureFromLostRows) {
   for (std::uint64_t tick = 0; tick < 20; ++tick) Write(ring_, tick, 0);
 
   EXPECT_EQ(Read(ring_, 20, words_), RowResult::kNotYet);
@@ -58,7 +58,7 @@ TEST_F(RowRingTest, TellsRowsToComeFromRowsThatAreLost) {
   EXPECT_EQ(words_[2], ring_.oldest_tick());
 }
 
-TEST_F(RowRingTest, ARowThatIsReplacedDuringTheCopyIsNotGiven) {
+TEST_F(RowRingTest, ReturnsNoRowReplacedDuringTheCopy) {
   Write(ring_, 7, 0);
 
   const RowResult result = ring_.Read(0, [&](const RowRing<>::Word* row) {
@@ -71,7 +71,7 @@ TEST_F(RowRingTest, ARowThatIsReplacedDuringTheCopyIsNotGiven) {
   EXPECT_EQ(result, RowResult::kOvertaken);
 }
 
-TEST_F(RowRingTest, ARowThatIsBeingReplacedIsNotGiven) {
+TEST_F(RowRingTest, ReturnsNoRowThatIsBeingReplaced) {
   for (std::uint64_t tick = 0; tick < 8; ++tick) Write(ring_, tick, 0);
   EXPECT_EQ(Read(ring_, 0, words_), RowResult::kDone);
 
@@ -81,7 +81,7 @@ TEST_F(RowRingTest, ARowThatIsBeingReplacedIsNotGiven) {
   EXPECT_EQ(Read(ring_, 8, words_), RowResult::kNotYet);
 }
 
-TEST_F(RowRingTest, TheNewestIsReadAgainWhenTheWriterWentRoundTheRing) {
+TEST_F(RowRingTest, RetriesTheNewestRowIfTheWriterOvertakes) {
   Write(ring_, 0, 0);
   int copies = 0;
   std::uint64_t tick = 0;
@@ -99,7 +99,7 @@ TEST_F(RowRingTest, TheNewestIsReadAgainWhenTheWriterWentRoundTheRing) {
   EXPECT_EQ(words_[0], 8U);
 }
 
-TEST_F(RowRingTest, FindsTheRowThatHeldAtATime) {
+TEST_F(RowRingTest, FindsTheRowAtATime) {
   for (std::uint64_t tick = 0; tick < 4; ++tick) {
     Write(ring_, tick, 100 + 10 * static_cast<std::int64_t>(tick));
   }
@@ -114,7 +114,7 @@ TEST_F(RowRingTest, FindsTheRowThatHeldAtATime) {
   EXPECT_EQ(tick, 3U);
 }
 
-TEST_F(RowRingTest, SaysThatTheRowOfAnOldTimeIsLost) {
+TEST_F(RowRingTest, ReportsTheRowOfAnOldTimeAsLost) {
   for (std::uint64_t tick = 0; tick < 50; ++tick) {
     Write(ring_, tick, static_cast<std::int64_t>(tick));
   }
@@ -127,7 +127,7 @@ TEST_F(RowRingTest, SaysThatTheRowOfAnOldTimeIsLost) {
   EXPECT_EQ(ring_.Find(oldest - 1, tick), RowResult::kOvertaken);
 }
 
-TEST_F(RowRingTest, StaysAsItIsWhereMemoryDoesNotSuffice) {
+TEST_F(RowRingTest, AFailedAllocationKeepsTheRing) {
   constexpr std::size_t kTooMany = (std::size_t{1} << 59U) - 1;
 
   EXPECT_THROW(ring_.Allocate(kTooMany, 8), std::bad_alloc);
@@ -138,7 +138,7 @@ TEST_F(RowRingTest, StaysAsItIsWhereMemoryDoesNotSuffice) {
   EXPECT_EQ(Read(ring_, 10, words_), RowResult::kOvertaken);
 }
 
-TEST(RowRing, KnowsHowManyRowsFitIntoMemory) {
+TEST(RowRing, ComputesHowManyRowsFitIntoMemory) {
   EXPECT_EQ(RowRing<>::RowsWithin(1024, 6), 127U);
   EXPECT_EQ(RowRing<>::RowsWithin(1024, 7), 63U);
   EXPECT_EQ(RowRing<>::RowsWithin(1, 1000), 1U);

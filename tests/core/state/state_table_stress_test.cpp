@@ -66,7 +66,7 @@ TEST(StateTableStress, NewestRowsAreNeverTornAndNeverGoBack) {
   }
 }
 
-TEST(StateTableStress, AReaderOvertakenByTheWriterIsTold) {
+TEST(StateTableStress, ReportsOvertakingToTheReader) {
   const FastWriter writer(3);
   Block block{};
   std::uint64_t overtaken = 0;
@@ -88,7 +88,7 @@ TEST(StateTableStress, AReaderOvertakenByTheWriterIsTold) {
   }
 }
 
-TEST(StateTableStress, TextsOfAnyLengthAreWhole) {
+TEST(StateTableStress, TextsOfAnyLengthAreIntact) {
   const FastWriter writer(3);
   std::string text;
   for (int i = 0; i < 20'000; ++i) {

@@ -35,15 +35,13 @@ class StateTableTest : public testing::Test {
   Report report_;
 };
 
-TEST_F(StateTableTest, IsNamedStateUnlessNamedOtherwise) {
+TEST_F(StateTableTest, IsNamedStateByDefault) {
   EXPECT_EQ(table_.name(), "state");
   EXPECT_EQ(StateTable("slow").name(), "slow");
   EXPECT_THAT(Refusal([] { StateTable("not a name"); }), HasSubstr("not a name"));
 }
 
-TEST_F(StateTableTest, DiffersInEpochFromEveryOther) {
-  EXPECT_NE(table_.epoch(), StateTable().epoch());
-}
+TEST_F(StateTableTest, HasAUniqueEpoch) { EXPECT_NE(table_.epoch(), StateTable().epoch()); }
 
 TEST_F(StateTableTest, DescribesItsColumns) {
   AddBoth();
@@ -69,7 +67,7 @@ TEST_F(StateTableTest, FindsAColumnByVariableAndByName) {
   EXPECT_EQ(table_.Find("number"), nullptr);
 }
 
-TEST_F(StateTableTest, AVariableThatIsNoColumnIsAWiringMistake) {
+TEST_F(StateTableTest, RefusesAVariableThatIsNotAColumn) {
   AddBoth();
   const double other = 0;
   EXPECT_THAT(Refusal([&] { (void)table_.Find(other); }),
@@ -81,7 +79,7 @@ TEST_F(StateTableTest, TheFirstMemberOfAColumnIsNotThatColumn) {
   EXPECT_THAT(Refusal([&] { (void)table_.Find(sample_.position); }), HasSubstr("is not a column"));
 }
 
-TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {
+TEST_F(StateTableTest, RefusesADuplicateColumnNameOrVariable) {
   AddBoth();
   const double other = 0;
   EXPECT_THAT(Refusal([&] { table_.Add(other, "Number"); }), HasSubstr("'Number' already"));
@@ -92,7 +90,7 @@ TEST_F(StateTableTest, RefusesASecondColumnOfANameOrAVariable) {
 }
 
 /// In the reference system growing a table that is in use overruns the heap.
-TEST_F(StateTableTest, CannotGrowOnceItIsPrepared) {
+TEST_F(StateTableTest, RefusesColumnsOnceItIsPrepared) {
   AddBoth();
   table_.Prepare();
 
@@ -106,7 +104,7 @@ TEST_F(StateTableTest, CannotGrowOnceItIsPrepared) {
   EXPECT_EQ(table_.row_words(), 5U);
 }
 
-TEST_F(StateTableTest, CanBecomeLongerUntilRowsAreWritten) {
+TEST_F(StateTableTest, MayBeLengthenedUntilRowsAreWritten) {
   constexpr std::size_t kLonger = 2000;
   table_.Add(number_, "Number");
   table_.Prepare();
@@ -123,12 +121,12 @@ TEST_F(StateTableTest, CanBecomeLongerUntilRowsAreWritten) {
               AllOf(HasSubstr("holds rows already"), HasSubstr("before the component starts")));
 }
 
-TEST_F(StateTableTest, RefusesALengthThatItCannotHave) {
+TEST_F(StateTableTest, RefusesALengthOutOfRange) {
   EXPECT_THAT(Refusal([&] { table_.SetLength(0); }), HasSubstr("cannot keep 0 rows"));
   EXPECT_THAT(Refusal([&] { table_.SetLength(~std::size_t{0}); }), HasSubstr("give 1 to 16777216"));
 }
 
-TEST_F(StateTableTest, RefusesAColumnThatMakesItsRowTooLarge) {
+TEST_F(StateTableTest, RefusesAColumnThatExceedsTheRowLimit) {
   constexpr std::size_t kMost = StateTable::kMaximumRowBytes;
   EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", kMost + 1); }),
               AllOf(HasSubstr("'Report'"), HasSubstr("smaller capacity")));
@@ -139,13 +137,13 @@ TEST_F(StateTableTest, RefusesAColumnThatMakesItsRowTooLarge) {
   EXPECT_EQ(table_.columns().size(), 1U);
 }
 
-TEST_F(StateTableTest, ByItselfKeepsNoMoreRowsThan16MiBHold) {
+TEST_F(StateTableTest, ByDefaultNeedsAtMost16MiB) {
   table_.Add(report_, "Report", 1 << 20);
   for (int i = 0; i < 30; ++i) Advance();
   EXPECT_EQ(table_.oldest_tick(), 30U - 7U);
 }
 
-TEST_F(StateTableTest, KeepsAsManyRowsAsSet) {
+TEST_F(StateTableTest, KeepsTheConfiguredNumberOfRows) {
   AddBoth();
   table_.SetLength(1000);
   for (int i = 0; i < 5000; ++i) {
@@ -161,13 +159,13 @@ TEST_F(StateTableTest, KeepsAsManyRowsAsSet) {
   EXPECT_EQ(value, static_cast<double>(table_.oldest_tick()));
 }
 
-TEST_F(StateTableTest, ByItselfKeeps256Rows) {
+TEST_F(StateTableTest, ByDefaultKeeps256Rows) {
   table_.Add(number_, "Number");
   for (int i = 0; i < 1000; ++i) Advance();
   EXPECT_LE(table_.oldest_tick(), 1000U - 256U);
 }
 
-TEST_F(StateTableTest, ProposesOneSecondOfRowsWithinBounds) {
+TEST_F(StateTableTest, SuggestsOneSecondOfRowsWithinBounds) {
   table_.Add(number_, "Number");
   EXPECT_EQ(table_.LengthFor(1ms), 1000U);
   EXPECT_EQ(table_.LengthFor(50ms), 256U);
@@ -194,7 +192,7 @@ TEST_F(StateTableTest, AllColumnsOfARowBelongToOneCycle) {
   EXPECT_EQ(number, 4);
 }
 
-TEST_F(StateTableTest, CopiesAWholeRowThatDecodesCellByCell) {
+TEST_F(StateTableTest, CopiesARowThatDecodesCellByCell) {
   AddBoth();
   table_.Add(report_, "Report", 100);
   sample_ = {.position = {1, 2, 3}, .mode = 4, .count = 5};
@@ -219,7 +217,7 @@ TEST_F(StateTableTest, CopiesAWholeRowThatDecodesCellByCell) {
   EXPECT_EQ(report, report_);
 }
 
-TEST_F(StateTableTest, TellsARowToComeFromOneThatIsLost) {
+TEST_F(StateTableTest, DistinguishesFutureFromLostRows) {
   table_.Add(number_, "Number");
   table_.SetLength(3);
   std::vector<std::uint64_t> words(table_.row_words());
@@ -233,7 +231,7 @@ TEST_F(StateTableTest, TellsARowToComeFromOneThatIsLost) {
   EXPECT_EQ(table_.CopyRow(10, words, time), RowResult::kNotYet);
 }
 
-TEST_F(StateTableTest, WithoutColumnsStillCountsItsRows) {
+TEST_F(StateTableTest, CountsItsRowsWithoutColumns) {
   Advance();
   Advance();
   std::int64_t time = 0;
@@ -241,7 +239,7 @@ TEST_F(StateTableTest, WithoutColumnsStillCountsItsRows) {
   EXPECT_EQ(SteadyTime(std::chrono::nanoseconds(time)), TimeOf(1));
 }
 
-TEST_F(StateTableTest, AValueBeyondItsCapacityIsAbsentAndCounted) {
+TEST_F(StateTableTest, AValueOverItsCapacityIsAbsentAndCounted) {
   AddBoth();
   table_.Add(report_, "Report", 64);
   report_.text = std::string(20, 'a');
@@ -264,7 +262,7 @@ TEST_F(StateTableTest, AValueBeyondItsCapacityIsAbsentAndCounted) {
   EXPECT_EQ(number, 1);
 }
 
-TEST_F(StateTableTest, AValueThatFitsAgainIsThereAgain) {
+TEST_F(StateTableTest, ALaterFittingValueIsPresent) {
   table_.Add(report_, "Report", 64);
   report_.text = std::string(1000, 'b');
   Advance();
@@ -277,7 +275,7 @@ TEST_F(StateTableTest, AValueThatFitsAgainIsThereAgain) {
   EXPECT_EQ(table_.Find(report_).absent(), 1U);
 }
 
-TEST_F(StateTableTest, ACycleWritesARowUnlessRowsAreWrittenByHand) {
+TEST_F(StateTableTest, ACycleWritesARowUnlessAdvancedByHand) {
   AddBoth();
   table_.AdvanceAfterCycle(TimeOf(0));
   EXPECT_EQ(table_.next_tick(), 1U);
@@ -289,7 +287,7 @@ TEST_F(StateTableTest, ACycleWritesARowUnlessRowsAreWrittenByHand) {
   EXPECT_EQ(table_.next_tick(), 2U);
 }
 
-TEST_F(StateTableTest, FastCyclesWriteNoMoreThanARowAnInterval) {
+TEST_F(StateTableTest, FastCyclesWriteAtMostOneRowPerInterval) {
   AddBoth();
   table_.SetShortestInterval(1ms);
   constexpr int kCycles = 10'000;

@@ -25,7 +25,7 @@ class Named final : public tendon::Component {
   void AddNowRequired() { AddRequiredInterface("Late"); }
 };
 
-TEST(Component, NamesAreChecked) {
+TEST(Component, RefusesInvalidNames) {
   const auto named = [](const std::string& name) {
     return Refusal([&] { Named(name, "Control"); });
   };
@@ -40,7 +40,7 @@ TEST(Component, NamesAreChecked) {
   EXPECT_NO_THROW(Named("arm-1_B", "Control"));
 }
 
-TEST(Component, NamesOfInterfacesAreChecked) {
+TEST(Component, RefusesInvalidInterfaceNames) {
   const auto with = [](const std::string& name) { return Refusal([&] { Named("arm", name); }); };
 
   EXPECT_THAT(with("state"), HasSubstr("belong to state tables"));
@@ -49,13 +49,13 @@ TEST(Component, NamesOfInterfacesAreChecked) {
   EXPECT_THAT(with(""), HasSubstr("provided interface name is empty"));
 }
 
-TEST(Component, ASecondInterfaceOfANameIsRefusedAndTheFirstIsFound) {
+TEST(Component, RefusesADuplicateInterfaceNamingTheFirst) {
   EXPECT_THAT(Refusal([] { Named("arm", "Other"); }),
               MatchesRegex("interface 'Other' already exists in 'arm' "
                            "\\(added at component_test\\.cpp:[0-9]+\\)"));
 }
 
-TEST(Component, NothingCanBeAddedToARunningOne) {
+TEST(Component, RefusesAdditionsWhileRunning) {
   tendon::LocalManager manager;
   auto& late = manager.Add<Named>("late", "Control");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -71,7 +71,7 @@ TEST(Component, NothingCanBeAddedToARunningOne) {
               HasSubstr("cannot add command 'Zero' to interface 'Control'"));
 }
 
-TEST(Task, ItsTableIsAnInterfaceWithAReadForEachColumn) {
+TEST(Task, ItsTableIsAnInterfaceWithOneReadPerColumn) {
   class Viewer final : public tendon::Component {
    public:
     explicit Viewer(std::string name) : Component(std::move(name)) {

@@ -140,7 +140,7 @@ struct Connections : testing::Test {
   }
 };
 
-TEST_F(Connections, ATaskHearsOfItsPeerInItsOwnThreadBeforeItsNextCycle) {
+TEST_F(Connections, NotifiesATaskInItsThreadBeforeItsNextCycle) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   std::atomic<std::thread::id> told_in;
   client.on_connected = [&] { told_in = std::this_thread::get_id(); };
@@ -154,7 +154,7 @@ TEST_F(Connections, ATaskHearsOfItsPeerInItsOwnThreadBeforeItsNextCycle) {
               ElementsAre("started, hears not connected", "connected to 1, generation 1"));
 }
 
-TEST_F(Connections, NoCallReachesANewPeerBeforeTheTaskHasHeard) {
+TEST_F(Connections, NoCallReachesANewPeerBeforeTheNotification) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   std::atomic<std::int32_t> known = 1;
   std::atomic<int> unknown_servers = 0;
@@ -179,7 +179,7 @@ TEST_F(Connections, NoCallReachesANewPeerBeforeTheTaskHasHeard) {
   EXPECT_EQ(unknown_servers, 0);
 }
 
-TEST_F(Connections, OfAReplacementBothHalvesAreToldInTheirOrder) {
+TEST_F(Connections, AReplacementNotifiesOfBothHalvesInOrder) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   Connect("client", "one");
   ASSERT_TRUE(manager.Start("client"));
@@ -195,7 +195,7 @@ TEST_F(Connections, OfAReplacementBothHalvesAreToldInTheirOrder) {
   EXPECT_EQ(client.server().generation(), 2U);
 }
 
-TEST_F(Connections, EventsOfANewPeerWaitUntilTheTaskHasHeard) {
+TEST_F(Connections, EventsOfANewPeerFollowTheNotification) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   std::atomic<int> rangs_when_told = -1;
   client.on_connected = [&] { rangs_when_told = client.rangs.load(); };
@@ -218,7 +218,7 @@ TEST_F(Connections, EventsOfANewPeerWaitUntilTheTaskHasHeard) {
   EXPECT_EQ(rangs_when_told, 0);
 }
 
-TEST_F(Connections, WhatASuspendedTaskHasMissedItHearsBeforeItGoesOn) {
+TEST_F(Connections, NotifiesASuspendedTaskBeforeItResumes) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   Connect("client", "one");
   ASSERT_TRUE(manager.Start("client"));
@@ -234,7 +234,7 @@ TEST_F(Connections, WhatASuspendedTaskHasMissedItHearsBeforeItGoesOn) {
                                           "connected to 2, generation 2", "resumed, hears 2"));
 }
 
-TEST_F(Connections, OfAPeerThatCameAndWentMeanwhileNothingIsTold) {
+TEST_F(Connections, OmitsPeersThatCameAndWentDuringSuspension) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   ASSERT_TRUE(manager.Start("client"));
   ASSERT_TRUE(manager.Suspend("client"));
@@ -248,7 +248,7 @@ TEST_F(Connections, OfAPeerThatCameAndWentMeanwhileNothingIsTold) {
   EXPECT_EQ(client.server().generation(), 0U);
 }
 
-TEST_F(Connections, ATaskThatDoesNotRunCanBeCalledThroughAtOnce) {
+TEST_F(Connections, FunctionsOfAStoppedTaskWorkAtOnce) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
 
   Connect("client", "one");
@@ -258,7 +258,7 @@ TEST_F(Connections, ATaskThatDoesNotRunCanBeCalledThroughAtOnce) {
   EXPECT_THAT(client.story(), IsEmpty());
 }
 
-TEST_F(Connections, ARestartTellsNothingThatHasNotChanged) {
+TEST_F(Connections, ARestartRepeatsNoNotification) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   Connect("client", "one");
   ASSERT_TRUE(manager.Start("client"));
@@ -269,7 +269,7 @@ TEST_F(Connections, ARestartTellsNothingThatHasNotChanged) {
               ElementsAre("connected to 1, generation 1", "started, hears 1", "started, hears 1"));
 }
 
-TEST_F(Connections, WhoRunsAfterAnotherHearsInTheSameThread) {
+TEST_F(Connections, NotifiesAFollowerInItsLeadersThread) {
   auto& leader = manager.Add<PeriodicWitness>("leader", 1ms);
   auto& client = manager.Add<PeriodicWitness>("client", 1h);
   ASSERT_TRUE(manager.RunAfter("client", "leader"));
@@ -284,7 +284,7 @@ TEST_F(Connections, WhoRunsAfterAnotherHearsInTheSameThread) {
               ElementsAre("started, hears not connected", "connected to 1, generation 1"));
 }
 
-TEST_F(Connections, ASignalTaskThatSleepsHears) {
+TEST_F(Connections, NotifiesASleepingSignalTask) {
   auto& client = manager.Add<Witness<SignalTask>>("client");
   ASSERT_TRUE(manager.Start("client"));
 
@@ -294,7 +294,7 @@ TEST_F(Connections, ASignalTaskThatSleepsHears) {
   EXPECT_EQ(client.runs, 0) << "nothing has arrived";
 }
 
-TEST_F(Connections, AComponentWithoutAThreadHearsHereBeforeItIsConnected) {
+TEST_F(Connections, NotifiesAThreadlessComponentInTheCallersThread) {
   auto& client = manager.Add<Witness<Component>>("client");
   ASSERT_TRUE(manager.Start("client"));
 
@@ -306,7 +306,7 @@ TEST_F(Connections, AComponentWithoutAThreadHearsHereBeforeItIsConnected) {
                           "connected to not connected, generation 1", "disconnected, hears 1"));
 }
 
-TEST_F(Connections, WhoThrowsThereIsFaulted) {
+TEST_F(Connections, AThrowingNotificationFaultsTheTask) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   ASSERT_TRUE(manager.Start("client"));
   client.throws = true;
@@ -322,7 +322,7 @@ TEST_F(Connections, WhoThrowsThereIsFaulted) {
                                           "connected to 1, generation 2", "started, hears 1"));
 }
 
-TEST_F(Connections, TheServerHearsOnceAllThatItsClientHasSentIsDone) {
+TEST_F(Connections, NotifiesTheServerAfterTheClientsLastCall) {
   auto& client = manager.Add<PeriodicWitness>("client", 1ms);
   Connect("client", "one");
   client.on_run = [&] { (void)client.poke(); };
@@ -338,7 +338,7 @@ TEST_F(Connections, TheServerHearsOnceAllThatItsClientHasSentIsDone) {
   EXPECT_GE(one.pokes, 3);
 }
 
-TEST_F(Connections, AServerThatIsSuspendedHearsOfEachClientOnceWhenItGoesOn) {
+TEST_F(Connections, NotifiesASuspendedServerOncePerClient) {
   manager.Add<PeriodicWitness>("client", 1ms);
   ASSERT_TRUE(manager.Suspend("one"));
 
@@ -352,7 +352,7 @@ TEST_F(Connections, AServerThatIsSuspendedHearsOfEachClientOnceWhenItGoesOn) {
   EXPECT_THAT(one.gone(), ElementsAre("client/Server of Control"));
 }
 
-TEST_F(Connections, AServerThatDoesNotRunHearsOfNoClient) {
+TEST_F(Connections, DoesNotNotifyAStoppedServer) {
   manager.Add<PeriodicWitness>("client", 1ms);
   ASSERT_TRUE(manager.Stop("one"));
 
@@ -380,7 +380,7 @@ class Driven final : public CallbackTask {
   void OnDisconnected(RequiredInterface& /*interface*/) override { ++told; }
 };
 
-TEST_F(Connections, HearingOfThemAllocatesNothing) {
+TEST_F(Connections, NotifyingAllocatesNothing) {
   auto& client = manager.Add<Driven>("client");
   ASSERT_TRUE(manager.Start("client", kNoWait));
   client.Cycle();

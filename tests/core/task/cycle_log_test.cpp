@@ -56,7 +56,7 @@ class Records {
   std::vector<std::pair<std::string, std::string>> records_;
 };
 
-TEST(CycleLog, WritesWhatWasPutAsideInOrderAndWhole) {
+TEST(CycleLog, WritesDeferredRecordsCompletelyInOrder) {
   const Records& records = Records::All();
   {
     CycleLog log;
@@ -69,7 +69,7 @@ TEST(CycleLog, WritesWhatWasPutAsideInOrderAndWhole) {
   for (std::size_t i = 0; i < texts.size(); ++i) EXPECT_EQ(texts[i], std::to_string(i));
 }
 
-TEST(CycleLog, WritesSoonWithoutBeingAsked) {
+TEST(CycleLog, WritesSoonByItself) {
   const Records& records = Records::All();
   CycleLog log;
   {
@@ -88,7 +88,7 @@ TEST(CycleLog, AllocatesNothing) {
   tendon::Log(LogLevel::kInfo, "frugal", "a text that is longer than what a small string holds");
 }
 
-TEST(CycleLog, CutsWhatIsTooLong) {
+TEST(CycleLog, TruncatesLongTexts) {
   const Records& records = Records::All();
   const std::string longest(CycleLog::kLongest, 'a');
   {
@@ -101,7 +101,7 @@ TEST(CycleLog, CutsWhatIsTooLong) {
   EXPECT_THAT(records.Of("cut"), ElementsAre(longest, longest.substr(3) + "..."));
 }
 
-TEST(CycleLog, CountsAndTellsWhatIsLost) {
+TEST(CycleLog, CountsAndReportsLostRecords) {
   Records& records = Records::All();
   constexpr std::uint64_t kTooMany = 100;
   const std::uint64_t lost_before = records.lost();
@@ -122,7 +122,7 @@ TEST(CycleLog, CountsAndTellsWhatIsLost) {
   EXPECT_EQ(records.lost(), lost_before + lost);  // told in one record or in two
 }
 
-TEST(CycleLog, WhoFloodsItLeavesRoomForTheOthers) {
+TEST(CycleLog, AFloodLeavesRoomForOthers) {
   Records& records = Records::All();
   {
     CycleLog log;
@@ -167,7 +167,7 @@ TEST(CycleLog, TakesRecordsOfManyThreads) {
   EXPECT_THAT(texts, testing::Each(std::string(40, 'x')));
 }
 
-TEST(CycleLog, KeepsTheDroppedLevelsOut) {
+TEST(CycleLog, DropsRecordsBelowTheLogLevel) {
   const Records& records = Records::All();
   EXPECT_FALSE(tendon::IsLogged(LogLevel::kDebug));
   {
@@ -179,7 +179,7 @@ TEST(CycleLog, KeepsTheDroppedLevelsOut) {
   EXPECT_TRUE(records.Of("quiet").empty());
 }
 
-TEST(ATask, WritesItsLogFromAnotherThread) {
+TEST(Task, WritesItsLogFromAnotherThread) {
   static std::mutex mutex;
   static std::thread::id writer;
   tendon::AddLogSink([](LogLevel, std::string_view source, std::string_view) {

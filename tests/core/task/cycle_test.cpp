@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 
 constexpr SteadyTime kBegin(1h);
 
-TEST(CycleGrid, GoesOnByPeriodsWhateverTheTime) {
+TEST(CycleGrid, AdvancesByWholePeriods) {
   CycleGrid grid(10ms);
   grid.Begin(kBegin);
 
@@ -30,7 +30,7 @@ TEST(CycleGrid, GoesOnByPeriodsWhateverTheTime) {
   EXPECT_EQ(grid.due(), kBegin + 30ms);
 }
 
-TEST(CycleGrid, SkipsWhatIsPastAndSaysHowMuch) {
+TEST(CycleGrid, SkipsAndCountsMissedPeriods) {
   CycleGrid grid(10ms);
   grid.Begin(kBegin);
 
@@ -41,7 +41,7 @@ TEST(CycleGrid, SkipsWhatIsPastAndSaysHowMuch) {
   EXPECT_EQ(grid.due(), kBegin + 60ms);
 }
 
-TEST(TimeSpread, IsEmptyAtFirstAndAfterClear) {
+TEST(TimeSpread, StartsEmptyAndClears) {
   TimeSpread spread;
   spread.Add(5ms);
   spread.Clear();
@@ -50,7 +50,7 @@ TEST(TimeSpread, IsEmptyAtFirstAndAfterClear) {
   EXPECT_EQ(spread.Summary().max, 0.0);
 }
 
-TEST(TimeSpread, KnowsSmallTimesExactly) {
+TEST(TimeSpread, KeepsSmallTimesExactly) {
   TimeSpread spread;
   for (const auto time : {4ns, 2ns, 9ns, -3ns}) spread.Add(time);
 
@@ -64,7 +64,7 @@ TEST(TimeSpread, KnowsSmallTimesExactly) {
   EXPECT_NEAR(summary.deviation, std::sqrt(44.75 / 3.0) * 1e-9, 1e-18);
 }
 
-TEST(TimeSpread, OneTimeIsItsOwnMeanAndHasNoDeviation) {
+TEST(TimeSpread, ASingleTimeIsTheMeanWithoutDeviation) {
   TimeSpread spread;
   spread.Add(123456789ns);
 
@@ -99,7 +99,7 @@ TEST(TimeSpread, AgreesWithASortedListOverTwelveDecades) {
   EXPECT_DOUBLE_EQ(summary.max, all.back());
 }
 
-TEST(TimeSpread, TakesTimesBeyondItsBuckets) {
+TEST(TimeSpread, AcceptsTimesBeyondItsBuckets) {
   TimeSpread spread;
   spread.Add(100h);
   spread.Add(200h);
@@ -108,7 +108,7 @@ TEST(TimeSpread, TakesTimesBeyondItsBuckets) {
   EXPECT_GE(spread.Summary().p99, 360000.0);
 }
 
-TEST(CycleMeter, MeasuresOneCycleAfterTheOther) {
+TEST(CycleMeter, MeasuresConsecutiveCycles) {
   CycleMeter meter;
   meter.Start(10ms);
 
@@ -126,7 +126,7 @@ TEST(CycleMeter, MeasuresOneCycleAfterTheOther) {
   EXPECT_EQ(meter.cycle().period, 0.0);
 }
 
-TEST(CycleMeter, SumsUpEachWholeSecond) {
+TEST(CycleMeter, SummarisesEachSecond) {
   CycleMeter meter;
   meter.Start(10ms);
   const auto cycle = [&meter](int number, std::chrono::nanoseconds lateness) {
@@ -152,7 +152,7 @@ TEST(CycleMeter, SumsUpEachWholeSecond) {
   EXPECT_NEAR(meter.summary().lateness.max, 0.001, 1e-9);  // the first second is forgotten
 }
 
-TEST(CycleMeter, AWindowOfASlowTaskHasTenCycles) {
+TEST(CycleMeter, ASlowTasksWindowHasTenCycles) {
   CycleMeter meter;
   meter.Start(1h);
   for (int i = 0; i < 10; ++i) {
@@ -166,7 +166,7 @@ TEST(CycleMeter, AWindowOfASlowTaskHasTenCycles) {
   EXPECT_EQ(meter.summary().cycles, 10U);
 }
 
-TEST(CycleMeter, AStartForgetsTheLastLife) {
+TEST(CycleMeter, AStartResetsTheMeter) {
   CycleMeter meter;
   meter.Start(10ms);
   meter.AddOverruns(7);

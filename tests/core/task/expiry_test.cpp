@@ -87,7 +87,7 @@ struct Expiring : testing::Test {
   }
 };
 
-TEST_F(Expiring, WhatIsNotRenewedEnds) {
+TEST_F(Expiring, EndsWithoutRenewal) {
   auto& motor = AddMotor(5ms);
 
   ASSERT_TRUE(hand.turn(2.0));
@@ -97,7 +97,7 @@ TEST_F(Expiring, WhatIsNotRenewedEnds) {
   EXPECT_EQ(motor.brakings, 1);
 }
 
-TEST_F(Expiring, ItEndsOnceAndNotInEachCycle) {
+TEST_F(Expiring, EndsOnlyOnce) {
   auto& motor = AddMotor(1ms);
   ASSERT_TRUE(hand.turn(2.0));
   ASSERT_TRUE(EventuallyTrue([&] { return motor.Cycle() && motor.brakings > 0; }));
@@ -107,7 +107,7 @@ TEST_F(Expiring, ItEndsOnceAndNotInEachCycle) {
   EXPECT_EQ(motor.brakings, 1);
 }
 
-TEST_F(Expiring, WhatIsRenewedGoesOn) {
+TEST_F(Expiring, ARenewalPostponesTheEnd) {
   auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
@@ -122,7 +122,7 @@ TEST_F(Expiring, WhatIsRenewedGoesOn) {
   EXPECT_EQ(motor.speed, 0.0);
 }
 
-TEST_F(Expiring, ARenewalThatWaitsCountsAlthoughTheTimeIsOver) {
+TEST_F(Expiring, AQueuedRenewalCountsAfterTheDeadline) {
   auto& motor = AddMotor(1s);  // longer than a cycle on a busy machine
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
@@ -135,7 +135,7 @@ TEST_F(Expiring, ARenewalThatWaitsCountsAlthoughTheTimeIsOver) {
   EXPECT_EQ(motor.speed, 3.0);
 }
 
-TEST_F(Expiring, ACommandThatKeepsTheLatestOnlyIsRenewedToo) {
+TEST_F(Expiring, ALatestOnlyCommandIsRenewed) {
   auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn_latest(2.0));
   motor.Cycle();
@@ -151,7 +151,7 @@ TEST_F(Expiring, ACommandThatKeepsTheLatestOnlyIsRenewedToo) {
   EXPECT_EQ(motor.brakings, 1);
 }
 
-TEST_F(Expiring, AClientThatIsGoneEndsWhatItHasSetGoingAtOnce) {
+TEST_F(Expiring, DisconnectingAClientEndsItsActionsAtOnce) {
   auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
@@ -162,7 +162,7 @@ TEST_F(Expiring, AClientThatIsGoneEndsWhatItHasSetGoingAtOnce) {
   EXPECT_EQ(motor.speed, 0.0);
 }
 
-TEST_F(Expiring, AClientThatIsGoneEndsNothingOfAnother) {
+TEST_F(Expiring, DisconnectingAClientKeepsActionsOfOthers) {
   auto& motor = AddMotor(1h);
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
@@ -176,7 +176,7 @@ TEST_F(Expiring, AClientThatIsGoneEndsNothingOfAnother) {
   EXPECT_EQ(motor.brakings, 0);
 }
 
-TEST_F(Expiring, WhatHasExpiredWhileItWasSuspendedEndsBeforeItGoesOn) {
+TEST_F(Expiring, ExpiryDuringSuspensionEndsBeforeResuming) {
   auto& motor = AddMotor(1ms);
   ASSERT_TRUE(hand.turn(2.0));
   motor.Cycle();
@@ -192,7 +192,7 @@ TEST_F(Expiring, WhatHasExpiredWhileItWasSuspendedEndsBeforeItGoesOn) {
   EXPECT_EQ(motor.brakings, speed == 0.0 ? brakings : brakings + 1);
 }
 
-TEST_F(Expiring, AnEndThatThrowsFaultsTheComponent) {
+TEST_F(Expiring, AThrowingExpiryHandlerFaultsTheComponent) {
   auto& motor = AddMotor(1ms);
   motor.throws = true;
   ASSERT_TRUE(hand.turn(2.0));
@@ -210,7 +210,7 @@ TEST_F(Expiring, RenewingAllocatesNothing) {
   motor.Cycle();
 }
 
-TEST_F(Expiring, ATaskThatSleepsWakesForIt) {
+TEST_F(Expiring, WakesASleepingTask) {
   auto& motor = manager.Add<Motor<SignalTask>>("motor", 5ms);
   ASSERT_TRUE(manager.StartAll());
   ASSERT_TRUE(manager.Connect({"hand", "Motor"}, {"motor", "Control"}));
@@ -220,7 +220,7 @@ TEST_F(Expiring, ATaskThatSleepsWakesForIt) {
   EXPECT_TRUE(EventuallyTrue([&] { return motor.brakings == 1 && motor.speed == 0.0; }));
 }
 
-TEST_F(Expiring, OneThatRunsAfterATaskThatSleepsWakesThatForIt) {
+TEST_F(Expiring, AFollowerWakesItsSleepingLeader) {
   auto& motor = manager.Add<Motor<SignalTask>>("motor", 5ms);
   manager.Add<Motor<SignalTask>>("leader");
   ASSERT_TRUE(manager.RunAfter("motor", "leader"));
@@ -247,7 +247,7 @@ TEST_F(Expiring, IsPartOfTheDescription) {
   EXPECT_EQ(control.commands[1].expires_after, 0.0);
 }
 
-TEST_F(Expiring, ATimeOutOfRangeIsRefused) {
+TEST_F(Expiring, RefusesATimeOutOfRange) {
   EXPECT_EQ(test::Refusal([] { Motor<CallbackTask>("motor", 0ms); }),
             "command 'Turn' must expire after 1 ms..3600 s, got 0 ns");
 }
@@ -264,7 +264,7 @@ class Lamp final : public Component {
   void Glow() {}
 };
 
-TEST_F(Expiring, AComponentWithoutAThreadCannotEndIt) {
+TEST_F(Expiring, RefusesAComponentWithoutAThread) {
   EXPECT_EQ(test::Refusal([this] { manager.Add<Lamp>("lamp"); }),
             "command 'Glow' of 'lamp' cannot expire, because a component without a thread cannot "
             "end it. Derive the component from a task");

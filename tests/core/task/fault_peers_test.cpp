@@ -39,7 +39,7 @@ struct PeerCase {
   const char* name;
 };
 
-struct PeersOfAFaultedTask : testing::TestWithParam<PeerCase> {
+struct FaultedTaskPeers : testing::TestWithParam<PeerCase> {
   tendon::LocalManager manager;
   Periodic& arm = manager.Add<Periodic>("arm", 1ms);
   Peer& peer = manager.Add<Peer>("peer");
@@ -71,7 +71,7 @@ struct PeersOfAFaultedTask : testing::TestWithParam<PeerCase> {
   }
 };
 
-TEST_P(PeersOfAFaultedTask, AreRefusedWithAClearStatusAndNoOldValuePassesForNew) {
+TEST_P(FaultedTaskPeers, GetAClearStatusAndNoStaleValue) {
   Fault();
   std::uint64_t runs = 0;
 
@@ -84,7 +84,7 @@ TEST_P(PeersOfAFaultedTask, AreRefusedWithAClearStatusAndNoOldValuePassesForNew)
   EXPECT_EQ(peer.recorded_runs(runs), Status::kDone) << "its record stays readable";
 }
 
-TEST_P(PeersOfAFaultedTask, AreConnectedAgainOnceItWasStartedAnew) {
+TEST_P(FaultedTaskPeers, AreReconnectedAfterARestart) {
   Fault();
   arm.throws = Script::kNone;
 
@@ -98,7 +98,7 @@ TEST_P(PeersOfAFaultedTask, AreConnectedAgainOnceItWasStartedAnew) {
   EXPECT_EQ(peer.get_runs(runs), Status::kDone);
 }
 
-TEST_P(PeersOfAFaultedTask, AreSeenByToolsAsPendingWithTheReason) {
+TEST_P(FaultedTaskPeers, AreListedAsPendingWithTheReason) {
   Fault();
 
   for (const auto& connection : manager.connections()) {
@@ -114,7 +114,7 @@ TEST_P(PeersOfAFaultedTask, AreSeenByToolsAsPendingWithTheReason) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(InEachFunction, PeersOfAFaultedTask,
+INSTANTIATE_TEST_SUITE_P(InEachFunction, FaultedTaskPeers,
                          testing::Values(PeerCase{Script::kConfigure, "Configure"},
                                          PeerCase{Script::kStartup, "Startup"},
                                          PeerCase{Script::kRun, "Run"},
@@ -122,9 +122,9 @@ INSTANTIATE_TEST_SUITE_P(InEachFunction, PeersOfAFaultedTask,
                                          PeerCase{Script::kCleanup, "Cleanup"}),
                          [](const auto& one) { return one.param.name; });
 
-struct PeerThatWaits : PeersOfAFaultedTask {};
+struct WaitingPeer : FaultedTaskPeers {};
 
-TEST_P(PeerThatWaits, IsToldAtOnce) {
+TEST_P(WaitingPeer, IsReleasedAtOnce) {
   arm.blocks = Script::kRun;
   ASSERT_TRUE(EventuallyTrue([&] { return arm.is_blocked.load(); }));
   std::atomic<int> answered = 0;
@@ -143,10 +143,10 @@ TEST_P(PeerThatWaits, IsToldAtOnce) {
   EXPECT_TRUE(EventuallyTrue([&] { return answered == 2; }));
 }
 
-INSTANTIATE_TEST_SUITE_P(, PeerThatWaits, testing::Values(PeerCase{Script::kRun, "Run"}),
+INSTANTIATE_TEST_SUITE_P(, WaitingPeer, testing::Values(PeerCase{Script::kRun, "Run"}),
                          [](const auto& one) { return one.param.name; });
 
-TEST(ARestart, HealsTheConnectionsAThousandTimes) {
+TEST(Restart, RestoresTheConnectionsAThousandTimes) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 10us);
   auto& peer = manager.Add<Peer>("peer");
@@ -167,7 +167,7 @@ TEST(ARestart, HealsTheConnectionsAThousandTimes) {
   EXPECT_EQ(manager.connections().size(), 1U);
 }
 
-TEST(AFaultedPeer, CanBeConnectedAndWorksOnceItWasStarted) {
+TEST(FaultedPeer, CanBeConnectedAndWorksAfterItsStart) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   auto& peer = manager.Add<Peer>("peer");

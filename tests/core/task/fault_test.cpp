@@ -50,7 +50,7 @@ struct Fault : testing::TestWithParam<FaultCase> {
   }
 };
 
-TEST_P(Fault, NamesTheFunctionAndTheReasonAndLeavesTheOthersRunning) {
+TEST_P(Fault, NamesFunctionAndReasonAndAffectsNoOthers) {
   const auto before = std::chrono::system_clock::now();
 
   Provoke();
@@ -65,7 +65,7 @@ TEST_P(Fault, NamesTheFunctionAndTheReasonAndLeavesTheOthersRunning) {
   ExpectTheOthersToRun();
 }
 
-TEST_P(Fault, ThatIsNoStandardExceptionIsContainedToo) {
+TEST_P(Fault, ContainsNonStandardExceptions) {
   arm.throws_a_number = true;
 
   Provoke();
@@ -75,7 +75,7 @@ TEST_P(Fault, ThatIsNoStandardExceptionIsContainedToo) {
   ExpectTheOthersToRun();
 }
 
-TEST_P(Fault, NamesWhatHasLedToIt) {
+TEST_P(Fault, NamesNestedCauses) {
   arm.throws_nested = true;
 
   Provoke();
@@ -83,7 +83,7 @@ TEST_P(Fault, NamesWhatHasLedToIt) {
   EXPECT_EQ(arm.fault(), std::string(GetParam().where) + ": no arm: cable cut");
 }
 
-TEST_P(Fault, HealsWithARestart) {
+TEST_P(Fault, EndsWithARestart) {
   Provoke();
   arm.throws = Script::kNone;
 
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(InEachFunction, Fault,
                                          FaultCase{Script::kCleanup, "Cleanup", "Cleanup"}),
                          [](const auto& one) { return one.param.name; });
 
-TEST(FaultOfAnEventHandler, IsThatOfTheListenerNotOfTheSource) {
+TEST(EventHandlerFault, FaultsTheListenerNotTheSource) {
   class Listener final : public tendon::SignalTask {
    public:
     explicit Listener(std::string name) : SignalTask(std::move(name)) {
@@ -131,7 +131,7 @@ TEST(FaultOfAnEventHandler, IsThatOfTheListenerNotOfTheSource) {
   EXPECT_EQ(source.state(), ComponentState::kActive);
 }
 
-TEST(ARestart, WorksAThousandTimes) {
+TEST(Restart, WorksAThousandTimes) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 10us);
   arm.throws = Script::kRun;
@@ -146,7 +146,7 @@ TEST(ARestart, WorksAThousandTimes) {
   EXPECT_EQ(arm.cleanups, 0);
 }
 
-TEST(ARestart, DoesNotExecuteWhatWaitedWhenItEnded) {
+TEST(Restart, DropsCallsQueuedBeforeTheFault) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Callback>("arm");
   auto& client = manager.Add<Client>("client");

@@ -65,7 +65,7 @@ void Bring(Component& component, Script& script, ComponentState state) {
   switch (state) {
     case ComponentState::kConstructed:
       break;
-    case ComponentState::kReady:  // see ReadyIsOneThatIsConfiguredAndCouldNotStart
+    case ComponentState::kReady:  // see AConfiguredComponentThatFailsToStartIsReady
       break;
     case ComponentState::kActive:
       ASSERT_TRUE(component.Start().ok());
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(AllCells, LifecycleTable, testing::ValuesIn(CellsButRea
                                   std::string(ToString(cell.param.from));
                          });
 
-TEST(Lifecycle, ReadyIsOneThatIsConfiguredAndCouldNotStart) {
+TEST(Lifecycle, AConfiguredComponentThatFailsToStartIsReady) {
   tendon::LocalManager manager;
   auto& leader = manager.Add<Periodic>("leader", 1ms);
   auto& arm = manager.Add<Periodic>("arm", 1ms);
@@ -155,7 +155,7 @@ TEST(Lifecycle, ReadyIsOneThatIsConfiguredAndCouldNotStart) {
   EXPECT_EQ(arm.configures, 1);
 }
 
-TEST(Lifecycle, AStartThatIsUnderWayIsNotDisturbed) {
+TEST(Lifecycle, RefusesRequestsDuringAStart) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   arm.blocks = Script::kStartup;
@@ -173,7 +173,7 @@ TEST(Lifecycle, AStartThatIsUnderWayIsNotDisturbed) {
   EXPECT_TRUE(arm.WaitFor(ComponentState::kActive, 20s).ok());
 }
 
-TEST(Lifecycle, NothingTakesTheNextPlaceOfAStop) {
+TEST(Lifecycle, APendingStopIsNotReplaced) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   ASSERT_TRUE(manager.Start("arm").ok());
@@ -192,7 +192,7 @@ TEST(Lifecycle, NothingTakesTheNextPlaceOfAStop) {
   EXPECT_TRUE(manager.Start("arm").ok());
 }
 
-TEST(Lifecycle, AStopDuringAStartLetsNoCycleHappen) {
+TEST(Lifecycle, AStopDuringAStartPreventsAnyCycle) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   arm.blocks = Script::kStartup;
@@ -207,7 +207,7 @@ TEST(Lifecycle, AStopDuringAStartLetsNoCycleHappen) {
   EXPECT_TRUE(manager.Start("arm").ok());
 }
 
-TEST(Lifecycle, AWaitForAStateEndsAtItsDeadlineAndSaysWhatHolds) {
+TEST(Lifecycle, AWaitForAStateTimesOutNamingTheState) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   ASSERT_TRUE(manager.Start("arm").ok());
@@ -226,7 +226,7 @@ TEST(Lifecycle, AWaitForAStateEndsAtItsDeadlineAndSaysWhatHolds) {
   EXPECT_TRUE(manager.WaitFor("arm", ComponentState::kFinished, 20s).ok());
 }
 
-TEST(Lifecycle, AComponentThatDoesNotStopIsNotRemoved) {
+TEST(Lifecycle, RefusesToRemoveAComponentThatDoesNotStop) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   ASSERT_TRUE(manager.Start("arm").ok());
@@ -245,7 +245,7 @@ TEST(Lifecycle, AComponentThatDoesNotStopIsNotRemoved) {
   EXPECT_EQ(manager.Find("arm"), nullptr);
 }
 
-TEST(Lifecycle, AComponentWhoseHandlerHangsLosesItsConnectionsButIsNotRemoved) {
+TEST(Lifecycle, AHungComponentIsDisconnectedButNotRemoved) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   auto& client = manager.Add<tendon_test::Client>("client");
@@ -277,7 +277,7 @@ TEST(Lifecycle, AWaitForAStateEndsWithAFault) {
   EXPECT_EQ(waited.error().message, "component 'arm' is faulted: Run: cable cut");
 }
 
-TEST(Lifecycle, ASuspendedTaskMakesNoCyclesAndTakesNoCommands) {
+TEST(Lifecycle, ASuspendedTaskRunsNoCyclesOrCommands) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Periodic>("arm", 1ms);
   auto& client = manager.Add<tendon_test::Client>("client");
@@ -315,7 +315,7 @@ TEST(Lifecycle, AllAreStartedSuspendedAndStoppedTogether) {
   EXPECT_THAT(never.error().message, HasSubstr("'a' is still finished after"));
 }
 
-TEST(Lifecycle, OneThatDoesNotStopDoesNotKeepTheOthersRunning) {
+TEST(Lifecycle, AHungComponentDoesNotBlockStoppingOthers) {
   tendon::LocalManager manager;
   auto& good = manager.Add<Periodic>("good", 1ms);
   auto& hung = manager.Add<Periodic>("hung", 1ms);

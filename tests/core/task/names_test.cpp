@@ -51,7 +51,7 @@ class Shelf final : public tendon::Component {
   int Use() { return Check(1) + CheckNew() + Begin(); }
 };
 
-TEST(AComponent, HidesNoneOfItsAuthorsNames) {
+TEST(Component, HidesNoNamesOfItsAuthor) {
   EXPECT_EQ(Counter("counter").Use(), 14);
   EXPECT_EQ(Shelf("shelf").Use(), 3);
 }

@@ -62,9 +62,9 @@ struct Pilgrimage : testing::Test {
   Pilgrim& pilgrim = manager.Add<Pilgrim>("pilgrim");
 };
 
-using TaskThatWaits = Pilgrimage;
+using WaitingTask = Pilgrimage;
 
-TEST_F(TaskThatWaits, IsAnsweredByATaskOfAnotherThread) {
+TEST_F(WaitingTask, IsAnsweredByATaskOfAnotherThread) {
   ASSERT_TRUE(manager.StartAll().ok());
 
   EXPECT_TRUE(EventuallyTrue([&] { return pilgrim.answers > 3; }));
@@ -72,7 +72,7 @@ TEST_F(TaskThatWaits, IsAnsweredByATaskOfAnotherThread) {
   EXPECT_TRUE(manager.Stop("pilgrim").ok());
 }
 
-TEST_F(TaskThatWaits, IsRefusedWhereItRunsInTheThreadItWaitsFor) {
+TEST_F(WaitingTask, IsRefusedInTheThreadItWaitsFor) {
   ASSERT_TRUE(manager.RunAfter("pilgrim", "oracle").ok());
   ASSERT_TRUE(manager.StartAll().ok());
 
@@ -81,7 +81,7 @@ TEST_F(TaskThatWaits, IsRefusedWhereItRunsInTheThreadItWaitsFor) {
   EXPECT_EQ(pilgrim.answers, 0);
 }
 
-TEST(ACallbackTask, DoesNotBelongToTheThreadThatHasStartedIt) {
+TEST(CallbackTask, IsNotBoundToTheThreadThatStartsIt) {
   class Driven final : public tendon::CallbackTask {
    public:
     explicit Driven(std::string name) : CallbackTask(std::move(name)) {

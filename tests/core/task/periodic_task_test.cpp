@@ -44,7 +44,7 @@ TEST(PeriodicTask, RunsCyclesAndPublishesEachAsARow) {
   EXPECT_EQ(task.table().next_tick(), task.runs);
 }
 
-TEST(PeriodicTask, StaysOnItsGrid) {
+TEST(PeriodicTask, KeepsItsTimeGrid) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Periodic>("task", 1ms);
   task.on_run = [&task] {
@@ -61,7 +61,7 @@ TEST(PeriodicTask, StaysOnItsGrid) {
   }
 }
 
-TEST(PeriodicTask, CountsAndSkipsTheCyclesThatALongOneTakes) {
+TEST(PeriodicTask, CountsAndSkipsOverrunCycles) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Periodic>("task", 1ms);
   task.on_run = [&task] {
@@ -83,7 +83,7 @@ TEST(PeriodicTask, CountsAndSkipsTheCyclesThatALongOneTakes) {
   }
 }
 
-TEST(PeriodicTask, BeginsANewGridWhenItGoesOnAfterARest) {
+TEST(PeriodicTask, StartsANewGridAfterResuming) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Periodic>("task", 1ms);
   std::atomic<bool> resumed = false;
@@ -109,7 +109,7 @@ TEST(PeriodicTask, BeginsANewGridWhenItGoesOnAfterARest) {
   EXPECT_GT(first.due, goes_on.count());
 }
 
-TEST(PeriodicTask, APeriodOutOfRangeIsRefused) {
+TEST(PeriodicTask, RefusesAPeriodOutOfRange) {
   const auto refusal = [](std::chrono::nanoseconds period) {
     return tendon::test::Refusal([&] { const Periodic task("arm", period); });
   };
@@ -122,7 +122,7 @@ TEST(PeriodicTask, APeriodOutOfRangeIsRefused) {
   EXPECT_EQ(refusal(10us), "");
 }
 
-TEST(PeriodicTask, ASlowOneStopsAndSuspendsSoon) {
+TEST(PeriodicTask, ALongPeriodDelaysNoStopOrSuspend) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Periodic>("slow", 1h);
   ASSERT_TRUE(manager.StartAll().ok());

@@ -128,7 +128,7 @@ RealTimeGuard::Counts Watch(std::uint64_t cycles, std::function<void()> mistake,
   return task.counts;
 }
 
-struct ACycle : testing::Test {
+struct RealTimeCycle : testing::Test {
   void SetUp() override {
     if (!RealTimeGuard::IsAvailable()) GTEST_SKIP() << "no guard together with sanitizers";
     RecordProperty("sees_every_system_call", RealTimeGuard::SeesEverySystemCall() ? "yes" : "no");
@@ -141,25 +141,25 @@ struct ACycle : testing::Test {
   }
 };
 
-TEST_F(ACycle, OfAContinuousTaskAllocatesLocksAndCallsNothing) {
+TEST_F(RealTimeCycle, OfAContinuousTaskAllocatesLocksAndCallsNothing) {
   ExpectNothing(Watch<tendon::ContinuousTask>(1'000'000, {}));
 }
 
-TEST_F(ACycle, OfASignalTaskAllocatesLocksAndCallsNothing) {
+TEST_F(RealTimeCycle, OfASignalTaskAllocatesLocksAndCallsNothing) {
   const auto counts = Watch<tendon::SignalTask>(1'000'000, {});
 
   ExpectNothing(counts);
   EXPECT_GT(counts.sleeps, 0U);
 }
 
-TEST_F(ACycle, OfAPeriodicTaskAllocatesLocksAndCallsNothing) {
+TEST_F(RealTimeCycle, OfAPeriodicTaskAllocatesLocksAndCallsNothing) {
   const auto counts = Watch<tendon::PeriodicTask>(100'000, {}, 20us);
 
   ExpectNothing(counts);
   EXPECT_GT(counts.sleeps, 0U);
 }
 
-TEST_F(ACycle, MayLog) {
+TEST_F(RealTimeCycle, MayLog) {
   std::atomic<int> heard = 0;
   static std::atomic<int>* hearer = nullptr;
   hearer = &heard;
@@ -178,13 +178,13 @@ TEST_F(ACycle, MayLog) {
   hearer = nullptr;
 }
 
-TEST_F(ACycle, ThatAllocatesIsCaught) {
+TEST_F(RealTimeCycle, AnAllocationIsDetected) {
   const auto mistake = [] { EXPECT_NE(std::make_unique<std::vector<int>>(100), nullptr); };
 
   EXPECT_GE(Watch<tendon::ContinuousTask>(10, mistake).allocations, 2U);
 }
 
-TEST_F(ACycle, ThatLocksIsCaught) {
+TEST_F(RealTimeCycle, ALockIsDetected) {
   std::mutex mutex;
 
   const auto counts =
@@ -193,7 +193,7 @@ TEST_F(ACycle, ThatLocksIsCaught) {
   EXPECT_EQ(counts.locks, 1U);
 }
 
-TEST_F(ACycle, ThatCallsTheOperatingSystemIsCaught) {
+TEST_F(RealTimeCycle, ASystemCallIsDetected) {
   const auto counts = Watch<tendon::PeriodicTask>(
       10, [] { syscall(SYS_getppid); }, 1ms);
 

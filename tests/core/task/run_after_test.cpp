@@ -49,7 +49,7 @@ TEST_F(RunAfter, SharesTheThreadAndTheCycleOfTheLeader) {
   EXPECT_GT(follower.Newest<CycleStatistics>("Cycle").period, 0.0);
 }
 
-TEST_F(RunAfter, MakesExactlyOneCycleAfterEachOfTheLeader) {
+TEST_F(RunAfter, RunsOneCycleAfterEachOfTheLeader) {
   tendon::LocalManager other;
   auto& driver = other.Add<Callback>("driver");
   auto& first = other.Add<Signal>("first");
@@ -70,7 +70,7 @@ TEST_F(RunAfter, MakesExactlyOneCycleAfterEachOfTheLeader) {
   EXPECT_TRUE(other.StopAll().ok());
 }
 
-TEST_F(RunAfter, ItsFaultLeavesTheLeaderRunningAndItCanBeRestarted) {
+TEST_F(RunAfter, ItsFaultDoesNotStopTheLeader) {
   ASSERT_TRUE(manager.StartAll().ok());
   follower.throws = Script::kRun;
   ASSERT_TRUE(manager.WaitFor("follower", ComponentState::kFaulted, 20s).ok());
@@ -83,7 +83,7 @@ TEST_F(RunAfter, ItsFaultLeavesTheLeaderRunningAndItCanBeRestarted) {
   EXPECT_TRUE(MakesCycles(follower));
 }
 
-TEST_F(RunAfter, ItStartsSuspendsAndStopsByItself) {
+TEST_F(RunAfter, CanBeControlledSeparately) {
   ASSERT_TRUE(manager.StartAll().ok());
 
   ASSERT_TRUE(manager.Suspend("follower").ok());
@@ -119,7 +119,7 @@ TEST_F(RunAfter, AFaultedLeaderStopsIt) {
   EXPECT_TRUE(MakesCycles(follower));
 }
 
-TEST_F(RunAfter, ItRestsAndGoesOnWithTheLeader) {
+TEST_F(RunAfter, SuspendsAndResumesWithTheLeader) {
   auto& client = manager.Add<Client>("client");
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"follower", "Control"}).ok());
   ASSERT_TRUE(manager.StartAll().ok());
@@ -137,7 +137,7 @@ TEST_F(RunAfter, ItRestsAndGoesOnWithTheLeader) {
   EXPECT_TRUE(MakesCycles(follower));
 }
 
-TEST_F(RunAfter, OneThatWasSuspendedItselfStaysSoWhenTheLeaderGoesOn) {
+TEST_F(RunAfter, StaysSuspendedWhenTheLeaderResumes) {
   ASSERT_TRUE(manager.StartAll().ok());
   ASSERT_TRUE(manager.Suspend("follower").ok());
   ASSERT_TRUE(manager.Suspend("leader").ok());
@@ -148,7 +148,7 @@ TEST_F(RunAfter, OneThatWasSuspendedItselfStaysSoWhenTheLeaderGoesOn) {
   EXPECT_EQ(follower.state(), ComponentState::kSuspended);
 }
 
-TEST_F(RunAfter, IsStoppedWhileTheLeaderIsSuspended) {
+TEST_F(RunAfter, CanBeStoppedWhileTheLeaderIsSuspended) {
   ASSERT_TRUE(manager.StartAll().ok());
   ASSERT_TRUE(manager.Suspend("leader").ok());
 
@@ -157,7 +157,7 @@ TEST_F(RunAfter, IsStoppedWhileTheLeaderIsSuspended) {
   EXPECT_EQ(leader.state(), ComponentState::kSuspended);
 }
 
-TEST_F(RunAfter, AWaitForATaskInTheSameThreadIsRefused) {
+TEST_F(RunAfter, RefusesAWaitForATaskInTheSameThread) {
   class Asking final : public tendon::PeriodicTask {
    public:
     explicit Asking(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -189,7 +189,7 @@ TEST_F(RunAfter, CannotStartBeforeTheLeader) {
             "component 'follower' runs after 'leader', which is constructed; start 'leader' first");
 }
 
-TEST_F(RunAfter, ARingIsRefusedAndNamed) {
+TEST_F(RunAfter, RefusesARingNamingItsMembers) {
   manager.Add<Periodic>("third", 1ms);
   ASSERT_TRUE(manager.RunAfter("third", "follower").ok());
 
@@ -206,7 +206,7 @@ TEST_F(RunAfter, ARingIsRefusedAndNamed) {
             "after third");
 }
 
-TEST_F(RunAfter, NeedsAThreadToGiveUpAndCyclesToShare) {
+TEST_F(RunAfter, NeedsAThreadAndALeaderWithCycles) {
   manager.Add<Threadless>("threadless");
   manager.Add<Callback>("callback");
 
@@ -222,7 +222,7 @@ TEST_F(RunAfter, NeedsAThreadToGiveUpAndCyclesToShare) {
       "component 'leader' cannot run after 'threadless': 'threadless' does not run in cycles");
 }
 
-TEST_F(RunAfter, OnlyOneAtRestChangesItsThread) {
+TEST_F(RunAfter, ARunningTaskCannotChangeItsThread) {
   manager.Add<Periodic>("other", 1ms);
   ASSERT_TRUE(manager.StartAll().ok());
 
@@ -237,7 +237,7 @@ TEST_F(RunAfter, OnlyOneAtRestChangesItsThread) {
 }
 
 /// Another follower's cycle does not end.
-struct RunAfterWithAHungOne : RunAfter {
+struct RunAfterHungTask : RunAfter {
   Periodic& third = manager.Add<Periodic>("third", 1ms);
 
   void SetUp() override {
@@ -251,7 +251,7 @@ struct RunAfterWithAHungOne : RunAfter {
   void TearDown() override { follower.blocks = Script::kNone; }
 };
 
-TEST_F(RunAfterWithAHungOne, ANewOneJoinsAtOnceAndStartsOnceThatGoesOn) {
+TEST_F(RunAfterHungTask, ANewFollowerStartsWhenTheHungOneContinues) {
   auto& fresh = manager.Add<Periodic>("new", 1ms);
 
   EXPECT_TRUE(manager.RunAfter("new", "leader", kNoWait).ok());
@@ -264,7 +264,7 @@ TEST_F(RunAfterWithAHungOne, ANewOneJoinsAtOnceAndStartsOnceThatGoesOn) {
   EXPECT_EQ(fresh.thread.load(), leader.thread.load());
 }
 
-TEST_F(RunAfterWithAHungOne, ANewOneThatIsRemovedIsUsedNoMore) {
+TEST_F(RunAfterHungTask, ANewFollowerCanBeRemovedLater) {
   manager.Add<Periodic>("new", 1ms);
   ASSERT_TRUE(manager.RunAfter("new", "leader", kNoWait).ok());
 
@@ -277,7 +277,7 @@ TEST_F(RunAfterWithAHungOne, ANewOneThatIsRemovedIsUsedNoMore) {
   EXPECT_TRUE(MakesCycles(follower));
 }
 
-TEST_F(RunAfterWithAHungOne, AnotherOneKeepsItsLeaderAndIsToldWhy) {
+TEST_F(RunAfterHungTask, RefusesToMoveAnotherFollower) {
   manager.Add<Periodic>("other", 1ms);
   ASSERT_TRUE(manager.Start("other").ok());
 
@@ -295,7 +295,7 @@ TEST_F(RunAfterWithAHungOne, AnotherOneKeepsItsLeaderAndIsToldWhy) {
   EXPECT_EQ(third.thread.load(), leader.thread.load());
 }
 
-TEST_F(RunAfterWithAHungOne, AnotherOneIsNotRemovedButToldWhy) {
+TEST_F(RunAfterHungTask, RefusesToRemoveAnotherFollower) {
   const auto refused = manager.Remove("third", 50ms);
 
   ASSERT_FALSE(refused.ok());
@@ -309,7 +309,7 @@ TEST_F(RunAfterWithAHungOne, AnotherOneIsNotRemovedButToldWhy) {
   EXPECT_TRUE(MakesCycles(follower));
 }
 
-TEST_F(RunAfterWithAHungOne, TheHungOneItselfIsNotRemovedButToldWhy) {
+TEST_F(RunAfterHungTask, RefusesToRemoveTheHungFollower) {
   const auto refused = manager.Remove("follower", 50ms);
 
   ASSERT_FALSE(refused.ok());
@@ -318,7 +318,7 @@ TEST_F(RunAfterWithAHungOne, TheHungOneItselfIsNotRemovedButToldWhy) {
               testing::HasSubstr("component 'follower' is not removed, because it runs: "));
 }
 
-TEST_F(RunAfter, EitherCanBeRemoved) {
+TEST_F(RunAfter, LeaderAndFollowerCanBeRemoved) {
   auto& third = manager.Add<Periodic>("third", 1ms);
   ASSERT_TRUE(manager.RunAfter("third", "follower").ok());
   ASSERT_TRUE(manager.StartAll().ok());

@@ -19,7 +19,7 @@ using tendon_test::Signal;
 using tendon_test::Threadless;
 using namespace std::chrono_literals;
 
-TEST(ContinuousTask, BeginsACycleWhenTheLastHasEnded) {
+TEST(ContinuousTask, StartsACycleWhenTheLastEnds) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Continuous>("task");
   auto& client = manager.Add<Client>("client");
@@ -38,7 +38,7 @@ bool MakesCyclesWithoutARow(std::uint64_t cycles, const tendon::StateTable& tabl
   return rows >= 5 && cycles > rows + 1;
 }
 
-TEST(ContinuousTask, WritesARowAtMostOnceAMillisecond) {
+TEST(ContinuousTask, WritesAtMostOneRowPerMillisecond) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Continuous>("task");
   const auto begin = std::chrono::steady_clock::now();
@@ -51,7 +51,7 @@ TEST(ContinuousTask, WritesARowAtMostOnceAMillisecond) {
   EXPECT_GT(task.runs, task.table().next_tick());
 }
 
-TEST(ContinuousTask, WritesARowOfItsOtherTablesAtMostOnceAMillisecondToo) {
+TEST(ContinuousTask, LimitsRowsOfItsOtherTables) {
   class Two final : public tendon::ContinuousTask {
    public:
     explicit Two(std::string name) : ContinuousTask(std::move(name)) { AddStateTable("more"); }
@@ -70,7 +70,7 @@ TEST(ContinuousTask, WritesARowOfItsOtherTablesAtMostOnceAMillisecondToo) {
   EXPECT_GT(task.runs, task.tables()[1]->next_tick());
 }
 
-TEST(SignalTask, RunsWhenACommandIsQueuedAndSleepsOtherwise) {
+TEST(SignalTask, RunsOnlyWhenACommandIsQueued) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Signal>("task");
   auto& client = manager.Add<Client>("client");
@@ -110,7 +110,7 @@ TEST(SignalTask, RunsWhenAnEventIsQueued) {
   EXPECT_TRUE(EventuallyTrue([&] { return listener.heard == 1; }));
 }
 
-TEST(SignalTask, IsStoppedWhileItSleeps) {
+TEST(SignalTask, CanBeStoppedWhileSleeping) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Signal>("task");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -121,7 +121,7 @@ TEST(SignalTask, IsStoppedWhileItSleeps) {
   EXPECT_EQ(task.runs, 0U);
 }
 
-TEST(SignalTask, WhatWaitedWhileItWasSuspendedIsExecutedWhenItGoesOn) {
+TEST(SignalTask, ExecutesCallsQueuedDuringSuspension) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Signal>("task");
   auto& client = manager.Add<Client>("client");
@@ -141,7 +141,7 @@ TEST(SignalTask, WhatWaitedWhileItWasSuspendedIsExecutedWhenItGoesOn) {
   EXPECT_TRUE(EventuallyTrue([&] { return task.pokes == 2; }));
 }
 
-TEST(CallbackTask, MakesACycleInTheThreadThatCalls) {
+TEST(CallbackTask, RunsACycleInTheCallersThread) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Callback>("task");
   auto& client = manager.Add<Client>("client");
@@ -165,7 +165,7 @@ TEST(CallbackTask, MakesACycleInTheThreadThatCalls) {
   EXPECT_EQ(task.cleanups, 1);
 }
 
-TEST(CallbackTask, ASecondThreadThatComesMeanwhileIsTurnedAway) {
+TEST(CallbackTask, RefusesAConcurrentCycle) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Callback>("task");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -180,7 +180,7 @@ TEST(CallbackTask, ASecondThreadThatComesMeanwhileIsTurnedAway) {
   EXPECT_EQ(task.runs, 1U);
 }
 
-TEST(CallbackTask, IsNotStoppedInTheMiddleOfACycle) {
+TEST(CallbackTask, AStopWaitsForTheCycle) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Callback>("task");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -197,7 +197,7 @@ TEST(CallbackTask, IsNotStoppedInTheMiddleOfACycle) {
   EXPECT_EQ(task.cleanups, 1);
 }
 
-TEST(MainTask, RunsInTheThreadThatLendsItselfUntilItIsStopped) {
+TEST(MainTask, RunsInTheLentThreadUntilStopped) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Main>("task", 100us);
   auto& client = manager.Add<Client>("client");

@@ -54,7 +54,7 @@ TEST(ThreadOptions, TheThreadRunsOnItsProcessorsWithItsSlackUnderItsName) {
   EXPECT_STREQ(name.data(), "a-task-of-a-lon");
 }
 
-TEST(ThreadOptions, TheThreadHasItsPolicyAndPriorityWhereTheyAreAllowed) {
+TEST(ThreadOptions, TheThreadHasItsPolicyAndPriorityIfAllowed) {
   std::string refusal;
   std::thread([&] { refusal = tendon::os::SetRealTimePriority(3, true).reason; }).join();
   if (!refusal.empty()) GTEST_SKIP() << "real-time priorities are refused here: " << refusal;
@@ -86,7 +86,7 @@ TEST(ThreadOptions, TheThreadHasItsPolicyAndPriorityWhereTheyAreAllowed) {
   EXPECT_EQ(second.priority, 2);
 }
 
-TEST(ThreadOptions, TheStackIsThereBeforeTheFirstCycle) {
+TEST(ThreadOptions, TheStackIsMappedBeforeTheFirstCycle) {
   std::thread([] {
     const auto faults = [] {
       rusage usage{};
@@ -141,7 +141,7 @@ TEST(ThreadOptions, ASpinningTaskIsNeverEarly) {
   std::_Exit(started && runs && warnings == 1 ? 0 : 1);
 }
 
-TEST(ThreadOptionsDeathTest, ARefusedPrivilegeWarnsOnceForTheProcessAndGoesOn) {
+TEST(ThreadOptionsDeathTest, ARefusedPrivilegeWarnsOncePerProcess) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   EXPECT_EXIT(
       RunWithoutPrivileges(), testing::ExitedWithCode(0),
@@ -168,12 +168,12 @@ std::string LockedMemory() {
   std::_Exit(is_locked || !tendon::os::LockMemory().granted ? 0 : 1);
 }
 
-TEST(ThreadOptionsDeathTest, TheMemoryOfTheProcessIsLockedWhereThatIsAllowed) {
+TEST(ThreadOptionsDeathTest, LocksTheMemoryOfTheProcessIfAllowed) {
   testing::GTEST_FLAG(death_test_style) = "threadsafe";
   EXPECT_EXIT(RunWithLockedMemory(), testing::ExitedWithCode(0), "");
 }
 
-TEST(ThreadOptions, WhatMakesNoSenseIsRefused) {
+TEST(ThreadOptions, RefusesInvalidValues) {
   const auto refusal = [](const ThreadOptions& options) {
     return tendon::test::Refusal([&] { tendon::CheckThreadOptions(options, "arm"); });
   };
@@ -203,7 +203,7 @@ TEST(ThreadOptions, WhatMakesNoSenseIsRefused) {
   EXPECT_THAT(refusal({.spin = 1s + 1ns}), testing::EndsWith("0..1 s, got 1000000001 ns"));
 }
 
-TEST(ThreadOptions, AProcessorOfAnotherMachineIsInRange) {
+TEST(ThreadOptions, AcceptsProcessorsThatOtherMachinesHave) {
   const ThreadOptions options{.cpus = {1023}};
 
   EXPECT_NO_THROW(tendon::CheckThreadRanges(options, "arm"));

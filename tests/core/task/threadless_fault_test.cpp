@@ -47,7 +47,7 @@ TEST_F(ThreadlessServer, TakesCallsOnlyWhileItIsActive) {
   EXPECT_EQ(arm.pokes, 2);
 }
 
-TEST_F(ThreadlessServer, IsFaultedByAHandlerThatThrowsInTheCallersThread) {
+TEST_F(ThreadlessServer, AThrowingHandlerFaultsIt) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.throws = Script::kHandler;
 
@@ -61,7 +61,7 @@ TEST_F(ThreadlessServer, IsFaultedByAHandlerThatThrowsInTheCallersThread) {
   EXPECT_EQ(arm.cleanups, 0);
 }
 
-TEST_F(ThreadlessServer, IsFaultedByWhatIsNoStandardExceptionToo) {
+TEST_F(ThreadlessServer, ANonStandardExceptionFaultsIt) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.throws_a_number = true;
   arm.throws = Script::kHandler;
@@ -72,7 +72,7 @@ TEST_F(ThreadlessServer, IsFaultedByWhatIsNoStandardExceptionToo) {
             "a command or event handler: an exception that does not derive from std::exception");
 }
 
-TEST_F(ThreadlessServer, NamesWhatHasLedToItsFault) {
+TEST_F(ThreadlessServer, NamesTheNestedCausesOfItsFault) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.throws_nested = true;
   arm.throws = Script::kHandler;
@@ -82,7 +82,7 @@ TEST_F(ThreadlessServer, NamesWhatHasLedToItsFault) {
   EXPECT_EQ(arm.fault(), "a command or event handler: no arm: cable cut");
 }
 
-TEST_F(ThreadlessServer, HealsWithARestart) {
+TEST_F(ThreadlessServer, ARestartClearsItsFault) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.throws = Script::kHandler;
   EXPECT_EQ(client.poke(), Status::kFailed);
@@ -95,7 +95,7 @@ TEST_F(ThreadlessServer, HealsWithARestart) {
   EXPECT_EQ(arm.configures, 2);
 }
 
-TEST_F(ThreadlessServer, TakesNoCallOnceItsCleanupHasBegun) {
+TEST_F(ThreadlessServer, RefusesCallsOnceItsCleanupStarts) {
   ASSERT_TRUE(manager.Start("arm").ok());
   arm.blocks = Script::kCleanup;
   std::jthread stopping([this] { (void)manager.Stop("arm", tendon::kNoWait); });
@@ -130,7 +130,7 @@ class FailsLate final : public tendon::Component {
   std::atomic<bool> cleans_up_ = false;
 };
 
-TEST(AThreadlessComponent, FaultedWhileItIsStoppedStaysFaulted) {
+TEST(ThreadlessComponent, AFaultDuringAStopPersists) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<FailsLate>("arm");
   auto& client = manager.Add<Client>("client");
@@ -182,7 +182,7 @@ struct ThreadlessListener : testing::TestWithParam<bool> {
   }
 };
 
-TEST_P(ThreadlessListener, ThatThrowsIsFaultedAndNotTheSource) {
+TEST_P(ThreadlessListener, ThrowingFaultsItNotTheSource) {
   ASSERT_TRUE(manager.Start("listener").ok());
   listener.throws = true;
 
@@ -198,7 +198,7 @@ TEST_P(ThreadlessListener, ThatThrowsIsFaultedAndNotTheSource) {
 INSTANTIATE_TEST_SUITE_P(, ThreadlessListener, testing::Bool(),
                          [](const auto& one) { return one.param ? "Directly" : "Queued"; });
 
-TEST(ALostEvent, OfAListenerThatIsNotActiveIsCountedAtBothEnds) {
+TEST(LostEvent, OfAnInactiveListenerIsCountedAtBothEnds) {
   tendon::LocalManager manager;
   auto& arm = manager.Add<Threadless>("arm");
   auto& listener = manager.Add<Listener>("listener", false);
@@ -233,7 +233,7 @@ class Reckless final : public tendon::PeriodicTask {
   void Break() { throw std::runtime_error("not expected"); }
 };
 
-TEST(ADirectCommand, ThatThrowsFaultsItsTask) {
+TEST(ThrowingDirectCommand, FaultsItsTask) {
   tendon::LocalManager manager;
   auto& reckless = manager.Add<Reckless>("reckless", 1ms);
   auto& client = manager.Add<Client>("client");
@@ -249,7 +249,7 @@ TEST(ADirectCommand, ThatThrowsFaultsItsTask) {
   }
 }
 
-TEST(ADirectHandler, ThatThrowsFaultsItsTaskEvenWhileThatRests) {
+TEST(ThrowingDirectHandler, FaultsItsTaskEvenWhileSuspended) {
   tendon::LocalManager manager;
   auto& source = manager.Add<Threadless>("source");
   auto& reckless = manager.Add<Reckless>("reckless", 1ms);
@@ -267,7 +267,7 @@ TEST(ADirectHandler, ThatThrowsFaultsItsTaskEvenWhileThatRests) {
   EXPECT_EQ(reckless.state(), ComponentState::kFaulted);
 }
 
-struct ATaskThatRunsAfterAnother : testing::Test {
+struct FollowerTask : testing::Test {
   tendon::LocalManager manager;
   Client& client = manager.Add<Client>("client");
 
@@ -279,7 +279,7 @@ struct ATaskThatRunsAfterAnother : testing::Test {
     ASSERT_TRUE(manager.Connect({"client", "Server"}, {"reckless", "Control"}).ok());
     ASSERT_TRUE(manager.StartAll().ok());
   }
-  void ExpectItsFaultAlone(ComponentState leader) {
+  void ExpectOnlyItsFault(ComponentState leader) {
     EXPECT_EQ(client.poke(), Status::kFailed);
     EXPECT_TRUE(manager.WaitFor("reckless", ComponentState::kFaulted, 20s).ok());
     EXPECT_EQ(manager.Find("leader")->state(), leader);
@@ -287,20 +287,20 @@ struct ATaskThatRunsAfterAnother : testing::Test {
   }
 };
 
-TEST_F(ATaskThatRunsAfterAnother, IsFaultedByADirectCommandThatThrows) {
+TEST_F(FollowerTask, IsFaultedByAThrowingDirectCommand) {
   StartAfter<Periodic>(1ms);
-  ExpectItsFaultAlone(ComponentState::kActive);
+  ExpectOnlyItsFault(ComponentState::kActive);
 }
 
-TEST_F(ATaskThatRunsAfterAnother, IsFaultedEvenWhileItsLeaderRests) {
+TEST_F(FollowerTask, IsFaultedEvenWhileItsLeaderIsSuspended) {
   StartAfter<Periodic>(1ms);
   ASSERT_TRUE(manager.Suspend("leader").ok());
-  ExpectItsFaultAlone(ComponentState::kSuspended);
+  ExpectOnlyItsFault(ComponentState::kSuspended);
 }
 
-TEST_F(ATaskThatRunsAfterAnother, IsFaultedEvenWhenNoCycleOfItsLeaderComes) {
+TEST_F(FollowerTask, IsFaultedEvenWithoutACycleOfItsLeader) {
   StartAfter<Signal>();
-  ExpectItsFaultAlone(ComponentState::kActive);
+  ExpectOnlyItsFault(ComponentState::kActive);
 }
 
 }  // namespace

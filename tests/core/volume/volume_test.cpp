@@ -24,7 +24,7 @@ void YieldUntil(Predicate is_done) {
   while (!is_done()) std::this_thread::yield();
 }
 
-TEST(Checker, KnowsEveryKindOfFault) {
+TEST(Checker, DetectsEveryKindOfFault) {
   Checker checker;
   checker.Take(ItemOf(0));
   checker.Take(ItemOf(3));

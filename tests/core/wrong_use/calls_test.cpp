@@ -50,7 +50,7 @@ struct Functions {
   }
 };
 
-TEST(BadInput14, AFunctionThatIsNotConnectedSaysSo) {
+TEST(BadInput14, AnUnconnectedFunctionReturnsNotConnected) {
   Functions belonging_nowhere;
   for (const CallerThreads callers : {CallerThreads::kOneThread, CallerThreads::kManyThreads}) {
     tendon::RequiredInterface robot("Robot", nullptr);
@@ -96,7 +96,7 @@ class Selfish final : public tendon::CallbackTask {
   tendon::WriteFunction<std::int32_t> move_;
 };
 
-TEST(BadInput15, AWaitForOnesOwnQueuedCommandIsRefusedAtOnce) {
+TEST(BadInput15, RefusesAWaitForTheTasksOwnCommand) {
   LocalManager manager;
   auto& task = manager.Add<Selfish>("arm");
   ASSERT_TRUE(manager.Connect({"arm", "Self"}, {"arm", "Control"}).ok());
@@ -110,7 +110,7 @@ TEST(BadInput15, AWaitForOnesOwnQueuedCommandIsRefusedAtOnce) {
   EXPECT_EQ(ToString(Status(Status::kWouldDeadlock)), "would deadlock");
 }
 
-TEST(BadInput15, AConnectionThatCouldOnlyWaitForItselfIsRefusedInASentence) {
+TEST(BadInput15, RefusesASelfConnectionThatWouldDeadlock) {
   class Oracle final : public tendon::CallbackTask {
    public:
     explicit Oracle(std::string name) : CallbackTask(std::move(name)) {
@@ -134,7 +134,7 @@ TEST(BadInput15, AConnectionThatCouldOnlyWaitForItselfIsRefusedInASentence) {
             "is executed by the task that calls it; call the method directly");
 }
 
-TEST(BadInput16, AReadBeforeTheFirstRowGivesNoSampleAndNoZeros) {
+TEST(BadInput16, AReadBeforeTheFirstRowReturnsNoSample) {
   Arm arm;
   Teleoperation client;
   const auto connection = Connect(client, arm);
@@ -196,7 +196,7 @@ void ExpectRemovedInFlight(Arguments... arguments) {
   EXPECT_EQ(both.client.poke(), Status::kNotConnected);
 }
 
-TEST(BadInput17, AServerThatIsRemovedInMidCallEndsTheCallAndIsThenDestroyed) {
+TEST(BadInput17, RemovingAServerEndsItsRunningCallFirst) {
   ExpectRemovedInFlight<Periodic>(1ms);
   ExpectRemovedInFlight<Continuous>();
   ExpectRemovedInFlight<Signal>();
@@ -219,7 +219,7 @@ TEST(BadInput17, AClientIsNotDestroyedBeforeItsCallHasEnded) {
   }
 }
 
-TEST(BadInput17, AManagerThatIsDestroyedEndsTheCallsInItsComponents) {
+TEST(BadInput17, DestroyingAManagerEndsRunningCalls) {
   /// Calls in every cycle.
   class Busy final : public tendon::ContinuousTask {
    public:
@@ -265,7 +265,7 @@ class Listener final : public tendon::SignalTask {
   void OnPoked() { throw std::runtime_error("not expected"); }
 };
 
-TEST(BadInput18, AnEventHandlerThatThrowsFaultsItsOwnComponentByName) {
+TEST(BadInput18, AThrowingEventHandlerFaultsItsComponent) {
   for (const bool is_direct : {false, true}) {
     LocalManager manager;
     auto& source = manager.Add<Periodic>("source", 1ms);
@@ -320,7 +320,7 @@ void CallFromAnotherThread(bool raises) {
   task.may_end = true;
 }
 
-TEST(BadInput12DeathTest, ASecondProducerIsFoundInDebugBuilds) {
+TEST(BadInput12DeathTest, ASecondProducerAbortsADebugBuild) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const char* const sentence = "a task's functions and events belong to its own thread";
 

@@ -76,7 +76,7 @@ struct FaultRow12 : testing::TestWithParam<std::size_t> {
   }
 };
 
-TEST_P(FaultRow12, AFloodIsRefusedCountedAndNeverWaitsOrAllocates) {
+TEST_P(FaultRow12, AFloodIsRefusedAndCountedWithoutWaiting) {
   for (int round = 1; round <= 3; ++round) {
     server.refusing.clear();
     {
@@ -93,7 +93,7 @@ TEST_P(FaultRow12, AFloodIsRefusedCountedAndNeverWaitsOrAllocates) {
   }
 }
 
-TEST_P(FaultRow12, AFloodOfWhatKeepsTheLatestOnlyIsTakenAndReplaced) {
+TEST_P(FaultRow12, AFloodOfLatestOnlyCallsIsAccepted) {
   for (int i = 0; i < capacity; ++i) EXPECT_EQ(client.refuse(GoalOf(i)), Status::kQueued);
   for (int round = 1; round <= 3; ++round) {
     const tendon::AllocationGuard guard;
@@ -161,7 +161,7 @@ struct FaultRow22 : testing::Test {
   }
 };
 
-TEST_F(FaultRow22, AConstructorThatThrowsIsQuotedWithItsComponentAndItsCauses) {
+TEST_F(FaultRow22, QuotesAThrowingConstructorWithItsCauses) {
   EXPECT_EQ(Refusal("Standard"),
             "component 'arm' (class Standard): its constructor failed: no port");
   EXPECT_EQ(Refusal("Nested"),
@@ -174,7 +174,7 @@ TEST_F(FaultRow22, AConstructorThatThrowsIsQuotedWithItsComponentAndItsCauses) {
             "that does not derive from std::exception");
 }
 
-TEST_F(FaultRow22, TheProcessLivesAndOthersStart) {
+TEST_F(FaultRow22, TheProcessContinuesAndOthersStart) {
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kStandard>>("arm"), std::runtime_error);
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kNumber>>("arm"), int);
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kNested>>("arm"), std::logic_error);
@@ -206,7 +206,7 @@ struct FaultRow23 : testing::TestWithParam<Script::Function> {
   }
 };
 
-TEST_P(FaultRow23, IsSurvivedAThousandTimesAndSeenByThePeers) {
+TEST_P(FaultRow23, RestartsAThousandTimesAndPeersSeeEachFault) {
   arm.throws = GetParam();
   for (int life = 1; life <= 1000; ++life) {
     Live();

@@ -29,7 +29,7 @@ std::string Refused(const tendon::Result<T>& result) {
   return result ? "it was not refused" : result.error().message;
 }
 
-TEST(BadInput1, NoComponentIsSaidToBeNone) {
+TEST(BadInput1, RefusesANullComponent) {
   LocalManager manager;
 
   EXPECT_EQ(Refusal([&] { manager.Add(nullptr, {}); }), "LocalManager::Add: null component");
@@ -48,7 +48,7 @@ struct BadInput2And3 : testing::TestWithParam<BadName> {
   }
 };
 
-TEST_P(BadInput2And3, IsQuotedWithTheRule) {
+TEST_P(BadInput2And3, RefusesInvalidNamesWithTheRule) {
   /// Adds one member of the name, of the sort that is asked for.
   class Named final : public tendon::Task {
    public:
@@ -125,7 +125,7 @@ class Twice final : public tendon::Task {
   tendon::VoidFunction stop_;
 };
 
-TEST(BadInput4, ASecondOneOfANameIsRefusedWithThePlaceOfTheFirst) {
+TEST(BadInput4, RefusesADuplicateNameWithTheFirstsPosition) {
   const auto thrown = [](const std::string& sort) { return Refusal([&] { Twice twice(sort); }); };
   const std::string here = " .added at sentences_test.cpp:[0-9]+.";
 
@@ -148,7 +148,7 @@ TEST(BadInput4, ASecondOneOfANameIsRefusedWithThePlaceOfTheFirst) {
             "the variable of column 'Again' is column 'Number' of state table 'state' already");
 }
 
-TEST(BadInput4, ASecondComponentOfANameLeavesTheFirst) {
+TEST(BadInput4, ADuplicateComponentKeepsTheFirst) {
   LocalManager manager;
   auto& first = manager.Add<Threadless>("arm");
 
@@ -181,7 +181,7 @@ class Late final : public tendon::CallbackTask {
   tendon::VoidFunction stop_;
 };
 
-TEST(BadInput5, WhatComesAfterTheStartIsRefused) {
+TEST(BadInput5, RefusesAdditionsAfterTheStart) {
   LocalManager manager;
   auto& arm = manager.Add<Late>("arm");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -202,7 +202,7 @@ TEST(BadInput5, WhatComesAfterTheStartIsRefused) {
             "cannot add function 'Stop' to interface 'Robot'" + sealed);
 }
 
-TEST(BadInput6, APeriodThatNoTaskCanHaveIsQuotedWithItsRange) {
+TEST(BadInput6, RefusesAnInvalidPeriodWithItsRange) {
   LocalManager manager;
   const auto thrown = [&](std::chrono::nanoseconds period) {
     const std::string own = Refusal([&] { manager.Add<Periodic>("arm", period); });
@@ -221,7 +221,7 @@ TEST(BadInput6, APeriodThatNoTaskCanHaveIsQuotedWithItsRange) {
   EXPECT_TRUE(manager.components().empty());
 }
 
-TEST(BadInput7, AMailboxThatHoldsNothingOrTooMuchIsQuotedWithItsRange) {
+TEST(BadInput7, RefusesAnInvalidMailboxCapacityWithItsRange) {
   tendon::RequiredInterface robot("Robot", nullptr);
   const std::string sentence = "mailbox capacity of 'Robot' must be 1..16777216, got ";
 
@@ -244,7 +244,7 @@ struct Wiring : testing::Test {
   }
 };
 
-TEST_F(Wiring, BadInput9And10AnEndThatIsNoneIsNamed) {
+TEST_F(Wiring, BadInput9And10NamesTheWrongEnd) {
   const std::string no_provided = " is a required interface; give a provided interface";
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"client", "Server"}),
@@ -257,7 +257,7 @@ TEST_F(Wiring, BadInput9And10AnEndThatIsNoneIsNamed) {
   EXPECT_TRUE(manager.connections().empty());
 }
 
-TEST_F(Wiring, BadInput11AnUnknownNameIsQuotedWithTheNearest) {
+TEST_F(Wiring, BadInput11SuggestsASimilarName) {
   EXPECT_EQ(Refusal({"client", "Server"}, {"arn", "Control"}),
             "no component 'arn'; did you mean 'arm'?");
   EXPECT_EQ(Refusal({"clinet", "Server"}, {"arm", "Control"}),
@@ -269,7 +269,7 @@ TEST_F(Wiring, BadInput11AnUnknownNameIsQuotedWithTheNearest) {
   EXPECT_EQ(Refusal({"client", "Server"}, {"warp-drive", "Control"}), "no component 'warp-drive'");
 }
 
-TEST_F(Wiring, BadInput13WhatIsNotConnectedCannotBeDisconnected) {
+TEST_F(Wiring, BadInput13RefusesToDisconnectAnUnconnectedEnd) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
   ASSERT_TRUE(manager.Disconnect({"client", "Server"}).ok());
 
@@ -279,7 +279,7 @@ TEST_F(Wiring, BadInput13WhatIsNotConnectedCannotBeDisconnected) {
             "no component 'clinet'; did you mean 'client'?");
 }
 
-TEST_F(Wiring, ASecondConnectionOfOneEndIsRefused) {
+TEST_F(Wiring, RefusesASecondConnectionOfOneEnd) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"arm", "Control"}),

@@ -21,7 +21,7 @@ struct FileContentTest : testing::Test {
   const fs::path file = folder.path() / "file";
 };
 
-TEST_F(FileContentTest, IsReadInOrderAndKnownByItsHash) {
+TEST_F(FileContentTest, ReadsInOrderAndHashesTheContent) {
   const std::string text(3'000'000, 'x');
   folder.Write("file", text + "end");
   std::string taken;
@@ -41,7 +41,7 @@ TEST_F(FileContentTest, IsReadInOrderAndKnownByItsHash) {
   EXPECT_NE(ReadContent(folder.path() / "other")->hash, content->hash);
 }
 
-TEST_F(FileContentTest, IsReadAgainWhereItIsWrittenMeanwhile) {
+TEST_F(FileContentTest, ReadsAgainIfTheFileChangesMeanwhile) {
   folder.Write("file", "old");
   std::string taken;
   int attempts = 0;
@@ -64,7 +64,7 @@ TEST_F(FileContentTest, IsReadAgainWhereItIsWrittenMeanwhile) {
   EXPECT_EQ(attempts, 2);
 }
 
-TEST_F(FileContentTest, ThatNeverRestsIsRefused) {
+TEST_F(FileContentTest, RefusesAFileThatKeepsChanging) {
   folder.Write("file", "old");
   int size = 0;
 
@@ -77,12 +77,12 @@ TEST_F(FileContentTest, ThatNeverRestsIsRefused) {
   EXPECT_THAT(content.error().message, HasSubstr("changes while it is read"));
 }
 
-TEST_F(FileContentTest, OfNoFileIsRefused) {
+TEST_F(FileContentTest, RefusesAMissingOrIrregularFile) {
   EXPECT_THAT(ReadContent(file).error().message, HasSubstr("cannot be read: No such file"));
   EXPECT_THAT(ReadContent(folder.path()).error().message, HasSubstr("is not a regular file"));
 }
 
-TEST_F(FileContentTest, IsOtherOnceTheFileHasOtherBytesAndTheSameOnceItHasTheOldOnes) {
+TEST_F(FileContentTest, DetectsChangedAndRestoredContent) {
   folder.Write("file", "code");
   FileWatch watch = Watch();
   EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
@@ -96,7 +96,7 @@ TEST_F(FileContentTest, IsOtherOnceTheFileHasOtherBytesAndTheSameOnceItHasTheOld
   EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 }
 
-TEST_F(FileContentTest, IsOtherWhateverTheTimeOfTheFileSays) {
+TEST_F(FileContentTest, DetectsAChangeDespiteAnEqualFileTime) {
   folder.Write("file", "code");
   const auto written = fs::last_write_time(file);
   FileWatch watch = Watch();
@@ -107,7 +107,7 @@ TEST_F(FileContentTest, IsOtherWhateverTheTimeOfTheFileSays) {
   EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
 }
 
-TEST_F(FileContentTest, IsTheSameWhereTheFileWasOnlyTouchedOrCopied) {
+TEST_F(FileContentTest, IgnoresTouchingOrCopyingTheFile) {
   folder.Write("file", "code");
   FileWatch watch = Watch();
 
@@ -119,7 +119,7 @@ TEST_F(FileContentTest, IsTheSameWhereTheFileWasOnlyTouchedOrCopied) {
   EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 }
 
-TEST_F(FileContentTest, IsGoneWithTheFileAndThereAgainWithIt) {
+TEST_F(FileContentTest, DetectsARemovedAndRestoredFile) {
   folder.Write("file", "code");
   FileWatch watch = Watch();
 

@@ -22,14 +22,14 @@ class FileTest : public testing::Test {
   const fs::path file_ = folder_.path() / "file";
 };
 
-TEST_F(FileTest, AppendingMakesTheFileAndAddsToIt) {
+TEST_F(FileTest, AppendingCreatesTheFileAndExtendsIt) {
   ASSERT_TRUE(os::AppendDurably(file_, "one\n"));
   ASSERT_TRUE(os::AppendDurably(file_, "two\n"));
 
   EXPECT_EQ(Content(), "one\ntwo\n");
 }
 
-TEST_F(FileTest, ReplacingLeavesTheNewContentAlone) {
+TEST_F(FileTest, ReplacingLeavesOnlyTheNewContent) {
   ASSERT_TRUE(os::ReplaceDurably(file_, "a long old text"));
   ASSERT_TRUE(os::ReplaceDurably(file_, "new"));
 
@@ -50,7 +50,7 @@ TEST_F(FileTest, AReplacementKeepsTheModeOfTheFile) {
   }
 }
 
-TEST_F(FileTest, AReplacementGoesWhereALinkLeads) {
+TEST_F(FileTest, AReplacementFollowsSymbolicLinks) {
   const fs::path inner = folder_.path() / "inner";
   fs::create_directory(inner);
   fs::create_symlink("inner/link", folder_.path() / "link");
@@ -66,7 +66,7 @@ TEST_F(FileTest, AReplacementGoesWhereALinkLeads) {
   EXPECT_EQ(CountIn(inner), 1);
 }
 
-TEST_F(FileTest, ALinkThatLeadsNowhereIsAnError) {
+TEST_F(FileTest, ALoopOfSymbolicLinksIsAnError) {
   fs::create_symlink(file_, folder_.path() / "round");
   fs::create_symlink(folder_.path() / "round", file_);
 
@@ -88,7 +88,7 @@ TEST_F(FileTest, AReplacementLeavesOtherFilesAlone) {
   EXPECT_EQ(CountIn(folder_.path()), 3);
 }
 
-TEST_F(FileTest, WhatIsNoFileIsNotReplaced) {
+TEST_F(FileTest, RefusesToReplaceAnythingButAFile) {
   fs::create_directory(file_);
   folder_.Write("file/old", "old");
 
@@ -101,7 +101,7 @@ TEST_F(FileTest, WhatIsNoFileIsNotReplaced) {
   EXPECT_EQ(CountIn(folder_.path()), 1);
 }
 
-TEST_F(FileTest, WhetherItCanBeWrittenIsTriedWithoutATrace) {
+TEST_F(FileTest, CheckingForWriteAccessLeavesNoTrace) {
   EXPECT_TRUE(os::CheckWritable(file_));
   EXPECT_EQ(CountIn(folder_.path()), 0);
   folder_.Write("file", "old");
@@ -116,14 +116,14 @@ TEST_F(FileTest, WhetherItCanBeWrittenIsTriedWithoutATrace) {
   EXPECT_FALSE(os::CheckWritable("/proc/file"));
 }
 
-TEST_F(FileTest, ADiskThatIsFullIsAnErrorThatNamesTheFile) {
+TEST_F(FileTest, AFullDiskIsAnErrorThatNamesTheFile) {
   const auto written = os::AppendDurably("/dev/full", "text");
 
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().message, "cannot write /dev/full: No space left on device");
 }
 
-TEST_F(FileTest, AFileThatChangesWhileItIsReadIsReadAgain) {
+TEST_F(FileTest, ReadsAgainIfTheFileChangesMeanwhile) {
   folder_.Write("file", "old");
   int reads = 0;
 
@@ -138,7 +138,7 @@ TEST_F(FileTest, AFileThatChangesWhileItIsReadIsReadAgain) {
   EXPECT_EQ(reads, 2);
 }
 
-TEST_F(FileTest, AFileThatNeverRestsIsNotRead) {
+TEST_F(FileTest, RefusesAFileThatKeepsChanging) {
   folder_.Write("file", "");
 
   const auto read = os::ReadUnchanged(file_, [&]() -> Result<std::string> {

@@ -49,7 +49,7 @@ int WarningsWhereTheKernelRefuses() {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(ProcessBarrier, WarnsOnceWhereTheKernelRefusesIt) {
+TEST(ProcessBarrier, WarnsOnceIfTheKernelRefusesIt) {
   const int warnings = WarningsWhereTheKernelRefuses();
   if (warnings == kCannotBeRefused) GTEST_SKIP() << "system calls cannot be filtered here";
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(LibraryCopy, RemovesFoldersThatNobodyLocksWhoeverTheirProcessIs) {
+TEST(LibraryCopy, RemovesAllUnlockedFolders) {
   const test::Folder runtime;
   fs::permissions(runtime.path(), fs::perms::owner_all);
   setenv("XDG_RUNTIME_DIR", runtime.path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)

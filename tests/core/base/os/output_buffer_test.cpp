@@ -47,7 +47,7 @@ class OutputBufferTest : public testing::Test {
   std::array<int, 2> ends_{-1, -1};
 };
 
-TEST_F(OutputBufferTest, WhatIsWrittenArrivesWhenItIsFlushedOrMuch) {
+TEST_F(OutputBufferTest, WritesOnFlushOrWhenFull) {
   const std::string much(1'000'000, 'x');
   std::string seen;
   std::thread reader([&] { seen = ReadAll(); });
@@ -63,7 +63,7 @@ TEST_F(OutputBufferTest, WhatIsWrittenArrivesWhenItIsFlushedOrMuch) {
   EXPECT_EQ(seen, "one 2\n" + much + "end");
 }
 
-TEST_F(OutputBufferTest, WhoeverReadsNoMoreIsToldByErrno) {
+TEST_F(OutputBufferTest, SetsErrnoIfTheReaderIsGone) {
   tendon::os::HoldTerminationSignals();  // and ignores SIGPIPE
   CloseReader();
   OutputBuffer buffer(writer());
@@ -80,7 +80,7 @@ TEST_F(OutputBufferTest, WhoeverReadsNoMoreIsToldByErrno) {
   EXPECT_EQ(errno, EPIPE) << "and ever after";
 }
 
-TEST_F(OutputBufferTest, AWriteThatWaitsEndsWhenSomebodyAsksForTheEnd) {
+TEST_F(OutputBufferTest, ATerminationRequestEndsABlockedWrite) {
   tendon::os::HoldTerminationSignals();
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);
@@ -96,7 +96,7 @@ TEST_F(OutputBufferTest, AWriteThatWaitsEndsWhenSomebodyAsksForTheEnd) {
   tendon::os::HoldTerminationSignals();
 }
 
-TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
+TEST_F(OutputBufferTest, WritesDoNotBlockAfterATerminationRequest) {
   tendon::os::HoldTerminationSignals();
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);
@@ -112,7 +112,7 @@ TEST_F(OutputBufferTest, WhatIsWrittenAfterTheEndWasAskedForDoesNotWait) {
   EXPECT_FALSE(tendon::os::WasTerminationRequested()) << "it goes on";
 }
 
-TEST_F(OutputBufferTest, WritesAgainOnceTheProgramGoesOn) {
+TEST_F(OutputBufferTest, WritesAgainAfterATerminationIsWithdrawn) {
   tendon::os::HoldTerminationSignals();
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);

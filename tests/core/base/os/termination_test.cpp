@@ -14,7 +14,7 @@ constexpr int kWasAsked = 3;
 
 void SignalMyself() { kill(getpid(), SIGTERM); }
 
-TEST(Termination, AHeldSignalIsSeenAndDoesNotKill) {
+TEST(Termination, ABlockedSignalIsReportedAndDoesNotKill) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
@@ -24,7 +24,7 @@ TEST(Termination, AHeldSignalIsSeenAndDoesNotKill) {
       testing::ExitedWithCode(kWasAsked), "");
 }
 
-TEST(Termination, NobodyHasAsked) {
+TEST(Termination, ReportsNoRequestWithoutASignal) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
@@ -33,7 +33,7 @@ TEST(Termination, NobodyHasAsked) {
       testing::ExitedWithCode(0), "");
 }
 
-TEST(Termination, OnlyAnInterruptIsForgotten) {
+TEST(Termination, OnlyAnInterruptCanBeCleared) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
@@ -59,7 +59,7 @@ TEST(Termination, ASecondSignalKills) {
       testing::KilledBySignal(SIGTERM), "");
 }
 
-TEST(Termination, AWaitThatLetsSignalsThroughEndsWithTheFirst) {
+TEST(Termination, ASignalKillsWithinAnUnblockScope) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
@@ -70,7 +70,7 @@ TEST(Termination, AWaitThatLetsSignalsThroughEndsWithTheFirst) {
       testing::KilledBySignal(SIGTERM), "");
 }
 
-TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
+TEST(Termination, SignalsAreBlockedAgainAfterAnUnblockScope) {
   EXPECT_EXIT(
       {
         HoldTerminationSignals();
@@ -81,7 +81,7 @@ TEST(Termination, AfterTheWaitSignalsAreHeldAgain) {
       testing::ExitedWithCode(kWasAsked), "");
 }
 
-TEST(Termination, AThreadWithAnInterruptionHearsThatAlone) {
+TEST(Termination, AnInterruptionAffectsOnlyItsThread) {
   EXPECT_EXIT(
       {
         const std::jthread window([] {

@@ -86,7 +86,7 @@ class EventTimes : public test::GcmFixture {
 INSTANTIATE_TEST_SUITE_P(Over, EventTimes, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(EventTimes, AreThoseOfTheSourceByOurClockWhateverItsClockShows) {
+TEST_P(EventTimes, ConvertTheSourcesTimesToTheLocalClock) {
   constexpr std::chrono::nanoseconds kAhead = 1h;
   robot_->SetClockAhead(kAhead);
   Listen();
@@ -99,14 +99,14 @@ TEST_P(EventTimes, AreThoseOfTheSourceByOurClockWhateverItsClockShows) {
   EXPECT_GT(heard.uncertainty, 0ns);
 }
 
-TEST_P(EventTimes, OnOneHostAreExact) {
+TEST_P(EventTimes, AreExactOnOneHost) {
   Listen();
   const SteadyTime raised = SteadyClock().Now() - 1min;
 
   EXPECT_EQ(Hear(0.5, raised).raised, raised);
 }
 
-TEST_P(EventTimes, NothingIsHeardBeforeItWasRaised) {
+TEST_P(EventTimes, AreNeverInTheFuture) {
   Listen();
 
   const EventTime heard = Hear(0.75, SteadyClock().Now() + 1h);
@@ -114,7 +114,7 @@ TEST_P(EventTimes, NothingIsHeardBeforeItWasRaised) {
   EXPECT_LE(heard.raised, SteadyClock().Now());
 }
 
-TEST_P(EventTimes, AClockThatTellsNonsenseGivesTheTimeOfArrival) {
+TEST_P(EventTimes, UseTheArrivalTimeIfTheClockIsImplausible) {
   robot_->SetClockAhead(24h * 365 * 200);
   Listen();
   const SteadyTime before = SteadyClock().Now();
@@ -125,7 +125,7 @@ TEST_P(EventTimes, AClockThatTellsNonsenseGivesTheTimeOfArrival) {
   EXPECT_EQ(heard.uncertainty, EventTime().uncertainty);
 }
 
-TEST_P(EventTimes, TheClockIsAskedAgainAsLongAsSomebodyListens) {
+TEST_P(EventTimes, QueryTheClockRepeatedlyWhileListening) {
   Listen();
   const int asked = robot_->clock_requests();
 

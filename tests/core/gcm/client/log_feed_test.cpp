@@ -16,14 +16,14 @@ LogRecords Records(std::uint64_t before, std::size_t count) {
   return {before, std::vector<message::LogRecord>(count)};
 }
 
-TEST(LogFeed, BeginsWithAllThereIs) {
+TEST(LogFeed, StartsWithTheWholeLog) {
   const LogFeed feed;
 
   EXPECT_EQ(feed.Wanted().gcm_instance, 0U);
   EXPECT_EQ(feed.Wanted().after, 0U);
 }
 
-TEST(LogFeed, IsCurrentOnceWhatWasKeptIsHere) {
+TEST(LogFeed, IsCurrentAfterReadingTheKeptRecords) {
   LogFeed feed;
 
   EXPECT_FALSE(feed.Begin({kGcm, 100, 110}).is_current);
@@ -32,13 +32,13 @@ TEST(LogFeed, IsCurrentOnceWhatWasKeptIsHere) {
   EXPECT_TRUE(feed.Take(Records(110, 1)).is_current);
 }
 
-TEST(LogFeed, OfAnEmptyLogIsCurrentAtOnce) {
+TEST(LogFeed, IsCurrentAtOnceForAnEmptyLog) {
   LogFeed feed;
 
   EXPECT_TRUE(feed.Begin({kGcm, 0, 0}).is_current);
 }
 
-TEST(LogFeed, GoesOnWhereItWas) {
+TEST(LogFeed, ResumesAtTheLastPosition) {
   LogFeed feed;
   feed.Begin({kGcm, 100, 110});
   feed.Take(Records(100, 10));
@@ -47,7 +47,7 @@ TEST(LogFeed, GoesOnWhereItWas) {
   EXPECT_EQ(feed.Wanted().after, 110U);
 }
 
-TEST(LogFeed, CountsWhatIsMissing) {
+TEST(LogFeed, CountsMissingRecords) {
   LogFeed feed;
   feed.Begin({kGcm, 100, 110});
 

@@ -22,14 +22,14 @@ std::string WhyNot(const std::string& class_name, const std::string& library) {
   return checked ? "" : checked.error().message;
 }
 
-TEST(ClassCheck, WhatIsLoadedIsKnown) {
+TEST(ClassCheck, KnowsTheClassesOfLoadedPlugIns) {
   EXPECT_EQ(WhyNot("Arm", "arms"), "");
   EXPECT_EQ(WhyNot("Arm", ""), "");
   EXPECT_EQ(WhyNot("Am", "arms"), "process 'robot' has no class 'Am' in arms; did you mean 'Arm'?");
   EXPECT_TRUE(WhyNot("Gripper", "").starts_with("process 'robot' has no class 'Gripper'"));
 }
 
-TEST(ClassCheck, OfWhatIsNotLoadedOnlyThePlugInIsKnown) {
+TEST(ClassCheck, KnowsOnlyTheNameOfAnUnloadedPlugIn) {
   EXPECT_EQ(WhyNot("Gripper", "tools"), "");
   EXPECT_EQ(WhyNot("Gripper", "tool"), "no plug-in 'tool'; did you mean 'tools'?");
 }
@@ -48,7 +48,7 @@ std::vector<std::string> Obstacles(const std::vector<SystemFile::Component>& com
   return MakeCheckedPlan(catalogue, wanted, {{"robot", Known()}}).obstacles;
 }
 
-TEST(ClassCheck, APlugInThatIsLoadedOnTheWayMayHaveTheClass) {
+TEST(ClassCheck, APlugInLoadedByThePlanMayHaveTheClass) {
   const SystemFile::Component gripper{.name = "one", .class_name = "Gripper", .library = {}};
   const SystemFile::Component wrench{.name = "two", .class_name = "Wrench", .library = "tools"};
 
@@ -56,7 +56,7 @@ TEST(ClassCheck, APlugInThatIsLoadedOnTheWayMayHaveTheClass) {
   EXPECT_TRUE(Obstacles({wrench, gripper}).empty());
 }
 
-TEST(ClassCheck, AClassThatOnlyTheFileOnTheDiskHasIsSaidToBeOfAnotherTime) {
+TEST(ClassCheck, ReportsAChangedPlugInFileForAMissingClass) {
   message::Classes known = Known();
   known.loaded = {{.name = "arms",
                    .file = "/opt/arms.so",
@@ -73,7 +73,7 @@ TEST(ClassCheck, AClassThatOnlyTheFileOnTheDiskHasIsSaidToBeOfAnotherTime) {
                                     "at .*: restart the process to use it"));
 }
 
-TEST(ClassCheck, APlanNotesWhichCodeIsOlderThanItsFile) {
+TEST(ClassCheck, APlanNotesOutdatedPlugIns) {
   ProcessDescription robot = test::ProcessNamed("robot", 1);
   robot.plugins = {{.name = "simulated_arm", .file = "/opt/a.so", .state = PluginState::kChanged},
                    {.name = "unused", .file = "/opt/b.so", .state = PluginState::kChanged}};

@@ -73,7 +73,7 @@ class LifecyclePlan : public testing::Test {
   Catalogue catalogue_;
 };
 
-TEST_F(LifecyclePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
+TEST_F(LifecyclePlan, AGlobMatchesComponentsOfPresentProcesses) {
   EXPECT_EQ(Found("robot/arm"), "robot/arm");
   EXPECT_EQ(Found("**"), "desk/own robot/arm");
   EXPECT_EQ(Found("*/a*"), "robot/arm");
@@ -89,7 +89,7 @@ TEST_F(LifecyclePlan, AGlobNamesTheComponentsOfProcessesThatAreThere) {
   EXPECT_EQ(Found("**"), "desk/own");
 }
 
-TEST_F(LifecyclePlan, ADryRunSaysWhatTheProcessWouldRefuse) {
+TEST_F(LifecyclePlan, ADryRunReportsTheRefusalOfTheProcess) {
   const LifecycleOrder arm{.process = "robot", .component = "arm"};
   const auto of = [](LifecycleOrder order, LifecycleVerb verb) {
     order.verb = verb;
@@ -112,7 +112,7 @@ TEST_F(LifecyclePlan, ADryRunSaysWhatTheProcessWouldRefuse) {
             "no process 'robbot'; did you mean 'robot'?");
 }
 
-TEST_F(LifecyclePlan, AStepIsUnmadeByItsOpposite) {
+TEST_F(LifecyclePlan, AStepIsUndoneByItsOpposite) {
   using enum ComponentState;
   EXPECT_EQ(Unmaking(LifecycleVerb::kCreate, kConstructed), "remove");
   EXPECT_EQ(Unmaking(LifecycleVerb::kRemove, kFinished), "create");
@@ -126,7 +126,7 @@ TEST_F(LifecyclePlan, AStepIsUnmadeByItsOpposite) {
   EXPECT_EQ(Unmaking(LifecycleVerb::kConfigure, kFinished), "configure");
 }
 
-TEST_F(LifecyclePlan, TheUndoOfAStopStartsWhatEndedWithIt) {
+TEST_F(LifecyclePlan, UndoingAStopRestartsItsFollowers) {
   const auto follow = [&](const std::string& name, const std::string& leader,
                           ComponentState state) {
     ComponentDescription one = test::Arm();
@@ -153,7 +153,7 @@ TEST_F(LifecyclePlan, TheUndoOfAStopStartsWhatEndedWithIt) {
   EXPECT_EQ(orders, "start arm; start camera; start gripper; start brush; suspend gripper; ");
 }
 
-TEST_F(LifecyclePlan, AStopOfAnOldJournalIsUndoneWithoutOthers) {
+TEST_F(LifecyclePlan, UndoingAStopOfAnOldJournalStartsOnlyIt) {
   SetState(ComponentState::kFinished);
   HistoryEntry step = StepOfArm("stop");
   step.lifecycle.state = ComponentState::kActive;
@@ -168,7 +168,7 @@ TEST_F(LifecyclePlan, AStopOfAnOldJournalIsUndoneWithoutOthers) {
   }
 }
 
-TEST_F(LifecyclePlan, AnOrderIsAnsweredWithinTheTimeThatIsLeft) {
+TEST_F(LifecyclePlan, AnOrderIsAnsweredWithinTheRemainingTime) {
   using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
   EXPECT_EQ(PatienceWithin(1s, 1min), 1s);
   EXPECT_EQ(PatienceWithin(1s, 1500ms), 1s);
@@ -177,7 +177,7 @@ TEST_F(LifecyclePlan, AnOrderIsAnsweredWithinTheTimeThatIsLeft) {
   EXPECT_EQ(PatienceWithin(1s, -1s), std::nullopt);
 }
 
-TEST_F(LifecyclePlan, AnUndoRefusesWhatHasChangedSince) {
+TEST_F(LifecyclePlan, AnUndoIsRefusedIfTheComponentHasChanged) {
   HistoryEntry step = StepOfArm("start");
   const auto refusal = [&] {
     const auto checked = CheckUndo(catalogue_, step);
@@ -199,7 +199,7 @@ TEST_F(LifecyclePlan, AnUndoRefusesWhatHasChangedSince) {
   EXPECT_EQ(refusal(), "robot/other no longer exists");
 }
 
-TEST_F(LifecyclePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
+TEST_F(LifecyclePlan, UndoingAnUnconfirmedStepRequiresItsEffect) {
   HistoryEntry step = StepOfArm("start");
   step.lifecycle.state = ComponentState::kActive;
   EXPECT_TRUE(CheckUndo(catalogue_, step));
@@ -208,7 +208,7 @@ TEST_F(LifecyclePlan, AnUndoOfWhatNobodyHeardOfWantsToSeeThatItWasDone) {
   EXPECT_EQ(CheckUndo(catalogue_, step).error().message, "robot/arm was active before");
 }
 
-TEST_F(LifecyclePlan, ARestartIsAStepWhereItStarts) {
+TEST_F(LifecyclePlan, ARestartIsAStepOnlyIfItStarts) {
   const LifecycleOrder restart{
       .verb = LifecycleVerb::kRestart, .process = "robot", .component = "arm"};
   for (const ComponentState resting : {ComponentState::kReady, ComponentState::kSuspended,
@@ -226,7 +226,7 @@ TEST_F(LifecyclePlan, ARestartIsAStepWhereItStarts) {
   EXPECT_TRUE(LeavesAsItWas(step));
 }
 
-TEST_F(LifecyclePlan, AnUndoRefusesAnotherConfiguration) {
+TEST_F(LifecyclePlan, AnUndoIsRefusedIfTheConfigurationDiffers) {
   SetState(ComponentState::kFinished);
   HistoryEntry step = StepOfArm("configure");
   EXPECT_TRUE(CheckUndo(catalogue_, step));
@@ -235,7 +235,7 @@ TEST_F(LifecyclePlan, AnUndoRefusesAnotherConfiguration) {
   EXPECT_EQ(CheckUndo(catalogue_, step).error().message, "robot/arm has another configuration now");
 }
 
-TEST_F(LifecyclePlan, AConfigurationIsTakenBackOnlyFromWhatTheStepHasMade) {
+TEST_F(LifecyclePlan, RevertsAConfigurationOnlyFromTheStepsResult) {
   HistoryEntry step = StepOfArm("configure");
   step.lifecycle.configuration = R"({"noise":0})";
   step.lifecycle.former = R"({"noise":1})";

@@ -36,7 +36,7 @@ std::string Told(const std::string& told, const std::string& name, const std::st
   return changed ? changed->configuration : changed.error().message;
 }
 
-TEST(Parameters, AreTheFieldsThatAreNoStructures) {
+TEST(Parameters, AreTheFieldsThatAreNotStructures) {
   const auto all = ParametersOf(Servo(), R"({"gain": {"p": 2.0}})");
 
   ASSERT_TRUE(all) << all.error().message;
@@ -51,11 +51,11 @@ TEST(Parameters, AreTheFieldsThatAreNoStructures) {
   EXPECT_EQ(all->at(4).name, "joints");
 }
 
-TEST(Parameters, ATextThatIsNoUtf8IsRefused) {
+TEST(Parameters, RefusesInvalidUtf8) {
   EXPECT_EQ(Told("", "label", "\xff"), R"(label: '\xff' is not valid UTF-8)");
 }
 
-TEST(Parameters, JsonOfAnotherProcessNestsNoDeeperThan64) {
+TEST(Parameters, LimitsTheNestingOfRemoteJsonTo64) {
   const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
   const std::string refusal =
       "class 'Servo' has a configuration that cannot be read: nesting deeper than 64";
@@ -68,7 +68,7 @@ TEST(Parameters, JsonOfAnotherProcessNestsNoDeeperThan64) {
   EXPECT_TRUE(Told("", "joints", deep).ends_with(": nesting deeper than 64"));
 }
 
-TEST(Parameters, ThoseOfAPartAreFoundByItsName) {
+TEST(Parameters, FindsTheParametersOfAPart) {
   EXPECT_EQ(ParametersAt(Servo(), "", "gain")->size(), 2U);
   const auto element = ParametersAt(Servo(), "", "gain.limits[1]");
   ASSERT_TRUE(element) << element.error().message;
@@ -77,12 +77,12 @@ TEST(Parameters, ThoseOfAPartAreFoundByItsName) {
   EXPECT_EQ(element->front().type, "float64");
 }
 
-TEST(Parameters, OnlyWhatIsChangedIsToldBesideWhatWasTold) {
+TEST(Parameters, KeepsEarlierValuesAndAddsTheChangedOne) {
   EXPECT_EQ(Told("", "gain.p", "3"), R"({"gain":{"p":3}})");
   EXPECT_EQ(Told(R"({"label": "left"})", "gain.p", "3"), R"({"label":"left","gain":{"p":3}})");
 }
 
-TEST(Parameters, AListIsToldAsAWhole) {
+TEST(Parameters, SetsAListAsAWhole) {
   EXPECT_EQ(Told("", "gain.limits[0]", "-2"), R"({"gain":{"limits":[-2,1.0]}})");
   EXPECT_EQ(Told("", "joints[0].name", "wrist"), R"({"joints":[{"name":"wrist"}]})");
 }
@@ -93,7 +93,7 @@ TEST(Parameters, TextsAndChoicesNeedNoQuotes) {
   EXPECT_EQ(Told("", "label", "12"), R"({"label":"12"})");
 }
 
-TEST(Parameters, AMistakeSaysWhereAndWhatWasExpected) {
+TEST(Parameters, AnErrorNamesThePlaceAndTheExpectation) {
   EXPECT_EQ(Told("", "gian", "1"), "no parameter 'gian'; did you mean 'gain'?");
   EXPECT_EQ(Told("", "gain.velocity.x", "1"),
             "no parameter 'velocity' in 'gain'; there is p, limits");

@@ -29,7 +29,7 @@ class PlanLock : public test::DeskAndRobot {
 
 INSTANTIATE_TEST_SUITE_P(Over, PlanLock, testing::Values("loopback", "tcp"), test::NameOfParameter);
 
-TEST_P(PlanLock, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
+TEST_P(PlanLock, RefusesASecondPlanWithoutExecutingAnyStep) {
   ASSERT_TRUE(Take(*other_));
 
   const PlanOutcome outcome = CarryOut(*client_);
@@ -44,7 +44,7 @@ TEST_P(PlanLock, WhileOneCarriesOutAPlanAnothersIsRefusedAndNothingOfItIsDone) {
   EXPECT_TRUE(Take(*other_)) << "it has its turn already";
 }
 
-TEST_P(PlanLock, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
+TEST_P(PlanLock, LosingItToAnotherClientEndsThePlan) {
   ClientExecutor executor(*client_, kLong);
   ASSERT_TRUE(executor.Begin());
   client_->ReleasePlanLock();  // as the end of the link does
@@ -63,7 +63,7 @@ TEST_P(PlanLock, ThatWasLostWithTheLinkEndsThePlanWhereAnotherHasItNow) {
   EXPECT_TRUE(EventuallyTrue([&] { return static_cast<bool>(executor.Execute(connect)); }));
 }
 
-TEST_P(PlanLock, ComesBackWithTheEndOfThePlan) {
+TEST_P(PlanLock, IsReleasedAtTheEndOfThePlan) {
   EXPECT_EQ(CarryOut(*other_).done, 1U);
   ASSERT_TRUE(Disconnect(*other_));
 
@@ -71,7 +71,7 @@ TEST_P(PlanLock, ComesBackWithTheEndOfThePlan) {
   EXPECT_NE(Connection(), std::nullopt);
 }
 
-TEST_P(PlanLock, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
+TEST_P(PlanLock, ADeniedLockLetsThePlanFailByItself) {
   GcmClient viewer(
       NewMiddleware(),
       {.name = "viewer", .address = address_, .timeout = kLong, .role = Role::kViewer});
@@ -84,7 +84,7 @@ TEST_P(PlanLock, WhereNoneIsGivenThePlanGoesOnToItsOwnRefusal) {
   EXPECT_EQ(outcome.error->code, ErrorCode::kDenied);
 }
 
-TEST_P(PlanLock, EndsWithTheLinkOfWhoHadIt) {
+TEST_P(PlanLock, IsReleasedWhenItsHoldersLinkEnds) {
   ASSERT_TRUE(Take(*other_));
   other_.reset();
 

@@ -47,12 +47,12 @@ class ConnectionRestorerTest : public testing::Test {
   SteadyTime now_{1h};
 };
 
-TEST_F(ConnectionRestorerTest, WhatIsOrderedIsNotOrderedTwice) {
+TEST_F(ConnectionRestorerTest, OrdersAConnectionOnce) {
   EXPECT_EQ(TakeDue(), kOne);
   EXPECT_EQ(TakeDue(), kNone);
 }
 
-TEST_F(ConnectionRestorerTest, WhatWasMadeIsForgotten) {
+TEST_F(ConnectionRestorerTest, ForgetsARestoredConnection) {
   ASSERT_EQ(TakeDue(), kOne);
   EXPECT_EQ(Settle({}), Verdict::kDone);
 
@@ -61,7 +61,7 @@ TEST_F(ConnectionRestorerTest, WhatWasMadeIsForgotten) {
   EXPECT_EQ(TakeDue(), kNone);
 }
 
-TEST_F(ConnectionRestorerTest, WhatFailedIsTriedAgainAfterAPauseThatGrows) {
+TEST_F(ConnectionRestorerTest, RetriesWithAGrowingPause) {
   auto expected = Verdict::kTryAgain;
   for (const auto pause : {200ms, 400ms, 800ms, 1600ms, 3200ms, 5000ms, 5000ms}) {
     ASSERT_EQ(TakeDue(), kOne);
@@ -76,7 +76,7 @@ TEST_F(ConnectionRestorerTest, WhatFailedIsTriedAgainAfterAPauseThatGrows) {
   }
 }
 
-TEST_F(ConnectionRestorerTest, WhatWasRefusedForGoodIsForgotten) {
+TEST_F(ConnectionRestorerTest, ForgetsAPermanentlyRefusedConnection) {
   for (const ErrorCode code :
        {ErrorCode::kIncompatible, ErrorCode::kInvalid, ErrorCode::kDenied, ErrorCode::kExists}) {
     ConnectionRestorer fresh = restorer_;
@@ -86,7 +86,7 @@ TEST_F(ConnectionRestorerTest, WhatWasRefusedForGoodIsForgotten) {
   }
 }
 
-TEST_F(ConnectionRestorerTest, AnOutcomeOfAnEarlierLifeDoesNotTouchTheNextOne) {
+TEST_F(ConnectionRestorerTest, IgnoresTheResultOfAnEarlierInstance) {
   ASSERT_EQ(TakeDue(), kOne);
   // It is made; then the process is killed again, before anybody heard of the outcome.
   const ConnectionDescription connection{
@@ -100,7 +100,7 @@ TEST_F(ConnectionRestorerTest, AnOutcomeOfAnEarlierLifeDoesNotTouchTheNextOne) {
   EXPECT_EQ(TakeDue(), kOne);
 }
 
-TEST_F(ConnectionRestorerTest, WhatTheUserConnectedMeanwhileIsNotHandedBackLater) {
+TEST_F(ConnectionRestorerTest, DoesNotRestoreOverAUsersNewConnection) {
   Apply({.kind = Kind::kComponentRemoved, .process = "robot", .component = "arm"});
   const ConnectionDescription other{
       .id = 2, .required = kWire.required, .provided = {"desk", "old_arm", "Control"}};

@@ -52,7 +52,7 @@ class RegistryTest : public testing::Test {
   Registry registry_{Leases{}, clock_};
 };
 
-TEST_F(RegistryTest, AJoinedProcessIsInTheCatalogueWithAllItHas) {
+TEST_F(RegistryTest, JoiningAddsTheWholeProcessToTheCatalogue) {
   Join("desk", 1, {test::Teleoperation()}, {Connection()});
 
   EXPECT_EQ(Process("desk").state, ProcessState::kAlive);
@@ -61,7 +61,7 @@ TEST_F(RegistryTest, AJoinedProcessIsInTheCatalogueWithAllItHas) {
   EXPECT_EQ(registry_.peers().processes, std::vector{Process("desk")});
 }
 
-TEST_F(RegistryTest, EqualInterfacesAreHeldOnce) {
+TEST_F(RegistryTest, StoresEqualInterfacesOnce) {
   const auto interfaces_of = [this](const std::string& process, const std::string& component) {
     const auto* found = registry_.catalogue().FindComponent(process, component);
     return found == nullptr ? nullptr : found->provided.data();
@@ -93,7 +93,7 @@ TEST_F(RegistryTest, TheChangesBuildTheCatalogue) {
   EXPECT_TRUE(registry_.TakeChanges().empty());
 }
 
-TEST_F(RegistryTest, ASecondProcessOfANameIsToldWhoHasIt) {
+TEST_F(RegistryTest, ARefusedDuplicateNameReportsItsHolder) {
   const SessionToken session = Join("robot", 7);
   clock_.Advance(80ms);
 
@@ -107,7 +107,7 @@ TEST_F(RegistryTest, ASecondProcessOfANameIsToldWhoHasIt) {
   EXPECT_TRUE(registry_.Renew(session));
 }
 
-TEST_F(RegistryTest, ALeaseThatIsNotRenewedIsSuspectedThenLost) {
+TEST_F(RegistryTest, AnUnrenewedLeaseBecomesSuspectThenLost) {
   const SessionToken robot = Join("robot", 1);
   const SessionToken desk = Join("desk", 2);
 
@@ -137,7 +137,7 @@ TEST_F(RegistryTest, ASuspectThatRenewsIsAliveAgain) {
   EXPECT_EQ(Process("robot").reason, "");
 }
 
-TEST_F(RegistryTest, AStandstillOfTheGcmItselfIsNobodysFault) {
+TEST_F(RegistryTest, APauseOfTheGcmExpiresNoLease) {
   const SessionToken robot = Join("robot", 1);
   registry_.Tick();
 
@@ -150,7 +150,7 @@ TEST_F(RegistryTest, AStandstillOfTheGcmItselfIsNobodysFault) {
   EXPECT_EQ(Process("robot").state, ProcessState::kLost);
 }
 
-TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
+TEST_F(RegistryTest, ALostNameMayBeReusedAndItsOldOwnerIsFenced) {
   const SessionToken old = Join("robot", 1, {test::Arm()});
   Pass(1600ms);
 
@@ -166,7 +166,7 @@ TEST_F(RegistryTest, ALostNameMayBeTakenAndTheZombieIsFenced) {
   EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
 }
 
-TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
+TEST_F(RegistryTest, AProcessMayRejoinUnderItsOwnSession) {
   const SessionToken old = Join("robot", 1, {test::Arm()});
 
   EXPECT_EQ(JoinError({test::ProcessNamed("robot", 1), {}, {}}, old + 1).code, ErrorCode::kExists);
@@ -179,7 +179,7 @@ TEST_F(RegistryTest, TheSameProcessTakesItsOwnMembershipOver) {
   EXPECT_NE(registry_.catalogue().FindComponent("robot", "other"), nullptr);
 }
 
-TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed) {
+TEST_F(RegistryTest, ALeftProcessIsKeptForADayUnlessForgotten) {
   registry_.End(Join("robot", 1, {test::Arm()}), ProcessState::kLeft, "left");
   registry_.End(Join("desk", 2), ProcessState::kLost, "killed");
 
@@ -196,7 +196,7 @@ TEST_F(RegistryTest, AProcessThatLeavesIsATombstoneUntilForgottenOrADayHasPassed
   EXPECT_EQ(registry_.catalogue().FindProcess("desk"), nullptr);
 }
 
-TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
+TEST_F(RegistryTest, OnlyAnAbsentProcessCanBeForgotten) {
   Join("robot", 1);
 
   EXPECT_EQ(registry_.Forget("robot").error().message,
@@ -205,7 +205,7 @@ TEST_F(RegistryTest, OnlyATombstoneCanBeForgotten) {
             "no process 'robott'; did you mean 'robot'?");
 }
 
-TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
+TEST_F(RegistryTest, AReportWithoutChangesAddsNoRevision) {
   const SessionToken robot = Join("robot", 1, {test::Arm()});
   const std::uint64_t before = registry_.catalogue().revision();
 
@@ -217,7 +217,7 @@ TEST_F(RegistryTest, WhatAReportDoesNotChangeGetsNoRevision) {
   EXPECT_EQ(registry_.catalogue().revision(), before);
 }
 
-TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
+TEST_F(RegistryTest, AProcessCanReportOnlyAboutItself) {
   const SessionToken robot = Join("robot", 1, {test::Arm()});
   Join("desk", 2);
   auto imposter = test::ProcessNamed("robot", 99);
@@ -244,7 +244,7 @@ TEST_F(RegistryTest, AProcessReportsOfItselfAlone) {
   EXPECT_EQ(Process("robot").state, ProcessState::kAlive);
 }
 
-TEST_F(RegistryTest, AStepThatMakesNoSenseDoesNotKeepTheOthersBack) {
+TEST_F(RegistryTest, AnInvalidChangeDoesNotBlockTheOthers) {
   const SessionToken robot = Join("robot", 1);
 
   EXPECT_FALSE(registry_.Report(
@@ -254,7 +254,7 @@ TEST_F(RegistryTest, AStepThatMakesNoSenseDoesNotKeepTheOthersBack) {
   EXPECT_NE(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
 }
 
-TEST_F(RegistryTest, AJoinThatMakesNoSenseIsRefusedAsAWhole) {
+TEST_F(RegistryTest, RefusesAnInvalidJoinEntirely) {
   const auto process = test::ProcessNamed("robot", 1);
   const auto invalid = [&](message::Join join) {
     EXPECT_EQ(JoinError(std::move(join)).code, ErrorCode::kInvalid);
@@ -272,7 +272,7 @@ TEST_F(RegistryTest, AJoinThatMakesNoSenseIsRefusedAsAWhole) {
   invalid({process, {bad_member}, {}});
 }
 
-TEST_F(RegistryTest, FreeTextsAreKeptPrintableAndShort) {
+TEST_F(RegistryTest, KeepsFreeTextPrintableAndShort) {
   ComponentDescription arm = test::Arm();
   arm.fault = "\x1b[2J" + std::string(1U << 20U, 'x');
   auto process = test::ProcessNamed("robot", 1);
@@ -294,7 +294,7 @@ TEST_F(RegistryTest, ALostProcessKeepsItsConnectionsAsWanted) {
   EXPECT_EQ(connection->reason, "process 'desk' is gone");
 }
 
-TEST_F(RegistryTest, ConnectionsAreHandedBackOnceBothEndsAreThereAgain) {
+TEST_F(RegistryTest, RestoresConnectionsWhenBothEndsReturn) {
   const SessionToken robot = Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
@@ -309,7 +309,7 @@ TEST_F(RegistryTest, ConnectionsAreHandedBackOnceBothEndsAreThereAgain) {
   EXPECT_TRUE(registry_.Renew(robot));
 }
 
-TEST_F(RegistryTest, ConnectionsAreHandedBackToTheSameClassAlone) {
+TEST_F(RegistryTest, RestoresConnectionsOnlyToTheSameClass) {
   Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   ComponentDescription other = test::Teleoperation();
@@ -323,7 +323,7 @@ TEST_F(RegistryTest, ConnectionsAreHandedBackToTheSameClassAlone) {
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
 }
 
-TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
+TEST_F(RegistryTest, RestoresNothingToAContinuingInstance) {
   Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
 
@@ -333,7 +333,7 @@ TEST_F(RegistryTest, NothingIsHandedBackToAProcessThatNeverStopped) {
   EXPECT_EQ(registry_.catalogue().FindConnection(kRobot), nullptr);
 }
 
-TEST_F(RegistryTest, NothingIsHandedBackOverANewConnectionOrAForgottenProcess) {
+TEST_F(RegistryTest, RestoresNothingOverANewConnection) {
   Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   registry_.End(Join("desk", 3, {test::Teleoperation()}, {Connection(9)}), ProcessState::kLost,
@@ -345,7 +345,7 @@ TEST_F(RegistryTest, NothingIsHandedBackOverANewConnectionOrAForgottenProcess) {
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
 }
 
-TEST_F(RegistryTest, AProcessThatDiesAgainBeforeItsComponentsWereBackGetsItsConnectionsLater) {
+TEST_F(RegistryTest, RestoresConnectionsAfterARepeatedCrash) {
   Join("robot", 1, {test::Arm()});
   registry_.End(Join("desk", 2, {test::Teleoperation()}, {Connection()}), ProcessState::kLost, "x");
   registry_.End(Join("desk", 3), ProcessState::kLost, "x");

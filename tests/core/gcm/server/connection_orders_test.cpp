@@ -18,7 +18,7 @@ class ConnectionOrders : public test::DeskAndRobot {};
 INSTANTIATE_TEST_SUITE_P(Over, ConnectionOrders, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(ConnectionOrders, AConnectIsMadeByTheRequiredSidesProcess) {
+TEST_P(ConnectionOrders, TheRequiredSidesProcessConnects) {
   const auto made = Connect(*client_);
 
   ASSERT_TRUE(made) << made.error().message;
@@ -31,7 +31,7 @@ TEST_P(ConnectionOrders, AConnectIsMadeByTheRequiredSidesProcess) {
   EXPECT_EQ(desk_->orders()[0].instance, robot_->description().instance);
 }
 
-TEST_P(ConnectionOrders, ADisconnectEndsIt) {
+TEST_P(ConnectionOrders, ADisconnectEndsTheConnection) {
   ASSERT_TRUE(Connect(*client_));
 
   ASSERT_TRUE(Disconnect(*client_));
@@ -42,7 +42,7 @@ TEST_P(ConnectionOrders, ADisconnectEndsIt) {
             "desk/teleoperation/Robot is not connected: there is nothing to disconnect");
 }
 
-TEST_P(ConnectionOrders, WhatIsRefusedLeavesNothingBehind) {
+TEST_P(ConnectionOrders, ARefusedOrderLeavesNoTrace) {
   ASSERT_TRUE(Connect(*client_));
   const std::uint64_t revision = gcm_->catalogue().revision();
   const auto code = [&](const InterfaceName& required, const InterfaceName& provided) {
@@ -62,7 +62,7 @@ TEST_P(ConnectionOrders, WhatIsRefusedLeavesNothingBehind) {
   EXPECT_EQ(gcm_->catalogue().revision(), revision + 1);
 }
 
-TEST_P(ConnectionOrders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
+TEST_P(ConnectionOrders, ForwardsARefusalWithoutRecordingAStep) {
   desk_->set_manners(FakeProcess::Manners::kRefuse);
 
   const auto made = Connect(*client_);
@@ -74,7 +74,7 @@ TEST_P(ConnectionOrders, ARefusalOfTheProcessIsPassedOnAndNoStep) {
   EXPECT_TRUE(Connect(*client_));
 }
 
-TEST_P(ConnectionOrders, AProcessThatDiesBeforeItAnswersIsAnError) {
+TEST_P(ConnectionOrders, AProcessDyingBeforeItsReplyIsAnError) {
   desk_->set_manners(FakeProcess::Manners::kSayNothing);
   std::promise<Result<ConnectionDescription>> promise;
   auto future = promise.get_future();
@@ -94,7 +94,7 @@ TEST_P(ConnectionOrders, AProcessThatDiesBeforeItAnswersIsAnError) {
   EXPECT_TRUE(Steps(*client_).empty());
 }
 
-TEST_P(ConnectionOrders, AProcessThatDoesNotAnswerIsATimeout) {
+TEST_P(ConnectionOrders, AnUnresponsiveProcessIsATimeout) {
   order_timeout_ = 100ms;
   RestartGcm();
   desk_->set_manners(FakeProcess::Manners::kSayNothing);
@@ -108,11 +108,11 @@ TEST_P(ConnectionOrders, AProcessThatDoesNotAnswerIsATimeout) {
   EXPECT_TRUE(Connect(*client_));
 }
 
-TEST(OrderTimeout, IsShorterThanAClientsSoThatItHearsWhy) {
+TEST(OrderTimeout, IsShorterThanTheClientsTimeout) {
   EXPECT_LT(GlobalManager::Options().order_timeout, GcmClient::Options().timeout);
 }
 
-TEST_P(ConnectionOrders, AConnectToATombstoneIsPending) {
+TEST_P(ConnectionOrders, ConnectingToALostProcessIsPending) {
   robot_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("robot") == ProcessState::kLost; }));
 
@@ -123,7 +123,7 @@ TEST_P(ConnectionOrders, AConnectToATombstoneIsPending) {
   EXPECT_EQ(desk_->orders()[0].address, "");
 }
 
-TEST_P(ConnectionOrders, AConnectToAProcessThatNobodyHasSeenIsPending) {
+TEST_P(ConnectionOrders, ConnectingToAnUnknownProcessIsPending) {
   const auto made = Connect(*client_, kRobot, {"never", "arm", "Control"});
 
   ASSERT_TRUE(made) << made.error().message;
@@ -133,7 +133,7 @@ TEST_P(ConnectionOrders, AConnectToAProcessThatNobodyHasSeenIsPending) {
   EXPECT_EQ(Connect(*client_).error().code, ErrorCode::kExists);
 }
 
-TEST_P(ConnectionOrders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProcessesKnow) {
+TEST_P(ConnectionOrders, ARefusalNamesTheFirstTypeDifference) {
   const std::string unit = "rad/" + GetParam();  // the other network's are known by now
   robot_->Know(test::GoalIn("deg"));
   robot_->Add(test::Mover(test::GoalIn("deg")));
@@ -167,7 +167,7 @@ TEST_P(ConnectionOrders, ARefusalNamesTheFirstDifferenceOfTwoTypesThatOnlyProces
   EXPECT_EQ(aide->schema_requests(), 0);       // it has nothing to do with this connection
 }
 
-TEST_P(ConnectionOrders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
+TEST_P(ConnectionOrders, ARefusalOmitsTypesThatAnEndDoesNotReport) {
   const std::string unit = "grad/" + GetParam();
   robot_->Add(test::Mover(test::GoalIn("deg")));
   desk_->Add(test::Leader(test::GoalIn(unit)));  // which it does not know itself
@@ -184,7 +184,7 @@ TEST_P(ConnectionOrders, ARefusalIsSaidWithoutTheTypesOfAnEndThatDoesNotTell) {
       << made.error().message;
 }
 
-TEST_P(ConnectionOrders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
+TEST_P(ConnectionOrders, RestoresTheConnectionsOfARestartedProcess) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
@@ -198,7 +198,7 @@ TEST_P(ConnectionOrders, AProcessThatIsStartedAgainGetsItsConnectionsBack) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(ConnectionOrders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
+TEST_P(ConnectionOrders, RetriesRestoringAConnection) {
   ASSERT_TRUE(Connect(*client_));
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
@@ -219,7 +219,7 @@ TEST_P(ConnectionOrders, AConnectionThatCannotBeGivenBackNowIsGivenBackLater) {
   EXPECT_EQ(desk_->orders().size(), 2U);
 }
 
-TEST_P(ConnectionOrders, ADiskThatHangsDelaysTheAnswerButNoLease) {
+TEST_P(ConnectionOrders, AHungDiskDelaysTheReplyButNoLease) {
   const std::string port = address_.substr(address_.find(':') + 1);
   const auto file = folder_.path() / ("history-127.0.0.1-" + port + ".jsonl");
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
@@ -240,7 +240,7 @@ TEST_P(ConnectionOrders, ADiskThatHangsDelaysTheAnswerButNoLease) {
   EXPECT_TRUE(answer.get());
 }
 
-TEST_P(ConnectionOrders, HistoryKnowsWhatWhoAndWhen) {
+TEST_P(ConnectionOrders, HistoryRecordsActionAuthorAndTime) {
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
 
@@ -257,7 +257,7 @@ TEST_P(ConnectionOrders, HistoryKnowsWhatWhoAndWhen) {
   }
 }
 
-TEST_P(ConnectionOrders, UndoTakesStepsBackOneByOne) {
+TEST_P(ConnectionOrders, UndoRevertsStepsOneByOne) {
   EXPECT_EQ(Undo(*client_).error().message, "there is nothing to undo");
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
@@ -275,7 +275,7 @@ TEST_P(ConnectionOrders, UndoTakesStepsBackOneByOne) {
   EXPECT_FALSE(Undo(*client_));
 }
 
-TEST_P(ConnectionOrders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
+TEST_P(ConnectionOrders, FiftyConnectsAndUndosRestoreTheSystem) {
   constexpr int kCount = 50;
   ComponentDescription panel = test::Teleoperation("panel");
   panel.required.clear();
@@ -295,7 +295,7 @@ TEST_P(ConnectionOrders, FiftyConnectsAndFiftyUndosLeaveTheSystemAsItWas) {
   EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
 }
 
-TEST_P(ConnectionOrders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
+TEST_P(ConnectionOrders, AnUndoIsRefusedIfTheConnectionHasChanged) {
   ComponentDescription second = test::Arm("second");
   robot_->Add(second);
   ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "second"); }));
@@ -319,7 +319,7 @@ TEST_P(ConnectionOrders, AnUndoOfWhatHasChangedSinceSaysSoAndRefuses) {
   EXPECT_FALSE(Steps(*client_)[0].undone);
 }
 
-TEST_P(ConnectionOrders, StepsCanBeUndoneAfterTheGcmWasStartedAnew) {
+TEST_P(ConnectionOrders, StepsCanBeUndoneAfterAGcmRestart) {
   ASSERT_TRUE(Connect(*client_));
   RestartGcm();
 

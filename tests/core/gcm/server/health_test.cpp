@@ -9,7 +9,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 constexpr std::int64_t kOneSecond = 1'000'000'000;
 constexpr std::uint64_t kMiB = 1U << 20U;
 
-class RegistryOfHealth : public testing::Test {
+class RegistryHealth : public testing::Test {
  protected:
   server::SessionToken Join(const std::string& name, std::uint64_t instance) {
     const auto admission = registry_.Join({test::ProcessNamed(name, instance), {}, {}}, 0, nullptr);
@@ -27,13 +27,13 @@ class RegistryOfHealth : public testing::Test {
   server::Registry registry_{server::Leases{}, clock_};
 };
 
-TEST_F(RegistryOfHealth, WhoHasNotToldIsNotThere) {
+TEST_F(RegistryHealth, HasNoEntryBeforeTheFirstReport) {
   Join("robot", 1);
 
   EXPECT_TRUE(registry_.health().processes.empty());
 }
 
-TEST_F(RegistryOfHealth, TheCoresAreThoseBetweenTheLastTwoByTheClockOfTheProcess) {
+TEST_F(RegistryHealth, CpuLoadUsesTheLastTwoReports) {
   const auto robot = Join("robot", 7);
 
   ASSERT_TRUE(
@@ -52,7 +52,7 @@ TEST_F(RegistryOfHealth, TheCoresAreThoseBetweenTheLastTwoByTheClockOfTheProcess
   EXPECT_DOUBLE_EQ(Only().cpu, 0.0);
 }
 
-TEST_F(RegistryOfHealth, TimesThatGoBackTellNothing) {
+TEST_F(RegistryHealth, TimesThatGoBackGiveNoCpuLoad) {
   const auto robot = Join("robot", 1);
   ASSERT_TRUE(registry_.UpdateHealth(robot, {.cpu_time = kOneSecond, .time = kOneSecond}));
 
@@ -65,7 +65,7 @@ TEST_F(RegistryOfHealth, TimesThatGoBackTellNothing) {
   }
 }
 
-TEST_F(RegistryOfHealth, AFigureAgesUntilTheProcessIsGone) {
+TEST_F(RegistryHealth, AnEntryAgesUntilTheProcessIsGone) {
   const auto robot = Join("robot", 1);
   ASSERT_TRUE(registry_.UpdateHealth(robot, {.memory = kMiB}));
 
@@ -79,7 +79,7 @@ TEST_F(RegistryOfHealth, AFigureAgesUntilTheProcessIsGone) {
   EXPECT_TRUE(registry_.health().processes.empty());
 }
 
-TEST_F(RegistryOfHealth, IsNoChangeOfTheCatalogue) {
+TEST_F(RegistryHealth, DoesNotChangeTheCatalogue) {
   const auto robot = Join("robot", 1);
   static_cast<void>(registry_.TakeChanges());
   const Catalogue before = registry_.catalogue();
@@ -102,7 +102,7 @@ class Health : public test::GcmFixture {
 
 INSTANTIATE_TEST_SUITE_P(Over, Health, testing::Values("loopback", "tcp"), test::NameOfParameter);
 
-TEST_P(Health, IsToldToAnyViewerWhoAsksAndToNobodyElse) {
+TEST_P(Health, IsSentOnlyToViewersThatRequestIt) {
   const auto robot = Join("robot", {test::Arm()});
   const auto desk = Join("desk", {});
   const auto recorder = std::make_shared<test::Recorder>();
@@ -127,7 +127,7 @@ TEST_P(Health, IsToldToAnyViewerWhoAsksAndToNobodyElse) {
   EXPECT_TRUE(recorder->changes().empty());
 }
 
-TEST_P(Health, WhoIsNoMemberHasNone) {
+TEST_P(Health, ANonMemberHasNone) {
   test::FakeProcess unjoined(NewMiddleware(), "robot");
   EXPECT_FALSE(unjoined.ReportHealth({}));
 
@@ -138,7 +138,7 @@ TEST_P(Health, WhoIsNoMemberHasNone) {
   EXPECT_TRUE(Ask(*Watch()).processes.empty());
 }
 
-TEST_P(Health, TheAnswerTellsTheTime) {
+TEST_P(Health, TheReplyContainsTheTime) {
   const auto robot = Join("robot", {});
   const SteadyTime before = SteadyClock().Now();
 

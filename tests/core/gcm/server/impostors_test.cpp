@@ -49,7 +49,7 @@ class Impostors : public test::GcmFixture {
 INSTANTIATE_TEST_SUITE_P(Over, Impostors, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(Impostors, ALeaseIsNotRenewedByAnotherWhoHoldsItsSession) {
+TEST_P(Impostors, AStolenSessionDoesNotRenewALease) {
   const auto thief = OpenAs("robot");
 
   for (int i = 0; i < 4; ++i) {
@@ -61,7 +61,7 @@ TEST_P(Impostors, ALeaseIsNotRenewedByAnotherWhoHoldsItsSession) {
   EXPECT_FALSE(robot_.Renew());
 }
 
-TEST_P(Impostors, WhoHoldsAnothersSessionSpeaksForNobody) {
+TEST_P(Impostors, AStolenSessionCannotReportOrLeave) {
   const auto thief = OpenAs("robot");
   const message::Report report{
       .changes = {{.kind = CatalogueChange::Kind::kComponent, .components = {test::Arm()}}}};
@@ -78,7 +78,7 @@ TEST_P(Impostors, WhoHoldsAnothersSessionSpeaksForNobody) {
   EXPECT_TRUE(robot_.Renew());
 }
 
-TEST_P(Impostors, NobodyJoinsByAnothersNameOrSession) {
+TEST_P(Impostors, AStolenNameOrSessionCannotJoin) {
   const std::uint64_t instance = robot_.description().instance;
   const auto thief = OpenAs("thief", instance);
   const auto other = OpenAs("robot");
@@ -102,7 +102,7 @@ TEST_P(Impostors, NobodyJoinsByAnothersNameOrSession) {
 }
 
 /// What is to be done goes to a process by the link that it has opened itself, and nowhere else.
-TEST_P(Impostors, TheGcmDoesNotCallWhomAProcessAdvertises) {
+TEST_P(Impostors, TheGcmNeverCallsAnAdvertisedAddress) {
   const Impostor third(NewMiddleware(), "arm");
   FakeProcess arm(NewMiddleware(), "arm");
   arm.Advertise(third.address());
@@ -128,7 +128,7 @@ TEST_P(Impostors, TheGcmDoesNotCallWhomAProcessAdvertises) {
   EXPECT_EQ(desk->orders().front().address, third.address());
 }
 
-TEST_P(Impostors, WhoAnswersAtAnAdvertisedAddressIsToldNothing) {
+TEST_P(Impostors, AnImpostorAtAnAddressReceivesOnlyAHello) {
   const Impostor third(NewMiddleware(), "arm");
   FakeProcess arm(NewMiddleware(), "arm");
   arm.Advertise(third.address());

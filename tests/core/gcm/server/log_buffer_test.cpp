@@ -97,7 +97,7 @@ class LogBufferTest : public testing::Test {
   std::uint64_t written_ = 0;
 };
 
-TEST_F(LogBufferTest, KeepsTheNewestForWhoComesLater) {
+TEST_F(LogBufferTest, KeepsTheNewestForLaterViewers) {
   Write(LogBuffer::kKept + 100);
   const auto viewer = std::make_shared<Viewer>();
 
@@ -110,7 +110,7 @@ TEST_F(LogBufferTest, KeepsTheNewestForWhoComesLater) {
   EXPECT_EQ(viewer->first(), 100U);
 }
 
-TEST_F(LogBufferTest, GoesOnWhereAViewerWasBefore) {
+TEST_F(LogBufferTest, ResumesWhereAViewerStopped) {
   Write(100);
   const auto viewer = std::make_shared<Viewer>();
 
@@ -122,7 +122,7 @@ TEST_F(LogBufferTest, GoesOnWhereAViewerWasBefore) {
   EXPECT_EQ(viewer->first(), 70U);
 }
 
-TEST_F(LogBufferTest, BelievesNoViewerThatHasReadTheFuture) {
+TEST_F(LogBufferTest, IgnoresAViewerPositionInTheFuture) {
   Write(100);
   const auto viewer = std::make_shared<Viewer>();
 
@@ -133,7 +133,7 @@ TEST_F(LogBufferTest, BelievesNoViewerThatHasReadTheFuture) {
   EXPECT_TRUE(EventuallyTrue([&] { return viewer->count() == 1; }));
 }
 
-TEST_F(LogBufferTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
+TEST_F(LogBufferTest, ASlowViewerDelaysNobodyAndSeesItsLosses) {
   const auto stuck = std::make_shared<Viewer>();
   const auto quick = std::make_shared<Viewer>();
   const auto full = ChannelTo(stuck);
@@ -167,7 +167,7 @@ TEST_F(LogBufferTest, AViewerThatDoesNotReadHoldsNobodyUpAndSeesWhatItMissed) {
   EXPECT_EQ(stuck->missed(), kTwice - LogBuffer::kKept);
 }
 
-TEST_F(LogBufferTest, SaysWhatAProcessHasSentInVain) {
+TEST_F(LogBufferTest, ReportsRecordsLostOnTheirWay) {
   const auto viewer = std::make_shared<Viewer>();
   book.Watch(ChannelTo(viewer), 0);
   book.Add("robot", kInstance, {0, {LogRecord{.text = "a"}}});
@@ -185,7 +185,7 @@ TEST_F(LogBufferTest, SaysWhatAProcessHasSentInVain) {
   EXPECT_EQ(viewer->count(), 3U);
 }
 
-TEST_F(LogBufferTest, SendsNothingToWhoIsGone) {
+TEST_F(LogBufferTest, SendsNothingToARemovedViewer) {
   const auto viewer = std::make_shared<Viewer>();
   const auto other = std::make_shared<Viewer>();
   const auto channel = ChannelTo(viewer);

@@ -56,7 +56,7 @@ TEST_P(LogWatching, EveryViewerReadsWhatAProcessLogs) {
   EXPECT_EQ(one->Of("robot")[0], (LogRecord{1234, LogLevel::kWarning, "robot", "arm", "a"}));
 }
 
-TEST_P(LogWatching, ANewViewerReadsWhatWasLoggedBefore) {
+TEST_P(LogWatching, ANewViewerReadsEarlierRecords) {
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->SendLog({0, {Record("a"), Record("b")}}));
   ASSERT_TRUE(robot->Leave());  // answered after the records were taken
@@ -68,7 +68,7 @@ TEST_P(LogWatching, ANewViewerReadsWhatWasLoggedBefore) {
   EXPECT_THAT(TextsOf(*reader, "robot"), ElementsAre("a", "b"));
 }
 
-TEST_P(LogWatching, WhatWasSentOnALinkThatBrokeIsMissedAloud) {
+TEST_P(LogWatching, ReportsRecordsLostOnABrokenLink) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
@@ -83,7 +83,7 @@ TEST_P(LogWatching, WhatWasSentOnALinkThatBrokeIsMissedAloud) {
   EXPECT_EQ(reader->Of("robot")[1].source, "log");
 }
 
-TEST_P(LogWatching, AProcessThatIsStartedAnewMissesNothing) {
+TEST_P(LogWatching, ARestartedProcessLosesNoRecords) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   auto robot = Join("robot", {});
@@ -98,7 +98,7 @@ TEST_P(LogWatching, AProcessThatIsStartedAnewMissesNothing) {
   EXPECT_TRUE(EventuallyReads(*reader, {"a", "h"}));
 }
 
-TEST_P(LogWatching, TextsFromOutsideAreMadeFitForATerminal) {
+TEST_P(LogWatching, EscapesTextFromOtherProcesses) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
@@ -116,7 +116,7 @@ TEST_P(LogWatching, TextsFromOutsideAreMadeFitForATerminal) {
   EXPECT_LT(records[1].text.size(), 5000U);
 }
 
-TEST_P(LogWatching, WhatIsNoBatchHarmsNobody) {
+TEST_P(LogWatching, IgnoresAnInvalidBatch) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
@@ -130,7 +130,7 @@ TEST_P(LogWatching, WhatIsNoBatchHarmsNobody) {
   EXPECT_TRUE(EventuallyReads(*reader, {"b"}));
 }
 
-TEST_P(LogWatching, WhoHasLeftLogsNothingUnderItsName) {
+TEST_P(LogWatching, IgnoresRecordsOfAProcessThatLeft) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
   const auto robot = Join("robot", {});
@@ -144,7 +144,7 @@ TEST_P(LogWatching, WhoHasLeftLogsNothingUnderItsName) {
   EXPECT_TRUE(EventuallyReads(*reader, {"b"}));
 }
 
-TEST_P(LogWatching, TheGcmItselfIsRead) {
+TEST_P(LogWatching, IncludesTheLogOfTheGcm) {
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
 

@@ -14,7 +14,7 @@ class Membership : public test::GcmFixture {};
 INSTANTIATE_TEST_SUITE_P(Over, Membership, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(Membership, AProcessThatJoinsAndReportsIsInTheCatalogue) {
+TEST_P(Membership, JoiningAndReportingUpdatesTheCatalogue) {
   const auto robot = Join("robot", {test::Arm()});
   EXPECT_EQ(*gcm_->catalogue().FindComponent("robot", "arm"), test::Arm());
 
@@ -28,7 +28,7 @@ TEST_P(Membership, AProcessThatJoinsAndReportsIsInTheCatalogue) {
   }));
 }
 
-TEST_P(Membership, AHundredProcessesOfOneNameAtOnceExactlyOneWins) {
+TEST_P(Membership, ExactlyOneOfAHundredEqualNamesJoins) {
   constexpr int kCount = 100;
   const auto middleware = NewMiddleware();
   std::vector<std::unique_ptr<FakeProcess>> processes;
@@ -89,7 +89,7 @@ TEST_P(Membership, AHungProcessIsLostAndFencedAndCanJoinAgain) {
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
 }
 
-TEST_P(Membership, AZombieWhoseNameWasTakenIsToldWhoHasIt) {
+TEST_P(Membership, AReplacedProcessIsToldItsNamesHolder) {
   const auto zombie = Join("robot", {});
   Pass(1600ms);
   const auto heir = Join("robot", {});
@@ -111,7 +111,7 @@ TEST_P(Membership, RenewalsKeepALease) {
   }
 }
 
-TEST_P(Membership, ASessionOfTheLastLinkTakesTheNameOver) {
+TEST_P(Membership, AProcessMayRejoinOnASecondLink) {
   const auto robot = Join("robot", {test::Arm()});
   const std::uint64_t instance = robot->description().instance;
 
@@ -123,7 +123,7 @@ TEST_P(Membership, ASessionOfTheLastLinkTakesTheNameOver) {
   EXPECT_TRUE(robot->Renew());
 }
 
-TEST_P(Membership, AProcessThatLeavesIsATombstoneThatCanBeForgotten) {
+TEST_P(Membership, AProcessThatLeftCanBeForgotten) {
   const auto robot = Join("robot", {test::Arm()});
   const auto client = Watch();
 
@@ -135,7 +135,7 @@ TEST_P(Membership, AProcessThatLeavesIsATombstoneThatCanBeForgotten) {
   EXPECT_EQ(gcm_->catalogue().FindProcess("robot"), nullptr);
 }
 
-TEST_P(Membership, BeginsWithAllProcessesThatAreThere) {
+TEST_P(Membership, JoiningReturnsAllPresentProcesses) {
   const auto desk = Join("desk", {});
   FakeProcess robot(NewMiddleware(), "robot");
 
@@ -147,7 +147,7 @@ TEST_P(Membership, BeginsWithAllProcessesThatAreThere) {
   EXPECT_EQ(joined->processes[1].name, "robot");
 }
 
-TEST_P(Membership, EveryProcessIsToldWhereTheOthersAre) {
+TEST_P(Membership, EveryProcessReceivesThePeersAddresses) {
   const auto desk = Join("desk", {});
   const auto seen = [&] {
     std::vector<std::string> names;
@@ -165,7 +165,7 @@ TEST_P(Membership, EveryProcessIsToldWhereTheOthersAre) {
   EXPECT_TRUE(EventuallyTrue([&] { return seen().size() == 1; }));
 }
 
-TEST_P(Membership, ASecondGcmAtTheAddressDoesNotTouchTheHistoryOfTheFirst) {
+TEST_P(Membership, ASecondGcmKeepsTheHistoryOfTheFirst) {
   const std::string file =
       "history-127.0.0.1-" + address_.substr(address_.find(':') + 1) + ".jsonl";
   const std::string half_a_line = "{\"id\":1,\"verb\":\"con";  // being written just now
@@ -185,7 +185,7 @@ TEST_P(Membership, ASecondGcmAtTheAddressIsRefused) {
   EXPECT_EQ(second.error().code, ErrorCode::kExists);
 }
 
-TEST_P(Membership, WhatAGcmDoesNotUnderstandIsRefusedAndHarmsNobody) {
+TEST_P(Membership, RefusesUnknownMessagesWithoutHarm) {
   const auto robot = Join("robot", {test::Arm()});
   const auto middleware = NewMiddleware();
   const auto handler = std::make_shared<ChannelHandler>();
@@ -208,7 +208,7 @@ TEST_P(Membership, WhatAGcmDoesNotUnderstandIsRefusedAndHarmsNobody) {
   EXPECT_EQ(gcm_->catalogue().revision(), revision);
 }
 
-TEST_P(Membership, AGcmThatIsKilledAndStartedAnewKnowsTheSameAfterAllHaveJoinedAgain) {
+TEST_P(Membership, AKilledGcmRecoversTheCatalogue) {
   const auto robot = Join("robot", {test::Arm()});
   const auto desk = Join("desk", {test::Teleoperation()});
   auto client = Watch();

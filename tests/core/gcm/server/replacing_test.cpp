@@ -60,14 +60,14 @@ TEST_P(Replacing, AReplacementIsOneStepAndOneUndo) {
   EXPECT_FALSE(Connection());
 }
 
-TEST_P(Replacing, AReplacementOfNothingIsAConnect) {
+TEST_P(Replacing, ReplacingNothingConnects) {
   ASSERT_TRUE(Replace(*client_, kControl));
 
   EXPECT_EQ(Steps(*client_)[0].verb, "connect");
   EXPECT_EQ(Replace(*client_, kControl).error().code, ErrorCode::kExists);
 }
 
-TEST_P(Replacing, WhatDoesNotFitReplacesNothing) {
+TEST_P(Replacing, AnIncompatibleProviderReplacesNothing) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
 
@@ -78,7 +78,7 @@ TEST_P(Replacing, WhatDoesNotFitReplacesNothing) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(Replacing, AReplacementThatTheProcessRefusesLeavesTheFormerConnection) {
+TEST_P(Replacing, ARefusedReplacementKeepsTheConnection) {
   ASSERT_TRUE(Connect(*client_));
   desk_->set_manners(Manners::kRefuseTheNextConnect);
 
@@ -92,7 +92,7 @@ TEST_P(Replacing, AReplacementThatTheProcessRefusesLeavesTheFormerConnection) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(Replacing, WhoIsNotThereReplacesNoConnectionThatWorks) {
+TEST_P(Replacing, AnAbsentProviderReplacesNoActiveConnection) {
   auto spare = Join("spare", {test::Arm()});
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
@@ -116,7 +116,7 @@ TEST_P(Replacing, WhoIsNotThereReplacesNoConnectionThatWorks) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(Replacing, WhatWaitsIsReplacedByWhatWaits) {
+TEST_P(Replacing, APendingConnectionCanBeReplaced) {
   const InterfaceName never("never", "arm", "Control");
   ASSERT_TRUE(Connect(*client_, kRobot, never));
 
@@ -127,7 +127,7 @@ TEST_P(Replacing, WhatWaitsIsReplacedByWhatWaits) {
   EXPECT_EQ(Connection()->provided, never);
 }
 
-TEST_P(Replacing, AnUndoBreaksNoConnectionThatWorksForAProcessThatIsGone) {
+TEST_P(Replacing, AnUndoNeedingALostProcessKeepsTheConnection) {
   auto spare = Join("spare", {test::Arm()});
   ASSERT_TRUE(Connect(*client_, kRobot, kSpare));
   ASSERT_TRUE(Replace(*client_, kControl));
@@ -145,7 +145,7 @@ TEST_P(Replacing, AnUndoBreaksNoConnectionThatWorksForAProcessThatIsGone) {
   EXPECT_FALSE(Steps(*client_).back().undone);
 }
 
-TEST_P(Replacing, WhoIsNotReachedReplacesNoConnectionThatWorks) {
+TEST_P(Replacing, AnUnreachableProviderReplacesNoConnection) {
   ASSERT_TRUE(Connect(*client_));
   desk_->set_manners(Manners::kMissTheNextProvider);
 
@@ -161,7 +161,7 @@ TEST_P(Replacing, WhoIsNotReachedReplacesNoConnectionThatWorks) {
   EXPECT_EQ(Steps(*client_).size(), 1U);
 }
 
-TEST_P(Replacing, AnUndoThatReachesNobodyKeepsTheConnection) {
+TEST_P(Replacing, AnUndoWithoutReachableProviderChangesNothing) {
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Replace(*client_, kSecond));
   desk_->set_manners(Manners::kMissTheNextProvider);
@@ -173,7 +173,7 @@ TEST_P(Replacing, AnUndoThatReachesNobodyKeepsTheConnection) {
   EXPECT_TRUE(IsConnectedTo(kControl));
 }
 
-TEST_P(Replacing, NobodyElseGetsInBetweenItsTwoHalves) {
+TEST_P(Replacing, NoOtherConnectComesBetweenItsTwoHalves) {
   ASSERT_TRUE(Connect(*client_));
   const auto rival = Watch();
   std::atomic<bool> is_over = false;
@@ -194,7 +194,7 @@ TEST_P(Replacing, NobodyElseGetsInBetweenItsTwoHalves) {
   EXPECT_EQ(connects, 0);
 }
 
-TEST_P(Replacing, WhatCouldNotBeRestoredIsADisconnectThatCanBeUndone) {
+TEST_P(Replacing, AFailedRestoreIsRecordedAsADisconnect) {
   ASSERT_TRUE(Connect(*client_));
   desk_->set_manners(Manners::kRefuseConnects);
 
@@ -215,7 +215,7 @@ TEST_P(Replacing, WhatCouldNotBeRestoredIsADisconnectThatCanBeUndone) {
   EXPECT_TRUE(IsConnectedTo(kControl));
 }
 
-TEST_P(Replacing, AProcessThatIsLateHasTheFormerConnectionInTheEnd) {
+TEST_P(Replacing, ALateProcessEndsWithTheFormerConnection) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
   order_timeout_ = 100ms;
@@ -236,7 +236,7 @@ TEST_P(Replacing, AProcessThatIsLateHasTheFormerConnectionInTheEnd) {
   EXPECT_EQ(desk_->connection_count(), 1U);
 }
 
-TEST_P(Replacing, WhatALateProcessHasRestoredCanBeUndoneStepByStep) {
+TEST_P(Replacing, ARestoreByALateProcessCanBeUndone) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
   order_timeout_ = 100ms;
@@ -254,7 +254,7 @@ TEST_P(Replacing, WhatALateProcessHasRestoredCanBeUndoneStepByStep) {
   for (const auto& step : Steps(*client_)) EXPECT_TRUE(step.undone) << step.verb;
 }
 
-TEST_P(Replacing, WithoutAnAnswerWhatWasReportedCounts) {
+TEST_P(Replacing, WithoutAReplyTheReportDecides) {
   ASSERT_TRUE(Connect(*client_));
   desk_->set_manners(Manners::kObeyAndDie);
 

@@ -38,7 +38,7 @@ class UndoOrders : public test::DeskAndRobot {
 INSTANTIATE_TEST_SUITE_P(Over, UndoOrders, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(UndoOrders, SaysWhichStepItIsThatCannotBeUndoneAndWhatToDo) {
+TEST_P(UndoOrders, NamesTheStepThatCannotBeUndoneAndTheRemedy) {
   ASSERT_TRUE(Connect(*client_));
   desk_->Remove("teleoperation");
   WaitUntilGone("desk", "teleoperation");
@@ -53,7 +53,7 @@ TEST_P(UndoOrders, SaysWhichStepItIsThatCannotBeUndoneAndWhatToDo) {
   EXPECT_TRUE(why.ends_with(kNext)) << why;
 }
 
-TEST_P(UndoOrders, AStepWhoseObjectsAreGoneIsPassedOverAndThoseBeforeItAreUndone) {
+TEST_P(UndoOrders, SkipsAStepOfRemovedObjects) {
   const auto aide = Join("aide", {test::Teleoperation("helper")});
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Connect(*client_, {"aide", "helper", "Robot"}));
@@ -76,7 +76,7 @@ TEST_P(UndoOrders, AStepWhoseObjectsAreGoneIsPassedOverAndThoseBeforeItAreUndone
   EXPECT_EQ(WhyNot(), "there is nothing to undo");
 }
 
-TEST_P(UndoOrders, WhatCanBeUndoneIsNotPassedOver) {
+TEST_P(UndoOrders, RefusesToSkipAnUndoableStep) {
   EXPECT_EQ(PassOver().error().message, "there is nothing to undo");
   ASSERT_TRUE(Connect(*client_));
 
@@ -87,7 +87,7 @@ TEST_P(UndoOrders, WhatCanBeUndoneIsNotPassedOver) {
   EXPECT_TRUE(Undo(*client_));
 }
 
-TEST_P(UndoOrders, WhatIsNamedIsPassedOverAllTheSame) {
+TEST_P(UndoOrders, SkipsANamedStepEvenIfUndoable) {
   ASSERT_TRUE(Connect(*client_));
 
   const auto passed =
@@ -98,7 +98,7 @@ TEST_P(UndoOrders, WhatIsNamedIsPassedOverAllTheSame) {
   EXPECT_TRUE(Connection());
 }
 
-TEST_P(UndoOrders, NothingIsUndoneInAProcessThatWasStartedAgain) {
+TEST_P(UndoOrders, UndoesNothingInARestartedProcess) {
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
   desk_.reset();
@@ -116,7 +116,7 @@ TEST_P(UndoOrders, NothingIsUndoneInAProcessThatWasStartedAgain) {
   EXPECT_EQ(WhyNot(), "there is nothing to undo");
 }
 
-TEST_P(UndoOrders, ADisconnectFromWhatIsGoneCanBePassedOver) {
+TEST_P(UndoOrders, ADisconnectFromARemovedObjectCanBeSkipped) {
   ASSERT_TRUE(Connect(*client_));
   ASSERT_TRUE(Disconnect(*client_));
   robot_->Remove("arm");

@@ -28,7 +28,7 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
-TEST_P(Watching, AllOfItIsAskedForAnewAndWhatChangesThenIsHeardAsBefore) {
+TEST_P(Watching, AResyncSendsASnapshotThenChanges) {
   const auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
@@ -42,7 +42,7 @@ TEST_P(Watching, AllOfItIsAskedForAnewAndWhatChangesThenIsHeardAsBefore) {
   EXPECT_EQ(recorder->holes(), 0);
 }
 
-TEST_P(Watching, AViewerHoldsEqualInterfacesOnceWhetherItWasThereOrNot) {
+TEST_P(Watching, AViewerStoresEqualInterfacesOnce) {
   const auto robot = Join("robot", {test::Arm()});
   const auto client = Watch();
   const auto spare = Join("spare", {test::Arm()});
@@ -55,7 +55,7 @@ TEST_P(Watching, AViewerHoldsEqualInterfacesOnceWhetherItWasThereOrNot) {
   EXPECT_EQ(interfaces, test::Arm().provided);
 }
 
-TEST_P(Watching, AllWatchersSeeTheSameNumberedSequenceWhileProcessesComeAndGo) {
+TEST_P(Watching, AllWatchersSeeTheSameSequenceOfChanges) {
   const auto one = std::make_shared<Recorder>();
   const auto two = std::make_shared<Recorder>();
   const auto first = Watch(one);
@@ -115,7 +115,7 @@ class StuckListener final : public Recorder {
   std::atomic<bool> is_released_ = false;
 };
 
-TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
+TEST_P(Watching, ASlowWatcherCatchesUpByASnapshot) {
   const auto robot = Join("robot", {test::Arm()});
   const auto stuck = std::make_shared<StuckListener>();
   const auto quick = std::make_shared<Recorder>();
@@ -151,7 +151,7 @@ TEST_P(Watching, AWatcherThatDoesNotReadHoldsNobodyUpAndCatchesUpByASnapshot) {
   EXPECT_LT(stuck->changes().size(), quick->changes().size());
 }
 
-TEST_P(Watching, AClientWithoutAGcmSaysWhereAndWhatToDo) {
+TEST_P(Watching, AClientWithoutAGcmReportsAddressAndRemedy) {
   gcm_.reset();
   const auto recorder = std::make_shared<Recorder>();
   GcmClient client(NewMiddleware(),
@@ -173,7 +173,7 @@ TEST_P(Watching, AClientWithoutAGcmSaysWhereAndWhatToDo) {
   EXPECT_EQ(recorder->losses()[0].message, watching.error().message);
 }
 
-TEST_P(Watching, AClientFindsItsGcmAgain) {
+TEST_P(Watching, AClientReconnectsToItsGcm) {
   auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
@@ -190,7 +190,7 @@ TEST_P(Watching, AClientFindsItsGcmAgain) {
   EXPECT_EQ(recorder->losses().size(), 1U);
 }
 
-TEST_P(Watching, AClientOfAnotherProtocolIsToldAtOnce) {
+TEST_P(Watching, AClientWithAnotherCookieIsRefusedAtOnce) {
   const auto middleware = NewMiddleware();
   const auto handler = std::make_shared<ChannelHandler>();
   const auto channel = Channel::Open(

@@ -40,7 +40,7 @@ class LcmLauncherTest : public testing::Test {
   const test::Folder home_;
 };
 
-TEST_F(LcmLauncherTest, StartsTheProgramWithItsWordsAndKeepsWhatItSays) {
+TEST_F(LcmLauncherTest, StartsTheProgramAndKeepsItsOutput) {
   Script("echo \"$*\"; echo 'no GCM' >&2; exit 3");
   LcmLauncher launcher = Make("0.0.0.0:10705");
 
@@ -58,7 +58,7 @@ TEST_F(LcmLauncherTest, StartsTheProgramWithItsWordsAndKeepsWhatItSays) {
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
 }
 
-TEST_F(LcmLauncherTest, AProgramHasASessionOfItsOwnAndEndsWhenItIsTold) {
+TEST_F(LcmLauncherTest, StartsAProgramInItsOwnSessionAndEndsIt) {
   Script("exec sleep 1000");
   LcmLauncher launcher = Make();
 
@@ -72,7 +72,7 @@ TEST_F(LcmLauncherTest, AProgramHasASessionOfItsOwnAndEndsWhenItIsTold) {
   EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGTERM");
 }
 
-TEST_F(LcmLauncherTest, GivesTheProgramTheSystemThatItIsToHaveAndKeepsTheFormerLog) {
+TEST_F(LcmLauncherTest, PassesTheSystemFileAndKeepsTheFormerLog) {
   Script("echo \"$*\"");
   LcmLauncher launcher = Make();
   const auto first = launcher.Start({.process = "robot", .patience = 2s});
@@ -91,7 +91,7 @@ TEST_F(LcmLauncherTest, GivesTheProgramTheSystemThatItIsToHaveAndKeepsTheFormerL
   EXPECT_NE(ReadSystemFile(file)->FindProcess("robot"), nullptr);
 }
 
-TEST_F(LcmLauncherTest, ALongLogIsPutAsideAndTheProgramWritesOn) {
+TEST_F(LcmLauncherTest, RotatesALongLogOfARunningProgram) {
   const std::string fifo = (home_.path() / "fifo").string();
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   Script("echo 'a long line'; read -r go < " + fifo + "; echo more; exec sleep 1000");
@@ -115,7 +115,7 @@ TEST_F(LcmLauncherTest, ALongLogIsPutAsideAndTheProgramWritesOn) {
   EXPECT_EQ(WaitForEndOf(**process).how, "was ended by SIGKILL");
 }
 
-TEST_F(LcmLauncherTest, ALogThatCannotBeKeptIsSaidOnceAndCutAllTheSame) {
+TEST_F(LcmLauncherTest, TruncatesALogThatCannotBeRotated) {
   Script("echo 'a long line'; exec sleep 1000");
   LcmLauncher launcher({.program = home_.path() / "lcm", .longest_log = 8}, "127.0.0.1:1",
                        home_.path() / "state");
@@ -147,7 +147,7 @@ TEST_F(LcmLauncherTest, ALogThatCannotBeKeptIsSaidOnceAndCutAllTheSame) {
   (*second)->Kill();
 }
 
-TEST_F(LcmLauncherTest, SaysWhatIsMissing) {
+TEST_F(LcmLauncherTest, ReportsAMissingProgramOrAddress) {
   LcmLauncher launcher = Make();
   const auto missing = launcher.Start({.process = "robot"});
   ASSERT_FALSE(missing);

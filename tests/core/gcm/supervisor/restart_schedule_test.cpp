@@ -18,7 +18,7 @@ std::optional<std::chrono::milliseconds> FailAfter(std::chrono::nanoseconds life
   return pause;
 }
 
-TEST(RestartSchedule, WaitsTwiceAsLongEachTimeUpToALimit) {
+TEST(RestartSchedule, DoublesThePauseUpToALimit) {
   RestartSchedule schedule;
   SteadyTime now = kBegin;
 
@@ -27,7 +27,7 @@ TEST(RestartSchedule, WaitsTwiceAsLongEachTimeUpToALimit) {
   }
 }
 
-TEST(RestartSchedule, BeginsAgainForOneThatHasStoodForAMinute) {
+TEST(RestartSchedule, RestartsThePausesAfterAStableMinute) {
   RestartSchedule schedule;
   SteadyTime now = kBegin;
   FailAfter(1s, now, schedule);

@@ -19,7 +19,7 @@ class StartingProcess : public SupervisorTest {
   }
 };
 
-TEST_F(StartingProcess, IsShownAsThatUntilItHasJoined) {
+TEST_F(StartingProcess, IsShownAsStartingUntilItJoins) {
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return HasPid(1); }));
   Locked([&] {
@@ -44,7 +44,7 @@ TEST_F(StartingProcess, IsShownAsThatUntilItHasJoined) {
   });
 }
 
-TEST_F(StartingProcess, LeavesNoTraceWhereItDoesNotJoin) {
+TEST_F(StartingProcess, LeavesNoTraceIfItDoesNotJoin) {
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return HasPid(1); }));
   Locked([this] { launcher_->process()->end = kKilled; });

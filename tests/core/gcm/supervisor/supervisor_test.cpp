@@ -7,7 +7,7 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::HasSubstr;
 
-TEST_F(SupervisorTest, TheLogOfOneThatRunsIsLookedAtEachSecond) {
+TEST_F(SupervisorTest, ChecksTheLogOfARunningProcessEachSecond) {
   Run(RestartPolicy::kNever);
   const std::size_t before = launcher_->shortened().size();
 
@@ -20,7 +20,7 @@ TEST_F(SupervisorTest, TheLogOfOneThatRunsIsLookedAtEachSecond) {
   EXPECT_EQ(launcher_->shortened().back(), "robot");
 }
 
-TEST_F(SupervisorTest, AStartIsDoneOnceTheProcessHasJoined) {
+TEST_F(SupervisorTest, AStartCompletesWhenTheProcessJoins) {
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   EXPECT_FALSE(launcher_->order().system);
@@ -36,7 +36,7 @@ TEST_F(SupervisorTest, AStartIsDoneOnceTheProcessHasJoined) {
   EXPECT_EQ(history_.steps().entries[0].who, "test");
 }
 
-TEST_F(SupervisorTest, AnotherProcessOfTheNameIsNotTheOneThatWasStarted) {
+TEST_F(SupervisorTest, ANamesakeIsNotTakenForTheStartedProcess) {
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   Locked([this] {
@@ -52,7 +52,7 @@ TEST_F(SupervisorTest, AnotherProcessOfTheNameIsNotTheOneThatWasStarted) {
   EXPECT_THAT(history_.steps().entries, testing::IsEmpty());
 }
 
-TEST_F(SupervisorTest, WhatCannotBeStartedIsSaid) {
+TEST_F(SupervisorTest, ReportsProcessesThatCannotBeStarted) {
   launcher_->refusal = "no such program";
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(IsAnswered(answer));
@@ -68,7 +68,7 @@ TEST_F(SupervisorTest, WhatCannotBeStartedIsSaid) {
   EXPECT_THAT(TextOf(alien), HasSubstr("was not started by this GCM: end it where it was started"));
 }
 
-TEST_F(SupervisorTest, OneThatNeverJoinsIsEndedAgain) {
+TEST_F(SupervisorTest, EndsAProcessThatNeverJoins) {
   const auto answer = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   ASSERT_TRUE(Comes([this] {
@@ -91,7 +91,7 @@ TEST_F(SupervisorTest, OneThatNeverJoinsIsEndedAgain) {
       "alas; its log: robot.log");
 }
 
-TEST_F(SupervisorTest, OneThatFailsIsStartedAgainWithWhatItHad) {
+TEST_F(SupervisorTest, RestartsAFailedProcessWithItsComponents) {
   Run(RestartPolicy::kOnFailure);
   ThreadOptions thread;
   thread.lock_memory = true;
@@ -128,7 +128,7 @@ TEST_F(SupervisorTest, OneThatFailsIsStartedAgainWithWhatItHad) {
 
 /// Else one that fails while its components are started would come back without them running, or
 /// one that was stopped would run again.
-TEST_F(SupervisorTest, WhatItHadIsWhatItWasStartedWithAndWhatWasOrderedSince) {
+TEST_F(SupervisorTest, ARestartRestoresTheLastOrderedStates) {
   ComponentDescription resting = test::Arm();
   resting.state = ComponentState::kConstructed;
   const auto state = [this] {
@@ -145,7 +145,7 @@ TEST_F(SupervisorTest, WhatItHadIsWhatItWasStartedWithAndWhatWasOrderedSince) {
   EXPECT_EQ(state(), ComponentState::kConstructed);
 }
 
-TEST_F(SupervisorTest, GivesUpWhatFailsAgainAndAgain) {
+TEST_F(SupervisorTest, GivesUpAfterRepeatedFailures) {
   Run(RestartPolicy::kOnFailure);
   for (const auto pause : {500ms, 1000ms, 2000ms, 4000ms}) FailOnce(pause, {});
 
@@ -163,7 +163,7 @@ TEST_F(SupervisorTest, GivesUpWhatFailsAgainAndAgain) {
   EXPECT_TRUE(Comes([this] { return launcher_->starts() == 6; }));
 }
 
-TEST_F(SupervisorTest, OneThatEndsByItselfOrIsToEndStaysEnded) {
+TEST_F(SupervisorTest, DoesNotRestartAfterANormalEnd) {
   Run(RestartPolicy::kOnFailure);
   End({false, "ended with exit code 0"}, ProcessState::kLeft);
   ASSERT_TRUE(Comes([this] { return ReasonNow() == "ended with exit code 0 by itself"; }));
@@ -188,7 +188,7 @@ TEST_F(SupervisorTest, OneThatEndsByItselfOrIsToEndStaysEnded) {
   EXPECT_EQ(TextOf(Order(ProcessVerb::kKill)), "process 'robot' is already gone");
 }
 
-TEST_F(SupervisorTest, OneThatIsToRestartNeverDoesNot) {
+TEST_F(SupervisorTest, DoesNotRestartUnderThePolicyNever) {
   Run(RestartPolicy::kNever);
 
   End(kKilled);
@@ -199,7 +199,7 @@ TEST_F(SupervisorTest, OneThatIsToRestartNeverDoesNot) {
   }));
 }
 
-TEST_F(SupervisorTest, WhatWaitsToBeStartedAgainCanBeToldToStayEnded) {
+TEST_F(SupervisorTest, APendingRestartCanBeCancelled) {
   Run(RestartPolicy::kOnFailure);
   End(kKilled);
   ASSERT_TRUE(Comes([this] { return ReasonNow().find("restarted in") != std::string::npos; }));
@@ -213,7 +213,7 @@ TEST_F(SupervisorTest, WhatWaitsToBeStartedAgainCanBeToldToStayEnded) {
   EXPECT_EQ(Reason(), "was ended on request, and is not restarted");
 }
 
-TEST_F(SupervisorTest, AStartIsUndoneAsLongAsNothingIsInTheProcess) {
+TEST_F(SupervisorTest, AStartCanBeUndoneWhileTheProcessIsEmpty) {
   Run(RestartPolicy::kOnFailure, {test::Arm()});
   const auto step = history_.steps().entries.at(0);
   EXPECT_EQ(supervisor_.CheckUndo(step).error().message,

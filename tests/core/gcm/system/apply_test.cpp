@@ -31,7 +31,7 @@ class ApplyPlan : public test::DeskAndRobot {
 INSTANTIATE_TEST_SUITE_P(Over, ApplyPlan, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(ApplyPlan, ConnectsReplacesAndDisconnectsThroughTheGcmUntilNothingDiffers) {
+TEST_P(ApplyPlan, AppliesConnectionsUntilNothingDiffers) {
   robot_->Add(test::Arm("spare"));
   ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "spare"); }));
   const SystemFile bare = Running();
@@ -54,7 +54,7 @@ TEST_P(ApplyPlan, ConnectsReplacesAndDisconnectsThroughTheGcmUntilNothingDiffers
   EXPECT_THAT(DifferencesFrom(bare), testing::IsEmpty());
 }
 
-TEST_P(ApplyPlan, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
+TEST_P(ApplyPlan, RefusesAStepForARestartedProcess) {
   SystemFile wanted = Running();
   wanted.connections.push_back({kRobot, kControl});
   const Plan plan = MakePlan(client_->catalogue(), wanted);
@@ -74,7 +74,7 @@ TEST_P(ApplyPlan, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
   EXPECT_TRUE(desk_->orders().empty());
 }
 
-TEST_P(ApplyPlan, NothingIsStartedThatLacksAConnection) {
+TEST_P(ApplyPlan, StartsNothingThatLacksAConnection) {
   PlanStep step{.kind = PlanStep::Kind::kStart, .process = "desk", .needs = {{kRobot, kControl}}};
   step.component.name = "teleoperation";
   ClientExecutor executor(*client_, std::chrono::milliseconds(50));

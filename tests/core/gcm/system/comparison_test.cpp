@@ -14,14 +14,14 @@ std::vector<SystemDifference> DifferencesFromDemo(const SystemFile& second) {
   return CompareSystems(Demo(), second, StartComparison::kCompare).differences;
 }
 
-TEST(SystemComparison, FindsNothingBetweenASystemAndItself) {
+TEST(SystemComparison, ASystemEqualsItself) {
   const SystemComparison comparison = CompareSystems(Demo(), Demo(), StartComparison::kCompare);
 
   EXPECT_TRUE(comparison.differences.empty());
   EXPECT_EQ(comparison.equal, 6U);  // two processes, three components, a connection
 }
 
-TEST(SystemComparison, NamesWhatOnlyOneOfThemHas) {
+TEST(SystemComparison, ListsObjectsOfOnlyOneSystem) {
   SystemFile second = Demo();
   second.processes[1].components.erase(second.processes[1].components.begin());
   second.processes.push_back({"new", {{"host", "HostMonitor", "", ""}}});
@@ -37,7 +37,7 @@ TEST(SystemComparison, NamesWhatOnlyOneOfThemHas) {
                            "connection desk/teleoperation/Robot -> robot/arm/Control", ""}));
 }
 
-TEST(SystemComparison, SaysHowAComponentHasChanged) {
+TEST(SystemComparison, DescribesAChangedComponent) {
   SystemFile second = Demo();
   auto& arm = second.processes[1].components[0];
   arm.class_name = "LegacyArm";
@@ -53,7 +53,7 @@ TEST(SystemComparison, SaysHowAComponentHasChanged) {
                   "0.001 s -> 0.5 s; state active -> suspended"}));
 }
 
-TEST(SystemComparison, SaysWhereAConnectionLeadsInstead) {
+TEST(SystemComparison, DescribesAChangedConnection) {
   SystemFile second = Demo();
   second.connections[0].provided = {"robot", "spare", "Control"};
 
@@ -63,7 +63,7 @@ TEST(SystemComparison, SaysWhereAConnectionLeadsInstead) {
                                    "to robot/arm/Control -> robot/spare/Control"}));
 }
 
-TEST(SystemComparison, WhatDoesNotMatterIsNoDifference) {
+TEST(SystemComparison, IgnoresIrrelevantDifferences) {
   SystemFile first = Demo();
   SystemFile second = Demo();
   second.name = "other";
@@ -81,7 +81,7 @@ TEST(SystemComparison, WhatDoesNotMatterIsNoDifference) {
   EXPECT_TRUE(CompareSystems(first, second, StartComparison::kCompare).differences.empty());
 }
 
-TEST(SystemComparison, SaysInWhatThreadsAndLeadersDiffer) {
+TEST(SystemComparison, DescribesChangedThreadsAndLeaders) {
   SystemFile first = Demo();
   SystemFile second = Demo();
   auto& arm = first.processes[1].components[0];
@@ -106,7 +106,7 @@ TEST(SystemComparison, SaysInWhatThreadsAndLeadersDiffer) {
   EXPECT_EQ(how(), "");
 }
 
-TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
+TEST(SystemComparison, ComparesTheStarterOnlyBetweenFiles) {
   SystemFile first = Demo();
   const SystemFile second = Demo();
   first.processes[1].start = SystemFile::Start{RestartPolicy::kOnFailure};
@@ -118,7 +118,7 @@ TEST(SystemComparison, WhoStartsAProcessIsOfFilesAlone) {
   EXPECT_TRUE(CompareSystems(first, second, StartComparison::kIgnore).differences.empty());
 }
 
-TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {
+TEST(SystemComparison, ComparesUnreadableConfigurationsAsText) {
   const std::string deep(100'000, '[');
 
   EXPECT_TRUE(IsSameJson(deep, deep));
@@ -127,7 +127,7 @@ TEST(SystemComparison, AConfigurationThatCannotBeReadIsComparedAsText) {
   EXPECT_TRUE(IsSameJson(R"({"a": "\u00e9"})", "{\"a\":\"\xc3\xa9\"}"));
 }
 
-TEST(SystemComparison, AFaultIsNotWhatWasWanted) {
+TEST(SystemComparison, AFaultedComponentIsADifference) {
   SystemFile second = Demo();
   second.processes[1].components[0].state = ComponentState::kFaulted;
 

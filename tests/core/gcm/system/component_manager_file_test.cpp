@@ -34,7 +34,7 @@ std::string Streamer(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-TEST(ComponentManagerFile, BecomesASystemFile) {
+TEST(ComponentManagerFile, ConvertsToASystemFile) {
   for (const std::string& text : {kStreamer, "{\"component-manager\": " + kStreamer + "}"}) {
     const auto imported = ParseComponentManagerFile(text, "a.json", "robot");
 
@@ -64,7 +64,7 @@ TEST(ComponentManagerFile, BecomesASystemFile) {
   }
 }
 
-TEST(ComponentManagerFile, SaysOfWhomThePlugInIsUnknown) {
+TEST(ComponentManagerFile, ReportsComponentsWithoutAPlugIn) {
   const auto imported = ParseComponentManagerFile(
       Streamer("\"shared-library\": \"sawSocketStreamer\",", ""), "a.json", "robot");
 
@@ -76,7 +76,7 @@ TEST(ComponentManagerFile, SaysOfWhomThePlugInIsUnknown) {
           "mtsSocketStreamer into \"library\""));
 }
 
-TEST(ComponentManagerFile, AParameterThatIsJsonIsTheConfiguration) {
+TEST(ComponentManagerFile, AJsonParameterBecomesTheConfiguration) {
   const auto imported = ParseComponentManagerFile(
       Streamer("\"streamerMTML.json\"", R"("{\"port\": 5}")"), "a.json", "robot");
 
@@ -84,7 +84,7 @@ TEST(ComponentManagerFile, AParameterThatIsJsonIsTheConfiguration) {
   EXPECT_EQ(imported->file.processes[0].components[0].configuration, R"({"port":5})");
 }
 
-TEST(ComponentManagerFile, AnEndMayNameItsProcess) {
+TEST(ComponentManagerFile, AConnectionMayNameItsProcesses) {
   const auto imported = ParseComponentManagerFile(
       Streamer(R"({"component": "MTML")", R"({"process": "arms", "component": "MTML")"), "a.json",
       "robot");
@@ -110,7 +110,7 @@ TEST(ComponentManagerFile, MayHaveComments) {
             "configure-parameter: /*a\"//b*/ http://c");
 }
 
-TEST(ComponentManagerFile, AMistakeBehindACommentIsWhereItStands) {
+TEST(ComponentManagerFile, ErrorPositionsAreRightAfterComments) {
   EXPECT_EQ(ImportError("/* one\ntwo */ {\"component\": []}"),
             "a.json: line 2, column 9: unknown key 'component'; did you mean 'components'?");
   EXPECT_EQ(ImportError("{/**/\"component\": []}"),
@@ -119,7 +119,7 @@ TEST(ComponentManagerFile, AMistakeBehindACommentIsWhereItStands) {
   EXPECT_THAT(ImportError("{/}"), HasSubstr("a.json: line 1, column 2: "));
 }
 
-TEST(ComponentManagerFile, WhatStandsBesideTheComponentManagerIsLeftOut) {
+TEST(ComponentManagerFile, ReportsOtherSectionsAsLeftOut) {
   const auto imported = ParseComponentManagerFile(
       R"({"io": {"port": "udp"}, "console-inputs": {}, "component-manager": )" + kStreamer + "}",
       "console.json", "robot");
@@ -131,7 +131,7 @@ TEST(ComponentManagerFile, WhatStandsBesideTheComponentManagerIsLeftOut) {
   EXPECT_THAT(imported->left_out[1], HasSubstr("io is left out"));
 }
 
-TEST(ComponentManagerFile, WhatOnlyTheClassKnowsIsLeftOut) {
+TEST(ComponentManagerFile, ReportsClassSpecificKeysAsLeftOut) {
   const auto imported = ParseComponentManagerFile(
       Streamer("\"Period\": 0.01", R"("Period": 0.01, "Arg": "/dev/tty", "Nane": 1)"), "a.json",
       "robot");

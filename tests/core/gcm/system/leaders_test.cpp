@@ -22,7 +22,7 @@ std::string MistakeIn(const std::string& text) {
   return system ? "" : system.error().message;
 }
 
-TEST(RunsAfter, IsReadFromAFileAndWrittenThere) {
+TEST(RunsAfter, IsReadFromAndWrittenToAFile) {
   const auto system =
       ParseSystemFile(RobotWith(R"("runs_after": "arm", "thread": {"cpus": [900]})"), "x");
 
@@ -34,7 +34,7 @@ TEST(RunsAfter, IsReadFromAFileAndWrittenThere) {
   EXPECT_EQ(*ParseSystemFile(*SystemFileText(*system), "x"), *system);
 }
 
-TEST(RunsAfter, IsCheckedWithItsPlace) {
+TEST(RunsAfter, ErrorsNameTheirPosition) {
   const auto error = [](const std::string& members) { return MistakeIn(RobotWith(members)); };
 
   EXPECT_EQ(
@@ -50,7 +50,7 @@ TEST(RunsAfter, IsCheckedWithItsPlace) {
             "runs after 'host'");
 }
 
-TEST(RunsAfter, ARingIsRefusedWithAllThatAreInIt) {
+TEST(RunsAfter, RefusesARingNamingItsMembers) {
   const auto ring = [](int size) {
     std::string components;
     for (int i = 0; i < size; ++i) {

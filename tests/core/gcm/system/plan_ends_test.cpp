@@ -19,7 +19,7 @@ PlanStep BirthOf(const CatalogBuilder& running, const std::string& process,
           .restart = restart};
 }
 
-TEST(WithEnds, EndsTheProcessesThatAnotherHasStartedAndWhichAreThereStill) {
+TEST(WithEnds, EndsPresentProcessesOfTheOtherSystem) {
   CatalogBuilder running;
   running.Process("desk", {}).Process("robot", {}, ProcessState::kLeft);
 
@@ -33,7 +33,7 @@ TEST(WithEnds, EndsTheProcessesThatAnotherHasStartedAndWhichAreThereStill) {
   EXPECT_TRUE(plan.TakesAway());
 }
 
-TEST(WithEnds, EndsNoProcessThatWasStartedAgainSinceForItMayBeAnothers) {
+TEST(WithEnds, EndsNoRestartedProcess) {
   CatalogBuilder running;
   running.Process("desk", {}).Process("robot", {});
   const std::vector<PlanStep> births = {BirthOf(running, "desk"), BirthOf(running, "robot")};
@@ -42,7 +42,7 @@ TEST(WithEnds, EndsNoProcessThatWasStartedAgainSinceForItMayBeAnothers) {
   EXPECT_THAT(TextsOf(WithEnds({}, running.catalogue(), births)), ElementsAre("end process robot"));
 }
 
-TEST(WithEnds, EndsALostProcessThatTheGcmMayBeAboutToStartAgain) {
+TEST(WithEnds, EndsALostProcessThatMayBeRestarted) {
   CatalogBuilder running;
   running.Process("desk", {}, ProcessState::kLost).Process("robot", {}, ProcessState::kLost);
 

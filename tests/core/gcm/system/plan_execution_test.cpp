@@ -75,14 +75,14 @@ std::vector<std::string> LeftAfter(const std::string& failing, const std::vector
   return left;
 }
 
-TEST(ExecutePlan, TellsOfEachStep) {
+TEST(ExecutePlan, ReportsEachStep) {
   FakeExecutor executor;
 
   EXPECT_THAT(Execute(ThreeStarts(), executor, AfterError::kStop),
               ElementsAre("1 start p/a done", "2 start p/b done", "3 start p/c done"));
 }
 
-TEST(ExecutePlan, StopsAtTheFirstErrorAndTellsWhatIsLeft) {
+TEST(ExecutePlan, StopsAtTheFirstErrorAndListsRemainingSteps) {
   FakeExecutor executor({"start p/b"});
 
   EXPECT_THAT(Execute(ThreeStarts(), executor, AfterError::kStop),
@@ -91,7 +91,7 @@ TEST(ExecutePlan, StopsAtTheFirstErrorAndTellsWhatIsLeft) {
   EXPECT_THAT(executor.tried(), ElementsAre("start p/a", "start p/b"));
 }
 
-TEST(ExecutePlan, AnInterruptLeavesTheRestAndNoStepHalfDone) {
+TEST(ExecutePlan, AnInterruptStopsBetweenSteps) {
   const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
   FakeExecutor executor;
 
@@ -103,7 +103,7 @@ TEST(ExecutePlan, AnInterruptLeavesTheRestAndNoStepHalfDone) {
             (PlanOutcome{.done = 1, .failed = 0, .left = 2, .error = {}, .is_interrupted = true}));
 }
 
-TEST(ExecutePlan, CountsWhatCameOfTheSteps) {
+TEST(ExecutePlan, CountsTheOutcomesOfSteps) {
   const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
   const Error error{ErrorCode::kTimeout, "no answer to start p/b"};
   FakeExecutor whole;
@@ -118,14 +118,14 @@ TEST(ExecutePlan, CountsWhatCameOfTheSteps) {
             (PlanOutcome{.done = 2, .failed = 1, .left = 0, .error = error}));
 }
 
-TEST(ExecutePlan, WhatLacksAConnectionIsNotStarted) {
+TEST(ExecutePlan, StartsNothingThatLacksAConnection) {
   EXPECT_THAT(LeftAfter("connect p/a/R -> p/b/P",
                         {Connect("a", "b"), Connect("a", "c"), Step(Kind::kStart, "b"),
                          Step(Kind::kStart, "a"), Step(Kind::kStartSuspended, "c")}),
               ElementsAre("start p/a"));
 }
 
-TEST(ExecutePlan, AComponentThatIsNotAsWantedIsNotTouchedAnyMoreNorUsed) {
+TEST(ExecutePlan, SkipsStepsThatDependOnAFailedComponent) {
   EXPECT_THAT(
       LeftAfter("configure p/b",
                 {Step(Kind::kConfigure, "b"), Connect("b", "c"), Connect("a", "b"),
@@ -136,7 +136,7 @@ TEST(ExecutePlan, AComponentThatIsNotAsWantedIsNotTouchedAnyMoreNorUsed) {
               ElementsAre("remove p/a"));
 }
 
-TEST(PlanExecution, InAProcessThatIsNotStartedNothingIsTried) {
+TEST(PlanExecution, SkipsAllStepsOfAnUnstartedProcess) {
   FakeExecutor executor({"start process p (restart never)"});
   PlanStep elsewhere = Step(Kind::kStart, "d");
   elsewhere.process = "q";

@@ -21,7 +21,7 @@ Plan PlanFromDemo(const SystemFile& wanted) {
   return MakePlan(test::RunningDemo().catalogue(), wanted);
 }
 
-TEST(Plan, OfASystemThatRunsIsEmpty) {
+TEST(Plan, IsEmptyForTheRunningSystem) {
   const Plan plan = PlanFromDemo(DemoFile());
 
   EXPECT_THAT(plan.steps, IsEmpty());
@@ -29,7 +29,7 @@ TEST(Plan, OfASystemThatRunsIsEmpty) {
   EXPECT_EQ(plan.untouched, 6U);
 }
 
-TEST(Plan, StartsTheProcessesThatTheGcmIsToStart) {
+TEST(Plan, StartsTheProcessesOfTheGcm) {
   CatalogBuilder lost;
   lost.Process("desk", {test::Teleoperation()}, ProcessState::kLost)
       .Connection(test::kNeeded, test::kOffered, ConnectionState::kPending);
@@ -54,14 +54,14 @@ TEST(Plan, StartsTheProcessesThatTheGcmIsToStart) {
   EXPECT_FALSE(plan.TakesAway());
 }
 
-TEST(Plan, LeavesAProcessThatIsThereAsItIsWhoeverHasStartedIt) {
+TEST(Plan, KeepsAPresentProcessWhateverStartedIt) {
   SystemFile wanted = DemoFile();
   for (auto& process : wanted.processes) process.start = SystemFile::Start{};
 
   EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
 }
 
-TEST(Plan, MakesASystemInEmptyProcessesInTheOrderThatWorks) {
+TEST(Plan, BuildsASystemInEmptyProcessesInOrder) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});
   SystemFile wanted = DemoFile();
@@ -82,7 +82,7 @@ TEST(Plan, MakesASystemInEmptyProcessesInTheOrderThatWorks) {
   EXPECT_FALSE(plan.TakesAway());  // what is suspended has not run before
 }
 
-TEST(Plan, TakesAwayWhatTheFileDoesNotHaveInItsProcesses) {
+TEST(Plan, RemovesObjectsThatTheFileLacks) {
   SystemFile wanted = DemoFile();
   wanted.processes[1].components.pop_back();
   wanted.connections.clear();
@@ -93,7 +93,7 @@ TEST(Plan, TakesAwayWhatTheFileDoesNotHaveInItsProcesses) {
                   "remove robot/spare"));
 }
 
-TEST(Plan, DisconnectsWhatWaitsForAProviderThatTheFileDoesNotWant) {
+TEST(Plan, DisconnectsUnwantedPendingConnections) {
   CatalogBuilder builder;
   builder.Process("desk", {test::Teleoperation()})
       .Connection(test::kNeeded, test::kOffered, ConnectionState::kPending);
@@ -103,7 +103,7 @@ TEST(Plan, DisconnectsWhatWaitsForAProviderThatTheFileDoesNotWant) {
               ElementsAre("disconnect desk/teleoperation/Robot -> robot/arm/Control"));
 }
 
-TEST(Plan, LeavesOtherProcessesAlone) {
+TEST(Plan, IgnoresOtherProcesses) {
   SystemFile wanted = DemoFile();
   wanted.processes.erase(wanted.processes.begin());  // the desk
   wanted.connections.clear();
@@ -111,7 +111,7 @@ TEST(Plan, LeavesOtherProcessesAlone) {
   EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
 }
 
-TEST(Plan, AnotherConfigurationMakesTheComponentAnewAtRestWithItsConnections) {
+TEST(Plan, ANewConfigurationReconfiguresAStoppedComponent) {
   SystemFile wanted = DemoFile();
   wanted.processes[1].components[0].configuration = R"({"noise":1})";
 
@@ -123,7 +123,7 @@ TEST(Plan, AnotherConfigurationMakesTheComponentAnewAtRestWithItsConnections) {
   EXPECT_EQ(plan.steps[1].component, wanted.processes[1].components[0]);
 }
 
-TEST(Plan, AnotherClassIsAnotherComponentThatIsConnectedAgain) {
+TEST(Plan, AnotherClassRecreatesAndReconnects) {
   SystemFile wanted = DemoFile();
   wanted.processes[1].components[0].class_name = "OtherArm";
 
@@ -154,7 +154,7 @@ SystemFile::Component& ComponentIn(SystemFile& system, const std::string& name) 
                        [&](const auto& one) { return one.name == name; });
 }
 
-TEST(Plan, MakesLeadersBeforeThoseThatRunAfterThem) {
+TEST(Plan, CreatesLeadersBeforeTheirFollowers) {
   CatalogBuilder empty;
   empty.Process("robot", {});
   const SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
@@ -168,7 +168,7 @@ TEST(Plan, MakesLeadersBeforeThoseThatRunAfterThem) {
   EXPECT_THAT(TextsOf(MakePlan(RunningChain().catalogue(), wanted)), IsEmpty());
 }
 
-TEST(Plan, SuspendsALeaderWhenAllHaveStartedAfterIt) {
+TEST(Plan, SuspendsALeaderAfterItsFollowersHaveStarted) {
   CatalogBuilder empty;
   empty.Process("robot", {});
   SystemFile wanted = SystemOf(RunningChain(ComponentState::kSuspended).catalogue(), "x").file;
@@ -182,7 +182,7 @@ TEST(Plan, SuspendsALeaderWhenAllHaveStartedAfterIt) {
                   "suspend robot/arm", "suspend robot/filter"));
 }
 
-TEST(Plan, AnotherThreadIsAnotherComponent) {
+TEST(Plan, AnotherThreadRecreatesTheComponent) {
   SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
   ComponentIn(wanted, "a-logger").thread->spin = std::chrono::microseconds(10);
 
@@ -201,7 +201,7 @@ TEST(Plan, AnotherThreadIsAnotherComponent) {
                   "create robot/a-logger (SimulatedArm of simulated_arm)", "start robot/a-logger"));
 }
 
-TEST(Plan, AComponentIsMadeAnewWithAllThatRunAfterIt) {
+TEST(Plan, RecreatesAComponentWithItsFollowers) {
   SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
   ComponentIn(wanted, "arm").configuration = R"({"noise":1})";
   ComponentIn(wanted, "a-logger").thread.reset();  // it keeps what the file does not tell
@@ -216,7 +216,7 @@ TEST(Plan, AComponentIsMadeAnewWithAllThatRunAfterIt) {
                   "start robot/arm", "start robot/filter", "start robot/a-logger"));
 }
 
-TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
+TEST(Plan, AProgramsOwnFollowerBlocksRecreation) {
   ComponentDescription own = test::Arm("own");
   own.class_name.clear();
   own.leader = "arm";
@@ -232,7 +232,7 @@ TEST(Plan, WhatTheProgramLetsRunAfterAnotherOneHoldsThatOne) {
           "created again too, and only its own program can do this; stop that program first"));
 }
 
-TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
+TEST(Plan, StopsFirstAndClientsBeforeServers) {
   SystemFile wanted = DemoFile();
   wanted.processes[0].components[0].state = ComponentState::kSuspended;
   wanted.processes[1].components[0].state = ComponentState::kFinished;
@@ -245,7 +245,7 @@ TEST(Plan, WhatIsToRestRestsFirstAndClientsBeforeTheirServers) {
                           "configure robot/spare", "start robot/spare"));
 }
 
-TEST(Plan, StartsServersBeforeTheirClientsWhichNeedTheirConnections) {
+TEST(Plan, StartsServersBeforeTheirClients) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});
 
@@ -258,7 +258,7 @@ TEST(Plan, StartsServersBeforeTheirClientsWhichNeedTheirConnections) {
   EXPECT_THAT(plan.steps[5].needs, ElementsAre(message::Wire{test::kNeeded, test::kOffered}));
 }
 
-TEST(Plan, DoesNotStartWhatLacksAConnection) {
+TEST(Plan, StartsNothingThatLacksAConnection) {
   ComponentDescription teleoperation = test::Teleoperation();
   teleoperation.state = ComponentState::kFinished;
   SystemFile wanted = DemoFile();
@@ -282,7 +282,7 @@ TEST(Plan, DoesNotStartWhatLacksAConnection) {
   EXPECT_THAT(obstacle_of(misfit), HasSubstr("missing write command 'MoveTo'"));
 }
 
-TEST(Plan, SaysThatAConnectionHasFailed) {
+TEST(Plan, ReportsAFailedConnection) {
   CatalogBuilder builder = test::RunningDemo();
   builder.Connection(test::kNeeded, test::kOffered, ConnectionState::kFailed, "it does not fit");
 
@@ -291,7 +291,7 @@ TEST(Plan, SaysThatAConnectionHasFailed) {
                           "failed: it does not fit"));
 }
 
-TEST(Plan, StepsAreForTheProcessesThatItHasSeen) {
+TEST(Plan, StepsNameTheProcessInstance) {
   CatalogBuilder empty;
   empty.Process("robot", {}).Process("desk", {});
 
@@ -301,14 +301,14 @@ TEST(Plan, StepsAreForTheProcessesThatItHasSeen) {
   }
 }
 
-TEST(Plan, AComponentWhoseLibraryIsNotSaidIsOfAny) {
+TEST(Plan, AnEmptyLibraryMatchesAny) {
   SystemFile wanted = DemoFile();
   wanted.processes[1].components[0].library.clear();
 
   EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
 }
 
-TEST(Plan, OfThousandsOfComponentsIsMade) {
+TEST(Plan, HandlesThousandsOfComponents) {
   constexpr int kComponents = 10'000;
   CatalogBuilder empty;
   empty.Process("robot", {});
@@ -361,7 +361,7 @@ TEST(Plan, BringsComponentsToTheirStates) {
   EXPECT_THAT(steps(kFaulted, kFinished), IsEmpty());
 }
 
-TEST(Plan, SaysWhichProcessesAreToBeStarted) {
+TEST(Plan, ListsTheProcessesToStart) {
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm()}, ProcessState::kLost);
   SystemFile wanted = DemoFile();
@@ -376,7 +376,7 @@ TEST(Plan, SaysWhichProcessesAreToBeStarted) {
                           "--name robot"));
 }
 
-TEST(Plan, AProcessThatIsStartingIsWaitedFor) {
+TEST(Plan, WaitsForAStartingProcess) {
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm()}, ProcessState::kStarting)
       .Process("desk", {test::Teleoperation()});
@@ -391,7 +391,7 @@ TEST(Plan, AProcessThatIsStartingIsWaitedFor) {
                                           "it has joined"));
 }
 
-TEST(Plan, SaysWhatNoStepCanBringAbout) {
+TEST(Plan, ReportsDifferencesWithoutAPossibleStep) {
   ComponentDescription own = test::Arm("own");
   own.class_name.clear();
   CatalogBuilder builder;
@@ -432,7 +432,7 @@ struct StrictPlan : testing::Test {
   SystemFile wanted;
 };
 
-TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
+TEST_F(StrictPlan, RefusesToStartUnconnectedComponents) {
   const Plan plan = MakePlan(catalogue, wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
@@ -443,7 +443,7 @@ TEST_F(StrictPlan, DoesNotStartWhatTheFileDoesNotConnect) {
                   "\"strict\""));
 }
 
-TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {
+TEST_F(StrictPlan, StartsThemIfTheFileIsNotStrict) {
   wanted.strict = false;
 
   const Plan plan = MakePlan(catalogue, wanted);
@@ -452,7 +452,7 @@ TEST_F(StrictPlan, StartsItWhereTheFileIsNotStrict) {
   EXPECT_FALSE(plan.steps[0].is_strict);
 }
 
-TEST_F(StrictPlan, StartsStrictlyWhatOnlyItsProcessKnows) {
+TEST_F(StrictPlan, LeavesTheCheckOfAnUnknownClassToItsProcess) {
   wanted.processes[0].components[0].class_name = "Another";
 
   const Plan plan = MakePlan(catalogue, wanted);
@@ -462,7 +462,7 @@ TEST_F(StrictPlan, StartsStrictlyWhatOnlyItsProcessKnows) {
   EXPECT_TRUE(plan.steps.back().is_strict) << "its process refuses where it lacks something";
 }
 
-TEST_F(StrictPlan, DoesNotStartWhatIsMadeAnewWithAnotherConfigurationEither) {
+TEST_F(StrictPlan, RefusesToStartAReconfiguredComponent) {
   wanted.processes[0].components[0].configuration = R"({"gain":2})";
 
   const Plan plan = MakePlan(catalogue, wanted);
@@ -471,7 +471,7 @@ TEST_F(StrictPlan, DoesNotStartWhatIsMadeAnewWithAnotherConfigurationEither) {
   EXPECT_EQ(plan.obstacles.size(), 1U);
 }
 
-TEST_F(StrictPlan, LeavesOptionalInterfacesAlone) {
+TEST_F(StrictPlan, IgnoresOptionalInterfaces) {
   ComponentDescription teleoperation = *catalogue.FindComponent("desk", "teleoperation");
   RequiredDescription optional = test::Robot();
   optional.optional = true;

@@ -15,7 +15,7 @@ SystemFile ReadBack(const SystemFile& system) {
   return again ? *again : SystemFile();
 }
 
-TEST(RunningSystem, IsWrittenDownAsItIs) {
+TEST(RunningSystem, IsDescribedCompletely) {
   const auto [file, loose] = SystemOf(test::RunningDemo().catalogue(), "demo");
 
   EXPECT_EQ(file.name, "demo");
@@ -34,7 +34,7 @@ TEST(RunningSystem, IsWrittenDownAsItIs) {
   EXPECT_EQ(ReadBack(file), file);
 }
 
-TEST(RunningSystem, ReadsBackWhateverStateItIsIn) {
+TEST(RunningSystem, CanBeReadBackInAnyState) {
   ComponentDescription faulted = test::Arm("faulted");
   faulted.state = ComponentState::kFaulted;
   ComponentDescription ready = test::Arm("ready");
@@ -51,7 +51,7 @@ TEST(RunningSystem, ReadsBackWhateverStateItIsIn) {
   EXPECT_EQ(file.FindComponent("robot", "own")->class_name, "");
 }
 
-TEST(RunningSystem, LeavesOutWhatIsNotThereAndSaysSo) {
+TEST(RunningSystem, ReportsOmittedAbsentObjects) {
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm()}, ProcessState::kLost)
       .Process("gcm", {})
@@ -68,7 +68,7 @@ TEST(RunningSystem, LeavesOutWhatIsNotThereAndSaysSo) {
                            "robot/arm does not exist"));
 }
 
-TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
+TEST(RunningSystem, KeepsDataThatOnlyTheFileHas) {
   SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   former.comment = "of the lab";
   former.layout = {{"robot/arm", {1, 2}}, {"robot/gone", {3, 4}}};
@@ -94,7 +94,7 @@ TEST(RunningSystem, TheFileKeepsWhatItAloneKnows) {
   EXPECT_EQ(saved.FindComponent("robot", "arm")->comment, "mine");
 }
 
-TEST(RunningSystem, TellsTheThreadsOfComponentsThatItCanMakeAgain) {
+TEST(RunningSystem, IncludesThreadsOfRecreatableComponents) {
   const ThreadOptions fifo{.policy = SchedulingPolicy::kFifo, .priority = 40, .cpus = {900}};
   ComponentDescription arm = test::Arm();
   arm.thread = {fifo};
@@ -122,7 +122,7 @@ TEST(RunningSystem, TellsTheThreadsOfComponentsThatItCanMakeAgain) {
           "runs_after": "arm")"));
 }
 
-TEST(RunningSystem, WhatIsGoneIsInItWhereItIsAskedFor) {
+TEST(RunningSystem, IncludesAbsentProcessesOnRequest) {
   CatalogBuilder builder = test::RunningDemo();
   builder.Process("robot", {test::Arm()}, ProcessState::kLost);
 
@@ -139,7 +139,7 @@ RunningSystem RunningWithout(const std::string& process, CatalogBuilder& builder
   return SystemOf(builder.catalogue(), "demo");
 }
 
-TEST(RunningSystem, TheFileKeepsProcessesThatAreNotThereNow) {
+TEST(RunningSystem, KeepsAbsentProcessesOfTheFile) {
   SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   former.connections[0].comment = "by hand";
   former.layout = {{"robot/arm", {1, 2}}, {"desk/teleoperation", {3, 4}}};
@@ -163,7 +163,7 @@ TEST(RunningSystem, TheFileKeepsProcessesThatAreNotThereNow) {
   }
 }
 
-TEST(RunningSystem, AKeptConnectionToWhatIsNoMoreIsLeftOut) {
+TEST(RunningSystem, OmitsConnectionsToRemovedComponents) {
   const SystemFile former = SystemOf(test::RunningDemo().catalogue(), "demo").file;
   CatalogBuilder builder;
   builder.Process("robot", {test::Arm("spare")});

@@ -23,7 +23,7 @@ std::string OrderOf(const std::vector<std::string>& connections) {
   return order;
 }
 
-TEST(StartOrder, IsThatOfTheFileWhereNothingIsConnected) { EXPECT_EQ(OrderOf({}), "abc"); }
+TEST(StartOrder, KeepsTheFileOrderWithoutConnections) { EXPECT_EQ(OrderOf({}), "abc"); }
 
 TEST(StartOrder, PutsServersBeforeTheirClients) {
   EXPECT_EQ(OrderOf({"ab", "bc"}), "cba");
@@ -31,12 +31,12 @@ TEST(StartOrder, PutsServersBeforeTheirClients) {
   EXPECT_EQ(OrderOf({"ab", "ac", "cb"}), "bca");
 }
 
-TEST(StartOrder, EndsWhereConnectionsLeadAroundInACircle) {
+TEST(StartOrder, ToleratesConnectionCycles) {
   EXPECT_EQ(OrderOf({"ab", "ba"}), "bac");
   EXPECT_EQ(OrderOf({"aa"}), "abc");
 }
 
-TEST(StartOrder, PutsLeadersFirstWhateverIsConnected) {
+TEST(StartOrder, PutsLeadersFirstDespiteConnections) {
   const auto order = [](const std::string& leader, const std::vector<std::string>& connections) {
     SystemFile system = SystemWith(connections);
     system.processes[0].components[0].runs_after = leader;
@@ -53,7 +53,7 @@ TEST(StartOrder, PutsLeadersFirstWhateverIsConnected) {
   EXPECT_EQ(order("", {"bc", "ab"}), "cab");
 }
 
-TEST(StartOrder, OfAChainAsLongAsTheFileIsMade) {
+TEST(StartOrder, HandlesAChainOfTenThousand) {
   constexpr std::size_t kComponents = 10'000;
   SystemFile system{.name = "x", .processes = {{"p", {}}}};
   for (std::size_t i = kComponents; i > 0; --i) {
@@ -75,7 +75,7 @@ std::string EndOrderOf(const SystemFile& system) {
   return order;
 }
 
-TEST(EndOrder, IsThatOfTheFileWhereNothingIsConnected) {
+TEST(EndOrder, KeepsTheFileOrderWithoutConnections) {
   EXPECT_EQ(EndOrderOf(SystemWith({})), "abc");
 }
 
@@ -84,7 +84,7 @@ TEST(EndOrder, PutsClientsBeforeTheirServers) {
   EXPECT_EQ(EndOrderOf(SystemWith({"ca"})), "cab");
 }
 
-TEST(EndOrder, EndsWhereConnectionsLeadAroundInACircle) {
+TEST(EndOrder, ToleratesConnectionCycles) {
   EXPECT_EQ(EndOrderOf(SystemWith({"ab", "ba"})), "bac");
 }
 
@@ -95,7 +95,7 @@ TEST(EndOrder, PutsFollowersBeforeTheirLeader) {
   EXPECT_EQ(EndOrderOf(system), "bac");
 }
 
-TEST(ProcessEndOrder, PutsThoseWithClientsBeforeThoseWithTheirServers) {
+TEST(ProcessEndOrder, PutsClientProcessesBeforeServerProcesses) {
   SystemFile system{.name = "x", .processes = {{"a", {}}, {"b", {}}, {"c", {}}}};
   system.connections.push_back({{"c", "client", "R"}, {"a", "server", "P"}});
   system.connections.push_back({{"c", "client", "Other"}, {"away", "server", "P"}});
@@ -103,7 +103,7 @@ TEST(ProcessEndOrder, PutsThoseWithClientsBeforeThoseWithTheirServers) {
   EXPECT_EQ(ProcessEndOrder(system), (std::vector<std::string>{"c", "a", "b"}));
 }
 
-TEST(StartOrder, LeavesOutWhatTheSystemDoesNotHave) { EXPECT_EQ(OrderOf({"az", "za"}), "abc"); }
+TEST(StartOrder, IgnoresConnectionsToMissingComponents) { EXPECT_EQ(OrderOf({"az", "za"}), "abc"); }
 
 }  // namespace
 }  // namespace tendon

@@ -41,12 +41,12 @@ bool EndsBeforeItsDeadline(const std::function<void()>& call) {
   return false;
 }
 
-TEST_F(FullMailbox, RefusesAtOnceAsEver) {
+TEST_F(FullMailbox, RefusesAtOnceByDefault) {
   EXPECT_EQ(mailbox.Claim(), nullptr);
   EXPECT_EQ(mailbox.refused(), 1U);
 }
 
-TEST_F(FullMailbox, GivesAPatientCallTheRoomThatTheServerMakes) {
+TEST_F(FullMailbox, ABlockingCallWaitsForRoom) {
   std::atomic<bool> waits = false;
   std::thread server([&] {
     while (!waits) std::this_thread::yield();
@@ -65,7 +65,7 @@ TEST_F(FullMailbox, GivesAPatientCallTheRoomThatTheServerMakes) {
   mailbox.Publish(room, nothing);
 }
 
-TEST_F(FullMailbox, LetsAPatientCallGoOnceItIsClosed) {
+TEST_F(FullMailbox, ClosingItEndsABlockingCall) {
   EXPECT_TRUE(EndsBeforeItsDeadline([] {
     FullBox box;
     std::atomic<bool> waits = false;
@@ -83,13 +83,13 @@ TEST_F(FullMailbox, LetsAPatientCallGoOnceItIsClosed) {
   }));
 }
 
-TEST_F(FullMailbox, DoesNotHoldUpTheThreadThatWouldMakeTheRoom) {
+TEST_F(FullMailbox, DoesNotBlockItsOwnServerThread) {
   inbox.BindToThisThread();
 
   EXPECT_TRUE(EndsBeforeItsDeadline([this] { EXPECT_EQ(mailbox.Claim(), nullptr); }));
 }
 
-TEST(BlockWhenFull, EndWithTheirScope) {
+TEST(BlockWhenFull, EndsWithItsScope) {
   EXPECT_EQ(BlockWhenFull::deadline(), SteadyTime::min());
   {
     const BlockWhenFull patient;

@@ -79,7 +79,7 @@ struct tendon::payload::SubstituteFor<tendon_test::WrittenNumber> {
 namespace tendon_test {
 namespace {
 
-TEST(ConvertingCommand, EncodesTheArgumentOnceWhereTheTargetKeepsIt) {
+TEST(ConvertingCommand, EncodesTheArgumentOnceIntoTheTarget) {
   KeepingTarget target;
   tendon::ConvertingCommand<WrittenNumber, None> command(target);
   WrittenNumber::writes = 0;
@@ -91,7 +91,7 @@ TEST(ConvertingCommand, EncodesTheArgumentOnceWhereTheTargetKeepsIt) {
   EXPECT_EQ(target.kept, Encoded(2.5));
 }
 
-TEST(ConvertingCommand, EncodesNothingThatTheTargetRefuses) {
+TEST(ConvertingCommand, EncodesNothingIfTheTargetRefuses) {
   KeepingTarget target;
   target.accepts = false;
   tendon::ConvertingCommand<WrittenNumber, None> command(target);
@@ -103,7 +103,7 @@ TEST(ConvertingCommand, EncodesNothingThatTheTargetRefuses) {
   EXPECT_EQ(WrittenNumber::writes, 0);
 }
 
-TEST(ConvertingCommand, AllocatesOnlyWhereTheTargetKeepsTheArgument) {
+TEST(ConvertingCommand, AllocatesOnlyInTheTarget) {
   KeepingTarget target;
   target.kept.reserve(1000);
   tendon::ConvertingCommand<std::string, None> command(target);
@@ -114,7 +114,7 @@ TEST(ConvertingCommand, AllocatesOnlyWhereTheTargetKeepsTheArgument) {
   EXPECT_EQ(command.Execute(text, nothing), Status::kQueued);
 }
 
-TEST(ConvertingCommand, HandsBytesToATargetThatWantsThem) {
+TEST(ConvertingCommand, PassesBytesToATargetThatTakesBytes) {
   EchoingTarget target;
   tendon::ConvertingCommand<std::string, std::string> command(target);
   std::string answer;

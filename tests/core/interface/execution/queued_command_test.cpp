@@ -135,7 +135,7 @@ TEST_P(EncodedCalls, AllocateNothingOnceWarm) {
   call_four();
 }
 
-TEST_P(EncodedCalls, PassByAMalformedArgument) {
+TEST_P(EncodedCalls, SkipAMalformedArgument) {
   std::vector<double> heard;
   const auto command =
       Bind<TracedNumber>([&](const TracedNumber& in, None&) { heard.push_back(in.number); });
@@ -150,7 +150,7 @@ TEST_P(EncodedCalls, PassByAMalformedArgument) {
   EXPECT_EQ(mailbox_->size(), 0U);
 }
 
-TEST_P(EncodedCalls, PassByAnArgumentWhoseCodecThrows) {
+TEST_P(EncodedCalls, SkipAnArgumentWithAThrowingCodec) {
   std::vector<double> heard;
   const auto command =
       Bind<TracedNumber>([&](const TracedNumber& in, None&) { heard.push_back(in.number); });

@@ -62,7 +62,7 @@ struct PluginTest : testing::Test {
   const fs::path folder = temporary.path();
 };
 
-TEST_F(PluginTest, ThatIsGoodRegistersItsClassesAndTheirConfigurations) {
+TEST_F(PluginTest, AValidPlugInRegistersItsClasses) {
   ComponentLoader loader({kBuilt});
 
   const auto loaded = loader.Load("good");
@@ -78,7 +78,7 @@ TEST_F(PluginTest, ThatIsGoodRegistersItsClassesAndTheirConfigurations) {
   EXPECT_TRUE(classes[1].configuration.is_none());
 }
 
-TEST_F(PluginTest, ThatIsGoodRefusesAConfigurationOutOfRange) {
+TEST_F(PluginTest, RefusesAConfigurationOutOfRange) {
   ComponentLoader loader({kBuilt});
 
   const auto lamp = loader.Create("good", "Lamp", "lamp", R"({"brightness": 2})");
@@ -89,7 +89,7 @@ TEST_F(PluginTest, ThatIsGoodRefusesAConfigurationOutOfRange) {
             "2 (plug-in good.so)");
 }
 
-TEST_F(PluginTest, ThatIsNoElfFileIsQuoted) {
+TEST_F(PluginTest, ReportsAFileThatIsNotElf) {
   Write("text", "this is no library");
   Write("empty", "");
   Write("magic",
@@ -102,7 +102,7 @@ TEST_F(PluginTest, ThatIsNoElfFileIsQuoted) {
   EXPECT_THAT(Refusal("magic", folder), HasSubstr("found a file that ends after 4 B"));
 }
 
-TEST_F(PluginTest, ThatIsTruncatedIsRefusedWhereverItEnds) {
+TEST_F(PluginTest, RefusesATruncatedFile) {
   const std::string whole = Content(kBuilt / "good.so");
   const std::string size = std::to_string(whole.size());
   for (std::size_t part = 1; part < 10; ++part) {
@@ -114,7 +114,7 @@ TEST_F(PluginTest, ThatIsTruncatedIsRefusedWhereverItEnds) {
   }
 }
 
-TEST_F(PluginTest, OfAnotherMachineIsNamed) {
+TEST_F(PluginTest, ReportsAPlugInForAnotherMachine) {
   EXPECT_THAT(RefusalOfPatched(18, std::string("\x28\0", 2)), HasSubstr("found one for arm"));
   EXPECT_THAT(RefusalOfPatched(18, std::string("\x34\x12", 2)),
               HasSubstr("found one for machine 4660"));
@@ -123,25 +123,25 @@ TEST_F(PluginTest, OfAnotherMachineIsNamed) {
               HasSubstr("found an object file or a program"));
 }
 
-TEST_F(PluginTest, WhoseLibraryIsMissingNamesIt) {
+TEST_F(PluginTest, NamesAMissingDependency) {
   EXPECT_EQ(Refusal("missing_dependency"),
             "a library that it needs is missing: libtest_plugin_gone.so; install it, or add "
             "its folder to LD_LIBRARY_PATH");
 }
 
-TEST_F(PluginTest, WhoseSymbolIsMissingNamesIt) {
+TEST_F(PluginTest, NamesAMissingSymbol) {
   EXPECT_EQ(Refusal("missing_symbol"),
             "a library that it needs has no symbol lamp::SwitchOn(int); link the library that has "
             "the symbol, and build the plug-in again with this version of Tendon");
 }
 
-TEST_F(PluginTest, WithoutEntryPointIsNone) {
+TEST_F(PluginTest, RefusesALibraryWithoutEntryPoint) {
   EXPECT_EQ(Refusal("no_entry"),
             "expected the function TendonRegisterComponents, found none; it is not a plug-in "
             "with components");
 }
 
-TEST_F(PluginTest, OfAnotherBinaryInterfaceNamesBoth) {
+TEST_F(PluginTest, NamesBothBinaryInterfacesIfTheyDiffer) {
   const std::string ours = DescribePluginAbi(TendonPluginAbi());
   EXPECT_EQ(Refusal("other_abi"), "expected " + ours +
                                       ", found tendon 7.2, C++ ABI 1011 with old strings; build it "
@@ -155,23 +155,23 @@ TEST_F(PluginTest, KnowsTheVersionOfTheProject) {
   EXPECT_EQ(DescribePluginAbi(TendonPluginAbi()).find("tendon " + without_patch + ","), 0U);
 }
 
-TEST_F(PluginTest, ThatCrashesHarmsAnotherProcessOnly) {
+TEST_F(PluginTest, ACrashOnLoadingDoesNotHarmTheProcess) {
   EXPECT_THAT(Refusal("crashes"), MatchesRegex("expected a library that can be loaded, but loading "
                                                "it ends the process with (SIGSEGV|exit code .*)"));
 }
 
-TEST_F(PluginTest, ThatEndsTheProcessIsTold) {
+TEST_F(PluginTest, ReportsAPlugInThatExits) {
   EXPECT_EQ(Refusal("exits"),
             "expected a library that can be loaded, but loading it ends the process with "
             "exit code 0");
 }
 
-TEST_F(PluginTest, ThatThrowsAtItsStartIsQuoted) {
+TEST_F(PluginTest, QuotesAnExceptionOfTheStartUp) {
   EXPECT_EQ(Refusal("throws_at_start"),
             "expected a library that can be loaded, but its start-up threw: no calibration");
 }
 
-TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
+TEST_F(PluginTest, ReportsAPlugInThatNeverFinishesLoading) {
   const auto loaded = LoadPlugin(kBuilt / "never_finishes.so", std::chrono::milliseconds(200));
 
   ASSERT_FALSE(loaded);
@@ -179,19 +179,19 @@ TEST_F(PluginTest, ThatNeverFinishesIsToldInTime) {
               HasSubstr("can be loaded, but it has not finished after 200 ms"));
 }
 
-TEST_F(PluginTest, ThatThrowsWhenItRegistersIsQuoted) {
+TEST_F(PluginTest, QuotesAnExceptionOfTheRegistration) {
   EXPECT_EQ(Refusal("throws_on_registration"),
             "expected TendonRegisterComponents to return, but it threw: an exception "
             "that does not derive from std::exception");
 }
 
-TEST_F(PluginTest, WithAClassTwiceNamesTheClass) {
+TEST_F(PluginTest, NamesAClassRegisteredTwice) {
   EXPECT_EQ(Refusal("duplicate_class"),
             "expected TendonRegisterComponents to return, but it threw: component class "
             "'Lamp' is registered twice");
 }
 
-TEST_F(PluginTest, WhoseNameLeadsOutOfTheFoldersIsRefused) {
+TEST_F(PluginTest, RefusesANameOutsideItsFolders) {
   ComponentLoader loader({folder / "inner"});
   fs::create_directories(folder / "inner");
   fs::copy_file(kBuilt / "good.so", folder / "good.so");
@@ -202,7 +202,7 @@ TEST_F(PluginTest, WhoseNameLeadsOutOfTheFoldersIsRefused) {
   }
 }
 
-TEST_F(PluginTest, ThatFailedCanBeLoadedOnceItIsMended) {
+TEST_F(PluginTest, LoadsAPlugInOnceItIsRepaired) {
   ComponentLoader loader({folder});
   const fs::path file = Write("lamp", "nothing yet");
   ASSERT_FALSE(loader.Load("lamp"));
@@ -213,7 +213,7 @@ TEST_F(PluginTest, ThatFailedCanBeLoadedOnceItIsMended) {
   EXPECT_TRUE(loaded) << loaded.error().message;
 }
 
-TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
+TEST_F(PluginTest, AnOverwrittenPlugInKeepsRunning) {
   ComponentLoader loader({folder});
   fs::copy_file(kBuilt / "good.so", folder / "lamp.so");
   ASSERT_TRUE(loader.Load("lamp"));
@@ -237,7 +237,7 @@ TEST_F(PluginTest, ThatIsOverwrittenGoesOnAsItWas) {
   EXPECT_EQ(loader.files()->revision(), now) << "nothing has changed since";
 }
 
-TEST_F(PluginTest, IsLoadedOnceHoweverManyLoadersAskForIt) {
+TEST_F(PluginTest, SeveralLoadersShareOnePlugIn) {
   fs::copy_file(kBuilt / "good.so", folder / "once.so");
   ComponentLoader first({folder});
   ComponentLoader second({folder});
@@ -259,7 +259,7 @@ TEST_F(PluginTest, IsLoadedOnceHoweverManyLoadersAskForIt) {
   EXPECT_TRUE(second.Create("once", "Lamp", "lamp", ""));
 }
 
-TEST_F(PluginTest, FindsALibraryBesideItselfThoughACopyRuns) {
+TEST_F(PluginTest, FindsALibraryNextToTheOriginalFile) {
   ComponentLoader loader({kBuilt});
 
   const auto loaded = loader.Load("needs_beside");

@@ -13,7 +13,7 @@
 namespace tendon {
 namespace {
 
-TEST(FromJson, SaysWhereTextIsNoJson) {
+TEST(FromJson, ReportsThePositionOfInvalidJson) {
   const auto error = ErrorOf<sample::Point>;
   EXPECT_EQ(
       error("{"),
@@ -28,12 +28,12 @@ TEST(FromJson, SaysWhereTextIsNoJson) {
             "this is not valid JSON: begins with a byte-order mark; save it as UTF-8 without one");
 }
 
-TEST(FromJson, NothingIsNoValueButNone) {
+TEST(FromJson, AcceptsEmptyTextOnlyForNone) {
   EXPECT_EQ(ErrorOf<sample::Point>(""), "expected sample.Point, got nothing");
   EXPECT_EQ(ErrorOf<double>(" \n"), "expected float64, got nothing");
 }
 
-TEST(FromJson, AKeyThatOccursTwiceIsNamedWithItsPlace) {
+TEST(FromJson, NamesADuplicateKeyWithItsPosition) {
   EXPECT_EQ(ErrorOf<sample::Point>(R"({"x":1,"y":2,"z":3,"y":4})"),
             "this is not valid JSON: line 1, column 20: key 'y' occurs twice");
   EXPECT_EQ(ErrorOf<std::vector<sample::Point>>(R"([{},{"x":1,"x":1}])"),
@@ -68,7 +68,7 @@ TEST(JsonOfPrograms, KeepsItsOrderAndNestsNoDeeperThan64) {
   EXPECT_EQ(error("[1,]"), "line 1, column 4: unexpected ']'; expected '[', '{', or a literal");
 }
 
-TEST(JsonOfPrograms, IsATextWhereItIsNoJson) {
+TEST(JsonOfPrograms, InvalidJsonBecomesAText) {
   EXPECT_EQ(JsonOrText("[1]"), (nlohmann::ordered_json{1}));
   EXPECT_EQ(JsonOrText("nan"), "nan");
   EXPECT_EQ(JsonOrText("a\xff"), "a\\xff");
@@ -100,7 +100,7 @@ TEST(FromJson, IntegersAreExactBeyondTwoToThe53) {
   }
 }
 
-TEST(FromJson, NumbersThatNoDoubleHoldsAreRefused) {
+TEST(FromJson, RefusesNumbersThatNoDoubleCanHold) {
   EXPECT_NE(ErrorOf<double>("1e999").find("1e999"), std::string::npos);
   EXPECT_EQ(ErrorOf<double>("1e-400"),
             "this is not valid JSON: no double can hold the number 1e-400");
@@ -132,7 +132,7 @@ TEST(FromJson, IsTheSameInEveryLocale) {
   }
 }
 
-TEST(FromJson, AStringIsValidUtf8WithoutNul) {
+TEST(FromJson, RefusesInvalidUtf8AndNul) {
   for (const char* bad : {"\"\xff\"", "\"\xc0\xaf\"", "\"\xed\xa0\x80\"", "\"\xe2\x82\"",
                           R"("\ud800")", "\"a\x01\""}) {
     EXPECT_EQ(ErrorOf<std::string>(bad).substr(0, 24), "this is not valid JSON: ") << bad;
@@ -144,13 +144,13 @@ TEST(FromJson, AStringIsValidUtf8WithoutNul) {
   EXPECT_EQ(*FromJson<std::string>(R"("\ud83e\uddbe")"), "\xf0\x9f\xa6\xbe");
 }
 
-TEST(FromJson, WhatItQuotesIsSafeToPrint) {
+TEST(FromJson, QuotesPrintableText) {
   EXPECT_EQ(ErrorOf<double>(R"("\u001b[2J")"), "expected a number, got string '\\x1b[2J'");
   EXPECT_EQ(ErrorOf<sample::Point>(R"({"\u001b[2J":1})"), "unknown key '\\x1b[2J'");
   EXPECT_LT(ErrorOf<sample::Point>("{\"" + std::string(1'000'000, 'k') + "\":1}").size(), 200U);
 }
 
-TEST(FromJson, AnyTextCutShortIsRefused) {
+TEST(FromJson, RefusesTruncatedText) {
   const std::string text = R"({"x":1.5,"y":-2e3,"z":0})";
   ASSERT_EQ(ErrorOf<sample::Point>(text), "accepted");
   for (std::size_t size = 0; size < text.size(); ++size) {

@@ -76,7 +76,7 @@ TEST(JsonNumbersProperty, DurationsReadBackToTheNanosecond) {
   });
 }
 
-TEST(JsonNumbersProperty, WhatIsNoNumberHasOneForm) {
+TEST(JsonNumbersProperty, NanAndInfinitiesHaveOneForm) {
   test::CheckProperty([] {
     const double value =
         *rc::gen::suchThat(test::AnyDouble(), [](double any) { return !std::isfinite(any); });
@@ -112,7 +112,7 @@ void CheckAlike(const T& value) {
   RC_ASSERT(ToJson(field.schema, ReadExactly(field, body).value()) == ToJson(value));
 }
 
-TEST(JsonNumbersProperty, OneNumberIsWrittenAsInAWhole) {
+TEST(JsonNumbersProperty, ASingleNumberIsWrittenAsWithinAPayload) {
   test::CheckProperty([] {
     CheckAlike(*test::AnyDouble());
     CheckAlike(static_cast<float>(*rc::gen::arbitrary<double>()));

@@ -60,14 +60,14 @@ std::string With(const std::string& passage, const std::string& replacement) {
 
 TEST(Json, HasTheFieldsInOrder) { EXPECT_EQ(ToJson(Goal()), kGoal); }
 
-TEST(Json, IsReadByAPersonsHand) {
+TEST(Json, ReadsHandWrittenJson) {
   const auto goal = FromJson<sample::Goal>(kGoal);
 
   ASSERT_TRUE(goal) << goal.error().message;
   EXPECT_EQ(*goal, Goal());
 }
 
-TEST(Json, NumbersHaveTheShortestFormThatReadsBackTheSame) {
+TEST(Json, NumbersHaveTheShortestExactForm) {
   EXPECT_EQ(ToJson(0.1), "0.1");
   EXPECT_EQ(ToJson(0.1F), "0.1");
   EXPECT_EQ(ToJson(1e300), "1e+300");
@@ -80,7 +80,7 @@ TEST(Json, NumbersHaveTheShortestFormThatReadsBackTheSame) {
   }
 }
 
-TEST(Json, WhatIsNoNumberIsAWord) {
+TEST(Json, NanAndInfinitiesAreStrings) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(ToJson(std::array<double, 3>{std::nan(""), kInfinity, -kInfinity}),
             R"(["nan","inf","-inf"])");
@@ -102,7 +102,7 @@ TEST(Json, DurationsAreSeconds) {
   EXPECT_EQ(*back, nanoseconds(-1'500'000'001));
 }
 
-TEST(Json, NoneIsNullOrAnEmptyObjectOrNothing) {
+TEST(Json, NoneIsNullOrEmpty) {
   EXPECT_EQ(ToJson(None{}), "null");
   for (const char* json : {"null", "{}", "", " \n"}) {
     EXPECT_TRUE(FromJson<None>(json)) << json;
@@ -119,13 +119,13 @@ TEST(Json, AStringIsEscaped) {
   EXPECT_EQ(*back, text);
 }
 
-TEST(Json, BytesThatAreNoUtf8AreReplaced) { EXPECT_EQ(ToJson(std::string("\xff")), "\"�\""); }
+TEST(Json, ReplacesInvalidUtf8) { EXPECT_EQ(ToJson(std::string("\xff")), "\"�\""); }
 
 TEST(Json, AnEnumsValueWithoutANameIsShown) {
   EXPECT_EQ(ToJson(static_cast<sample::Mode>(9)), "9");
 }
 
-TEST(Json, EveryKindMakesARoundTrip) {
+TEST(Json, EveryKindRoundTrips) {
   std::mt19937 random(10);
   for (int round = 0; round < 200; ++round) {
     sample::Dynamic dynamic;
@@ -146,7 +146,7 @@ TEST(Json, EveryKindMakesARoundTrip) {
   }
 }
 
-TEST(FromJson, NamesThePlaceWhatWasExpectedAndWhatWasFound) {
+TEST(FromJson, ErrorsNamePositionExpectationAndInput) {
   const auto error = ErrorOf<sample::Goal>;
   EXPECT_EQ(error(With("0.5", "\"x\"")),
             "target.position[3]: expected a number (rad), got string 'x'");
@@ -174,7 +174,7 @@ TEST(FromJson, NamesThePlaceWhatWasExpectedAndWhatWasFound) {
             "expected true or false, got string '" + std::string(40, 'y') + "...'");
 }
 
-TEST(FromJson, AKeyThatIsUnknownOrMissingIsNamed) {
+TEST(FromJson, NamesAnUnknownOrMissingKey) {
   const auto error = ErrorOf<sample::Goal>;
   EXPECT_EQ(error(With("\"period\"", "\"preiod\"")),
             "unknown key 'preiod'; did you mean 'period'?");
@@ -183,7 +183,7 @@ TEST(FromJson, AKeyThatIsUnknownOrMissingIsNamed) {
   EXPECT_EQ(error(With(",\"z\":3", "")), "via[0]: missing key 'z' (float64)");
 }
 
-TEST(FromJson, AnEnumsNameThatIsUnknownIsCompared) {
+TEST(FromJson, SuggestsASimilarEnumName) {
   EXPECT_EQ(ErrorOf<sample::Mode>("\"trackin\""),
             "expected one of 'off', 'tracking', 'fault', got string 'trackin'; did you mean "
             "'tracking'?");
@@ -199,7 +199,7 @@ TEST(FromJson, AnIntegerMayBeWrittenAsARealNumber) {
             "1e+30");
 }
 
-TEST(ToJson, SaysWhyABodyIsNone) {
+TEST(ToJson, ExplainsAnInvalidBody) {
   const auto error = [](const Schema& schema, std::vector<std::byte> body) {
     const auto json = ToJson(schema, body);
     return json ? "accepted" : json.error().message;
@@ -212,7 +212,7 @@ TEST(ToJson, SaysWhyABodyIsNone) {
             "these 9 bytes are not a valid float64: there is more data after its end");
 }
 
-TEST(ToJson, AcceptsWhatDecodeAccepts) {
+TEST(ToJson, AcceptsEveryBodyThatDecodeAccepts) {
   std::mt19937 random(11);
   std::vector<std::byte> body;
   int accepted = 0;

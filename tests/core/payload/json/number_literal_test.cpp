@@ -14,7 +14,7 @@ using Kind = Schema::Kind;
 NumberLiteral Real(std::string_view text) { return ReadNumberLiteral(Kind::kFloat64, text); }
 NumberLiteral Integer(std::string_view text) { return ReadNumberLiteral(Kind::kInt64, text); }
 
-TEST(NumberLiteral, IsReadWhereItCanMeanOneNumberOnly) {
+TEST(NumberLiteral, IsReadOnlyIfUnambiguous) {
   struct Case {
     const char* typed;
     const char* json;
@@ -38,7 +38,7 @@ TEST(NumberLiteral, IsReadWhereItCanMeanOneNumberOnly) {
   }
 }
 
-TEST(NumberLiteral, AnIntegerIsExactHoweverItIsWritten) {
+TEST(NumberLiteral, AnIntegerIsExactInAnyNotation) {
   EXPECT_EQ(Integer("9223372036854775807").json, "9223372036854775807");
   EXPECT_EQ(Integer("1e3").json, "1000");
   EXPECT_EQ(Integer("12.50e1").json, "125");
@@ -55,7 +55,7 @@ TEST(NumberLiteral, AnIntegerIsExactHoweverItIsWritten) {
   EXPECT_EQ(ReadNumberLiteral(Kind::kInt8, "128").flaw, NumberFlaw::kLimits);
 }
 
-TEST(NumberLiteral, ThatNoValueOfTheTypeHoldsIsRefused) {
+TEST(NumberLiteral, RefusesValuesOutsideTheType) {
   for (const char* word : {"1e999", "-1e999", "1e-400", "2e-324"}) {
     EXPECT_EQ(Real(word).flaw, NumberFlaw::kLimits) << word;
   }
@@ -67,7 +67,7 @@ TEST(NumberLiteral, ThatNoValueOfTheTypeHoldsIsRefused) {
   EXPECT_EQ(ReadNumberLiteral(Kind::kDuration, "inf").flaw, NumberFlaw::kLimits);
 }
 
-TEST(NumberLiteral, ARefusalSaysWhatToWrite) {
+TEST(NumberLiteral, ARefusalSuggestsACorrection) {
   struct Case {
     const char* typed;
     const char* text;
@@ -115,7 +115,7 @@ class NumberWordIn : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(Locale, NumberWordIn, testing::ValuesIn(test::Locales::Names()),
                          [](const auto& locale) { return locale.param; });
 
-TEST_P(NumberWordIn, IsNeverAnotherNumber) {
+TEST_P(NumberWordIn, IsNeverReadAsAnotherNumber) {
   ASSERT_TRUE(locales_.Use(GetParam())) << "localedef did not make " << GetParam();
   test::RandomWords words(20);
   int read = 0;

@@ -12,7 +12,7 @@ namespace {
 /// A quarter of a turn about z.
 Quaternion Quarter() { return {0, 0, std::sqrt(0.5), std::sqrt(0.5)}; }
 
-TEST(RobotEigen, ComesBackAsItWas) {
+TEST(RobotEigen, RoundTrips) {
   EXPECT_EQ(ToPoint(ToEigen(Sample<Point>())), Sample<Point>());
   EXPECT_EQ(ToVector3(ToEigen(Sample<Vector3>())), Sample<Vector3>());
   EXPECT_EQ(ToQuaternion(ToEigen(Sample<Quaternion>())), Sample<Quaternion>());
@@ -23,7 +23,7 @@ TEST(RobotEigen, ComesBackAsItWas) {
                   .isApprox(ToEigen(Sample<Transform>()), 1e-12));
 }
 
-TEST(RobotEigen, APoseTurnsCoordinatesInItsFrameIntoThoseOutside) {
+TEST(RobotEigen, APoseTransformsCoordinatesOutOfItsFrame) {
   const Pose pose{{1, 2, 3}, Quarter()};
 
   const Eigen::Vector3d outside = ToEigen(pose) * Eigen::Vector3d::UnitX();
@@ -31,7 +31,7 @@ TEST(RobotEigen, APoseTurnsCoordinatesInItsFrameIntoThoseOutside) {
   EXPECT_TRUE(outside.isApprox(Eigen::Vector3d(1, 3, 3), 1e-12)) << outside;
 }
 
-TEST(RobotEigen, ARotationThatIsTooLongIsNormalised) {
+TEST(RobotEigen, NormalisesAnUnnormalisedRotation) {
   Quaternion twice = Quarter();
   twice.z *= 2;
   twice.w *= 2;

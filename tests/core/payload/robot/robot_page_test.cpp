@@ -47,7 +47,7 @@ class Hand : public tendon::Component {
   tendon::WriteFunction<tendon::robot::JointCommand<3>> servo_jp;
 };
 
-TEST(RobotPage, ItsExampleObeysAndTells) {
+TEST(RobotPage, ItsExampleExecutesCommandsAndReportsState) {
   tendon::LocalManager manager;
   auto& wrist = manager.Add<Wrist>("wrist");
   auto& hand = manager.Add<Hand>("hand");

@@ -19,7 +19,7 @@ using All = testing::Types<Point, Vector3, Quaternion, Pose, Transform, Twist, W
                            TransformStamped, Transforms, Joystick, Image>;
 TYPED_TEST_SUITE(RobotPayload, All);
 
-TYPED_TEST(RobotPayload, ReturnsFromItsBytesAsItWas) {
+TYPED_TEST(RobotPayload, RoundTripsThroughBytes) {
   const auto value = Sample<TypeParam>();
   TypeParam decoded{};
   ASSERT_NE(decoded, value);
@@ -29,7 +29,7 @@ TYPED_TEST(RobotPayload, ReturnsFromItsBytesAsItWas) {
   EXPECT_EQ(decoded, value);
 }
 
-TYPED_TEST(RobotPayload, CutAtAnyByteIsRefused) {
+TYPED_TEST(RobotPayload, RefusesABodyTruncatedAtAnyByte) {
   const auto body = Encoded(Sample<TypeParam>());
   for (std::size_t size = 0; size < body.size(); ++size) {
     TypeParam decoded{};
@@ -37,7 +37,7 @@ TYPED_TEST(RobotPayload, CutAtAnyByteIsRefused) {
   }
 }
 
-TYPED_TEST(RobotPayload, ReturnsFromItsJsonAsItWas) {
+TYPED_TEST(RobotPayload, RoundTripsThroughJson) {
   const auto value = Sample<TypeParam>();
 
   const auto read = FromJson<TypeParam>(ToJson(value));
@@ -46,7 +46,7 @@ TYPED_TEST(RobotPayload, ReturnsFromItsJsonAsItWas) {
   EXPECT_EQ(*read, value);
 }
 
-TYPED_TEST(RobotPayload, IsReadAndWrittenByItsSchemaAlone) {
+TYPED_TEST(RobotPayload, RoundTripsWithOnlyItsSchema) {
   const auto schema = Schema::Parse(SchemaOf<TypeParam>().TextWithHelp());
   ASSERT_TRUE(schema) << schema.error().message;
   const auto body = Encoded(Sample<TypeParam>());
@@ -116,7 +116,7 @@ TEST(RobotPayloads, CarryTheirUnits) {
   EXPECT_EQ(UnitOf<Transforms>(".transforms[0].transform.translation.x"), "m");
 }
 
-TEST(RobotPayloads, ThoseOfAControlLoopHaveOneSize) {
+TEST(RobotPayloads, ControlLoopTypesHaveAFixedSize) {
   static_assert(FixedPayload<JointState<7>> && FixedPayload<JointCommand<7>>);
   static_assert(FixedPayload<Pose> && FixedPayload<Transform>);
   static_assert(FixedPayload<Twist> && FixedPayload<Wrench>);
@@ -124,12 +124,12 @@ TEST(RobotPayloads, ThoseOfAControlLoopHaveOneSize) {
   EXPECT_EQ(kEncodedSize<JointState<6>>, 144U);
 }
 
-TEST(RobotPayloads, AnArmOfAnotherNumberOfJointsIsAnotherType) {
+TEST(RobotPayloads, AnotherNumberOfJointsIsAnotherType) {
   EXPECT_EQ(FirstDifference(SchemaOf<JointState<7>>(), SchemaOf<JointState<6>>()),
             "position of robot.JointState: float64[7] needed, float64[6] offered");
 }
 
-TEST(RobotPayloads, AnAxisBeyondItsEndIsRefused) {
+TEST(RobotPayloads, RefusesAnAxisOutOfRange) {
   const auto read = FromJson<Joystick>(
       R"({"header": {"stamp": {"sec": 0, "nanosec": 0}, "frame_id": ""}, "axes": [1.5], "buttons": []})");
 

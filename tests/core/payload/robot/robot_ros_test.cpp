@@ -35,7 +35,7 @@ const std::string kVector3 = "MSG: geometry_msgs/Vector3\nfloat64 x\nfloat64 y\n
 const std::string kQuaternion =
     "MSG: geometry_msgs/Quaternion\nfloat64 x\nfloat64 y\nfloat64 z\nfloat64 w\n";
 
-TEST(RobotRos, APoseIsThatOfRos) {
+TEST(RobotRos, APoseEqualsThatOfRos) {
   EXPECT_EQ(RosTypeName(SchemaOf<Pose>()), "geometry_msgs/msg/Pose");
   EXPECT_EQ(Definition(SchemaOf<Pose>()),
             "geometry_msgs/Point position\n"
@@ -44,14 +44,14 @@ TEST(RobotRos, APoseIsThatOfRos) {
                 kQuaternion);
 }
 
-TEST(RobotRos, ATwistAndAWrenchAreThoseOfRos) {
+TEST(RobotRos, TwistAndWrenchEqualThoseOfRos) {
   EXPECT_EQ(Definition(SchemaOf<Twist>()),
             "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n" + kVector3);
   EXPECT_EQ(Definition(SchemaOf<Wrench>()),
             "geometry_msgs/Vector3 force\ngeometry_msgs/Vector3 torque\n" + kVector3);
 }
 
-TEST(RobotRos, TransformsAreThoseOfTf2) {
+TEST(RobotRos, TransformsEqualThoseOfTf2) {
   EXPECT_EQ(RosTypeName(SchemaOf<Transforms>()), "tf2_msgs/msg/TFMessage");
   EXPECT_EQ(Definition(SchemaOf<TransformStamped>()),
             "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n" +
@@ -60,7 +60,7 @@ TEST(RobotRos, TransformsAreThoseOfTf2) {
                 "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation\n");
 }
 
-TEST(RobotRos, NamedJointsAreThoseOfRos) {
+TEST(RobotRos, NamedJointsEqualThoseOfRos) {
   EXPECT_EQ(RosTypeName(SchemaOf<NamedJointState>()), "sensor_msgs/msg/JointState");
   EXPECT_EQ(Definition(SchemaOf<NamedJointState>()),
             "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\n"
@@ -68,7 +68,7 @@ TEST(RobotRos, NamedJointsAreThoseOfRos) {
                 kTime + kHeader);
 }
 
-TEST(RobotRos, AJoystickIsAJoyAndAnImageIsAnImage) {
+TEST(RobotRos, JoystickAndImageEqualThoseOfRos) {
   EXPECT_EQ(RosTypeName(SchemaOf<Joystick>()), "sensor_msgs/msg/Joy");
   EXPECT_EQ(Definition(SchemaOf<Joystick>()),
             "std_msgs/Header header\nfloat32[] axes\nint32[] buttons\n" + kTime + kHeader);

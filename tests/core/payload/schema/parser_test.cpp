@@ -12,7 +12,7 @@ std::string SchemaErrorOf(std::string_view text) {
   return schema ? "accepted" : schema.error().message;
 }
 
-TEST(SchemaParse, ReadsWhatTextPrints) {
+TEST(SchemaParse, ReadsItsOwnText) {
   for (const Schema& schema :
        {SchemaOf<sample::Dynamic>(), SchemaOf<sample::Fixed>(), SchemaOf<sample::Numbers>(),
         SchemaOf<None>(), SchemaOf<std::vector<std::vector<std::string>>>(),
@@ -34,7 +34,7 @@ TEST(SchemaParse, KeepsUnitsWithSpacesAndSymbols) {
   EXPECT_EQ(schema->Text(), text);
 }
 
-TEST(SchemaParse, SaysWhereAndWhat) {
+TEST(SchemaParse, ErrorsNamePositionAndExpectation) {
   EXPECT_EQ(SchemaErrorOf(""), "schema line 1 column 1: expected a type");
   EXPECT_EQ(SchemaErrorOf("float65"), "schema line 1 column 1: expected a type");
   EXPECT_EQ(SchemaErrorOf("float64 x"), "schema line 1 column 9: expected the end");
@@ -60,7 +60,7 @@ TEST(SchemaParse, SaysWhereAndWhat) {
   EXPECT_EQ(SchemaErrorOf("float64[7"), "schema line 1 column 10: expected ']'");
 }
 
-TEST(SchemaParse, RefusesATextCutAtAnyByte) {
+TEST(SchemaParse, RefusesATextTruncatedAtAnyByte) {
   const std::string text = "struct a.B {\n  # Help.\n  @ 0 to 1\n  x: float64[2][] in rad\n}";
   ASSERT_EQ(SchemaErrorOf(text), "accepted");
   for (std::size_t size = 0; size < text.size(); ++size) {
@@ -103,7 +103,7 @@ TEST(SchemaParse, RefusesATextOfOverAMebibyte) {
             "schema: 1048577 bytes of text; at most 1048576 are read");
 }
 
-TEST(SchemaParse, WhatItAcceptsOfAMutatedTextPrintsAndReadsBack) {
+TEST(SchemaParse, AnAcceptedMutatedTextRoundTrips) {
   std::mt19937 random(7);
   const std::string original = SchemaOf<sample::Dynamic>().Text();
   constexpr std::string_view kAlphabet = "ab19._ \n[]{}:=-in\xff";

@@ -35,7 +35,7 @@ TEST(RosMessage, AnEnumIsAnInt32WithConstants) {
             "int32 MODE_OFF=0\nint32 MODE_TRACKING=5\nint32 MODE_FAULT=-1\nint32 mode\n");
 }
 
-TEST(RosMessage, ADurationIsThatOfRos) {
+TEST(RosMessage, ADurationEqualsThatOfRos) {
   const Schema schema =
       Schema::Structure("arm.A", {{"period", "", SchemaOf<std::chrono::seconds>()}});
 
@@ -44,7 +44,7 @@ TEST(RosMessage, ADurationIsThatOfRos) {
                                     "int32 sec\nuint32 nanosec\n");
 }
 
-TEST(RosMessage, FixedInFixedIsOneListAndOtherListsInListsAreMessages) {
+TEST(RosMessage, NestedListsAreFlattenedOrBecomeMessages) {
   using Grid = std::array<std::array<float, 2>, 3>;
   const Schema schema = Schema::Structure(
       "arm.A", {{"grid", "", SchemaOf<Grid>()},
@@ -58,7 +58,7 @@ TEST(RosMessage, FixedInFixedIsOneListAndOtherListsInListsAreMessages) {
                 "float64[3] data\n");
 }
 
-TEST(RosMessage, OfNoneIsEmptyAndOfANumberHasTheFieldData) {
+TEST(RosMessage, OfNoneIsEmptyAndOfANumberHasOneField) {
   EXPECT_EQ(RosMessage(SchemaOf<None>()), "");
   EXPECT_EQ(RosTypeName(SchemaOf<double>()), "tendon/msg/Value");
   EXPECT_EQ(RosMessage(SchemaOf<double>()), "float64 data\n");

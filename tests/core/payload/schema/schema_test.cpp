@@ -36,12 +36,12 @@ TEST(Schema, KnowsEveryKind) {
   EXPECT_EQ(SchemaOf<sample::Plain>().kind(), Kind::kInt32);
 }
 
-TEST(Schema, WithoutAnyIsThatOfNone) {
+TEST(Schema, DefaultsToThatOfNone) {
   EXPECT_EQ(Schema(), SchemaOf<None>());
   EXPECT_TRUE(Schema().is_none());
 }
 
-TEST(Schema, HasOneWordForTables) {
+TEST(Schema, HasAShortNameForTables) {
   EXPECT_EQ(SchemaOf<sample::Point>().TypeName(), "sample.Point");
   EXPECT_EQ((SchemaOf<std::vector<std::array<double, 3>>>().TypeName()), "float64[3][]");
   EXPECT_EQ(SchemaOf<std::vector<sample::Mode>>().TypeName(), "sample.Mode[]");
@@ -52,7 +52,7 @@ TEST(Schema, HasOneWordForTables) {
   EXPECT_EQ(TypeNameOf<None>(), "tendon.None");
 }
 
-TEST(Schema, PrintsAllThatTwoEndsMustAgreeOn) {
+TEST(Schema, PrintsEveryRelevantPart) {
   EXPECT_EQ(SchemaOf<sample::Fixed>().Text(),
             R"(struct sample.Fixed {
   flag: bool
@@ -85,7 +85,7 @@ TEST(Schema, PrintsAllThatTwoEndsMustAgreeOn) {
 })");
 }
 
-TEST(Schema, KnowsTheFewestBytesOfAValue) {
+TEST(Schema, HasTheMinimumSizeOfAValue) {
   EXPECT_EQ(SchemaOf<sample::JointState>().minimum_size(), 112U);
   EXPECT_EQ(SchemaOf<None>().minimum_size(), 1U);
   EXPECT_EQ((SchemaOf<std::array<std::string, 3>>().minimum_size()), 15U);
@@ -98,13 +98,13 @@ std::optional<std::string> DifferenceOfFields(const Schema::Field& needed,
                          Schema::Structure("arm.JointState", {offered}));
 }
 
-TEST(FirstDifference, IsNothingBetweenEqualTypes) {
+TEST(FirstDifference, IsEmptyForEqualTypes) {
   const auto copy = Schema::Parse(SchemaOf<sample::Dynamic>().Text());
   ASSERT_TRUE(copy);
   EXPECT_EQ(FirstDifference(SchemaOf<sample::Dynamic>(), *copy), std::nullopt);
 }
 
-TEST(FirstDifference, NamesAnotherUnit) {
+TEST(FirstDifference, NamesADifferentUnit) {
   const Schema joints = Schema::Array(kDouble, 7);
   EXPECT_EQ(DifferenceOfFields({"position", "rad", joints}, {"position", "deg", joints}),
             "position of arm.JointState: float64[7] in rad needed, float64[7] in deg offered");
@@ -113,7 +113,7 @@ TEST(FirstDifference, NamesAnotherUnit) {
             "offered");
 }
 
-TEST(FirstDifference, NamesAnotherShape) {
+TEST(FirstDifference, NamesADifferentShape) {
   EXPECT_EQ(DifferenceOfFields({"position", "rad", Schema::Array(kDouble, 7)},
                                {"position", "rad", Schema::Array(kDouble, 6)}),
             "position of arm.JointState: float64[7] needed, float64[6] offered");
@@ -125,13 +125,13 @@ TEST(FirstDifference, NamesAnotherShape) {
             "p of arm.JointState: float64[3][] needed, float64[4][] offered");
 }
 
-TEST(FirstDifference, NamesAnotherType) {
+TEST(FirstDifference, NamesADifferentType) {
   EXPECT_EQ(FirstDifference(SchemaOf<sample::JointState>(), SchemaOf<sample::Point>()),
             "sample.JointState needed, sample.Point offered");
   EXPECT_EQ(FirstDifference(kDouble, SchemaOf<None>()), "float64 needed, tendon.None offered");
 }
 
-TEST(FirstDifference, NamesAFieldThatIsNotThere) {
+TEST(FirstDifference, NamesAMissingField) {
   const Schema both = Schema::Structure("arm.A", {{"a", "", kDouble}, {"b", "", kDouble}});
   const Schema one = Schema::Structure("arm.A", {{"a", "", kDouble}});
   const Schema other = Schema::Structure("arm.A", {{"a", "", kDouble}, {"c", "", kDouble}});
@@ -140,7 +140,7 @@ TEST(FirstDifference, NamesAFieldThatIsNotThere) {
   EXPECT_EQ(FirstDifference(both, other), "arm.A: field b needed, field c offered");
 }
 
-TEST(FirstDifference, NamesAnEnumsValue) {
+TEST(FirstDifference, NamesADifferentEnumValue) {
   const auto mode = [](std::vector<Schema::Enumerator> values) {
     return Schema::Array(Schema::Enum("arm.Mode", std::move(values)), 2);
   };

@@ -160,7 +160,7 @@ class CutLink : public NetworkTest {
   std::atomic<bool> is_done{false};
 };
 
-TEST_P(CutLink, LeavesEachCallExecutedAsItsCallerWasTold) {
+TEST_P(CutLink, ReportsTheTrueOutcomeOfEachCall) {
   constexpr int kApart = 100'000'000;
   std::vector<History> histories(3);
   std::vector<std::jthread> callers;

@@ -66,7 +66,7 @@ class HungPeers : public RemoteConnection {
     KillGcm();  // it would say that they have left
     for (const auto& peer : peers) Hold(peer->address());
   }
-  [[nodiscard]] bool IsSomebodyWaitedFor() const { return !links_->waiting().empty(); }
+  [[nodiscard]] bool IsWaitingForAPeer() const { return !links_->waiting().empty(); }
 
   /// What desk does on its worker for who asks for it.
   void ExpectThatDeskAnswers() {
@@ -98,16 +98,16 @@ class HungPeers : public RemoteConnection {
   std::vector<std::string> held_;
 };
 
-TEST_P(HungPeers, DoNotHoldUpWhatAProcessDoesForOthers) {
+TEST_P(HungPeers, DoNotDelayServiceToOthers) {
   ASSERT_NO_FATAL_FAILURE(LetPeersHang(4));
-  ASSERT_TRUE(EventuallyTrue([this] { return IsSomebodyWaitedFor(); }));
+  ASSERT_TRUE(EventuallyTrue([this] { return IsWaitingForAPeer(); }));
 
   ExpectThatDeskAnswers();
 
-  EXPECT_TRUE(IsSomebodyWaitedFor());
+  EXPECT_TRUE(IsWaitingForAPeer());
 }
 
-TEST_P(HungPeers, OfWhichOneIsTheGcmDoNotEither) {
+TEST_P(HungPeers, IncludingTheGcmDoNotDelayService) {
   Hold(gcm_address_);
   KillGcm();
   ASSERT_TRUE(links_->EventuallyWaitedFor(gcm_address_));
@@ -117,16 +117,16 @@ TEST_P(HungPeers, OfWhichOneIsTheGcmDoNotEither) {
   EXPECT_TRUE(links_->IsWaitedFor(gcm_address_));
 }
 
-TEST_P(HungPeers, DoNotHoldUpTheEndOfAProcess) {
+TEST_P(HungPeers, DoNotDelayTheEndOfAProcess) {
   ASSERT_NO_FATAL_FAILURE(LetPeersHang(2));
-  ASSERT_TRUE(EventuallyTrue([this] { return IsSomebodyWaitedFor(); }));
+  ASSERT_TRUE(EventuallyTrue([this] { return IsWaitingForAPeer(); }));
 
   auto ended = std::async(std::launch::async, [this] { desk.reset(); });
 
   EXPECT_EQ(ended.wait_for(kLongEnoughToAnswer), std::future_status::ready);
 }
 
-TEST_P(HungPeers, LeaveTheOthersWaitingTheirTurn) {
+TEST_P(HungPeers, DelayOtherConnectionAttemptsUntilTheyTimeOut) {
   StartRobot();
   const auto hung = Start("hung");
   desk->Add<plant::Operator>("other");

@@ -14,7 +14,7 @@ using testing::Not;
 
 using AdvertisedElsewhere = RemoteConnection;
 
-TEST_P(AdvertisedElsewhere, AProcessIsNotFoundAndWhoIsThereIsToldNothing) {
+TEST_P(AdvertisedElsewhere, ThePeerThereReceivesOnlyAHello) {
   const tendon::test::Impostor third(NewMiddleware(), "robot");
   tendon::ProcessOptions options = Options();
   options.advertise = third.address();

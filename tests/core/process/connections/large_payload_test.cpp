@@ -114,7 +114,7 @@ class LargePayload : public NetworkTest {
   Viewer* viewer = nullptr;
 };
 
-TEST_P(LargePayload, IsCarriedByEveryKindOfCommandAndByEvents) {
+TEST_P(LargePayload, IsSupportedByAllCommandsAndEvents) {
   const Cloud cloud(kPoints, 7);
 
   EXPECT_EQ(viewer->store(cloud), Status(Status::kQueued));
@@ -131,7 +131,7 @@ TEST_P(LargePayload, IsCarriedByEveryKindOfCommandAndByEvents) {
   EXPECT_EQ(viewer->stored, std::vector{kPoints});
 }
 
-TEST_P(LargePayload, KeepsItsPlaceAmongTheCallsOfItsConnection) {
+TEST_P(LargePayload, KeepsTheOrderOfItsConnectionsCalls) {
   const Cloud cloud(kPoints);
 
   EXPECT_EQ(viewer->count(1), Status(Status::kQueued));
@@ -144,7 +144,7 @@ TEST_P(LargePayload, KeepsItsPlaceAmongTheCallsOfItsConnection) {
   EXPECT_EQ(arm->log(), expected);
 }
 
-TEST_P(LargePayload, IsExecutedAlthoughItsConnectionWasEndedMeanwhile) {
+TEST_P(LargePayload, IsExecutedDespiteADisconnect) {
   EXPECT_EQ(viewer->store(Cloud(kPoints)), Status(Status::kQueued));
 
   const auto start = std::chrono::steady_clock::now();
@@ -157,7 +157,7 @@ TEST_P(LargePayload, IsExecutedAlthoughItsConnectionWasEndedMeanwhile) {
       << "it may be dropped only after an end was out of patience";
 }
 
-TEST_P(LargePayload, OverTheLimitIsRefusedAtTheSenderAndTheConnectionLives) {
+TEST_P(LargePayload, OverTheLimitIsRefusedByTheSender) {
   const auto before = desk->connections();
 
   EXPECT_EQ(viewer->store(Cloud(kTooMany)), Status(Status::kInvalid));
@@ -172,7 +172,7 @@ TEST_P(LargePayload, OverTheLimitIsRefusedAtTheSenderAndTheConnectionLives) {
   EXPECT_TRUE(EventuallyTrue([&] { return arm->log() == std::vector<std::string>{"counted 1"}; }));
 }
 
-TEST_P(LargePayload, AnAnswerOverTheLimitFailsAndTheConnectionLives) {
+TEST_P(LargePayload, AReplyOverTheLimitFailsOnlyThatCall) {
   Cloud answer;
 
   EXPECT_EQ(viewer->points(kTooMany, answer), Status(Status::kFailed));

@@ -78,7 +78,7 @@ class LateAnswer : public RemoteConnection {
   std::future<bool> removed;
 };
 
-TEST_P(LateAnswer, ToAnAttemptThatWasGivenUpLeavesNoSecondConnection) {
+TEST_P(LateAnswer, ToATimedOutAttemptLeavesNoSecondConnection) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_EQ(desk->connections().front().state, ConnectionState::kPending);
   EXPECT_THAT(Reason(), HasSubstr("no answer from robot"));
@@ -91,7 +91,7 @@ TEST_P(LateAnswer, ToAnAttemptThatWasGivenUpLeavesNoSecondConnection) {
   EXPECT_TRUE(EventuallyTrue([&] { return plant->stops.size() == 1; }));
 }
 
-TEST_P(LateAnswer, ToAnEndThatIsNotWantedAnyMoreLeavesNoConnection) {
+TEST_P(LateAnswer, AfterADisconnectLeavesNoConnection) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_TRUE(desk->Disconnect(kRobot).ok());
 

@@ -63,7 +63,7 @@ class Ear final : public tendon::Component {
 
 class RemoteEvents : public NetworkTest {};
 
-TEST_P(RemoteEvents, ThatAreLostAreCountedAtBothEnds) {
+TEST_P(RemoteEvents, LossesAreCountedAtBothEnds) {
   constexpr int kTimes = 500;
   const auto robot = Start("robot");
   const auto desk = Start("desk");

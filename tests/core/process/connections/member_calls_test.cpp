@@ -82,13 +82,13 @@ TEST_P(MemberCall, ExecutesCommandsOfEveryKindByName) {
   EXPECT_EQ(read, move);
 }
 
-TEST_P(MemberCall, GivesTheStatusOfWhatWasNotExecuted) {
+TEST_P(MemberCall, ReturnsTheStatusOfAnUnexecutedCall) {
   EXPECT_EQ(StatusOf(Call("Control", "MoveTo", {std::byte{1}})), Status(Status::kInvalid));
   ASSERT_TRUE(robot->Stop("plant").ok());
   EXPECT_EQ(StatusOf(Call("Control", "Stop")), Status(Status::kNotActive));
 }
 
-TEST_P(MemberCall, OfAMethodThatHangsHoldsUpNoOther) {
+TEST_P(MemberCall, OfAHungMethodDoesNotBlockOthers) {
   constexpr int kMost = 64;
   std::unique_lock closed(plant->gate);
   std::atomic<int> answered = 0;
@@ -115,7 +115,7 @@ TEST_P(MemberCall, OfAMethodThatHangsHoldsUpNoOther) {
   EXPECT_EQ(refused, 1);
 }
 
-TEST_P(MemberCall, OfWhatIsNotThereIsRefusedWithASuggestion) {
+TEST_P(MemberCall, OfAnUnknownMemberIsRefusedWithASuggestion) {
   const auto no_member = Call("Control", "Stopp");
   const auto no_interface = Call("Kontrol", "Stop");
 
@@ -153,7 +153,7 @@ TEST_P(MemberCall, FindsTheSchemaOfEveryPayload) {
   EXPECT_EQ(schemas->texts[2], tendon::SchemaOf<tendon::CycleStatistics>().Text());
 }
 
-TEST_P(MemberCall, IsNotTheOnlyThingAProcessRefusesPolitely) {
+TEST_P(MemberCall, UnknownAndMalformedMessagesAreRefused) {
   const auto answer = channel->Call(static_cast<tendon::MessageType>(0x7777), 0, tendon::Bytes(),
                                     std::chrono::seconds(20));
   const auto malformed =

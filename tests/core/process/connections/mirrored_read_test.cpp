@@ -114,7 +114,7 @@ TEST_P(MirroredRead, HasNoSampleBeforeTheFirstRow) {
   EXPECT_EQ(reader->get_nothing(move), Status(Status::kNotConnected));
 }
 
-TEST_P(MirroredRead, AnswersAtOnceWithWhatWasWrittenBeforeItWasConnected) {
+TEST_P(MirroredRead, AnswersWithARowWrittenBeforeConnecting) {
   gauge->Write(7, "before");
   Connect();
   Move move;
@@ -139,7 +139,7 @@ TEST_P(MirroredRead, FollowsTheTable) {
   }
 }
 
-TEST_P(MirroredRead, KnowsHowOldItsValueIs) {
+TEST_P(MirroredRead, ReportsTheAgeOfItsValue) {
   Connect();
   const SteadyTime written = gauge->Write(1, "");
   ASSERT_TRUE(EventuallyReads(1));
@@ -152,7 +152,7 @@ TEST_P(MirroredRead, KnowsHowOldItsValueIs) {
   EXPECT_LE(age, after - written);
 }
 
-TEST_P(MirroredRead, ToldOfAValueTooLargeForItsColumnHasNoSample) {
+TEST_P(MirroredRead, HasNoSampleIfTheValueExceedsItsColumn) {
   gauge->Write(1, "short");
   Connect();
   Note note;
@@ -164,7 +164,7 @@ TEST_P(MirroredRead, ToldOfAValueTooLargeForItsColumnHasNoSample) {
   EXPECT_TRUE(EventuallyReads(2));
 }
 
-TEST_P(MirroredRead, AllocatesNothingOnceItHasAnswered) {
+TEST_P(MirroredRead, AllocatesNothingAfterTheFirstAnswer) {
   gauge->Write(1, "note");
   Connect();
   Move move;
@@ -174,7 +174,7 @@ TEST_P(MirroredRead, AllocatesNothingOnceItHasAnswered) {
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(reader->get_move(move), Status(Status::kDone));
 }
 
-TEST_P(MirroredRead, GivesNothingOnceTheProcessWasLostAndGoesOnWhenItIsBack) {
+TEST_P(MirroredRead, FailsWhileTheProcessIsLostAndThenResumes) {
   gauge->Write(1, "");
   Connect();
   ASSERT_TRUE(EventuallyReads(1));
@@ -190,7 +190,7 @@ TEST_P(MirroredRead, GivesNothingOnceTheProcessWasLostAndGoesOnWhenItIsBack) {
   EXPECT_TRUE(EventuallyReads(2));
 }
 
-TEST_P(MirroredRead, GivesNothingOnceTheComponentWasRemoved) {
+TEST_P(MirroredRead, FailsOnceTheComponentIsRemoved) {
   gauge->Write(1, "");
   Connect();
   ASSERT_TRUE(EventuallyReads(1));
@@ -202,7 +202,7 @@ TEST_P(MirroredRead, GivesNothingOnceTheComponentWasRemoved) {
       EventuallyTrue([&] { return reader->get_move(move) == Status(Status::kNotConnected); }));
 }
 
-TEST_P(MirroredRead, OfWhatIsNotTheNewestRowIsRefused) {
+TEST_P(MirroredRead, RefusesCommandsThatDoNotReadTheNewestRow) {
   desk->Add<Reader>("wishful", "GetMoveBefore");
 
   const auto id = desk->Connect({"desk", "wishful", "Level"}, kGauge);
@@ -213,7 +213,7 @@ TEST_P(MirroredRead, OfWhatIsNotTheNewestRowIsRefused) {
                                             "mirrored"));
 }
 
-TEST_P(MirroredRead, IsRefusedWhileTheCommandIsOff) {
+TEST_P(MirroredRead, FailsWhileTheCommandIsDisabled) {
   gauge->Write(1, "note");
   Connect();
   Move move;
@@ -229,7 +229,7 @@ TEST_P(MirroredRead, IsRefusedWhileTheCommandIsOff) {
   EXPECT_TRUE(EventuallyReads(2));
 }
 
-TEST_P(MirroredRead, IsRefusedFromTheFirstOnWhereTheCommandWasOffBefore) {
+TEST_P(MirroredRead, FailsIfTheCommandWasDisabledBefore) {
   gauge->Write(1, "");
   gauge->get_move->Disable();
   Connect();
@@ -270,7 +270,7 @@ NetworkKind CountingLoopback() {
 
 using EndedMirror = MirroredRead;
 
-TEST_P(EndedMirror, IsNotSentForEverThoughNoRowIsWritten) {
+TEST_P(EndedMirror, StopsEvenIfNoRowIsWritten) {
   Connect();
   ASSERT_TRUE(desk->Disconnect(kReader).ok());
   ASSERT_TRUE(EventuallyTrue([&] { return desk->connections().empty(); }));

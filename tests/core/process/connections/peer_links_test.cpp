@@ -128,7 +128,7 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
   std::map<std::string, Result<std::shared_ptr<PeerLink>>> outcomes_;  // of the worker
 };
 
-TEST_F(OpenedPeerLinks, ThatWereSilentTheLastTimeGoOneByOneBehindTheOthers) {
+TEST_F(OpenedPeerLinks, ToSilentPeersComeLastAndOneByOne) {
   const std::string first = ListenAndHang("first", 2);
   const std::string second = ListenAndHang("second", 3);
   Listen("robot", 4);
@@ -150,7 +150,7 @@ TEST_F(OpenedPeerLinks, ThatWereSilentTheLastTimeGoOneByOneBehindTheOthers) {
   EXPECT_TRUE(links_->EventuallyWaitedFor(second));
 }
 
-TEST_F(OpenedPeerLinks, OfWhichOneHasMovedAreOpenedWhereTheyAreNow) {
+TEST_F(OpenedPeerLinks, ReachAPeerAtItsNewAddress) {
   const std::string before = ListenAndHang("robot", 2);
   ASSERT_TRUE(AskFor("robot"));
   ASSERT_TRUE(links_->EventuallyWaitedFor(before));
@@ -165,7 +165,7 @@ TEST_F(OpenedPeerLinks, OfWhichOneHasMovedAreOpenedWhereTheyAreNow) {
 }
 
 /// Those here accept links, and answer no question whether they live.
-TEST_F(OpenedPeerLinks, WhomTheGcmHasLostAreCutOffOnceTheyAreSilentHereToo) {
+TEST_F(OpenedPeerLinks, ToLostPeersAreClosedOnceSilent) {
   Listen("robot", 2);
   (void)AskFor("robot");
   ASSERT_TRUE(EventuallyEnded("robot"));
@@ -189,7 +189,7 @@ TEST_F(OpenedPeerLinks, WhomTheGcmHasLostAreCutOffOnceTheyAreSilentHereToo) {
   EXPECT_TRUE(EventuallyTrue([&] { return !link->channel()->is_open(); }));
 }
 
-TEST_F(OpenedPeerLinks, ThatAnswerTooLateAreNotKept) {
+TEST_F(OpenedPeerLinks, AreDroppedIfOpenedTooLate) {
   const std::string address = ListenAndHang("robot", 2);
   ASSERT_TRUE(AskFor("robot"));
   ASSERT_TRUE(links_->EventuallyWaitedFor(address));

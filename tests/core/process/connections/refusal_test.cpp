@@ -56,9 +56,9 @@ class Camera final : public tendon::Component {
   tendon::WriteFunction<Picture> show;
 };
 
-using RefusedForItsSize = RemoteConnection;
+using MailboxSizeLimit = RemoteConnection;
 
-TEST_P(RefusedForItsSize, IsAMailboxOfTooManyCalls) {
+TEST_P(MailboxSizeLimit, RefusesTooManyCalls) {
   StartRobot();
   StartDesk(std::size_t{1} << 24U);
 
@@ -73,7 +73,7 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyCalls) {
   EXPECT_EQ(robot->proxies().size(), 0U);
 }
 
-TEST_P(RefusedForItsSize, IsAMailboxOfTooManyBytes) {
+TEST_P(MailboxSizeLimit, RefusesTooManyBytes) {
   robot = Start("robot");
   robot->Add<Screen>("screen");
   desk = Start("desk");
@@ -92,7 +92,7 @@ TEST_P(RefusedForItsSize, IsAMailboxOfTooManyBytes) {
   EXPECT_TRUE(EventuallyActive(*desk, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, RefusedForItsSize, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Over, MailboxSizeLimit, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
 /// A process with a type of its own, that answers the question what it is.
 class Foreigner final : public tendon::ChannelHandler {
@@ -127,7 +127,7 @@ Schema Goal(const std::string& unit, Schema::Kind kind = Schema::Kind::kFloat64)
                                           {"goal", unit, Schema::Array(Schema(kind), 3)}});
 }
 
-class RefusedForItsTypes : public RemoteConnection {
+class TypeMismatch : public RemoteConnection {
  protected:
   /// Asks robot for a connection that needs MoveTo of this type, and returns what it says.
   std::string WhyRefused(const Schema& schema,
@@ -170,7 +170,7 @@ class RefusedForItsTypes : public RemoteConnection {
   std::shared_ptr<tendon::Middleware> middleware = NewMiddleware();
 };
 
-TEST_P(RefusedForItsTypes, NamesTheFirstDifferenceOfATypeThatIsUnknownHere) {
+TEST_P(TypeMismatch, NamesTheFirstDifferenceOfAnUnknownType) {
   StartRobot();
 
   ExpectDifference(Goal("deg"),
@@ -183,21 +183,20 @@ TEST_P(RefusedForItsTypes, NamesTheFirstDifferenceOfATypeThatIsUnknownHere) {
       "plant.Move: field aim needed, field goal offered");
 }
 
-TEST_P(RefusedForItsTypes, BelievesNoTextOfAnotherFingerprint) {
+TEST_P(TypeMismatch, IgnoresASchemaWithAnotherFingerprint) {
   StartRobot();
 
   EXPECT_EQ(WhyRefused(Goal("mm"), Foreigner::Manner::kLying),
             kFrame + "(fields, units or shapes differ)");
 }
 
-TEST_P(RefusedForItsTypes, IsSaidAlsoToOneWhoDoesNotAnswerTheQuestion) {
+TEST_P(TypeMismatch, OmitsTheDifferenceForAnUnresponsivePeer) {
   StartRobot();
 
   EXPECT_EQ(WhyRefused(Goal("m"), Foreigner::Manner::kSilent),
             kFrame + "(fields, units or shapes differ)");
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, RefusedForItsTypes, testing::ValuesIn(NetworkKinds()),
-                         NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Over, TypeMismatch, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
 }  // namespace

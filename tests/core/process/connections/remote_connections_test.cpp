@@ -86,7 +86,7 @@ TEST_P(RemoteConnection, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
   }
 }
 
-TEST_P(RemoteConnection, RefusesWhatTheServerHasNoRoomForAndLosesNothing) {
+TEST_P(RemoteConnection, RefusesCallsBeyondTheServersRoom) {
   StartRobot();
   StartDesk(16);
   Connect();
@@ -108,7 +108,7 @@ TEST_P(RemoteConnection, RefusesWhatTheServerHasNoRoomForAndLosesNothing) {
   for (std::size_t i = 0; i < accepted.size(); ++i) ASSERT_EQ(executed[i].number, accepted[i]);
 }
 
-TEST_P(RemoteConnection, TellsHowItDoes) {
+TEST_P(RemoteConnection, ReportsItsCounts) {
   StartDesk(16);
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   const auto pending = desk->Counts(kRobot);
@@ -131,7 +131,7 @@ TEST_P(RemoteConnection, TellsHowItDoes) {
   EXPECT_EQ(desk->Counts(kRobot)->capacity, 16U);
 }
 
-TEST_P(RemoteConnection, TellsTheCallerThatTheServerDoesNotRun) {
+TEST_P(RemoteConnection, ReportsThatTheServerDoesNotRun) {
   StartRobot();
   StartDesk();
   Connect();
@@ -158,7 +158,7 @@ TEST_P(RemoteConnection, GivesUpAReadAtItsDeadline) {
   EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
 }
 
-TEST_P(RemoteConnection, IsRefusedWhereTheInterfacesDoNotFit) {
+TEST_P(RemoteConnection, IsRefusedIfTheInterfacesAreIncompatible) {
   StartRobot();
   StartDesk();
   robot->Add<plant::Impostor>("impostor");
@@ -175,7 +175,7 @@ TEST_P(RemoteConnection, IsRefusedWhereTheInterfacesDoNotFit) {
   EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
 }
 
-TEST_P(RemoteConnection, OfARequiredInterfaceElsewhereIsRefused) {
+TEST_P(RemoteConnection, RefusesARequiredInterfaceOfAnotherProcess) {
   StartRobot();
 
   const auto id = robot->Connect(kRobot, kControl);
@@ -185,7 +185,7 @@ TEST_P(RemoteConnection, OfARequiredInterfaceElsewhereIsRefused) {
   EXPECT_THAT(id.error().message, HasSubstr("is not in process 'robot'"));
 }
 
-TEST_P(RemoteConnection, IsMadeOnce) {
+TEST_P(RemoteConnection, RefusesADuplicate) {
   StartRobot();
   StartDesk();
   desk->Add<Plant>("plant");
@@ -200,7 +200,7 @@ TEST_P(RemoteConnection, IsMadeOnce) {
   EXPECT_EQ(here.error().code, ErrorCode::kExists);
 }
 
-TEST_P(RemoteConnection, CanBeEndedAndMadeAgain) {
+TEST_P(RemoteConnection, CanBeDisconnectedAndReconnected) {
   StartRobot();
   StartDesk();
   for (int round = 0; round < 3; ++round) {
@@ -220,7 +220,7 @@ TEST_P(RemoteConnection, CanBeEndedAndMadeAgain) {
   EXPECT_EQ(again.error().code, ErrorCode::kNotFound);
 }
 
-TEST_P(RemoteConnection, EndedUnderLoadExecutesWhatItAcceptedAndNothingElse) {
+TEST_P(RemoteConnection, DisconnectingUnderLoadExecutesOnlyAcceptedCalls) {
   StartRobot();
   StartDesk();
   Connect();
@@ -243,7 +243,7 @@ TEST_P(RemoteConnection, EndedUnderLoadExecutesWhatItAcceptedAndNothingElse) {
   for (std::size_t i = 0; i < executed.size(); ++i) ASSERT_EQ(executed[i].number, i);
 }
 
-TEST_P(RemoteConnection, ItsBeginningAndItsEndAreWrittenDownWithHowManyCommandsCame) {
+TEST_P(RemoteConnection, AuditsItsOpeningClosingAndCommandCount) {
   const tendon_test::LogRecord audit("audit");
   const std::string kInterface = "): interface robot/plant/Control for desk/operator/Robot: ";
   const std::string kClosed = kInterface + "closed, ";
@@ -266,7 +266,7 @@ TEST_P(RemoteConnection, ItsBeginningAndItsEndAreWrittenDownWithHowManyCommandsC
   EXPECT_THAT(last(), EndsWith(kClosed + "commands: 3"));
 }
 
-TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
+TEST_P(RemoteConnection, WaitsForAnAbsentProcess) {
   StartDesk();
   const auto id = desk->Connect(kRobot, kControl);
   ASSERT_TRUE(id.ok()) << id.error().message;
@@ -282,7 +282,7 @@ TEST_P(RemoteConnection, WaitsForAProcessThatIsNotThereYet) {
   EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
 }
 
-TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {
+TEST_P(RemoteConnection, WaitsForAnAbsentComponent) {
   robot = Start("robot");
   StartDesk();
   const tendon_test::LogRecord audit("audit");
@@ -297,7 +297,7 @@ TEST_P(RemoteConnection, WaitsForAComponentThatIsNotThereYet) {
   EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
 }
 
-TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
+TEST_P(RemoteConnection, IsRestoredWhenALostProcessReturns) {
   const tendon_test::LogRecord log("connection");
   StartRobot();
   StartDesk();
@@ -326,7 +326,7 @@ TEST_P(RemoteConnection, OfALostProcessIsMadeAgainWhenItReturns) {
   EXPECT_EQ(lines.at(2), kEnds + "stands");
 }
 
-TEST_P(RemoteConnection, ThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
+TEST_P(RemoteConnection, RestoredByTheGcmSatisfiesTheProgramsConnect) {
   StartRobot();
   StartDesk();
   Connect();
@@ -350,7 +350,7 @@ TEST_P(RemoteConnection, ThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
   EXPECT_TRUE(desk->connections().empty());
 }
 
-TEST_P(RemoteConnection, WithinAProcessThatTheGcmHandedBackIsTheOneTheProgramAsksFor) {
+TEST_P(RemoteConnection, RestoredWithinAProcessSatisfiesTheProgram) {
   const InterfaceName control("desk", "plant", "Control");
   const auto start = [&] {
     desk = Start("desk");
@@ -371,7 +371,7 @@ TEST_P(RemoteConnection, WithinAProcessThatTheGcmHandedBackIsTheOneTheProgramAsk
   EXPECT_EQ(desk->Connect(kRobot, control).error().code, ErrorCode::kExists);
 }
 
-TEST_P(RemoteConnection, OfARemovedComponentIsMadeAgainWhenItReturns) {
+TEST_P(RemoteConnection, IsRestoredWhenARemovedComponentReturns) {
   StartRobot();
   StartDesk();
   Connect();
@@ -400,7 +400,7 @@ TEST_P(RemoteConnection, EndsWithItsOwnComponent) {
   EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
 }
 
-TEST_P(RemoteConnection, MayRunInBothDirectionsAtOnce) {
+TEST_P(RemoteConnection, WorksInBothDirectionsAtOnce) {
   StartRobot();
   StartDesk();
   auto& other_user = robot->Add<Operator>("operator");

@@ -127,7 +127,7 @@ class ServerState : public NetworkTest {
   User* user = nullptr;
 };
 
-TEST_P(ServerState, OneWithoutAThreadRefusesCallsWhileItDoesNotRun) {
+TEST_P(ServerState, AThreadlessServerRefusesCallsWhileStopped) {
   Connect(kLamp);
   ASSERT_TRUE(EventuallyActive(*desk, 1));
 
@@ -140,7 +140,7 @@ TEST_P(ServerState, OneWithoutAThreadRefusesCallsWhileItDoesNotRun) {
   EXPECT_TRUE(EventuallyTrue([this] { return IsNotActive(); }));
 }
 
-TEST_P(ServerState, AFaultedOneMakesItsConnectionsPendingUntilItWasStartedAnew) {
+TEST_P(ServerState, AFaultMakesConnectionsPendingUntilARestart) {
   ASSERT_TRUE(robot->StartAll().ok());
   Connect(kFuse);
   ASSERT_TRUE(EventuallyActive(*desk, 1));
@@ -166,7 +166,7 @@ TEST_P(ServerState, AFaultedOneMakesItsConnectionsPendingUntilItWasStartedAnew) 
   EXPECT_EQ(user->dark.Wait(1ms), Status(Status::kTimeout));
 }
 
-TEST_P(ServerState, AConnectionToOneThatIsFaultedAlreadySaysSo) {
+TEST_P(ServerState, ConnectingToAFaultedServerReportsTheFault) {
   ASSERT_TRUE(robot->StartAll().ok());
   Connect(kFuse);
   ASSERT_TRUE(EventuallyActive(*desk, 1));
@@ -180,7 +180,7 @@ TEST_P(ServerState, AConnectionToOneThatIsFaultedAlreadySaysSo) {
   EXPECT_EQ(user->dark.Wait(20s), Status(Status::kNotActive));
 }
 
-TEST_P(ServerState, AFaultedOneThatCannotBeStartedAnewSaysTheNewReasonToTheGcm) {
+TEST_P(ServerState, AFailedRestartReportsItsNewReasonToTheGcm) {
   ASSERT_TRUE(robot->StartAll().ok());
   Connect(kFuse);
   ASSERT_TRUE(EventuallyActive(*desk, 1));
@@ -199,7 +199,7 @@ TEST_P(ServerState, AFaultedOneThatCannotBeStartedAnewSaysTheNewReasonToTheGcm) 
   }));
 }
 
-TEST_P(ServerState, AFaultedClientMakesItsConnectionPendingToo) {
+TEST_P(ServerState, AFaultedClientMakesItsConnectionPending) {
   ASSERT_TRUE(robot->StartAll().ok());
   auto& tormentor = desk->Add<Tormentor>("tormentor");
   ASSERT_TRUE(desk->Start("tormentor").ok());

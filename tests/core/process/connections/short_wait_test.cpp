@@ -123,14 +123,14 @@ TEST_P(ShortWait, KeepsTheOrderWithTheCallsBeforeAndAfterIt) {
   EXPECT_EQ(gong->strikes(), expected);
 }
 
-TEST_P(ShortWait, OneWhoseTimeIsOverIsNotExecuted) {
+TEST_P(ShortWait, IsNotExecutedAfterItsDeadline) {
   EXPECT_EQ(porter->strike.Wait(1, 0s), Status(Status::kTimeout));
 
   EXPECT_EQ(porter->strike.Wait(2, kPatience), Status(Status::kDone));
   EXPECT_EQ(gong->strikes(), std::vector{2});
 }
 
-TEST_P(ShortWait, GivesBackAnswersOfAllSizes) {
+TEST_P(ShortWait, ReturnsRepliesOfAllSizes) {
   for (const std::size_t size : {0U, 1U, 1000U, 32'000U, 33'000U, 200'000U}) {
     const std::vector<double> question(size, 0.5);
     std::vector<double> answer{1, 2, 3};
@@ -141,7 +141,7 @@ TEST_P(ShortWait, GivesBackAnswersOfAllSizes) {
   }
 }
 
-TEST_P(ShortWait, HoldsUpNobodyWhenItIsLong) {
+TEST_P(ShortWait, BlocksNobodyIfItIsLong) {
   auto status = WaitForStick();
 
   int strikes = -1;
@@ -156,7 +156,7 @@ TEST_P(ShortWait, HoldsUpNobodyWhenItIsLong) {
   EXPECT_EQ(gong->strikes(), (std::vector{1, 2}));
 }
 
-TEST_P(ShortWait, EndsWhenTheConnectionIsTakenAwayUnderIt) {
+TEST_P(ShortWait, EndsWithADisconnect) {
   auto status = WaitForStick();
 
   ASSERT_TRUE(desk->Disconnect(kPorter).ok());
@@ -167,7 +167,7 @@ TEST_P(ShortWait, EndsWhenTheConnectionIsTakenAwayUnderIt) {
   EXPECT_EQ(porter->strike.Wait(1, kPatience), Status(Status::kDone));
 }
 
-TEST_P(ShortWait, OfManyCallersWhileConnectionsComeAndGoTellsEachTheTruth) {
+TEST_P(ShortWait, ReportsTrueOutcomesDuringReconnects) {
   std::atomic<bool> is_done{false};
   std::atomic<int> done{0};
   std::atomic<int> unknown{0};

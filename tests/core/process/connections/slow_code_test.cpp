@@ -45,7 +45,7 @@ class SlowRead : public RemoteConnection {
 
 INSTANTIATE_TEST_SUITE_P(Over, SlowRead, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(SlowRead, HoldsUpNothingElseOnItsConnection) {
+TEST_P(SlowRead, BlocksNothingElseOnItsConnection) {
   const std::scoped_lock closed(plant->gate);
 
   AskInVain(*user);
@@ -55,7 +55,7 @@ TEST_P(SlowRead, HoldsUpNothingElseOnItsConnection) {
   EXPECT_TRUE(robot->is_joined());
 }
 
-TEST_P(SlowRead, OfMoreCallersThanThereAreThreadsHoldsUpNobodyElse) {
+TEST_P(SlowRead, FromMoreCallersThanThreadsBlocksNobodyElse) {
   std::vector<Operator*> callers;
   for (std::size_t i = 0; i < tendon::WorkerPool::kMost + 2; ++i) {
     const std::string name = "caller" + std::to_string(i);
@@ -72,7 +72,7 @@ TEST_P(SlowRead, OfMoreCallersThanThereAreThreadsHoldsUpNobodyElse) {
   ExpectAllElseIsServed(*user);
 }
 
-TEST_P(SlowRead, IsAnsweredAsSoonAsItCan) {
+TEST_P(SlowRead, IsAnsweredOnceItsMethodReturns) {
   {
     const std::scoped_lock closed(plant->gate);
     AskInVain(*user);
@@ -97,7 +97,7 @@ TEST_P(SlowRead, EndsWithItsConnection) {
   EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
 }
 
-TEST_P(SlowRead, ThatStillWaitsWhenItsConnectionEndsIsNotExecuted) {
+TEST_P(SlowRead, IsNotExecutedIfItsConnectionEndsFirst) {
   std::unique_lock closed(plant->gate);
   for (int i = 0; i < 3; ++i) AskInVain(*user);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
@@ -112,7 +112,7 @@ TEST_P(SlowRead, ThatStillWaitsWhenItsConnectionEndsIsNotExecuted) {
   EXPECT_EQ(plant->asked, 1);
 }
 
-TEST_P(SlowRead, OfAPeerThatIsGoneHoldsUpNobody) {
+TEST_P(SlowRead, OfALostPeerBlocksNobody) {
   const std::scoped_lock closed(plant->gate);
   AskInVain(*user);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
@@ -231,7 +231,7 @@ TEST_P(SlowFilter, KeepsTheOrderOfAllCommandsOfItsConnection) {
   EXPECT_EQ(scale->weights.values(), Weights(kWeights + 1));
 }
 
-TEST_P(SlowFilter, TakesAsManyAsAMailboxAndRefusesTheOthers) {
+TEST_P(SlowFilter, AcceptsAMailboxfulAndRefusesTheRest) {
   std::unique_lock closed(filter_gate);
   int put = 0;
   while (Put(put) == Status(Status::kQueued)) ++put;
@@ -246,7 +246,7 @@ TEST_P(SlowFilter, TakesAsManyAsAMailboxAndRefusesTheOthers) {
   EXPECT_TRUE(EventuallyTrue([&] { return scale->weights.values() == Weights(put + 1); }));
 }
 
-TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
+TEST_P(SlowFilter, SkipsAWaitedCallAfterItsDeadline) {
   constexpr int kLate = 100;
   constexpr int kNext = 101;  // by whose end the time of the one before is over
   {
@@ -263,7 +263,7 @@ TEST_P(SlowFilter, OneWhoseTimeIsOverBeforeItsTurnIsNotExecuted) {
   EXPECT_EQ(std::ranges::count(weights, kLate), 0);
 }
 
-TEST_P(SlowFilter, AnAnswerToWhatGoesPastTheMailboxLosesNothingThatWaitsThere) {
+TEST_P(SlowFilter, DirectRepliesLoseNoQueuedCalls) {
   scale->is_jammed = true;
   ASSERT_EQ(weigher->jam(), Status(Status::kQueued));
   ASSERT_TRUE(EventuallyTrue([&] { return scale->jams == 1; }));
@@ -287,7 +287,7 @@ TEST_P(SlowFilter, AnAnswerToWhatGoesPastTheMailboxLosesNothingThatWaitsThere) {
   EXPECT_EQ(scale->weights.values(), Weights(put));
 }
 
-TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
+TEST_P(SlowFilter, DropsQueuedCallsIfItHangsBeyondItsConnection) {
   std::unique_lock closed(filter_gate);
   for (int i = 0; i < 4; ++i) ASSERT_EQ(Put(i), Status(Status::kQueued));
   ASSERT_TRUE(desk->Disconnect(kWeigher).ok());
@@ -308,7 +308,7 @@ TEST_P(SlowFilter, ThatHangsLongerThanItsConnectionExecutesNothingBehindIt) {
   EXPECT_LE(weights.size(), 2U) << "the one that hung may end";
 }
 
-TEST_P(SlowFilter, ExecutesWhatHasArrivedBeforeItsConnectionEnds) {
+TEST_P(SlowFilter, ExecutesArrivedCallsBeforeDisconnecting) {
   std::unique_lock closed(filter_gate);
   for (int i = 0; i < 10; ++i) ASSERT_EQ(Put(i), Status(Status::kQueued));
   auto disconnected = std::async(std::launch::async, [this] { return desk->Disconnect(kWeigher); });
@@ -369,7 +369,7 @@ class SlowHandler : public RemoteConnection {
 
 INSTANTIATE_TEST_SUITE_P(Over, SlowHandler, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(SlowHandler, HoldsUpNothingElseThatItsProcessHears) {
+TEST_P(SlowHandler, BlocksNothingElseThatItsProcessReceives) {
   std::unique_lock closed(watcher->gate);
   for (std::uint64_t i = 0; i < 10; ++i) Move(i);
   ASSERT_TRUE(EventuallyTrue([&] { return watcher->entered == 1; }));
@@ -389,7 +389,7 @@ TEST_P(SlowHandler, HoldsUpNothingElseThatItsProcessHears) {
   EXPECT_EQ(watcher->lost(), 0U);
 }
 
-TEST_P(SlowHandler, MissesWhatThereIsNoRoomForAndCountsIt) {
+TEST_P(SlowHandler, CountsEventsThatFindNoRoom) {
   constexpr std::uint64_t kMoves = 5000;
   std::unique_lock closed(watcher->gate);
   for (std::uint64_t i = 0; i < kMoves; ++i) Move(i);

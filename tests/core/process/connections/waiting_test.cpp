@@ -173,7 +173,7 @@ TEST(Wait, OfEveryKindWorksInOneProcess) {
 
 TEST_P(RemoteWait, OfEveryKindWorksAsInOneProcess) { UseEveryKind(*press, *panel); }
 
-TEST_P(RemoteWait, IsForWhatWasCalledBeforeToo) {
+TEST_P(RemoteWait, CompletesAfterEarlierCalls) {
   for (int i = 0; i < 20; ++i) {
     EXPECT_TRUE(EventuallyTrue([&] { return panel->add(1) == Status(Status::kQueued); }));
     if (i % 5 != 4) continue;
@@ -205,7 +205,7 @@ TEST_P(RemoteWait, GivesEachOfManyCallersItsOwnAnswer) {
   EXPECT_EQ(press->total, kThreads * kCalls);
 }
 
-TEST_P(RemoteWait, EndsAtItsDeadlineAndWhatWasNotStartedIsNotExecuted) {
+TEST_P(RemoteWait, TimesOutWithoutExecutingAnUnstartedCall) {
   press->Hold();
 
   const Status status = panel->stamp.Wait(300ms);
@@ -219,7 +219,7 @@ TEST_P(RemoteWait, EndsAtItsDeadlineAndWhatWasNotStartedIsNotExecuted) {
   }
 }
 
-TEST_P(RemoteWait, WhatWasStartedHasAnUnknownOutcomeAndItsLateReplyIsNobodys) {
+TEST_P(RemoteWait, AStartedCallTimesOutWithUnknownOutcome) {
   press->stuck = true;
 
   const Status status = panel->stick.Wait(500ms);
@@ -239,7 +239,7 @@ TEST_P(RemoteWait, WhatWasStartedHasAnUnknownOutcomeAndItsLateReplyIsNobodys) {
   EXPECT_LE(press->sticks, 1);
 }
 
-TEST_P(RemoteWait, IsRefusedLikeAnyCallWhenTheMailboxIsFull) {
+TEST_P(RemoteWait, IsRefusedByAFullMailbox) {
   press->Hold();
   EXPECT_TRUE(EventuallyTrue([this] { return panel->add(1) == Status(Status::kQueueFull); }));
 
@@ -255,7 +255,7 @@ TEST_P(RemoteWait, EndsWhenTheServerStops) {
   EXPECT_EQ(press->stamps, 0);
 }
 
-TEST_P(RemoteWait, OfWhatThrowsFailsAndFaultsTheServer) {
+TEST_P(RemoteWait, OfAThrowingCommandFailsAndFaultsTheServer) {
   EXPECT_EQ(panel->fail.Wait(kLong), Status(Status::kFailed));
   EXPECT_TRUE(EventuallyTrue([this] { return press->state() == ComponentState::kFaulted; }));
   EXPECT_EQ(panel->stamp.Wait(kLong), Status(Status::kNotActive));
@@ -291,7 +291,7 @@ class RemoteCallByName : public RemoteWait {
 
 INSTANTIATE_TEST_SUITE_P(Over, RemoteCallByName, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(RemoteCallByName, WaitsForWhatReturnsSomething) {
+TEST_P(RemoteCallByName, WaitsForCommandsWithAResult) {
   ASSERT_EQ(panel->add.Wait(4, kLong), Status(Status::kDone));
 
   const CallMemberReply total = Call("Total", {});
@@ -312,7 +312,7 @@ TEST_P(RemoteCallByName, EndsAtItsDeadline) {
   EXPECT_TRUE(total.answer.empty());
 }
 
-TEST_P(RemoteWait, EndsWhenTheProcessOfTheServerGoes) {
+TEST_P(RemoteWait, EndsWhenTheServersProcessEnds) {
   auto status = WaitForStamp();
 
   robot.reset();
@@ -327,7 +327,7 @@ TEST_P(RemoteWait, EndsWhenTheProcessOfTheServerGoes) {
   }));
 }
 
-TEST_P(RemoteWait, EndsWhenTheConnectionIsTakenAway) {
+TEST_P(RemoteWait, EndsWithADisconnect) {
   auto status = WaitForStamp();
 
   ASSERT_TRUE(desk->Disconnect(kPanel).ok());
@@ -340,7 +340,7 @@ TEST_P(RemoteWait, EndsWhenTheConnectionIsTakenAway) {
   EXPECT_LE(press->stamps, 2);
 }
 
-TEST_P(RemoteWait, WorksAgainAfterTheServerWasRemovedAndAddedAnew) {
+TEST_P(RemoteWait, WorksAfterTheServerIsRemovedAndAddedAgain) {
   auto status = WaitForStamp();
 
   ASSERT_TRUE(robot->Remove("press").ok());

@@ -77,7 +77,7 @@ class LifecycleApply : public LifecycleFixture {
 
 INSTANTIATE_TEST_SUITE_P(Over, LifecycleApply, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(LifecycleApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
+TEST_P(LifecycleApply, RestoresASavedSystemInAnEmptyProcess) {
   MakeLamps();
   const tendon::Fingerprint before = gcm().catalogue().ContentHash();
   const SystemFile saved = Saved();
@@ -92,7 +92,7 @@ TEST_P(LifecycleApply, ASavedSystemIsTheSameAgainInAnEmptyProcess) {
   EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // there is nothing left to do
 }
 
-TEST_P(LifecycleApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
+TEST_P(LifecycleApply, RestoresThreadsAndLeaders) {
   MakeLamps();
   tendon::message::LifecycleOrder follower{.verb = LifecycleVerb::kCreate,
                                            .process = "robot",
@@ -126,7 +126,7 @@ TEST_P(LifecycleApply, ThreadsAndWhoRunsAfterWhomAreTheSameAgain) {
   EXPECT_EQ(gcm().catalogue().ContentHash(), before);
 }
 
-TEST_P(LifecycleApply, AnotherConfigurationMakesTheComponentAnewWithItsConnections) {
+TEST_P(LifecycleApply, ReconfiguringKeepsTheConnections) {
   MakeLamps();
   SystemFile wanted = Saved();
   for (auto& component : wanted.processes[0].components) {
@@ -143,7 +143,7 @@ TEST_P(LifecycleApply, AnotherConfigurationMakesTheComponentAnewWithItsConnectio
   EXPECT_EQ(Known("spare").name, "");
 }
 
-TEST_P(LifecycleApply, WhatDoesNotComeToBeSuspendedIsStopped) {
+TEST_P(LifecycleApply, StopsAComponentThatCannotBeSuspended) {
   robot_->Add<Restless>("arm");
   ASSERT_TRUE(EventuallyTrue([&] { return Known("arm").name == "arm"; }));
   SystemFile wanted = Saved();
@@ -164,7 +164,7 @@ TEST_P(LifecycleApply, WhatDoesNotComeToBeSuspendedIsStopped) {
   EXPECT_EQ(robot_->Find("arm")->state(), tendon::ComponentState::kFinished);
 }
 
-TEST_P(LifecycleApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned) {
+TEST_P(LifecycleApply, RefusesAStepForARestartedProcess) {
   MakeLamps();
   SystemFile wanted = Saved();
   RestartEmpty();
@@ -180,7 +180,7 @@ TEST_P(LifecycleApply, AStepIsNotForAProcessThatWasStartedAnewSinceItWasPlanned)
   EXPECT_TRUE(robot_->components().empty());
 }
 
-TEST_P(LifecycleApply, AStepIsNotForAConfigurationThatWasChangedSinceItWasPlanned) {
+TEST_P(LifecycleApply, RefusesAStepForAChangedConfiguration) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness":0.7})")), "");
   SystemFile wanted = Saved();
   wanted.processes[0].components[0].configuration = R"({"brightness":0.1})";
@@ -199,7 +199,7 @@ TEST_P(LifecycleApply, AStepIsNotForAConfigurationThatWasChangedSinceItWasPlanne
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.1})");
 }
 
-TEST_P(LifecycleApply, WhatWasAppliedIsUndoneStepByStep) {
+TEST_P(LifecycleApply, AnAppliedPlanCanBeUndoneStepByStep) {
   MakeLamps();
   const SystemFile saved = Saved();
   const tendon::Fingerprint before = gcm().catalogue().ContentHash();

@@ -27,7 +27,7 @@ class Lifecycle : public LifecycleFixture {
 
 INSTANTIATE_TEST_SUITE_P(Over, Lifecycle, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-TEST_P(Lifecycle, AComponentIsMadeStartedSuspendedStoppedAndRemovedFromAfar) {
+TEST_P(Lifecycle, ComponentsAreControlledRemotely) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", "{\n  \"brightness\": 0.25\n}")), "");
   EXPECT_EQ(Known("lamp").class_name, "Lamp");
   EXPECT_EQ(Known("lamp").library, "lamps");
@@ -48,7 +48,7 @@ TEST_P(Lifecycle, AComponentIsMadeStartedSuspendedStoppedAndRemovedFromAfar) {
   EXPECT_EQ(robot_->Find("lamp"), nullptr);
 }
 
-TEST_P(Lifecycle, AProcessSaysWhatItCanMakeAndWithWhichArguments) {
+TEST_P(Lifecycle, AProcessListsItsClassesAndConfigurations) {
   const auto before = ClassesOf("robot");
   ASSERT_TRUE(before) << before.error().message;
   EXPECT_TRUE(before->classes.empty());
@@ -70,7 +70,7 @@ TEST_P(Lifecycle, AProcessSaysWhatItCanMakeAndWithWhichArguments) {
   EXPECT_EQ(ClassesOf("robbot").error().message, "no process 'robbot'; did you mean 'robot'?");
 }
 
-TEST_P(Lifecycle, ALoadedClassIsFoundWithoutItsLibrary) {
+TEST_P(Lifecycle, FindsALoadedClassWithoutItsLibrary) {
   const tendon::message::LifecycleOrder order{.verb = LifecycleVerb::kCreate,
                                               .process = "robot",
                                               .component = "lamp",
@@ -85,7 +85,7 @@ TEST_P(Lifecycle, ALoadedClassIsFoundWithoutItsLibrary) {
   EXPECT_EQ(Known("lamp").library, "lamps");
 }
 
-TEST_P(Lifecycle, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
+TEST_P(Lifecycle, ForwardsARefusalOfTheProcess) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   robot_->Add<plant::Plant>("plant");
   ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
@@ -122,7 +122,7 @@ TEST_P(Lifecycle, WhatTheProcessRefusesIsPassedOnAndChangesNothing) {
   EXPECT_EQ(history->entries.size(), 1U);
 }
 
-TEST_P(Lifecycle, AProcessWithoutPlugInsMakesNothingButStartsWhatItHas) {
+TEST_P(Lifecycle, AProcessWithoutPlugInsOnlyStartsComponents) {
   const auto desk = Start("desk");
   desk->Add<plant::Plant>("plant");
   ASSERT_TRUE(EventuallyTrue(
@@ -139,7 +139,7 @@ TEST_P(Lifecycle, AProcessWithoutPlugInsMakesNothingButStartsWhatItHas) {
   EXPECT_EQ(desk->Find("plant")->state(), ComponentState::kActive);
 }
 
-TEST_P(Lifecycle, APlugInThatTakesItsTimeHoldsUpNothingElse) {
+TEST_P(Lifecycle, ASlowPlugInBlocksNothingElse) {
   const tendon::test::Folder folder;
   const std::string file = (folder.path() / "open").string();
   ASSERT_EQ(Reason(Load("lamps")), "");
@@ -168,7 +168,7 @@ TEST_P(Lifecycle, APlugInThatTakesItsTimeHoldsUpNothingElse) {
   EXPECT_EQ(Known("lamp").name, "");  // nor was it made late
 }
 
-TEST_P(Lifecycle, AnOrderForAnEarlierInstanceIsNotGivenToTheNextOne) {
+TEST_P(Lifecycle, RefusesAnOrderForAnEarlierInstance) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
 
   EXPECT_EQ(Reason(Execute(*client_, {.verb = LifecycleVerb::kStart,
@@ -196,7 +196,7 @@ TEST_P(Lifecycle, AViewerIsDenied) {
   EXPECT_TRUE(all) << all.error().message;
 }
 
-TEST_P(Lifecycle, AComponentConfiguredAnewKeepsItsConnections) {
+TEST_P(Lifecycle, AReconfiguredComponentKeepsItsConnections) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Create("Switch", "switch")), "");
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
@@ -231,7 +231,7 @@ class Departures final : public tendon::GcmListener {
   tendon::test::Record<std::string> gone_;
 };
 
-TEST_P(Lifecycle, NobodyWhoWatchesMissesAComponentThatIsConfiguredAnew) {
+TEST_P(Lifecycle, WatchersSeeNoRemovalDuringReconfiguration) {
   const auto departures = std::make_shared<Departures>();
   tendon::GcmClient watcher(NewMiddleware(),
                             {.name = "watcher", .address = gcm().address(), .timeout = kLong},
@@ -250,7 +250,7 @@ TEST_P(Lifecycle, NobodyWhoWatchesMissesAComponentThatIsConfiguredAnew) {
   EXPECT_EQ(departures->gone(), std::vector<std::string>{"switch"});
 }
 
-TEST_P(Lifecycle, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {
+TEST_P(Lifecycle, TheSecondOfTwoConflictingChangesIsRefused) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
   const auto change = [this](const std::string& seen, const std::string& configuration) {
     return Reason(Execute(*client_, {.verb = LifecycleVerb::kConfigure,
@@ -273,7 +273,7 @@ TEST_P(Lifecycle, OfTwoWhoChangeWhatBothHaveSeenTheSecondIsToldOfTheFirst) {
   EXPECT_EQ(change(Known("lamp").configuration, R"({"brightness": 0.75})"), "");
 }
 
-TEST_P(Lifecycle, WhoeverChangesWhatAnUndoHasChangedIsToldWhoUndid) {
+TEST_P(Lifecycle, AChangeConflictingWithAnUndoNamesItsAuthor) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
   ASSERT_EQ(Reason(Configure("lamp", R"({"brightness": 0.5})")), "");
   ASSERT_EQ(Reason(Configure("lamp", R"({"brightness": 0.75})")), "");
@@ -295,7 +295,7 @@ TEST_P(Lifecycle, WhoeverChangesWhatAnUndoHasChangedIsToldWhoUndid) {
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.25})");
 }
 
-TEST_P(Lifecycle, TheProviderOfAConnectionTellsWhomItServes) {
+TEST_P(Lifecycle, TheProviderReportsTheConnectionsItServes) {
   robot_->Add<plant::Plant>("plant");
   const auto desk = Start("desk");
   desk->Add<plant::Operator>("operator");
@@ -318,7 +318,7 @@ TEST_P(Lifecycle, TheProviderOfAConnectionTellsWhomItServes) {
   EXPECT_TRUE(EventuallyTrue([&] { return !served(); }));
 }
 
-TEST(LifecycleExecutor, AnOrderMadeFromAnotherConfigurationIsRefusedByTheProcessItself) {
+TEST(LifecycleExecutor, RefusesAnOrderBasedOnAnotherConfiguration) {
   tendon::LocalManager manager;
   tendon::LifecycleExecutor executor(
       {.manager = manager, .process = "robot", .loader = LoaderOfLamps()});

@@ -68,7 +68,7 @@ TEST_P(LifecycleSlow, AStopOfOneComponentDoesNotWaitForTheStartOfAnother) {
   EXPECT_EQ(Reason(configurer.get()), "");
 }
 
-TEST_P(LifecycleSlow, AStopIsObeyedDuringTheStartOfTheSameComponent) {
+TEST_P(LifecycleSlow, AStopIsAcceptedDuringTheStartOfItsComponent) {
   CreateGated("SlowStarter", "slow");
   Pending start = OrderLater(LifecycleVerb::kStart, "slow");
   ASSERT_TRUE(EventuallyTrue([&] { return IsAtGate(); }));
@@ -86,7 +86,7 @@ TEST_P(LifecycleSlow, AStopIsObeyedDuringTheStartOfTheSameComponent) {
   (void)start.get();  // it may have been active for a moment
 }
 
-TEST_P(LifecycleSlow, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
+TEST_P(LifecycleSlow, AnUnconfirmedStartCanBeUndone) {
   CreateGated("SlowStarter", "slow");
 
   const auto started = Execute(*client_, {.verb = LifecycleVerb::kStart,
@@ -107,7 +107,7 @@ TEST_P(LifecycleSlow, AStartThatNobodyHeardOfIsAStepThatUndoTakesBack) {
   EXPECT_EQ(Known("slow").state, ComponentState::kFinished);
 }
 
-TEST_P(LifecycleSlow, WhereOneDoesNotRunAgainTheUndoOfAStopLeavesAllAtRest) {
+TEST_P(LifecycleSlow, AFailedUndoOfAStopLeavesAllStopped) {
   for (const char* name : {"first", "second"}) ASSERT_EQ(Reason(Create("Lamp", name)), "");
   CreateGated("Refuser", "third");
   for (const char* name : {"second", "third"}) {
@@ -127,7 +127,7 @@ TEST_P(LifecycleSlow, WhereOneDoesNotRunAgainTheUndoOfAStopLeavesAllAtRest) {
   EXPECT_EQ(robot_->Find("third")->state(), ComponentState::kFaulted);
 }
 
-TEST_P(LifecycleSlow, WhatWasNotBegunInTimeIsNotDoneLater) {
+TEST_P(LifecycleSlow, AnOrderNotStartedInTimeIsDropped) {
   ASSERT_EQ(Reason(Load("lamps")), "");
   Pending made = OrderLater({.verb = LifecycleVerb::kCreate,
                              .process = "robot",
@@ -154,7 +154,7 @@ TEST_P(LifecycleSlow, WhatWasNotBegunInTimeIsNotDoneLater) {
   EXPECT_THAT(Steps(), ElementsAre("create gate", "create after"));
 }
 
-TEST_P(LifecycleSlow, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnections) {
+TEST_P(LifecycleSlow, AHungComponentIsNotRemoved) {
   CreateGated("Hung", "hung");
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_TRUE(robot_->Connect({"hung", "Lamp"}, {"lamp", "Control"}));
@@ -173,7 +173,7 @@ TEST_P(LifecycleSlow, AComponentThatDoesNotStopIsNotRemovedAndKeepsItsConnection
   EXPECT_NE(robot_->Find("hung"), nullptr);
 }
 
-TEST_P(LifecycleSlow, AProcessThatEndsTellsItsComponentsToStopThoughAnOrderIsUnderWay) {
+TEST_P(LifecycleSlow, EndingAProcessStopsComponentsDuringAnOrder) {
   CreateGated("SlowConfigurer", "slow");
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Order(LifecycleVerb::kStart, "lamp")), "");

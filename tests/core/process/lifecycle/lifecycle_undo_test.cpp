@@ -21,7 +21,7 @@ class LifecycleUndo : public LifecycleFixture {};
 INSTANTIATE_TEST_SUITE_P(Over, LifecycleUndo, testing::ValuesIn(PlainNetworkKinds()),
                          NameOfNetwork);
 
-TEST_P(LifecycleUndo, ARemovedComponentComesBackAsItWasWithItsConnections) {
+TEST_P(LifecycleUndo, RestoresARemovedComponentWithItsConnections) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness": 0.25})")), "");
   ASSERT_EQ(Reason(Create("Switch", "switch")), "");
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
@@ -37,7 +37,7 @@ TEST_P(LifecycleUndo, ARemovedComponentComesBackAsItWasWithItsConnections) {
   EXPECT_TRUE(EventuallyActive(*robot_, 1));
 }
 
-TEST_P(LifecycleUndo, StepsAreTakenBackFromTheLastToTheFirst) {
+TEST_P(LifecycleUndo, RevertsStepsFromLastToFirst) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Configure("lamp", R"({"brightness": 0.75})")), "");
   ASSERT_EQ(Reason(Order(LifecycleVerb::kStart, "lamp")), "");
@@ -60,7 +60,7 @@ TEST_P(LifecycleUndo, StepsAreTakenBackFromTheLastToTheFirst) {
   EXPECT_EQ(Undone(), "there is nothing to undo");
 }
 
-TEST_P(LifecycleUndo, RefusesWhereTheComponentHasChangedSince) {
+TEST_P(LifecycleUndo, IsRefusedIfTheComponentHasChanged) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_TRUE(robot_->Start("lamp").ok());  // by its program
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").state == ComponentState::kActive; }));
@@ -70,7 +70,7 @@ TEST_P(LifecycleUndo, RefusesWhereTheComponentHasChangedSince) {
   EXPECT_NE(robot_->Find("lamp"), nullptr);
 }
 
-TEST_P(LifecycleUndo, WhatWasNotRecordedByAnIdleOrderIsNotUndone) {
+TEST_P(LifecycleUndo, AnIneffectiveOrderRecordsNoStep) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Order(LifecycleVerb::kStart, "lamp")), "");
 
@@ -79,7 +79,7 @@ TEST_P(LifecycleUndo, WhatWasNotRecordedByAnIdleOrderIsNotUndone) {
   EXPECT_THAT(Steps(), testing::ElementsAre("create lamp", "start lamp"));
 }
 
-TEST_P(LifecycleUndo, AComponentThatCannotBeConnectedAsBeforeIsThereButDoesNotRun) {
+TEST_P(LifecycleUndo, AnUnconnectableComponentIsRestoredButNotStarted) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Create("Switch", "switch")), "");
   ASSERT_TRUE(robot_->Connect({"switch", "Lamp"}, {"lamp", "Control"}));
@@ -95,7 +95,7 @@ TEST_P(LifecycleUndo, AComponentThatCannotBeConnectedAsBeforeIsThereButDoesNotRu
   EXPECT_EQ(robot_->Find("switch")->state(), ComponentState::kConstructed);
 }
 
-TEST_P(LifecycleUndo, AComponentMadeAgainRunsInItsThreadAndAfterItsLeader) {
+TEST_P(LifecycleUndo, RestoresThreadAndLeader) {
   ASSERT_EQ(Reason(Create("Lamp", "first")), "");
   ASSERT_EQ(Reason(Create("Lamp", "second")), "");
   ASSERT_TRUE(robot_->RunAfter("second", "first").ok());
@@ -118,7 +118,7 @@ TEST_P(LifecycleUndo, AComponentMadeAgainRunsInItsThreadAndAfterItsLeader) {
   EXPECT_EQ(Known("second").configuration, R"({"brightness":0.75})");
 }
 
-TEST_P(LifecycleUndo, TheUndoOfAStopLetsThoseRunAgainThatRanAfterIt) {
+TEST_P(LifecycleUndo, UndoingAStopRestartsItsFollowers) {
   for (const char* name : {"first", "second", "third", "idle"}) {
     ASSERT_EQ(Reason(Create("Lamp", name)), "");
   }
@@ -141,7 +141,7 @@ TEST_P(LifecycleUndo, TheUndoOfAStopLetsThoseRunAgainThatRanAfterIt) {
   EXPECT_EQ(robot_->Find("idle")->state(), ComponentState::kConstructed);
 }
 
-TEST_P(LifecycleUndo, AStopIsNotUndoneWhereOneThatRanAfterItHasChanged) {
+TEST_P(LifecycleUndo, RefusesToUndoAStopIfAFollowerHasChanged) {
   ASSERT_EQ(Reason(Create("Lamp", "first")), "");
   ASSERT_EQ(Reason(Create("Lamp", "second")), "");
   ASSERT_TRUE(robot_->RunAfter("second", "first").ok());
@@ -230,7 +230,7 @@ TEST_P(LifecycleUndo, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {
   }
 }
 
-TEST_P(LifecycleUndo, OnlyTheStepThatIsMeantIsTakenBack) {
+TEST_P(LifecycleUndo, UndoesOnlyTheRequestedStep) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
   ASSERT_EQ(Reason(Order(LifecycleVerb::kStart, "lamp")), "");
 

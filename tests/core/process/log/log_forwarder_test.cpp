@@ -106,7 +106,7 @@ class LogForwarderTest : public testing::Test {
 
 using Texts = std::vector<std::string>;
 
-TEST_F(LogForwarderTest, SendsWhatIsLoggedSoonAndInOrder) {
+TEST_F(LogForwarderTest, SendsRecordsSoonAndInOrder) {
   forwarder.SetChannel(Open());
   for (int i = 0; i < 100; ++i) Log(LogLevel::kInfo, "arm", std::to_string(i));
 
@@ -119,7 +119,7 @@ TEST_F(LogForwarderTest, SendsWhatIsLoggedSoonAndInOrder) {
   EXPECT_FALSE(taker->has_hole());
 }
 
-TEST_F(LogForwarderTest, DropsWhatIsBelowTheLevelOfTheLog) {
+TEST_F(LogForwarderTest, DropsRecordsBelowTheLogLevel) {
   forwarder.SetChannel(Open());
   Log(LogLevel::kDebug, "arm", "nobody hears it");
   Log(LogLevel::kInfo, "arm", "everybody hears it");
@@ -129,7 +129,7 @@ TEST_F(LogForwarderTest, DropsWhatIsBelowTheLevelOfTheLog) {
   EXPECT_EQ(taker->Of("arm"), Texts{"everybody hears it"});
 }
 
-TEST_F(LogForwarderTest, WithoutAGcmKeepsTheNewestAndSendsThemLater) {
+TEST_F(LogForwarderTest, KeepsTheNewestRecordsWithoutAGcm) {
   constexpr std::size_t kBeyond = 100;
   for (std::size_t i = 0; i < LogQueue::kCapacity + kBeyond; ++i) {
     Log(LogLevel::kInfo, "source " + std::to_string(i % 10), std::to_string(i));
@@ -149,7 +149,7 @@ TEST_F(LogForwarderTest, WithoutAGcmKeepsTheNewestAndSendsThemLater) {
   EXPECT_LT(taker->largest(), tendon::message::kLargestLogBatch);
 }
 
-TEST_F(LogForwarderTest, GoesOnWhereItWasWhenTheGcmWasLostAndIsBack) {
+TEST_F(LogForwarderTest, ResumesWhenALostGcmReturns) {
   const auto first = Open();
   forwarder.SetChannel(first);
   Log(LogLevel::kInfo, "arm", "before");
@@ -166,7 +166,7 @@ TEST_F(LogForwarderTest, GoesOnWhereItWasWhenTheGcmWasLostAndIsBack) {
   EXPECT_FALSE(taker->has_hole());
 }
 
-TEST_F(LogForwarderTest, KeepsWhatTheLinkHasNoRoomForAndSendsItOnce) {
+TEST_F(LogForwarderTest, KeepsRecordsForAFullLinkAndSendsThemOnce) {
   const auto channel = Open();
   std::unique_lock held(taker->gate);
   ASSERT_TRUE(channel->Notify(MessageType{0xffff}, 0, tendon::Bytes(1)));
@@ -189,7 +189,7 @@ TEST_F(LogForwarderTest, KeepsWhatTheLinkHasNoRoomForAndSendsItOnce) {
   EXPECT_FALSE(taker->has_hole());
 }
 
-TEST_F(LogForwarderTest, SendsAllBeforeItIsFinishedEvenWhatWasSuppressed) {
+TEST_F(LogForwarderTest, FinishSendsAllIncludingSuppressedCounts) {
   forwarder.SetChannel(Open());
   for (int i = 0; i < 1000; ++i) Log(LogLevel::kInfo, "storm", "help");
 
@@ -207,7 +207,7 @@ TEST_F(LogForwarderTest, SendsAllBeforeItIsFinishedEvenWhatWasSuppressed) {
   EXPECT_TRUE(EventuallyTrue([&] { return told() == 1000U; })) << told();
 }
 
-TEST_F(LogForwarderTest, ThatIsGoneHearsNothingMore) {
+TEST_F(LogForwarderTest, SendsNothingAfterItsDestruction) {
   const auto channel = Open();
   {
     LogForwarder short_lived(std::make_shared<tendon::NetworkThread>());

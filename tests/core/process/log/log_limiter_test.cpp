@@ -29,7 +29,7 @@ class LogLimiterTest : public testing::Test {
   LogLimiter limiter{{.burst = 5, .interval = 10ms}};
 };
 
-TEST_F(LogLimiterTest, LetsABurstThroughAndThenOneInEachInterval) {
+TEST_F(LogLimiterTest, AdmitsABurstThenOnePerInterval) {
   EXPECT_EQ(Admitted("arm", 20), 5);
 
   clock.Advance(9ms);
@@ -40,7 +40,7 @@ TEST_F(LogLimiterTest, LetsABurstThroughAndThenOneInEachInterval) {
   EXPECT_EQ(Admitted("arm", 20), 3);
 }
 
-TEST_F(LogLimiterTest, IsAsGenerousAsAtFirstAfterSilence) {
+TEST_F(LogLimiterTest, AdmitsABurstAgainAfterSilence) {
   ASSERT_EQ(Admitted("arm", 20), 5);
 
   clock.Advance(1h);
@@ -48,7 +48,7 @@ TEST_F(LogLimiterTest, IsAsGenerousAsAtFirstAfterSilence) {
   EXPECT_EQ(Admitted("arm", 20), 5);
 }
 
-TEST_F(LogLimiterTest, NeverHoldsUpWhoKeepsToTheRate) {
+TEST_F(LogLimiterTest, AdmitsEverySourceWithinTheRate) {
   for (int i = 0; i < 1000; ++i) {
     ASSERT_TRUE(Admits("arm")) << i;
     clock.Advance(10ms);
@@ -56,13 +56,13 @@ TEST_F(LogLimiterTest, NeverHoldsUpWhoKeepsToTheRate) {
   EXPECT_FALSE(limiter.owes());
 }
 
-TEST_F(LogLimiterTest, HoldsNobodyToAccountForAnother) {
+TEST_F(LogLimiterTest, LimitsEachSourceSeparately) {
   ASSERT_EQ(Admitted("arm", 100000), 5);
 
   EXPECT_EQ(Admitted("gripper", 5), 5);
 }
 
-TEST_F(LogLimiterTest, TellsWhatItSuppressedOnceAndWithinASecond) {
+TEST_F(LogLimiterTest, ReportsSuppressionOnceWithinASecond) {
   ASSERT_EQ(Admitted("arm", 12), 5);
   EXPECT_FALSE(Admits("arm", LogLevel::kError));
   EXPECT_FALSE(Admits("arm", LogLevel::kDebug));
@@ -77,7 +77,7 @@ TEST_F(LogLimiterTest, TellsWhatItSuppressedOnceAndWithinASecond) {
   EXPECT_FALSE(limiter.owes());
 }
 
-TEST_F(LogLimiterTest, ForgetsTheLevelOfWhatItHasTold) {
+TEST_F(LogLimiterTest, ForgetsTheLevelAfterReporting) {
   ASSERT_EQ(Admitted("arm", 5), 5);
   ASSERT_FALSE(Admits("arm", LogLevel::kError));
   ASSERT_EQ(limiter.TakeSuppressed(SteadyTime::max()).size(), 1U);
@@ -88,7 +88,7 @@ TEST_F(LogLimiterTest, ForgetsTheLevelOfWhatItHasTold) {
             (std::vector<Suppressed>{{"arm", LogLevel::kDebug, 1}}));
 }
 
-TEST_F(LogLimiterTest, TellsAllAtTheEnd) {
+TEST_F(LogLimiterTest, ReportsAllSuppressionAtTheEnd) {
   Admitted("arm", 7);
   Admitted("gripper", 6);
 
@@ -97,7 +97,7 @@ TEST_F(LogLimiterTest, TellsAllAtTheEnd) {
       (std::vector<Suppressed>{{"arm", LogLevel::kInfo, 2}, {"gripper", LogLevel::kInfo, 1}}));
 }
 
-TEST_F(LogLimiterTest, LumpsTogetherWhatComesFromTooManySources) {
+TEST_F(LogLimiterTest, CombinesExcessSources) {
   for (std::size_t i = 0; i < LogLimiter::kMostSources; ++i) {
     ASSERT_TRUE(Admits("source " + std::to_string(i)));
   }
@@ -109,7 +109,7 @@ TEST_F(LogLimiterTest, LumpsTogetherWhatComesFromTooManySources) {
             (std::vector<Suppressed>{{std::string(LogLimiter::kOthers), LogLevel::kInfo, 995}}));
 }
 
-TEST_F(LogLimiterTest, GivesTheBucketsOfTheSilentToOthers) {
+TEST_F(LogLimiterTest, ReusesTheBucketsOfSilentSources) {
   for (std::size_t i = 0; i < LogLimiter::kMostSources; ++i) Admits(std::to_string(i));
 
   clock.Advance(1h);
@@ -118,7 +118,7 @@ TEST_F(LogLimiterTest, GivesTheBucketsOfTheSilentToOthers) {
   EXPECT_EQ(Admitted("gripper", 20), 5);
 }
 
-TEST_F(LogLimiterTest, TellsSourcesApartByWhatAPersonSees) {
+TEST_F(LogLimiterTest, DistinguishesSourcesByTheirVisibleName) {
   const std::string name(LogLimiter::kLongestSource, 'x');
 
   EXPECT_EQ(Admitted(name + "a", 3), 3);

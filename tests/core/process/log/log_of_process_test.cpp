@@ -61,7 +61,7 @@ class LogOfProcess : public NetworkTest {
                    keeper};
 };
 
-TEST_P(LogOfProcess, ReachesAViewerWithAllThatBelongsToARecord) {
+TEST_P(LogOfProcess, ReachesAViewerWithAllFieldsOfARecord) {
   const auto robot = Start("robot");
 
   Log(LogLevel::kWarning, "arm", "is warm");
@@ -72,7 +72,7 @@ TEST_P(LogOfProcess, ReachesAViewerWithAllThatBelongsToARecord) {
 }
 
 /// As of the window that hosts a GCM.
-TEST_P(LogOfProcess, IsThereOnceThoughTheGcmIsAProcessOfTheSameProgram) {
+TEST_P(LogOfProcess, IsSentOnceIfTheGcmIsInTheSameProgram) {
   auto own = Start("gcm");
 
   Log(LogLevel::kInfo, "arm", "once");
@@ -82,7 +82,7 @@ TEST_P(LogOfProcess, IsThereOnceThoughTheGcmIsAProcessOfTheSameProgram) {
   EXPECT_EQ(keeper->Of("gcm", "arm").size(), 1U);
 }
 
-TEST_P(LogOfProcess, IsNotLostWithTheGcm) {
+TEST_P(LogOfProcess, SurvivesTheLossOfTheGcm) {
   const auto robot = Start("robot");
   Log(LogLevel::kInfo, "arm", "before");
   ASSERT_TRUE(EventuallyHears("robot", "arm", "before"));
@@ -98,7 +98,7 @@ TEST_P(LogOfProcess, IsNotLostWithTheGcm) {
   EXPECT_EQ(keeper->Of("robot", "arm").size(), 3U);
 }
 
-TEST_P(LogOfProcess, SaysItsLastWordsEvenThoseThatWereTooMany) {
+TEST_P(LogOfProcess, SendsItsLastRecordsAndSuppressedCounts) {
   constexpr std::uint64_t kStorm = 1000;
   auto robot = Start("robot");
 
@@ -108,7 +108,7 @@ TEST_P(LogOfProcess, SaysItsLastWordsEvenThoseThatWereTooMany) {
   EXPECT_TRUE(EventuallyTrue([&] { return Accounted("raving") == kStorm; })) << Accounted("raving");
 }
 
-TEST_P(LogOfProcess, OfOneThatRavesLeavesTheOthersAloneAndLosesNothingInSilence) {
+TEST_P(LogOfProcess, AFloodDoesNotAffectOtherSources) {
   const auto robot = Start("robot");
   constexpr std::uint64_t kStorm = 5000;
   std::thread raving([] {
@@ -139,7 +139,7 @@ TEST_P(LogOfProcess, HasTheLevelThatAViewerSets) {
   EXPECT_FALSE(tendon::IsLogged(LogLevel::kDebug));
 }
 
-TEST_P(LogOfProcess, ThatIsNotThereHasNoLevelToSet) {
+TEST_P(LogOfProcess, OfAnAbsentProcessHasNoLevelToSet) {
   auto robot = Start("robot");
 
   const auto misspelt = SetLevel("robt", LogLevel::kDebug);

@@ -35,7 +35,7 @@ class LogQueueTest : public testing::Test {
   LogQueue queue{clock};
 };
 
-TEST_F(LogQueueTest, GivesRecordsWithTheirTimeInOrder) {
+TEST_F(LogQueueTest, ReturnsRecordsWithTheirTimeInOrder) {
   const auto before = std::chrono::system_clock::now().time_since_epoch();
   queue.Add(LogLevel::kInfo, "arm", "one");
   queue.Add(LogLevel::kError, "arm", "two");
@@ -54,7 +54,7 @@ TEST_F(LogQueueTest, GivesRecordsWithTheirTimeInOrder) {
   EXPECT_LE(records[1].time, std::chrono::nanoseconds(after).count());
 }
 
-TEST_F(LogQueueTest, TellsWhoMayHaveToWakeAnotherThread) {
+TEST_F(LogQueueTest, AddReturnsTrueIfTheReaderNeedsAWakeUp) {
   EXPECT_FALSE(queue.has_news());
   EXPECT_TRUE(queue.Add(LogLevel::kInfo, "arm", "one"));
   EXPECT_FALSE(queue.Add(LogLevel::kInfo, "arm", "two"));
@@ -66,7 +66,7 @@ TEST_F(LogQueueTest, TellsWhoMayHaveToWakeAnotherThread) {
   EXPECT_TRUE(queue.Add(LogLevel::kInfo, "arm", "three"));
 }
 
-TEST_F(LogQueueTest, GivesNoMoreThanIsAskedFor) {
+TEST_F(LogQueueTest, TakesNoMoreThanRequested) {
   for (int i = 0; i < 10; ++i) queue.Add(LogLevel::kInfo, "arm", std::to_string(i));
 
   EXPECT_EQ(queue.Take(4, clock.Now()).size(), 4U);
@@ -74,7 +74,7 @@ TEST_F(LogQueueTest, GivesNoMoreThanIsAskedFor) {
   EXPECT_EQ(queue.Take(kAll, clock.Now()).front().text, "4");
 }
 
-TEST_F(LogQueueTest, OfAStormKeepsTheBeginningAndTellsTheRestInOneRecord) {
+TEST_F(LogQueueTest, SummarisesAFloodInOneRecord) {
   constexpr std::uint64_t kStorm = 100000;
   for (std::uint64_t i = 0; i < kStorm; ++i) {
     queue.Add(i == 500 ? LogLevel::kError : LogLevel::kDebug, "arm", "help");
@@ -95,7 +95,7 @@ TEST_F(LogQueueTest, OfAStormKeepsTheBeginningAndTellsTheRestInOneRecord) {
   EXPECT_FALSE(queue.has_news());
 }
 
-TEST_F(LogQueueTest, FullKeepsTheNewestAndTellsHowManyAreLost) {
+TEST_F(LogQueueTest, KeepsTheNewestWhenFullAndCountsTheLost) {
   constexpr std::size_t kLost = 76;
   for (std::size_t i = 0; i < LogQueue::kCapacity + kLost; ++i) {
     queue.Add(LogLevel::kInfo, "source " + std::to_string(i % 100), std::to_string(i));
@@ -110,7 +110,7 @@ TEST_F(LogQueueTest, FullKeepsTheNewestAndTellsHowManyAreLost) {
   EXPECT_EQ(records.back().text, std::to_string(LogQueue::kCapacity + kLost - 1));
 }
 
-TEST_F(LogQueueTest, CountsWhatWasSuppressedEvenWhereTheRecordOfItIsLost) {
+TEST_F(LogQueueTest, CountsSuppressedRecordsOfALostSummary) {
   constexpr std::uint64_t kStorm = 5000;
   for (std::uint64_t i = 0; i < kStorm; ++i) queue.Add(LogLevel::kInfo, "arm", "help");
   ASSERT_TRUE(queue.Take(0, SteadyTime::max()).empty());  // it waits behind the first of them
@@ -124,7 +124,7 @@ TEST_F(LogQueueTest, CountsWhatWasSuppressedEvenWhereTheRecordOfItIsLost) {
   EXPECT_EQ(MissingIn(records[0]), kStorm) << records[0].text;
 }
 
-TEST_F(LogQueueTest, MakesTextsShortAndFitForATerminal) {
+TEST_F(LogQueueTest, KeepsTextsShortAndPrintable) {
   queue.Add(LogLevel::kInfo, "a\x1b[2Jrm", std::string(1 << 20, 'x'));
   queue.Add(LogLevel::kInfo, std::string(1 << 20, 's'), "two\nlines");
 
@@ -137,7 +137,7 @@ TEST_F(LogQueueTest, MakesTextsShortAndFitForATerminal) {
   EXPECT_EQ(records[1].text, "two\\x0alines");
 }
 
-TEST_F(LogQueueTest, LosesNothingInSilenceWhereManyThreadsLogAndOneTakes) {
+TEST_F(LogQueueTest, AccountsForEveryRecordOfManyThreads) {
   constexpr int kThreads = 4;
   constexpr std::uint64_t kEach = 3000;
   std::vector<std::thread> threads;

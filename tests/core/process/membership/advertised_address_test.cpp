@@ -17,7 +17,7 @@ const GcmRoute kBeside{.to = "127.0.0.1:10705", .from = "127.0.0.1"};
 /// By an address that others reach it by, too.
 const GcmRoute kOnThisHost{.to = "10.9.1.2:10705", .from = "10.9.1.2"};
 
-TEST(AdvertisedAddress, WhereItListensIsToldWhereThatLeadsToIt) {
+TEST(AdvertisedAddress, IsTheListenAddressIfReachable) {
   for (const char* listens : {"127.0.0.1:43211", "[::1]:43211", "10.9.1.2:43211"}) {
     EXPECT_EQ(AdvertisedAddressOf(listens, "", {}), (AdvertisedAddress{listens, ""}));
   }
@@ -29,14 +29,14 @@ TEST(AdvertisedAddress, WhereItListensIsToldWhereThatLeadsToIt) {
             (AdvertisedAddress{"10.9.1.2:43211", ""}));
 }
 
-TEST(AdvertisedAddress, OneOnTheHostOfItsGcmIsReachedByItHoweverThatIsCalled) {
+TEST(AdvertisedAddress, MayBeLocalOnTheHostOfTheGcm) {
   EXPECT_EQ(AdvertisedAddressOf("127.0.0.1:43211", "", kOnThisHost),
             (AdvertisedAddress{"127.0.0.1:43211", ""}));
   EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "", kOnThisHost),
             (AdvertisedAddress{"10.9.1.2:43211", ""}));
 }
 
-TEST(AdvertisedAddress, OneThatListensEverywhereTellsThatFromWhichItReachedTheGcm) {
+TEST(AdvertisedAddress, OfAWildcardIsTheAddressFacingTheGcm) {
   EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "", kElsewhere),
             (AdvertisedAddress{"10.9.1.2:43211", ""}));
   EXPECT_EQ(AdvertisedAddressOf("[::]:43211", "", kByIpv6),
@@ -47,7 +47,7 @@ TEST(AdvertisedAddress, OneThatListensEverywhereTellsThatFromWhichItReachedTheGc
   EXPECT_THAT(beside_its_gcm.warning, HasSubstr("start it with --advertise"));
 }
 
-TEST(AdvertisedAddress, WhatItsUserSaysIsToldAlsoWithThePortThatTheSystemChose) {
+TEST(AdvertisedAddress, IsTheUsersChoiceWithTheActualPort) {
   EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "10.9.1.7:80", kElsewhere),
             (AdvertisedAddress{"10.9.1.7:80", ""}));
   EXPECT_EQ(AdvertisedAddressOf("0.0.0.0:43211", "10.9.1.7", kElsewhere),
@@ -58,7 +58,7 @@ TEST(AdvertisedAddress, WhatItsUserSaysIsToldAlsoWithThePortThatTheSystemChose) 
             (AdvertisedAddress{"[fd00::7]:43211", ""}));
 }
 
-TEST(AdvertisedAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother) {
+TEST(AdvertisedAddress, WarnsIfOnlyItsHostCanReachIt) {
   for (const char* listens : {"127.0.0.1:43211", "127.0.1.1:43211", "localhost:43211"}) {
     const AdvertisedAddress own = AdvertisedAddressOf(listens, "", kElsewhere);
     EXPECT_EQ(own.address, listens);
@@ -67,7 +67,7 @@ TEST(AdvertisedAddress, OneThatOnlyItsHostReachesIsWarnedWhereTheGcmIsOnAnother)
   }
 }
 
-TEST(AdvertisedAddress, OneThatListensOnAnotherNetworkThanThatOfTheGcmIsWarned) {
+TEST(AdvertisedAddress, WarnsIfItIsOnAnotherNetwork) {
   const AdvertisedAddress own = AdvertisedAddressOf("10.8.1.2:43211", "", kElsewhere);
 
   EXPECT_EQ(own.address, "10.8.1.2:43211");
@@ -76,14 +76,14 @@ TEST(AdvertisedAddress, OneThatListensOnAnotherNetworkThanThatOfTheGcmIsWarned) 
                     HasSubstr("--listen 0.0.0.0:0")));
 }
 
-TEST(AdvertisedAddress, OfAMiddlewareWithoutHostsAndPortsIsLeftAsItIs) {
+TEST(AdvertisedAddress, KeepsAddressesWithoutHostAndPort) {
   EXPECT_EQ(AdvertisedAddressOf("robot", "", GcmRoute{"gcm", ""}),
             (AdvertisedAddress{"robot", ""}));
   EXPECT_EQ(AdvertisedAddressOf("robot", "elsewhere", GcmRoute{"gcm", ""}),
             (AdvertisedAddress{"elsewhere", ""}));
 }
 
-TEST(AdvertisedAddress, WhatLeadsNowhereIsNotAdvertised) {
+TEST(AdvertisedAddress, RefusesUnreachableAddresses) {
   const auto mistake = [](const std::string& advertise) {
     const auto checked = tendon::CheckAdvertise(advertise);
     return checked ? std::string() : checked.error().message;
@@ -98,7 +98,7 @@ TEST(AdvertisedAddress, WhatLeadsNowhereIsNotAdvertised) {
   }
 }
 
-TEST(AdvertisedAddress, TheGcmKnowsWhomOnlyHisHostReaches) {
+TEST(AdvertisedAddress, TheGcmDetectsLocalOnlyAddresses) {
   EXPECT_THAT(tendon::WhyOutOfReach("127.0.0.1:43211", "10.9.1.2:5"),
               HasSubstr("start this process with --listen 10.9.1.2:0"));
   EXPECT_THAT(tendon::WhyOutOfReach("0.0.0.0:43211", "10.9.1.2:5"), HasSubstr("--listen"));

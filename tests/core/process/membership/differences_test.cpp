@@ -23,13 +23,13 @@ ConnectionDescription Connection(std::uint64_t id) {
   return connection;
 }
 
-TEST(Differences, OfEqualContentsAreNone) {
+TEST(Differences, OfEqualContentsAreEmpty) {
   const ProcessContent content{{Component("a")}, {Connection(1)}};
 
   EXPECT_TRUE(Differences(content, content).empty());
 }
 
-TEST(Differences, TakeConnectionsAwayFirstAndBringThemLast) {
+TEST(Differences, RemoveConnectionsFirstAndAddThemLast) {
   const ProcessContent before{{Component("a"), Component("b")}, {Connection(1), Connection(2)}};
   ProcessContent after{{Component("b"), Component("c")}, {Connection(2), Connection(3)}};
   after.components[0].state = ComponentState::kActive;

@@ -59,7 +59,7 @@ class Membership : public NetworkTest {
   tendon::Catalogue catalogue_;
 };
 
-TEST_P(Membership, TellsTheGcmWhatTheProcessHas) {
+TEST_P(Membership, ReportsTheContentOfTheProcess) {
   auto robot = Start("robot");
   robot->Add<Plant>("plant");
   ASSERT_TRUE(robot->StartAll().ok());
@@ -80,7 +80,7 @@ TEST_P(Membership, TellsTheGcmWhatTheProcessHas) {
   EXPECT_TRUE(EventuallyIn("robot", ProcessState::kLeft));
 }
 
-TEST_P(Membership, TellsTheGcmWhatTheProcessTakesOfItsMachine) {
+TEST_P(Membership, ReportsTheResourceUsageOfTheProcess) {
   const auto robot = Start("robot");
   tendon::GcmClient client(NewMiddleware(), {.name = "test", .address = gcm().address()});
   ASSERT_TRUE(client.WaitUntilWatching().ok());
@@ -138,7 +138,7 @@ TEST_P(Membership, LetsTheGcmConnectWithinOneProcess) {
   EXPECT_TRUE(EventuallyListed({"robot", "operator", "Robot"}, ConnectionState::kActive));
 }
 
-TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
+TEST_P(Membership, KeepsConnectionsWhenTheGcmIsKilled) {
   auto robot = Start("robot");
   auto& plant = robot->Add<Plant>("plant");
   auto desk = Start("desk");
@@ -165,7 +165,7 @@ TEST_P(Membership, LosesNothingButTheGcmWhenThatIsKilled) {
   EXPECT_TRUE(EventuallyTrue([&] { return plant.stops.size() == 2; }));
 }
 
-TEST_P(Membership, UnderATakenNameIsRefusedUntilTheNameIsFree) {
+TEST_P(Membership, RefusesATakenNameUntilItIsFree) {
   auto first = Start("robot");
   Process second("robot", Options());
 
@@ -183,7 +183,7 @@ TEST_P(Membership, UnderATakenNameIsRefusedUntilTheNameIsFree) {
   EXPECT_TRUE(EventuallyTrue([&] { return second.is_joined(); }));
 }
 
-TEST_P(Membership, WithoutAGcmIsToldWhereNoneIs) {
+TEST_P(Membership, NamesTheAddressWithoutAGcm) {
   const std::string address = gcm().address();
   KillGcm();
   auto options = Options();
@@ -198,7 +198,7 @@ TEST_P(Membership, WithoutAGcmIsToldWhereNoneIs) {
   EXPECT_THAT(joined.error().message, HasSubstr("start one with: gcm serve --gcm " + address));
 }
 
-TEST_P(Membership, BeginsWhenTheGcmComes) {
+TEST_P(Membership, StartsWhenTheGcmStarts) {
   KillGcm();
   const Process process("robot", Options());
   ASSERT_FALSE(process.is_joined());
@@ -208,7 +208,7 @@ TEST_P(Membership, BeginsWhenTheGcmComes) {
   EXPECT_TRUE(process.WaitUntilJoined(seconds(20)).ok());
 }
 
-TEST_P(Membership, IsNotNeededByAProcessThatHasNoGcm) {
+TEST_P(Membership, IsOptional) {
   auto options = Options();
   options.gcm.clear();
   Process process("alone", options);
@@ -223,12 +223,12 @@ TEST_P(Membership, IsNotNeededByAProcessThatHasNoGcm) {
   EXPECT_FALSE(process.WaitUntilJoined(seconds(0)).ok());
 }
 
-TEST_P(Membership, OfABadNameIsAMistake) {
+TEST_P(Membership, RefusesAnInvalidName) {
   EXPECT_THROW(Process("a b", Options()), tendon::ConfigurationError);
   EXPECT_THROW(Process("robot", tendon::ProcessOptions{}), tendon::ConfigurationError);
 }
 
-TEST_P(Membership, NeedsAnAddressOfItsOwn) {
+TEST_P(Membership, RequiresAnOwnAddress) {
   const auto robot = Start("robot");
   auto options = Options();
   options.listen = robot->address();

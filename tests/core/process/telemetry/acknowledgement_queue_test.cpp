@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-TEST(AcknowledgementQueue, GivesEachOnceToWhoTakesThem) {
+TEST(AcknowledgementQueue, ReturnsEachOnce) {
   const ProcessAndViewer ends;
   AcknowledgementQueue box;
   box.Add(ends.channel, 1);
@@ -21,7 +21,7 @@ TEST(AcknowledgementQueue, GivesEachOnceToWhoTakesThem) {
   EXPECT_TRUE(box.TakeAll().empty());
 }
 
-TEST(AcknowledgementQueue, CutsOffWhoHasTakenMoreThanItCanHaveAndNobodyElse) {
+TEST(AcknowledgementQueue, ClosesOnlyChannelsThatAcknowledgeTooMuch) {
   const ProcessAndViewer greedy;
   const ProcessAndViewer modest;
   AcknowledgementQueue box;

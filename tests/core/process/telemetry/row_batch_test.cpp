@@ -26,7 +26,7 @@ Bytes SampleBody() {
   return Copy(writer.Finish({.rows_before = 100, .lost_table = 7, .next_tick = 7}));
 }
 
-TEST(RowBatch, IsReadAsItWasWritten) {
+TEST(RowBatch, ReadsBackWhatWasWritten) {
   const Bytes body = SampleBody();
 
   const auto reader = RowBatchReader::Open(body);
@@ -47,7 +47,7 @@ TEST(RowBatch, IsReadAsItWasWritten) {
   EXPECT_EQ(Copy(reader->cell(1, 2)), Filled(8, 5));
 }
 
-TEST(RowBatch, CanBeWrittenAgainAndForOtherViewers) {
+TEST(RowBatch, CanBeReusedAndSentToOtherViewers) {
   RowBatchWriter writer({0});
   for (int round = 0; round < 3; ++round) {
     writer.Clear();
@@ -64,7 +64,7 @@ TEST(RowBatch, CanBeWrittenAgainAndForOtherViewers) {
   }
 }
 
-TEST(RowBatch, HasRoomForTheHeaderOfItsFrame) {
+TEST(RowBatch, ReservesRoomForTheFrameHeader) {
   RowBatchWriter writer({12, 0});
   writer.BeginRow(5, 500);
   writer.AddCell(Filled(12, 1));
@@ -91,7 +91,7 @@ TEST(RowBatch, MayHaveNoRowsAndNoColumns) {
   EXPECT_EQ(reader->header().rows, 0U);
 }
 
-TEST(RowBatch, ThatIsTooShortIsRefused) {
+TEST(RowBatch, RefusesATruncatedBatch) {
   const Bytes body = SampleBody();
   const std::size_t fixed_part = body.size() - 8;  // before the one loose cell
 
@@ -100,7 +100,7 @@ TEST(RowBatch, ThatIsTooShortIsRefused) {
   }
 }
 
-TEST(RowBatch, OfRandomBytesIsReadWithinItsBounds) {
+TEST(RowBatch, ReadsRandomBytesWithinItsBounds) {
   std::mt19937 random(1);
   for (int round = 0; round < 20'000; ++round) {
     Bytes body = SampleBody();

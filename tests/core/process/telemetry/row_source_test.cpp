@@ -64,11 +64,11 @@ bool EndsThere(const std::shared_ptr<Process>& process) {
   return EventuallyTrue([&] { return process->HasHeard(message::kUnsubscribe, Process::kHandle); });
 }
 
-TEST(RowSource, ASubscriptionWhoseAnswerMakesNoSenseIsEndedThere) {
+TEST(RowSource, EndsASubscriptionAfterAnInvalidReply) {
   EXPECT_TRUE(EndsThere(std::make_shared<Confused>()));
 }
 
-TEST(RowSource, ASubscriptionWhoseAnswerWasNotHeardIsEndedThere) {
+TEST(RowSource, EndsASubscriptionAfterAMissingReply) {
   EXPECT_TRUE(EndsThere(std::make_shared<Forgotten>()));
 }
 

@@ -21,7 +21,7 @@ class RowStreams : public testing::TestWithParam<RowDelivery> {
   RowStream second_{table_, {}, {.delivery = GetParam()}};
 };
 
-TEST_P(RowStreams, SendTheirRowsFromWhereTheyAreBuilt) {
+TEST_P(RowStreams, SendTheirRowsWithoutACopy) {
   first_.Add(channel_.get(), 1, channel_->NewLane());
   second_.Add(channel_.get(), 2, channel_->NewLane());
 

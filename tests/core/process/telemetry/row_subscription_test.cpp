@@ -85,7 +85,7 @@ class Viewer {
   std::uint64_t overwritten = 0;
 };
 
-TEST(RowSubscription, CountsApartWhatIsLostInTheTableAndOnTheNetwork) {
+TEST(RowSubscription, CountsLossesByTableAndNetwork) {
   Viewer viewer;
   viewer.Stand(1, 100);
 
@@ -99,7 +99,7 @@ TEST(RowSubscription, CountsApartWhatIsLostInTheTableAndOnTheNetwork) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 22, .lost = {.table = 5, .network = 3}}));
 }
 
-TEST(RowSubscription, ThatIsMadeAgainCountsWhatWasWrittenInBetween) {
+TEST(RowSubscription, CountsRowsMissedDuringAReconnect) {
   Viewer viewer;
   viewer.Stand(1, 100);
   viewer.Send(10);
@@ -114,7 +114,7 @@ TEST(RowSubscription, ThatIsMadeAgainCountsWhatWasWrittenInBetween) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 20, .lost = {.network = 40}}));
 }
 
-TEST(RowSubscription, OfATableThatWasStartedAnewBeginsAnew) {
+TEST(RowSubscription, RestartsWithANewTable) {
   Viewer viewer;
   viewer.Stand(1, 100);
   viewer.Send(10);
@@ -126,7 +126,7 @@ TEST(RowSubscription, OfATableThatWasStartedAnewBeginsAnew) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 15}));
 }
 
-TEST(RowSubscription, WithAPeriodDoesNotTakeWhatWasNotChosenForLost) {
+TEST(RowSubscription, DoesNotCountSkippedRowsAsLostWithAPeriod) {
   Viewer viewer({.period = 10ms});
   viewer.Stand(1, 100);
   viewer.Send(10);
@@ -137,7 +137,7 @@ TEST(RowSubscription, WithAPeriodDoesNotTakeWhatWasNotChosenForLost) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 15}));
 }
 
-TEST(RowSubscription, OfTheNewestRowBeginsWithTheOneThatIsThere) {
+TEST(RowSubscription, OfTheNewestRowStartsWithTheCurrentOne) {
   Viewer viewer({.delivery = RowDelivery::kNewest});
   const auto send_the_row_before = [&viewer] {
     viewer.next_tick = 99;
@@ -156,7 +156,7 @@ TEST(RowSubscription, OfTheNewestRowBeginsWithTheOneThatIsThere) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 2}));
 }
 
-TEST(RowSubscription, PassesOverWhatWasOnItsWayWhenItWasMadeAgain) {
+TEST(RowSubscription, IgnoresBatchesFromBeforeAReconnect) {
   Viewer viewer;
   viewer.Stand(1, 100);
   viewer.Send(10);
@@ -174,7 +174,7 @@ TEST(RowSubscription, PassesOverWhatWasOnItsWayWhenItWasMadeAgain) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 15, .lost = {.network = 40}}));
 }
 
-TEST(RowSubscription, TellsTheOffsetOfTheSourcesClock) {
+TEST(RowSubscription, ReportsTheOffsetOfTheSourcesClock) {
   Viewer viewer;
   viewer.Stand(1, 0);
   viewer.Send(1, SteadyTime(1h));
@@ -189,7 +189,7 @@ TEST(RowSubscription, TellsTheOffsetOfTheSourcesClock) {
   EXPECT_LT(viewer.sink->last.clock_uncertainty, 1min);
 }
 
-TEST(RowSubscription, NeverCorrectsARowToBeforeTheLast) {
+TEST(RowSubscription, CorrectedTimesNeverGoBack) {
   Viewer viewer;
   viewer.Stand(1, 0);
   viewer.clock.Add(SteadyTime(1s), SteadyTime(1h), SteadyTime(1s));
@@ -209,7 +209,7 @@ TEST(RowSubscription, NeverCorrectsARowToBeforeTheLast) {
   EXPECT_EQ(viewer.sink->last.clock_offset, 1h - 1s + 1495us);
 }
 
-TEST(RowSubscription, OfImpossibleTimesIsNoReasonToFall) {
+TEST(RowSubscription, ToleratesImpossibleTimes) {
   Viewer viewer;
   viewer.Stand(1, 0);
   viewer.clock.Add(SteadyTime(1s), SteadyTime(1h), SteadyTime(1s));
@@ -222,7 +222,7 @@ TEST(RowSubscription, OfImpossibleTimesIsNoReasonToFall) {
   EXPECT_EQ(viewer.sink->counts.received, 3U);
 }
 
-TEST(RowSubscription, OfATopicBeginsWithTheFirstBatchThatArrives) {
+TEST(RowSubscription, OfATopicStartsWithTheFirstBatch) {
   Viewer viewer;
   viewer.StandByTopic(1, 500, 321);
 
@@ -233,7 +233,7 @@ TEST(RowSubscription, OfATopicBeginsWithTheFirstBatchThatArrives) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 16, .lost = {.network = 4}}));
 }
 
-TEST(RowSubscription, OfATopicDoesNotCountWhatWasLostBeforeItBegan) {
+TEST(RowSubscription, OfATopicIgnoresEarlierLosses) {
   Viewer viewer;
   viewer.StandByTopic(1, 500, 321);
 
@@ -245,7 +245,7 @@ TEST(RowSubscription, OfATopicDoesNotCountWhatWasLostBeforeItBegan) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 16, .lost = {.table = 5}}));
 }
 
-TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
+TEST(RowSubscription, OfATopicCountsTableLossesOfALostBatch) {
   Viewer viewer;
   viewer.StandByTopic(1, 100, 0);
   viewer.Send(10);
@@ -258,7 +258,7 @@ TEST(RowSubscription, OfATopicKnowsOfWhatALostBatchWouldHaveTold) {
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 12, .lost = {.table = 5, .network = 3}}));
 }
 
-TEST(RowSubscription, ThatTurnsFromATopicToTheProcessCountsWhatWasWrittenInBetween) {
+TEST(RowSubscription, SwitchingFromATopicCountsMissedRows) {
   Viewer viewer;
   viewer.StandByTopic(1, 100, 50);
   viewer.Send(10);
@@ -269,7 +269,7 @@ TEST(RowSubscription, ThatTurnsFromATopicToTheProcessCountsWhatWasWrittenInBetwe
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 15, .lost = {.network = 20}}));
 }
 
-TEST(RowSubscription, ThatTurnsToATopicHearsNoRowTwice) {
+TEST(RowSubscription, SwitchingToATopicDeliversNoRowTwice) {
   Viewer viewer;
   viewer.Stand(1, 100);
   viewer.Send(100);

@@ -114,7 +114,7 @@ class SlowViewer : public ViewingTest {
   Spate* spate;
 };
 
-TEST_P(SlowViewer, LosesItsOwnRowsOnlyAndKnowsOfEachWhileTheOthersHearThemAll) {
+TEST_P(SlowViewer, LosesOnlyItsOwnRowsAndCountsThem) {
   const std::uint64_t seconds = std::getenv("TENDON_FULL_FAULTS") == nullptr ? 5 : 60;
   const Viewer first = Watch();
   const Viewer stopped = Watch();

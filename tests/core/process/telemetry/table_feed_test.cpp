@@ -93,7 +93,7 @@ class TableFeedTest : public testing::Test {
   std::uint32_t last_mark_ = 1000;
 };
 
-TEST_F(TableFeedTest, BringsEveryRowOfTheColumnsThatEachHasAskedFor) {
+TEST_F(TableFeedTest, SendsEveryRowOfTheRequestedColumns) {
   Write(5);
   feed.emplace("arm", table);
   Watch(1, {0, 1});
@@ -113,7 +113,7 @@ TEST_F(TableFeedTest, BringsEveryRowOfTheColumnsThatEachHasAskedFor) {
   EXPECT_EQ(value, -7.0);
 }
 
-TEST_F(TableFeedTest, OfOneTableCountsOneLossForAllWhoWatchIt) {
+TEST_F(TableFeedTest, AllViewersOfATableShareItsLossCount) {
   Watch(1, {0});
   Write(static_cast<int>(kLength) + 100);  // a hundred are overwritten
   Watch(2, {1});
@@ -129,7 +129,7 @@ TEST_F(TableFeedTest, OfOneTableCountsOneLossForAllWhoWatchIt) {
   }
 }
 
-TEST_F(TableFeedTest, GathersOneBatchAtATimeSoThatOtherTablesHaveTheirTurn) {
+TEST_F(TableFeedTest, GathersOneBatchAtATime) {
   StateTable wide;
   const std::array<double, 4096> image{};  // four rows of it are a batch
   wide.Add(image, "Image");
@@ -147,7 +147,7 @@ TEST_F(TableFeedTest, GathersOneBatchAtATimeSoThatOtherTablesHaveTheirTurn) {
   EXPECT_FALSE(feed->has_more());
 }
 
-TEST_F(TableFeedTest, OfAWriterThatIsFasterThanItStillBringsRowsAndCountsTheOthers) {
+TEST_F(TableFeedTest, AFasterWriterStillYieldsRowsAndLossCounts) {
   StateTable wide;
   const std::array<double, 256> image{};
   wide.Add(image, "Image");
@@ -174,7 +174,7 @@ TEST_F(TableFeedTest, OfAWriterThatIsFasterThanItStillBringsRowsAndCountsTheOthe
   EXPECT_EQ(LastHeader(1).rows_before + LastHeader(1).rows + lost, wide.next_tick());
 }
 
-TEST_F(TableFeedTest, WithAPeriodBringsTheFirstRowOfEach) {
+TEST_F(TableFeedTest, WithAPeriodSendsTheFirstRowOfEach) {
   Watch(1, {0}, {.period = 10ms});
   Write(35);  // from 10.001 s on
 
@@ -198,7 +198,7 @@ TEST_F(TableFeedTest, WithAPeriodDoesNotDriftWhenRowsAreLate) {
   EXPECT_EQ(TicksOf(1).size(), 100U);
 }
 
-TEST_F(TableFeedTest, WithAPeriodShorterThanThatOfTheTableBringsEveryRow) {
+TEST_F(TableFeedTest, WithAShorterPeriodThanTheTableSendsEveryRow) {
   Watch(1, {0}, {.period = 10us});
   Write(20);
 
@@ -207,7 +207,7 @@ TEST_F(TableFeedTest, WithAPeriodShorterThanThatOfTheTableBringsEveryRow) {
   EXPECT_EQ(TicksOf(1).size(), 20U);
 }
 
-TEST_F(TableFeedTest, SendsTheNewestRowOnlyWhenTheOneBeforeWasTaken) {
+TEST_F(TableFeedTest, SendsTheNewestRowAfterAnAcknowledgement) {
   Watch(1, {0}, {.delivery = RowDelivery::kNewest});
   Watch(2, {0});
   Write(10);
@@ -228,7 +228,7 @@ TEST_F(TableFeedTest, SendsTheNewestRowOnlyWhenTheOneBeforeWasTaken) {
   EXPECT_EQ(TicksOf(1).size(), 2U);  // there is none that it does not know
 }
 
-TEST_F(TableFeedTest, AViewerWhoseLinkIsFullHearsOfItsLossWithoutFurtherRows) {
+TEST_F(TableFeedTest, AFullLinkLearnsOfLossesWithoutFurtherRows) {
   Watch(1, {0});
   {
     const std::scoped_lock held(ends.viewing->gate);
@@ -264,7 +264,7 @@ TEST_F(TableFeedTest, AStoppedViewerMakesTheSenderRefuseAndNotGrow) {
   EXPECT_LT(conformance::MemoryInUse(), memory + (std::size_t{4} << 20U));
 }
 
-TEST_F(TableFeedTest, ItsEndIsHeardAlsoByAViewerWhoseLinkIsFull) {
+TEST_F(TableFeedTest, NotifiesAViewerWithAFullLinkOfItsEnd) {
   Watch(3, {});
   {
     const std::scoped_lock held(ends.viewing->gate);
@@ -277,7 +277,7 @@ TEST_F(TableFeedTest, ItsEndIsHeardAlsoByAViewerWhoseLinkIsFull) {
       [&] { return ends.viewing->HasHeard(message::kRowsEnded, 3) || ends.viewing->is_closed(); }));
 }
 
-TEST_F(TableFeedTest, IsOverWhenNobodyWatchesAnyMore) {
+TEST_F(TableFeedTest, HasNoViewersAfterTheLastLeaves) {
   Watch(1, {0});
   Watch(2, {0});
   feed->Remove(*ends.channel, 1);

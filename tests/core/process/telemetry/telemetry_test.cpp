@@ -125,7 +125,7 @@ class Telemetry : public ViewingTest {
   const TableSubscription kWanted{"robot", "plant", "state", {"Note", "Cycle", "Move"}};
 };
 
-TEST_P(Telemetry, BringsEveryRowOfAThousandASecond) {
+TEST_P(Telemetry, DeliversEveryRowAtOneKilohertz) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
 
@@ -141,7 +141,7 @@ TEST_P(Telemetry, BringsEveryRowOfAThousandASecond) {
                          tendon::SchemaOf<tendon::CycleStatistics>(), tendon::SchemaOf<Move>()}));
 }
 
-TEST_P(Telemetry, BringsTheValuesOfAllColumnsOfARow) {
+TEST_P(Telemetry, DeliversAllColumnsOfARow) {
   auto& user = robot->Add<plant::Operator>("operator");
   ASSERT_TRUE(robot->StartAll().ok());
   ASSERT_TRUE(robot->Connect({"operator", "Robot"}, {"plant", "Control"}).ok());
@@ -176,7 +176,7 @@ TEST_P(Telemetry, BringsTheValuesOfAllColumnsOfARow) {
   }
 }
 
-TEST_P(Telemetry, BringsTheSameRowsToSeveralViewers) {
+TEST_P(Telemetry, DeliversTheSameRowsToSeveralViewers) {
   const auto first_sink = std::make_shared<Sink>();
   const auto second_sink = std::make_shared<Sink>();
   const auto first = View();
@@ -194,7 +194,7 @@ TEST_P(Telemetry, BringsTheSameRowsToSeveralViewers) {
   }
 }
 
-TEST_P(Telemetry, WithAPeriodBringsARowOfEach) {
+TEST_P(Telemetry, WithAPeriodDeliversOneRowOfEach) {
   using std::chrono::milliseconds;
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
@@ -212,7 +212,7 @@ TEST_P(Telemetry, WithAPeriodBringsARowOfEach) {
   EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
 }
 
-TEST_P(Telemetry, OfTheNewestRowOnlyKeepsNoneForAViewerThatIsBusy) {
+TEST_P(Telemetry, QueuesNoNewestRowsForABusyViewer) {
   const auto sink = std::make_shared<Sink>();
   const auto other = std::make_shared<Sink>();
   const auto viewer = View();
@@ -248,7 +248,7 @@ TEST_P(Telemetry, RefusesAPeriodBelowZero) {
   EXPECT_THAT(sink->stale(), HasSubstr("below zero"));
 }
 
-TEST_P(Telemetry, KnowsThatTheClocksOfOneHostAreOne) {
+TEST_P(Telemetry, HasNoClockOffsetOnOneHost) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
 
@@ -261,7 +261,7 @@ TEST_P(Telemetry, KnowsThatTheClocksOfOneHostAreOne) {
   EXPECT_EQ(sink->clock_offset(), std::chrono::nanoseconds(0));
 }
 
-TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
+TEST_P(Telemetry, AStoppedViewerLosesOnlyItsOwnRows) {
   robot->Add<Camera>("camera");
   ASSERT_TRUE(robot->StartAll().ok());
   const TableSubscription wanted{"robot", "camera", "state", {"Image"}};
@@ -293,7 +293,7 @@ TEST_P(Telemetry, LetsAViewerThatStopsReadingLoseRowsAndNobodyElse) {
   EXPECT_EQ(sink->subscribed(), 1) << sink->stale();
 }
 
-TEST_P(Telemetry, EndsWhenItIsNotWantedAnyMore) {
+TEST_P(Telemetry, EndsWithItsSubscription) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
   const auto id = viewer->Subscribe(kWanted, sink);
@@ -309,7 +309,7 @@ TEST_P(Telemetry, EndsWhenItIsNotWantedAnyMore) {
   EXPECT_EQ(sink->count(), count);
 }
 
-TEST_P(Telemetry, OfWhatIsNotThereSaysSoAndWaitsForIt) {
+TEST_P(Telemetry, WaitsForAMissingTableAndReportsIt) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
   viewer->Subscribe({"robot", "camera", "state", {"Image"}}, sink);
@@ -326,7 +326,7 @@ TEST_P(Telemetry, OfWhatIsNotThereSaysSoAndWaitsForIt) {
   EXPECT_TRUE(EventuallyTrue([&] { return sink->count() > 0; }));
 }
 
-TEST_P(Telemetry, GoesOnWhenTheProcessReturns) {
+TEST_P(Telemetry, ResumesWhenTheProcessReturns) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
   viewer->Subscribe(kWanted, sink);
@@ -344,7 +344,7 @@ TEST_P(Telemetry, GoesOnWhenTheProcessReturns) {
   ExpectWithoutHoles(sink->rows());
 }
 
-TEST_P(Telemetry, OfARemovedComponentGoesOnWhenItReturns) {
+TEST_P(Telemetry, ResumesWhenARemovedComponentReturns) {
   const auto sink = std::make_shared<Sink>();
   const auto viewer = View();
   viewer->Subscribe(kWanted, sink);
