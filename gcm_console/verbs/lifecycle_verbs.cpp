@@ -4,8 +4,8 @@
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/base/text.h>
+#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
@@ -173,9 +173,10 @@ Verb LifecycleVerbOf(std::string name, std::string summary, LifecycleVerbForms f
         AddDryRun(app, arguments->dry_run);
         app.add_flag("--yes", arguments->yes, "do not ask, even if a pattern matches several");
         if (forms.verb == LifecycleVerb::kStart) {
-          app.add_flag("--strict", arguments->is_strict,
-                       "do not start a component while an interface that it needs is not connected; "
-                       "without this option, the component runs and waits for the connection");
+          app.add_flag(
+              "--strict", arguments->is_strict,
+              "do not start a component while an interface that it needs is not connected; "
+              "without this option, the component runs and waits for the connection");
         }
         return [=](Context& context) { return ExecuteLifecycleVerb(context, forms, *arguments); };
       }};

@@ -107,7 +107,7 @@ tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string&
 Verb::Run PrepareBroker(CLI::App& app) {
   const auto address = std::make_shared<std::string>(program::kBrokerAddress);
   app.add_option("--listen", *address,
-                 "address at which the fan-out listens for processes and viewers")
+                 "address at which the broker listens for processes and viewers")
       ->type_name("ADDRESS")
       ->capture_default_str();
   return [address](Context& context) { return RunBroker(context, *address); };

@@ -215,8 +215,9 @@ TEST_F(LifecycleTest, TheCardExplainsAResumeAndItsSuspension) {
                         "implemented this, it starts from the current situation;"))
       << advice.toStdString();
   EXPECT_TRUE(advice.contains("This can move something")) << advice.toStdString();
-  EXPECT_TRUE(
-      Button("lifecycle.start").toolTip().startsWith("The component is told that it was suspended"));
+  EXPECT_TRUE(Button("lifecycle.start")
+                  .toolTip()
+                  .startsWith("The component is told that it was suspended"));
   KeepPictures(window_, "resume-card");
 }
 

@@ -200,9 +200,9 @@ void OpenProvided(const std::shared_ptr<NetworkThread>& network,
       [network, link, wanted, done](const Result<message::MirrorReply>& answer) {
         if (!answer) return done(answer.error());
         if (answer->columns.size() != wanted.mirrored.size()) {
-          return done(
-              Error{ErrorCode::kInvalid,
-                    link->channel()->peer().name + " does not offer the requested mirrored values"});
+          return done(Error{
+              ErrorCode::kInvalid,
+              link->channel()->peer().name + " does not offer the requested mirrored values"});
         }
         const auto copies = link->MakeCopies(*answer);
         if (!copies) return done(copies.error());

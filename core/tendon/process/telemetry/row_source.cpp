@@ -220,7 +220,7 @@ void RowSource::MonitorTopic(const SharedSubscription& subscription,
 void RowSource::FallBack(Item& item, const Error& reason) {
   if (std::exchange(fallen_back_, reason.message) != reason.message) {
     Log(LogLevel::kWarning, "telemetry",
-        "rows of " + process_ + " are now sent without the fan-out: " + reason.message);
+        "rows of " + process_ + " are now sent without the broker: " + reason.message);
   }
   item.is_direct = true;
   Ask(item);
