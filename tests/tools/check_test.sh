@@ -75,7 +75,6 @@ times_are_those_of_the_last_run() {
 
 a_change_of_the_compiler_forgets_nothing_of_the_preset() {
   local compiler
-  rm "$folder/broken"
   sed -i 's/small NONE/small CXX/' "$folder/CMakeLists.txt"
   for compiler in g++ clang++; do
     make_preset '{"CMAKE_CXX_COMPILER": "'$compiler'", "TOLD": "yes"}'
@@ -85,9 +84,41 @@ a_change_of_the_compiler_forgets_nothing_of_the_preset() {
   grep -q "^TOLD:.*=yes$" "$folder/build/dev/CMakeCache.txt" || fail "a variable of the preset is lost"
 }
 
+# The test of dev ends only when preset no-ice has been built beside it; the next preset takes a minute to build.
+ahead_builds_beside_the_tests_and_ends_with_them() {
+  rm "$folder/broken"
+  python3 - "$folder/CMakePresets.json" <<'END'
+import json, sys
+presets = json.load(open(sys.argv[1]))
+for name in ("no-ice", "no-gui"):
+    presets["configurePresets"].append({"name": name, "inherits": "dev", "binaryDir": "build/" + name})
+    presets["buildPresets"].append({"name": name, "configurePreset": name})
+json.dump(presets, open(sys.argv[1], "w"))
+END
+  cat >>"$folder/CMakeLists.txt" <<'END'
+if(CMAKE_BINARY_DIR MATCHES "no-ice")
+  add_custom_target(built ALL COMMAND touch built)
+elseif(CMAKE_BINARY_DIR MATCHES "no-gui")
+  add_custom_target(built ALL COMMAND touch started && sleep 4321)
+elseif(EXISTS ${PROJECT_SOURCE_DIR}/waits)
+  add_test(NAME waits COMMAND
+    sh -c "until [ -e ../no-ice/built ] && [ -e ../no-gui/started ]; do sleep 0.1; done")
+  set_tests_properties(waits PROPERTIES TIMEOUT 250)
+endif()
+END
+  touch "$folder/waits"
+  "$folder/tools/check" --ahead >"$folder/said" 2>&1 || fail "tools/check --ahead fails:" "$(<"$folder/said")"
+  says "100% tests passed, 0 tests failed out of 4"
+  is_silent_about "no-ice"
+  timeout 20 sh -c 'while pgrep -f "^sleep 4321"; do sleep 0.1; done' >/dev/null ||
+    fail "tools/check has ended, but not what it built ahead"
+  rm "$folder/waits"
+}
+
 make_project
 skipped_tests_are_told_with_their_reasons
 failures_are_told_whole
 times_are_those_of_the_last_run
+ahead_builds_beside_the_tests_and_ends_with_them
 a_change_of_the_compiler_forgets_nothing_of_the_preset
 say "tools/check says what matters."

@@ -308,7 +308,7 @@ TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
-    constexpr std::string_view kWhy = "keeps at most 8192 requests";
+    constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
@@ -324,7 +324,7 @@ TEST_P(GreedyViewer, RefusesOpeningInterfacesFasterThanServed) {
   constexpr int kMany = 100'000;
   const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
   const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
-    constexpr std::string_view kWhy = "keeps at most 8192 requests";
+    constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
@@ -364,7 +364,7 @@ TEST_P(GreedyViewer, RefusesAFewLongPendingRequests) {
   const std::string name(std::size_t{900} << 10U, 'x');
   const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
-    constexpr std::string_view kWhy = "of 8388608 bytes together";
+    constexpr std::string_view kWhy = "at most 8388608 bytes in total";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 

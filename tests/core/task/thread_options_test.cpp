@@ -124,7 +124,7 @@ TEST(ThreadOptions, ASpinningTaskIsNeverEarly) {
   if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(2);
   static std::atomic<int> warnings = 0;
   tendon::AddLogSink([](tendon::LogLevel level, std::string_view, std::string_view text) {
-    const bool is_refusal = text.find("refused") != text.npos;
+    const bool is_refusal = text.find("refuses") != text.npos;
     if (level == tendon::LogLevel::kWarning && is_refusal) ++warnings;
     std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
   });

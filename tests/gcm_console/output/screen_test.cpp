@@ -212,7 +212,7 @@ TEST_F(SystemFixture, TheDoctorExplainsHowToStartAGcm) {
 
   EXPECT_EQ(outcome.exit_code, program::kRefused);
   EXPECT_THAT(outcome.out, HasSubstr("BAD  GCM"));
-  EXPECT_THAT(outcome.out, HasSubstr("fix: gcm serve"));
+  EXPECT_THAT(outcome.out, HasSubstr("fix: start a GCM with gcm serve"));
   EXPECT_THAT(outcome.out,
               HasSubstr("ok   port    " + address + " is free: no program listens there"));
 }

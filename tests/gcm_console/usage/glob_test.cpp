@@ -84,7 +84,7 @@ TEST_F(GlobTest, DisconnectEndsAllMatches) {
   EXPECT_THAT(Gcm({"show", "desk/supervisor/Robot"}).out, HasSubstr("not connected"));
   EXPECT_THAT(Gcm({"show", "desk/teleoperation/Robot"}).out, HasSubstr("not connected"));
   ExpectError({"disconnect", "desk/*/Robot"}, program::kNotFound,
-              "no interface that 'desk/*/Robot' matches is connected");
+              "no interface that matches 'desk/*/Robot' is connected");
 }
 
 TEST_F(GlobTest, LogLevelIsSetInAllMatches) {
@@ -105,7 +105,7 @@ TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
                     " needs exactly one name; list the matches with: gcm find 'robot/*'\n");
   }
   ExpectError({"connect", "desk/*/Robot", "robot/arm/Control"}, program::kUsage,
-              "gcm connect without --match takes one name");
+              "gcm connect without --match needs exactly one name");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST_F(MisuseTest, ExplainsUnknownNames) {
       {{"classes", "robot", "SimulatedAm"}, program::kNotFound, "did you mean 'SimulatedArm'?"},
       {{"--json", "classes", "robot", "SimulatedAm"},
        program::kNotFound,
-       "no class 'SimulatedAm' is loaded there; did you mean 'SimulatedArm'?"},
+       "the process has no loaded class 'SimulatedAm'; did you mean 'SimulatedArm'?"},
       {{"suspend", "robot/amr"}, program::kNotFound, "no component 'robot/amr'; did you mean"},
       {{"suspend", "robot"}, program::kUsage, "'robot' does not name a component"},
       {{"restart", "robot/arm/Control"}, program::kUsage, "does not name a component"},

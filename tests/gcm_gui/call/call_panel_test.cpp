@@ -84,7 +84,7 @@ TEST_F(CallPanelTest, StartsWithTheValueOfTheMatchingReadCommand) {
 
   calls_.value(std::string(R"({"to":0.25,"mode":"b"})"));
 
-  EXPECT_EQ(Status(), "As Get reports now");
+  EXPECT_EQ(Status(), "Current values from Get");
   EXPECT_TRUE(calls_.calls.isEmpty());
   Click();
   EXPECT_EQ(calls_.calls, QStringList{kMove + R"( {"to":0.25,"mode":"b"})"});

@@ -41,7 +41,7 @@ TEST_F(FormDefaultsTest, StartsWithTheCurrentPosition) {
 
   calls_.value(std::string(R"({"position":[0.1,-1.5],"velocity":[3,4]})"));
 
-  EXPECT_EQ(Status(), "position as GetJoints reports now");
+  EXPECT_EQ(Status(), "position: current values from GetJoints");
   QTest::mouseClick(panel_.findChild<QPushButton*>("call.call"), Qt::LeftButton);
   ASSERT_EQ(calls_.calls.size(), 1);
   EXPECT_THAT(calls_.calls[0].toStdString(), testing::HasSubstr(R"("position":[0.1,-1.5])"));

@@ -104,7 +104,7 @@ TEST_F(SessionTest, UndoOfAnothersConnectNeedsASecondRequest) {
   ASSERT_TRUE(Eventually(
       [&] { return session_->activity().action(0).outcome == Action::Outcome::kRefused; }));
   const QString refusal = session_->activity().action(0).refusal;
-  EXPECT_TRUE(refusal.contains("by gcm connect ") && refusal.contains(" ago"))
+  EXPECT_TRUE(refusal.contains("by gcm connect, ") && refusal.contains(" ago"))
       << refusal.toStdString();
   EXPECT_TRUE(IsConnected());
 
@@ -190,7 +190,9 @@ TEST_F(SessionTest, ACallFailsWhenItsProcessIsLost) {
 
   EXPECT_EQ(told->code, ErrorCode::kTimeout);
   EXPECT_TRUE(told->message.starts_with("process 'robot' is lost")) << told->message;
-  EXPECT_TRUE(told->message.ends_with("is unknown")) << told->message;
+  EXPECT_TRUE(told->message.ends_with(
+      "it is unknown whether the command was executed or will still be executed"))
+      << told->message;
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
 }
 

@@ -45,7 +45,7 @@ TEST(UndoChoice, AnothersStepNeedsASecondRequest) {
 
   const auto asked = choice.Choose(history, kNow, kWallNow);
   ASSERT_FALSE(asked.ok());
-  EXPECT_NE(asked.error().message.find("by gcm-gui of anna@host 12 s ago"), std::string::npos)
+  EXPECT_NE(asked.error().message.find("by gcm-gui of anna@host, 12 s ago"), std::string::npos)
       << asked.error().message;
 
   const auto step = choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow);

@@ -53,8 +53,9 @@ TEST(ComponentManagerFile, ConvertsToASystemFile) {
     EXPECT_THAT(file.connections,
                 ElementsAre(SystemFile::Connection{{"robot", "streamerMTML", "Required"},
                                                    {"robot", "MTML", "Arm"}}));
-    EXPECT_THAT(imported->left_out, ElementsAre(HasSubstr("IsHardRealTime is left out"),
-                                                HasSubstr("write what 'streamerMTML.json' says")));
+    EXPECT_THAT(imported->left_out,
+                ElementsAre(HasSubstr("IsHardRealTime is left out"),
+                            HasSubstr("write the content of 'streamerMTML.json'")));
 
     const auto written = SystemFileText(file);
     ASSERT_TRUE(written);
