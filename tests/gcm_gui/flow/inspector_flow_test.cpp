@@ -127,8 +127,9 @@ TEST_F(InspectorFlow, TheFormStartsWithThePositionOfTheArm) {
   MoveArm();
   Select("robot/arm/Control.MoveTo");
   auto& status = Find<QLabel>("call.status");
-  ASSERT_TRUE(Eventually([&] { return status.text() == "position as GetJoints reports now"; }))
-      << qPrintable(status.text());
+  ASSERT_TRUE(Eventually([&] {
+    return status.text() == "position: current values from GetJoints";
+  })) << qPrintable(status.text());
 
   Click(Find<QToolButton>("call.asJson"));
   const auto said =
