@@ -32,7 +32,8 @@ using namespace std::chrono_literals;
 /// The part of a system file about one process.
 struct ProcessPart {
   std::vector<tendon::SystemFile::Component> components;
-  std::vector<tendon::SystemFile::Connection> connections;  ///< that it owns
+  /// The connections that the process owns.
+  std::vector<tendon::SystemFile::Connection> connections;
   bool is_strict = false;
 };
 
@@ -131,7 +132,7 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
   }
 }
 
-/// Adds the components, each with its leader, if any.
+/// Adds the components. A component that has a leader runs after it.
 Result<void> AddComponents(const ProcessPart& part, std::vector<CreatedComponent> made,
                            tendon::Process& process) {
   for (CreatedComponent& one : made) process.Add(std::move(one.component), std::move(one.origin));
@@ -161,7 +162,7 @@ Result<StartResult> Join(const tendon::Process& process, const Options& options)
   return StartResult::kEnd;
 }
 
-/// The provided interface to which the required one is connected now, if any.
+/// Returns the provided interface to which the required one is connected now, if any.
 std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
                                         const InterfaceName& required) {
   for (const auto& connection : process.connections()) {
@@ -170,9 +171,9 @@ std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
   return std::nullopt;
 }
 
-/// Continues after a failed connection, because its peer may appear later. Reports a connection
-/// that can never be made, and continues with the others. Keeps a connection that the GCM has
-/// restored meanwhile.
+/// Makes all connections. If a peer is absent, its connection is pending, because the peer may
+/// appear later. If a connection can never be made, logs an error and continues with the other
+/// connections. Keeps a connection that the GCM has restored meanwhile.
 void MakeConnections(const ProcessPart& part, tendon::Process& process) {
   for (const auto& one : part.connections) {
     const auto made = process.Connect(one.required, one.provided);
@@ -187,7 +188,7 @@ void MakeConnections(const ProcessPart& part, tendon::Process& process) {
   }
 }
 
-/// True if another component runs after it. Such followers cannot start while their leader is
+/// True if another component runs after this one. Such followers cannot start while their leader is
 /// suspended.
 bool Leads(const ProcessPart& part, const tendon::SystemFile::Component& component) {
   return std::ranges::any_of(part.components,
@@ -227,7 +228,8 @@ Result<StartResult> TransitionToState(const ProcessPart& part, tendon::Process& 
   return begun ? Result<StartResult>(StartResult::kGoOn) : begun.error();
 }
 
-/// An error of one component does not stop the others.
+/// Makes the connections and starts the components. If one component fails, the others are started
+/// anyway.
 StartResult Start(const ProcessPart& part, tendon::Process& process, const Options& options) {
   MakeConnections(part, process);
   std::vector<std::string> to_suspend;
@@ -265,7 +267,8 @@ Result<void> Serve(const Options& options) {
   const auto loader = std::make_shared<tendon::ComponentLoader>();
   auto components = MakeComponents(*part, *loader);  // before others can see this process
   if (!components) return components.error();
-  tendon::SetLogLevel(tendon::LogLevel::kWarning);  // the final error says why it has not joined
+  // Less is logged until the process has joined. If it cannot join, the final error says why.
+  tendon::SetLogLevel(tendon::LogLevel::kWarning);
   auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();
   if (auto added = AddComponents(*part, *std::move(components), **process); !added) return added;

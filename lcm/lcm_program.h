@@ -22,9 +22,9 @@ struct Options {
   program::NetworkOptions network;
 };
 
-/// Runs a process until it is asked to terminate: loads its plug-ins from the system file, creates
-/// its components, joins the GCM, makes its connections and starts everything. Returns the exit
-/// code. An error is reported as one sentence on stderr, and no partial state remains.
+/// Runs a process until it is asked to terminate. Loads the plug-ins that the system file names,
+/// creates the components, joins the GCM, makes the connections and starts everything. Returns the
+/// exit code. An error is reported as one sentence on stderr, and no partial state remains.
 program::ExitCode Run(const Options& options);
 
 }  // namespace lcm

@@ -10,9 +10,10 @@ namespace program {
 /// The default address of the broker that distributes rows to many viewers.
 inline constexpr const char* kBrokerAddress = "127.0.0.1:10706";
 
-/// The settings that make icebox(1) the broker for programs with these `options`. kInvalid without
-/// Ice; kNotFound without IceStorm; kDenied for an address of another machine without a
-/// certificate, or with a certificate of another name.
+/// Returns the settings with which icebox(1) is the broker for programs with these `options`.
+/// Errors: kInvalid if this program was built without Ice, kNotFound if IceStorm is not installed,
+/// kDenied if the address is of another machine and there is no certificate, or if the certificate
+/// has another name.
 tendon::Result<std::string> BrokerSettings(const std::string& address,
                                            const NetworkOptions& options);
 

@@ -18,7 +18,7 @@ namespace {
 using Kind = tendon::Schema::Kind;
 using Flaw = tendon::NumberFlaw;
 
-/// The option names of the program and of the given verbs.
+/// Returns the option names of the program and of the given verbs.
 std::vector<std::string> OptionNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -30,7 +30,7 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
   return names;
 }
 
-/// The sentence about an unexpected word.
+/// Returns the sentence about an unexpected word.
 std::string Unexpected(const std::string& word, const CLI::App& app) {
   const std::string name = word.substr(0, word.find('='));
   if (!word.starts_with("-")) return "'" + name + "' is one word too many";
@@ -41,7 +41,7 @@ std::string Unexpected(const std::string& word, const CLI::App& app) {
   return "no option '" + name + "'" + tendon::DidYouMean(name, known);
 }
 
-/// CLI11's message, without the part that repeats the word.
+/// Returns CLI11's message, without the part that repeats the word.
 std::string Words(const CLI::ParseError& mistake) {
   std::string words = mistake.what();
   if (words == "A subcommand is required") return "a verb is missing";
@@ -59,14 +59,14 @@ std::string Words(const CLI::ParseError& mistake) {
   return words;
 }
 
-/// The remedy, if known: "; write 0.5s: use a point as the decimal sign".
+/// Returns the remedy, if it is known: "; write 0.5s: use a point as the decimal sign".
 std::string Hint(tendon::NumberLiteral word, const std::string& unit) {
   if (word.meant.empty()) return {};
   for (std::string& one : word.meant) one += unit;
   return "; " + FlawText(word);
 }
 
-/// A finite number above 0.
+/// Returns the number if it is finite and above 0.
 std::optional<double> Positive(const tendon::NumberLiteral& word) {
   double number = 0.0;
   const char* const end = word.json.data() + word.json.size();
@@ -74,7 +74,8 @@ std::optional<double> Positive(const tendon::NumberLiteral& word) {
   return is_finite && number > 0.0 ? std::optional(number) : std::nullopt;
 }
 
-/// The seconds in "500ms", "10s", "2min" or a plain number; `hint` receives the remedy.
+/// Returns the seconds in "500ms", "10s", "2min" or a plain number. If the text is invalid, `hint`
+/// receives the remedy.
 std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
   constexpr std::array<std::pair<std::string_view, double>, 3> kUnits = {
       {{"ms", 0.001}, {"min", 60.0}, {"s", 1.0}}};
@@ -91,7 +92,7 @@ std::optional<double> SecondsIn(const std::string& text, std::string& hint) {
   return std::nullopt;
 }
 
-/// The shortest text of the same number, the same in every locale.
+/// Returns the shortest text of a number, which is the same in every locale.
 std::string TextOf(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
@@ -102,7 +103,7 @@ std::string TextOf(double number) {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command) {
   std::string sentence = Words(mistake);
-  // Only the first word matters; CLI11 lists all of them in its own sentence.
+  // Only the first unexpected word matters, although CLI11 lists all of them in its own sentence.
   if (const auto rest = app.remaining(true); !rest.empty()) sentence = Unexpected(rest[0], app);
   const bool asks = sentence.ends_with("?");
   return tendon::Printable(sentence) + (asks ? " " : "; ") + command + " --help tells more";

@@ -6,24 +6,26 @@
 
 namespace program {
 
-/// The mistake in a command line and the remedy, in one sentence: "no option '--jsn'; did you mean
-/// '--json'? gcm --help tells more". `command` is the command whose --help is suggested.
+/// Returns one sentence with the mistake in a command line and the remedy: "no option '--jsn'; did
+/// you mean '--json'? gcm --help tells more". `command` is the command whose --help is suggested.
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command);
 
-/// For CLI::Option::transform(). They read numbers like tendon::ReadNumberLiteral(), the same in
-/// every locale, and say what to write instead of an invalid number.
+/// The following functions are for CLI::Option::transform(). They read numbers like
+/// tendon::ReadNumberLiteral(), in the same way in every locale. If a number is invalid, they say
+/// what to write instead.
 ///
-/// A number above zero.
+/// Accepts a number above zero.
 std::string TransformPositive(std::string& text);
 
-/// A whole number, at least 1.
+/// Accepts a whole number that is at least 1.
 std::string TransformCount(std::string& text);
 
 /// Converts "500ms", "10s", "2min" or a plain number to seconds.
 std::string TransformDuration(std::string& text);
 
-/// The same to whole milliseconds, from 1 to an hour; a plain number is in milliseconds.
+/// Like TransformDuration(), but converts to whole milliseconds, from 1 ms to an hour. A plain
+/// number is in milliseconds.
 std::string TransformMilliseconds(std::string& text);
 
 }  // namespace program

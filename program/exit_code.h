@@ -18,7 +18,7 @@ enum ExitCode : int {
   kInterrupted = 130,
 };
 
-/// The exit code of a failed request.
+/// Returns the exit code of a failed request.
 constexpr ExitCode ExitCodeOf(tendon::ErrorCode code) {
   switch (code) {
     case tendon::ErrorCode::kFailed:

@@ -5,9 +5,9 @@
 
 namespace program {
 
-/// Options for a GCM in this program, so that it starts processes with the `lcm` in the same folder
-/// and the same network options. Under TLS, a process uses the certificate PROCESS.crt in the
-/// folder of the program's own certificate.
+/// Returns options for a GCM in this program. With them, the GCM starts processes with the `lcm` in
+/// the same folder and with the same network options. With TLS, a process uses the certificate
+/// PROCESS.crt in the folder of the program's own certificate.
 tendon::LaunchOptions LcmLaunchOptions(const NetworkOptions& options);
 
 }  // namespace program

@@ -37,7 +37,7 @@ MiddlewareResult HasNoTls(const Credentials& /*credentials*/) {
                "use --middleware ice"};
 }
 
-/// The default first.
+/// The middlewares in this build, with the default first.
 const std::vector<MiddlewareFactory>& Factories() {
   static const std::vector<MiddlewareFactory> kFactories = {
 #ifdef TENDON_WITH_ICE
@@ -103,7 +103,7 @@ void AddNetworkOptions(CLI::App& app, NetworkOptions& options) {
 
 CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more) {
   const auto check_given = [](const std::string& address) -> std::string {
-    if (!address.empty()) return {};  // checked by its user
+    if (!address.empty()) return {};  // the caller checks the address
     return "expected an address such as 127.0.0.1:10705, got ''";
   };
   return app
@@ -155,7 +155,7 @@ tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& 
   if (!own || !other || ToString(*own) != ToString(*other)) return {};
   return Error{ErrorCode::kInvalid, option + " and --gcm are both " + ToString(*own) +
                                         ", but two programs cannot share a port; give " + option +
-                                        " another one"};
+                                        " another port"};
 }
 
 }  // namespace program

@@ -31,30 +31,32 @@ struct NetworkOptions {
   bool operator==(const NetworkOptions&) const = default;
 };
 
-/// The folder of the CA that checks peers.
+/// Returns the folder of the CA with which peers are checked.
 std::filesystem::path AuthorityOf(const NetworkOptions& options);
 
 /// Adds --middleware, --certificate, --ca and --insecure. Values already in `options` take
 /// precedence over the environment.
 void AddNetworkOptions(CLI::App& app, NetworkOptions& options);
 
-/// Adds --gcm, an address. Help shows `more` after the default. Without the option `gcm` stays
-/// unchanged.
+/// Adds --gcm, an address. Help shows `more` after the default. If the option is not given, `gcm`
+/// stays unchanged.
 CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& more = "");
 
-/// kInvalid lists the known middlewares. For a certificate, the errors of CheckCertificate().
+/// Makes the middleware for these options. If the middleware is unknown, the text of kInvalid lists
+/// the known ones. If there is a certificate, the errors of CheckCertificate() are possible as
+/// well.
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
 
-/// The address of the GCM: `option` if it is not empty, otherwise $TENDON_GCM, otherwise this
-/// machine. A host without a port gets the GCM's usual port.
+/// Returns the address of the GCM: `option` if it is not empty, otherwise $TENDON_GCM, otherwise
+/// this machine. A host without a port gets the GCM's usual port.
 std::string GcmAddress(const std::string& option);
 
-/// kInvalid if the address is a single word and the options allow only this machine: it is probably
-/// a mistake.
+/// Returns kInvalid if the address is a single word and the options allow only this machine,
+/// because then the address is probably a mistake.
 tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
 
-/// kInvalid if the address given by `option` is the GCM's own address: "--listen and --gcm are both
-/// 127.0.0.1:10705, ...". Ignores invalid addresses.
+/// Returns kInvalid if the address given by `option` is the GCM's own address: "--listen and --gcm
+/// are both 127.0.0.1:10705, ...". Ignores invalid addresses.
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
                                   const std::string& gcm);
 

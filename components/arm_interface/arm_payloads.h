@@ -21,13 +21,14 @@ struct JointState {
   JointVector velocity{};  ///< rad/s
 };
 
-/// A posture to reach at rest, and the time to take. The arm takes longer if its limits require it.
+/// A posture in which the arm comes to rest, and the duration of the motion. The arm takes longer
+/// if its limits require it.
 struct JointGoal {
   JointVector position{};  ///< rad
   double duration = 1.0;   ///< s
 };
 
-/// The joint velocities to move at from now on.
+/// The velocities with which the joints move from now on.
 struct JointVelocity {
   JointVector velocity{};  ///< rad/s
 };

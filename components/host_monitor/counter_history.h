@@ -24,8 +24,8 @@ class CounterHistory {
   /// `sample` must be later than the one before.
   void Add(CounterSample sample);
 
-  /// All rates are 0 until there are two samples, and 0 if a counter went backwards: a device was
-  /// removed, or the counter overflowed.
+  /// All rates are 0 until there are two samples. A rate is also 0 if its counter went backwards,
+  /// because a device was removed or the counter overflowed.
   void Rate(Cpu& cpu) const;
   [[nodiscard]] Disk disk() const;
   [[nodiscard]] Network network() const;

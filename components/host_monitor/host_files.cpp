@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostThermometers = 64;
 constexpr std::size_t kLongestName = 32;
 
-/// The entries of `folder` whose names begin with `beginning`, sorted by name.
+/// Returns the entries of `folder` whose names begin with `beginning`, sorted by name.
 std::vector<fs::path> Entries(const fs::path& folder, const std::string& beginning) {
   std::vector<fs::path> entries;
   std::error_code error;
@@ -26,7 +26,7 @@ std::vector<fs::path> Entries(const fs::path& folder, const std::string& beginni
   return entries;
 }
 
-/// The first line of a file, as a name; `otherwise` if there is none.
+/// Returns the first line of a file as a name, or `otherwise` if there is no such line.
 std::string ReadName(const fs::path& file, const std::string& otherwise) {
   std::string name = ReadText(file);
   name.resize(std::min({name.find('\n'), name.size(), kLongestName}));

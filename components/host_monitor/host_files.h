@@ -8,10 +8,10 @@
 
 namespace host {
 
-/// The content of a small file; empty if it cannot be read.
+/// Returns the content of a small file; empty if the file cannot be read.
 [[nodiscard]] std::string ReadText(const std::filesystem::path& file);
 
-/// The thermometers of a machine. Found once, then read again and again.
+/// The thermometers of a machine. They are found once, and then read again and again.
 class Thermometers {
  public:
   /// Searches below `root`/sys: thermal zones first, then monitoring chips.

@@ -67,7 +67,8 @@ CpuCounters ParseCpu(std::string_view text) {
     std::string_view name = TakeWord(line);
     if (!name.starts_with("cpu")) continue;
     name.remove_prefix(3);
-    // user nice system idle iowait irq softirq steal; `user` already includes guests
+    // The columns are user nice system idle iowait irq softirq steal; `user` already includes
+    // guests.
     std::array<std::uint64_t, 8> ticks{};
     CpuTicks sum;
     for (std::uint64_t& one : ticks) {

@@ -35,22 +35,23 @@ struct NetworkCounters {
   std::uint64_t loopback = 0;
 };
 
-/// /proc/stat
+/// Parses /proc/stat.
 [[nodiscard]] CpuCounters ParseCpu(std::string_view text);
 
-/// /proc/meminfo
+/// Parses /proc/meminfo.
 [[nodiscard]] Memory ParseMemory(std::string_view text);
 
-/// /proc/diskstats: the sum over whole disks, without partitions and without devices made of disks
-/// or memory (loop, ram, dm, md).
+/// Parses /proc/diskstats. Returns the sum over whole disks, without partitions and without devices
+/// that consist of disks or memory (loop, ram, dm, md).
 [[nodiscard]] DiskCounters ParseDisks(std::string_view text);
 
-/// /proc/net/dev: the sum over external interfaces, and the loopback. Leaves out bridges, tunnels
-/// within the machine and interfaces made of others, so nothing counts twice.
+/// Parses /proc/net/dev. Returns the sum over external interfaces, and the loopback traffic. Leaves
+/// out bridges, tunnels within the machine, and interfaces that consist of other interfaces, so
+/// that nothing is counted twice.
 [[nodiscard]] NetworkCounters ParseNetwork(std::string_view text);
 
-/// A file temp or temp*_input of /sys, in thousandths of °C. Empty if the text is not a number or
-/// not a plausible temperature.
+/// Parses a file temp or temp*_input of /sys, which has thousandths of °C. Empty if the text is not
+/// a number or not a plausible temperature.
 [[nodiscard]] std::optional<double> ParseTemperature(std::string_view text);
 
 }  // namespace host

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The payloads of an arm as an older program defines them: the names of arm_interface, in degrees.
+/// The payloads of an arm as an older program defines them: with the same names as in
+/// arm_interface, but in degrees.
 namespace legacy {
 
 inline constexpr std::size_t kJoints = 7;

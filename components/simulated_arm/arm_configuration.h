@@ -16,11 +16,11 @@ inline constexpr JointVector kReadyPosture{0.0,
                                            std::numbers::pi / 2,
                                            std::numbers::pi / 4};  // rad
 
-inline constexpr double kLargestAngle = 1e3;     // rad: a larger one is a mistake
-inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2: the least for a joint that moves
+inline constexpr double kLargestAngle = 1e3;     // rad; a larger angle is a mistake
+inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2; minimum for a joint that moves
 inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
 inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
-inline constexpr double kMostBandwidth = 500.0;  // rad/s: stiffer joints need a step below 1 ms
+inline constexpr double kMostBandwidth = 500.0;  // rad/s; stiffer joints need a step below 1 ms
 inline constexpr double kMostNoise = 1.0;        // rad
 
 /// The configuration of a simulated arm. The defaults are the limits of a Franka Emika Panda:
@@ -35,7 +35,8 @@ struct ArmConfiguration {
   double noise = 0.0;       ///< rad; standard deviation of a measured position
 };
 
-/// Throws ConfigurationError that names `component`, the field and what is wrong with it.
+/// Throws ConfigurationError if the configuration is invalid. The text names `component`, the field
+/// and the mistake.
 void RequireValid(const ArmConfiguration& configuration, const std::string& component);
 
 }  // namespace arm
@@ -59,7 +60,7 @@ inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe
         .Help("Maximum of each joint."),
     tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"}
         .Within(arm::kLeastBandwidth, arm::kMostBandwidth)
-        .Help("How stiffly a joint follows."),
+        .Help("How stiffly a joint follows its reference."),
     tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"}
         .Within(0.0, arm::kMostNoise)
         .Help("Standard deviation of a measured position."));

@@ -14,9 +14,9 @@ using tendon::robot::Vector3;
 /// The step from one frame to the next: rotate by `twist` about x, move by `length` along x, rotate
 /// by the joint angle about z, move by `offset` along z.
 struct DenavitHartenberg {
-  double length;  // a, m
-  double offset;  // d, m
-  double twist;   // alpha, rad
+  double length;  // m, the parameter a
+  double offset;  // m, the parameter d
+  double twist;   // rad, the parameter alpha
 };
 
 constexpr double kQuarter = std::numbers::pi / 2;
@@ -37,7 +37,7 @@ Quaternion Product(const Quaternion& a, const Quaternion& b) {
       a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
 }
 
-/// `by`, in m, is in the frame's own coordinates.
+/// Moves a frame by `by`, in m, in the frame's own coordinates.
 void Shift(Pose& pose, const Vector3& by) {
   const Quaternion& q = pose.orientation;
   const Quaternion conjugate{-q.x, -q.y, -q.z, q.w};

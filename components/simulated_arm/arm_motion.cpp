@@ -7,7 +7,7 @@
 namespace arm {
 namespace {
 
-constexpr double kArrived = 1e-3;    // rad, and rad/s: the goal counts as reached
+constexpr double kArrived = 1e-3;    // rad, and rad/s; within this, the goal counts as reached
 constexpr double kFurthest = 1e3;    // rad
 constexpr double kLongest = 3600.0;  // s
 constexpr double kGentle = 0.25;     // fraction of the acceleration limit for changes of velocity
@@ -23,7 +23,7 @@ std::array<Joint, kJoints> MakeJoints(const ArmConfiguration& configuration,
   return {make(kIndex)...};
 }
 
-/// Also false for NaN.
+/// True if all numbers of a goal are in their ranges. False for NaN.
 bool IsSensible(const JointGoal& goal) {
   return std::all_of(goal.position.begin(), goal.position.end(),
                      [](double position) { return std::abs(position) <= kFurthest; }) &&

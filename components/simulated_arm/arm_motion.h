@@ -9,8 +9,8 @@
 
 namespace arm {
 
-/// The motion of a whole arm, step by step: pure arithmetic, without a clock. All joints reach a
-/// goal at the same time. Nothing here allocates, waits or throws.
+/// Computes the motion of a whole arm step by step, without a clock. All joints reach a goal at the
+/// same time. Nothing here allocates, waits or throws.
 class ArmMotion {
  public:
   /// The events in one step.
@@ -22,9 +22,9 @@ class ArmMotion {
   /// Starts at rest at home. `configuration` must be valid; `step` in s.
   ArmMotion(const ArmConfiguration& configuration, double step);
 
-  /// Moves to rest at the goal, in its duration or longer if the limits require it. If the goal is
-  /// beyond the limits, the joint stops at the end of its range. Returns false, and changes
-  /// nothing, if a number in the goal is not finite or absurdly large.
+  /// Moves to the goal and comes to rest there, in the goal's duration, or longer if the limits
+  /// require it. If the goal is beyond the limits, the joint stops at the end of its range. Returns
+  /// false, and changes nothing, if a number in the goal is not finite or absurdly large.
   bool MoveTo(const JointGoal& goal);
   /// Moves at these velocities, in rad/s, until the next command; a joint stops at the end of its
   /// range. Abandons the goal. Returns false, and changes nothing, if a number is not finite.
@@ -37,8 +37,8 @@ class ArmMotion {
   StepEvents Step();
 
   [[nodiscard]] JointState state() const;
-  /// The present goal with the total duration of its motion. While the arm moves at a velocity: the
-  /// present position with duration 0.
+  /// Returns the present goal with the total duration of its motion. While the arm moves at a
+  /// velocity, returns the present position with duration 0.
   [[nodiscard]] JointGoal goal() const;
   /// True while the arm moves at a velocity.
   [[nodiscard]] bool is_cruising() const { return is_cruising_; }
@@ -54,7 +54,7 @@ class ArmMotion {
   std::array<JointPath, kJoints> paths_;
   double duration_ = 0.0;  // s, of the longest path
   double elapsed_ = 0.0;   // s since the paths began
-  bool has_goal_ = false;  // a goal that is not yet reached
+  bool has_goal_ = false;  // true while a goal is not yet reached
   bool is_cruising_ = false;
   JointVector wanted_{};  // rad/s, the target velocity while cruising
   JointVector cruise_{};  // rad/s, the present velocity on the way to `wanted_`

@@ -10,21 +10,23 @@ namespace arm {
 /// After every step
 ///  1. |velocity| and |acceleration| are within the limits,
 ///  2. the position is between lower and upper,
-///  3. velocity^2 <= 2 * acceleration limit * distance to the end ahead: full braking stops it in
-///     time, so 2 also holds after the next step.
+///  3. velocity^2 <= 2 * acceleration limit * distance to the end ahead: full braking stops the
+///     joint in time, so that 2. also holds after the next step.
 class Joint {
  public:
   /// Starts at rest at `position`, which must be within the limits. `bandwidth` in rad/s.
   Joint(const JointLimits& limits, double bandwidth, double position);
 
-  /// Advances by `step` s; `reference` is the wanted motion at the beginning of the step.
+  /// Advances the joint by `step` s; `reference` is the desired motion at the beginning of the
+  /// step.
   void Step(const JointPoint& reference, double step);
   /// Stops at once at the present position.
   void Rest();
 
   [[nodiscard]] const JointPoint& point() const { return point_; }
   [[nodiscard]] const JointLimits& limits() const { return limits_; }
-  /// True if the last step reached an end of the range; true once until the joint leaves it.
+  /// True if the last step reached an end of the range. It is true only once until the joint leaves
+  /// this end.
   [[nodiscard]] bool has_entered_limit() const { return has_entered_limit_; }
 
  private:

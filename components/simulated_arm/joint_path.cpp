@@ -7,26 +7,26 @@ namespace arm {
 namespace {
 
 constexpr double kShortest = 0.1;     // s; minimum duration of a motion
-constexpr double kShortDecay = 0.05;  // s; minimum, since the jerk would have no bound
+constexpr double kShortDecay = 0.05;  // s; minimum, because otherwise the jerk would have no bound
 constexpr double kLongDecay = 0.5;    // s; maximum, unless braking takes longer
 
-/// The time in s in which the velocity of `start` can decay to 0 with three quarters of the
-/// acceleration: the maximum acceleration of the cubic is 3/2 v / t.
+/// Returns the time in s in which the velocity of `start` can decay to 0 with three quarters of the
+/// acceleration limit. The maximum acceleration of the cubic is 3/2 v / t.
 double Braking(const JointPoint& start, const JointLimits& limits) {
   return std::max(kShortDecay, 2.0 * std::abs(start.velocity) / limits.acceleration);
 }
 
-/// The time in s in which the motion at the start decays, within a total of `duration` s.
+/// Returns the time in s in which the motion at the start decays, within a total of `duration` s.
 double Decay(const JointPoint& start, double duration, const JointLimits& limits) {
   return std::min(duration, std::max(kLongDecay, Braking(start, limits)));
 }
 
-/// The distance in rad that the joint moves during the decay, in s.
+/// Returns the distance in rad that the joint moves during the decay of `decay` s.
 double Coasted(const JointPoint& start, double decay) {
   return decay * (start.velocity / 2.0 + start.acceleration * decay / 12.0);
 }
 
-/// The decaying motion after `time` s.
+/// Returns the decaying motion after `time` s.
 JointPoint Coast(const JointPoint& start, double decay, double time) {
   const double s = time / decay;
   const double v = start.velocity;
@@ -39,7 +39,8 @@ JointPoint Coast(const JointPoint& start, double decay, double time) {
   return {position, velocity, acceleration};
 }
 
-/// Minimum-jerk motion from 0 to 1 for 0 <= s <= 1, with its derivatives by s.
+/// Returns the minimum-jerk motion from 0 to 1 for 0 <= s <= 1, with its derivatives with respect
+/// to s.
 JointPoint MinimumJerk(double s) {
   const double rest = 1.0 - s;
   return {s * s * s * (10.0 + s * (6.0 * s - 15.0)), 30.0 * s * s * rest * rest,
@@ -71,7 +72,8 @@ JointPath JointPath::Stop(const JointPoint& start, const JointLimits& limits) {
 double JointPath::Lengthened(const JointPoint& start, double goal, double duration,
                              const JointLimits& limits) {
   // A minimum-jerk motion reaches 15/8 of its mean velocity and an acceleration of 10/sqrt(3)
-  // distance/t^2. It gets half of the acceleration limit, the initial motion the other half.
+  // distance/t^2. This motion gets half of the acceleration limit, and the initial motion gets the
+  // other half.
   constexpr double kPeakVelocity = 15.0 / 8.0;
   const double peak_acceleration = 10.0 / std::sqrt(3.0);
   const double least = std::max({duration, kShortest, Braking(start, limits)});

@@ -22,24 +22,25 @@ struct JointPoint {
 /// It is the sum of two motions: the motion at the start decays (a cubic velocity), and a
 /// minimum-jerk motion (Flash and Hogan, 1985) covers the remaining distance. Position, velocity
 /// and acceleration are continuous from the start on. In short motions both parts take the same
-/// time and the sum is the quintic of these boundary values. In long ones the first part ends
+/// time and the sum is the quintic of these boundary values. In long motions, the first part ends
 /// early, so a moving joint does not overshoot because of a long duration.
 class JointPath {
  public:
-  /// A joint at rest at `position`.
+  /// Makes the path of a joint that is at rest at `position`.
   explicit JointPath(double position = 0.0);
-  /// Reaches rest at `goal` after `duration` s.
+  /// Makes a path that comes to rest at `goal` after `duration` s.
   static JointPath MoveTo(const JointPoint& start, double goal, double duration,
                           const JointLimits& limits);
-  /// Reaches rest as soon as the limits allow.
+  /// Makes a path that comes to rest as soon as the limits allow.
   static JointPath Stop(const JointPoint& start, const JointLimits& limits);
 
-  /// The duration in s, at least `duration`, with which MoveTo() keeps velocity and acceleration
-  /// well within the limits.
+  /// Returns the duration in s, at least `duration`, with which MoveTo() keeps velocity and
+  /// acceleration well within the limits.
   static double Lengthened(const JointPoint& start, double goal, double duration,
                            const JointLimits& limits);
 
-  /// `time` is in s since the start; from duration() on the joint is at the goal.
+  /// Returns the motion at `time`, in s since the start. From duration() on, the joint is at the
+  /// goal.
   [[nodiscard]] JointPoint At(double time) const;
   [[nodiscard]] double duration() const { return duration_; }
   [[nodiscard]] double goal() const { return goal_; }

@@ -67,7 +67,7 @@ void SimulatedArm::MoveTo(const JointGoal& goal) {
 void SimulatedArm::MoveAt(const JointVelocity& velocity) {
   if (motion_.MoveAt(velocity.velocity)) return;
   ++refused_;
-  EndMoveAt();  // the refused call has renewed the time limit of the last one
+  EndMoveAt();  // the refused call has renewed the time limit of the last accepted call
 }
 
 void SimulatedArm::EndMoveAt() {

@@ -12,8 +12,8 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
 
-// Ten goals are sent per second; each replaces the last one. An arm with repeated minimum-jerk
-// motions follows with a lag of 0.6 durations, so the goal is ahead by this time.
+// Ten goals are sent per second; each replaces the last one. An arm that repeats minimum-jerk
+// motions follows with a lag of 0.6 times their duration, so each goal is ahead by this time.
 constexpr int kCyclesPerGoal = 5;
 constexpr double kDuration = 0.4;                                          // s, of a goal
 constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s
@@ -35,7 +35,7 @@ Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::str
   return {period, amplitude};
 }
 
-/// Rises from 0 to 1 within `duration` s with minimum jerk; then stays 1.
+/// Returns a value that rises from 0 to 1 within `duration` s with minimum jerk, and then stays 1.
 double Smooth(double time, double duration) {
   const double s = std::min(1.0, time / duration);
   return s * s * s * (10.0 + s * (6.0 * s - 15.0));

@@ -12,8 +12,9 @@
 namespace arm {
 
 /// Leads any arm through a tour of postures, at 50 Hz. It needs the interface `Robot` and does
-/// nothing until that is connected; then it starts from the arm's present posture. It records
-/// `Target`, `Tracking` and `Limits` (how often the arm met a limit; each time the tour reverses).
+/// nothing until this interface is connected; then it starts from the arm's present posture. It
+/// records `Target`, `Tracking` and `Limits` (how often the arm met a limit; the tour reverses each
+/// time).
 class Teleoperation : public tendon::PeriodicTask {
  public:
   using Configuration = TeleoperationConfiguration;
@@ -46,8 +47,8 @@ class Teleoperation : public tendon::PeriodicTask {
   bool is_leading_ = false;
   double time_ = 0.0;       // s on the tour
   double direction_ = 1.0;  // 1, or -1 backwards
-  double elapsed_ = 0.0;    // s since it started to lead
-  double turned_ = 0.0;     // s since it last reversed
+  double elapsed_ = 0.0;    // s since the component started to lead
+  double turned_ = 0.0;     // s since the tour last reversed
   JointVector detour_{};    // rad from the tour to the arm's posture at the start
   int cycles_to_goal_ = 0;
 

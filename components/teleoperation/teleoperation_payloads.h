@@ -14,7 +14,7 @@ struct TeleoperationConfiguration {
   double amplitude = 1.0;  ///< how far the joints swing; above 1 they can meet the limits
 };
 
-/// The wanted posture of the arm.
+/// The desired posture of the arm.
 struct Target {
   JointVector position{};  ///< rad
 };

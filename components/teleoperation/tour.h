@@ -12,7 +12,7 @@ class Tour {
   /// `amplitude` scales how far the joints swing.
   Tour(double period, double amplitude);
 
-  /// The posture in rad at a time in s, which may be negative.
+  /// Returns the posture in rad at a time in s, which may be negative.
   [[nodiscard]] JointVector At(double time) const;
 
  private:

@@ -70,7 +70,7 @@ TEST_F(LcmStart, RejectsAnUnusableListenAddress) {
                     " (gcm); give another port with --listen, or 0 for a free port");
   ExpectRefused({"--name", "robot", "--listen", "localhost:" + port}, program::kUsage,
                 "--listen and --gcm are both " + address +
-                    ", but two programs cannot share a port; give --listen another one");
+                    ", but two programs cannot share a port; give --listen another port");
   ExpectRefused({"--name", "robot", "--listen", "192.0.2.1:0"}, program::kDenied, "--insecure");
   ExpectRefused({"--name", "robot", "--listen", "127.0.0.1:abc"}, program::kUsage,
                 "port 'abc': expected 0..65535");

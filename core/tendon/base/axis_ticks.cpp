@@ -13,11 +13,13 @@ namespace {
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kAir = 0.1;  // margin around a constant value, relative to the value
 constexpr double kTolerance = 1e-9;
-constexpr double kFinest = 0x1p-55;  // step size relative to the axis: 1/8 of a double's spacing
-constexpr std::size_t kShort = 9;    // letters; a label of at most this length has no exponent
+/// The finest step, relative to the values on the axis: 1/8 of the spacing of doubles.
+constexpr double kFinest = 0x1p-55;
+constexpr std::size_t kShort = 9;  // characters; a label of at most this length has no exponent
 constexpr std::array<std::int64_t, 3> kFactors{1, 2, 5};
 
-/// factor * 10^exponent. Doubles can hold few of these numbers exactly, but labels must be exact.
+/// The number factor * 10^exponent. Labels must be exact, but a double cannot hold most of these
+/// numbers exactly.
 struct Decimal {
   std::int64_t factor = 0;
   int exponent = 0;
@@ -34,7 +36,7 @@ struct Decimal {
   }
 };
 
-/// "-1500", "0.250".
+/// Returns for example "-1500" or "0.250".
 std::string PlainText(const Decimal& number) {
   std::string digits = std::to_string(std::abs(number.factor));
   if (number.exponent > 0 && number.factor != 0) {
@@ -47,7 +49,7 @@ std::string PlainText(const Decimal& number) {
   return number.factor < 0 ? '-' + digits : digits;
 }
 
-/// "-1.5e+03", "2.5e-01".
+/// Returns for example "-1.5e+03" or "2.5e-01".
 std::string ExponentText(const Decimal& number) {
   if (number.factor == 0) return "0";
   std::string digits = std::to_string(std::abs(number.factor));
@@ -59,13 +61,13 @@ std::string ExponentText(const Decimal& number) {
          (size.size() < 2 ? "0" : "") + size;
 }
 
-/// (high - low) / parts, computed without overflow.
+/// Returns (high - low) / parts, computed without overflow.
 double SpanOver(const AxisSpan<double>& span, double parts) {
   return span.high / parts - span.low / parts;
 }
 
-/// 1, 2 or 5 times a power of ten: the smallest such step that fits at most `most` times, and that
-/// doubles of this size can tell apart.
+/// Returns a step of 1, 2 or 5 times a power of ten: the smallest such step that fits into the span
+/// at most `most` times and is not below the resolution of doubles of this magnitude.
 Decimal StepOf(const AxisSpan<double>& span, int most) {
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   const double least = std::max({SpanOver(span, std::max(most, 2)), size * kFinest,
@@ -80,13 +82,13 @@ Decimal StepOf(const AxisSpan<double>& span, int most) {
   }
 }
 
-/// `count` times the step.
+/// Returns `count` times the step.
 Decimal Multiple(const Decimal& step, std::int64_t count) {
   return {.factor = step.factor * count, .exponent = step.exponent};
 }
 
-/// The last multiple of a step that is not above `value`. The quotient is only a first guess: a
-/// denormal step differs from the decimal digits of its label.
+/// Returns the largest count for which `count` times the step is not above `value`. The quotient is
+/// only a first guess, because a denormal step differs from the decimal digits of its label.
 std::int64_t StepsBelow(double value, const Decimal& step) {
   const auto is_above = [&](std::int64_t count) { return Multiple(step, count).real() > value; };
   auto low = static_cast<std::int64_t>(std::floor(value / step.real()));
@@ -100,7 +102,7 @@ std::int64_t StepsBelow(double value, const Decimal& step) {
   return low;
 }
 
-/// Unsigned, so that it can hold the whole range.
+/// Returns high - low. The result is unsigned, so that it can hold the whole range of the type.
 template <std::integral Integer>
 std::uint64_t Distance(Integer low, Integer high) {
   return static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
@@ -121,7 +123,7 @@ std::uint64_t IntegerStepOf(const AxisSpan<Integer>& span, int most) {
   }
 }
 
-/// The distance from `value` down to the nearest multiple of `step`.
+/// Returns the distance from `value` down to the next multiple of `step`.
 template <std::integral Integer>
 std::uint64_t Remainder(Integer value, std::uint64_t step) {
   const auto bits = static_cast<std::uint64_t>(value);
@@ -157,7 +159,7 @@ std::vector<AxisTick<Integer>> TicksOfOneStep(const AxisSpan<Integer>& span, int
   for (std::uint64_t at = rest == 0 ? 0 : step - rest; at <= distance;) {
     const Integer value = Plus(span.low, at);
     ticks.push_back({.value = value, .label = std::to_string(value)});
-    if (step > distance - at) break;  // beyond it `at` may wrap around
+    if (step > distance - at) break;  // the next tick is beyond the axis, and `at` may overflow
     at += step;
   }
   return ticks;
@@ -182,7 +184,8 @@ AxisSpan<double> FittedToTicks(const AxisSpan<double>& span, int most) {
           .high = std::min(Multiple(step, last).real(), kLargest)};
 }
 
-/// Labels in one notation, plain or exponent: plain, unless exponents are much shorter.
+/// Returns the labels, all in the same notation. They have exponents only if the plain notation is
+/// longer than kShort and longer than the notation with exponents.
 std::vector<std::string> LabelsOf(const std::vector<Decimal>& numbers) {
   std::vector<std::string> fixed;
   std::vector<std::string> exponents;

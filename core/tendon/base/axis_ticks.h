@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-/// Axes of numbers for a window, a terminal or a page: the range that an axis shows, the positions
-/// of its labels, and their texts. All functions are pure, work for every finite double and every
-/// 64-bit integer, and give finite results.
+/// Computes axes of numbers for a window, a terminal or a page: the range of an axis, and the
+/// positions and texts of its labels. All functions are pure, work for every finite double and
+/// every 64-bit integer, and give finite results.
 namespace tendon {
 
 /// The lower and the upper end of an axis.
@@ -32,14 +32,15 @@ template <typename Number>
 concept AxisNumber = std::same_as<Number, double> || std::same_as<Number, std::int64_t> ||
     std::same_as<Number, std::uint64_t>;
 
-/// Values below this size are rounding errors of 0.
+/// A value whose absolute value is below this counts as 0 with a rounding error.
 inline constexpr double kLargestZero = 1e-12;
-/// Two values that differ by less than this part of their size are equal, apart from rounding.
+/// If two values differ by less than this part of their magnitude, the difference is only rounding.
 inline constexpr double kRounding = 5e-14;
 
-/// The range of the data, widened if it is too narrow for useful labels. Data that vary only by
-/// rounding are widened by a tenth of their size on each side, or by 1 around 0; equal integers are
-/// widened by 1. `low` must not be above `high`, and both must be finite.
+/// Returns the range of the data, widened if it is too narrow for useful labels. If the data vary
+/// only by rounding, each end moves outwards by a tenth of the value, or by 1 if the value is 0. If
+/// all integers are equal, each end moves outwards by 1. `low` must not be above `high`, and both
+/// must be finite.
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> WidenedSpan(Number low, Number high);
 
@@ -48,15 +49,16 @@ template <AxisNumber Number>
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> FittedSpan(Number low, Number high, int most);
 
-/// The ticks of an axis: multiples of a step, which is 1, 2 or 5 times a power of ten. There are
-/// about `most` ticks, and at least one; but none if the axis has no span. Each label can be parsed
-/// back to the exact value of its tick, so all labels are different. All labels have as many digits
-/// as the step needs, and an exponent if that is shorter.
+/// Returns the ticks of an axis. Ticks are multiples of a step, and the step is 1, 2 or 5 times a
+/// power of ten. There are about `most` ticks, and at least one. If the axis has no span, there are
+/// none. Each label can be parsed back to the exact value of its tick, so all labels are different.
+/// All labels have as many digits as the step needs. They are written with an exponent if that is
+/// shorter.
 template <AxisNumber Number>
 [[nodiscard]] std::vector<AxisTick<Number>> TicksOf(const AxisSpan<Number>& span, int most);
 
-/// The position of a value on an axis with a span: 0 at or below the low end, 1 at or above the
-/// high end. Not-a-number stays not-a-number.
+/// Returns the position of a value on an axis with a span: 0 at or below the low end, 1 at or above
+/// the high end. Returns not-a-number if the value is not a number.
 template <AxisNumber Number>
 [[nodiscard]] double PartOf(const AxisSpan<Number>& span, Number value);
 

@@ -5,11 +5,11 @@
 
 namespace tendon {
 
-/// Nanoseconds on the machine's steady clock (CLOCK_MONOTONIC): the time of rows, events and
-/// leases. Never jumps; comparable between processes of one machine.
+/// A time of the machine's steady clock (CLOCK_MONOTONIC) in nanoseconds, used for rows, events and
+/// leases. This clock never jumps, and processes of one machine can compare their times.
 using SteadyTime = std::chrono::time_point<std::chrono::steady_clock, std::chrono::nanoseconds>;
 
-/// The source of time for a class, so that a test can set the time.
+/// A clock. Classes read the time from it, so that a test can set the time.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -20,12 +20,13 @@ class Clock {
 /// The real clock.
 const Clock& SteadyClock() noexcept;
 
-/// The longest wait: practically forever, but short enough to be added to the present time.
+/// The longest timeout. It is practically forever, but can be added to the present time without an
+/// overflow.
 inline constexpr std::chrono::nanoseconds kLongestWait = std::chrono::hours(24 * 365);
-/// The present time plus `timeout`, which is limited to kLongestWait. Real clock.
+/// Returns the present time of the real clock plus `timeout`, which is limited to kLongestWait.
 [[nodiscard]] SteadyTime DeadlineAfter(std::chrono::nanoseconds timeout) noexcept;
 
-/// Stands still until Advance().
+/// A clock for tests. Its time changes only in Advance().
 class ManualClock final : public Clock {
  public:
   [[nodiscard]] SteadyTime Now() const noexcept override;

@@ -3,10 +3,10 @@
 namespace tendon {
 namespace {
 
-/// An element whose dependencies are being placed before it.
+/// An element that is not in the order yet, because its dependencies are placed first.
 struct Open {
   std::size_t number;
-  std::size_t next = 0;  // index into its dependencies
+  std::size_t next = 0;  // index of its next dependency to place
 };
 
 }  // namespace
@@ -15,7 +15,7 @@ std::vector<std::size_t> DependencyOrder(const Dependencies& dependencies) {
   std::vector<std::size_t> order;
   order.reserve(dependencies.size());
   std::vector<bool> is_begun(dependencies.size());
-  std::vector<Open> open;  // a list, not recursion: a chain may be very long
+  std::vector<Open> open;  // a stack instead of recursion, because a chain may be very long
   const auto begin = [&](std::size_t number) {
     if (is_begun[number]) return;
     is_begun[number] = true;

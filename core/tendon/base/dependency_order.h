@@ -5,11 +5,11 @@
 
 namespace tendon {
 
-/// For each element, by its number, the numbers of the elements that it depends on.
+/// Entry i lists the numbers of the elements that element i depends on.
 using Dependencies = std::vector<std::vector<std::size_t>>;
 
-/// The numbers of all elements, each after the elements that it depends on. In a dependency cycle,
-/// the elements keep the order of their numbers. The same input gives the same order.
+/// Returns the numbers of all elements. Each element comes after the elements that it depends on. A
+/// dependency that closes a cycle is ignored. The same input gives the same order.
 [[nodiscard]] std::vector<std::size_t> DependencyOrder(const Dependencies& dependencies);
 
 }  // namespace tendon

@@ -24,7 +24,7 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
   return spdlog::level::info;
 }
 
-/// The log of the process: stderr, so that the standard output has only data.
+/// The log of the process. It goes to stderr, so that the standard output has only data.
 struct Sinks {
   std::shared_ptr<spdlog::logger> console = [] {
     auto logger = std::make_shared<spdlog::logger>(
@@ -37,7 +37,8 @@ struct Sinks {
 };
 
 Sinks& TheSinks() {
-  static Sinks& sinks = *new Sinks;  // never freed: code that ends last may log
+  // Never freed, because code that runs at the end of the process may log.
+  static Sinks& sinks = *new Sinks;
   return sinks;
 }
 
@@ -56,7 +57,8 @@ void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::str
   Sinks& sinks = TheSinks();
   std::string line(source);
   line.append(": ").append(message);
-  // Writes directly to the sinks: the caller has checked the level, or the level must not matter.
+  // Writes directly to the sinks, without a check of the level: the caller has checked it, or the
+  // record must appear at every level.
   const spdlog::details::log_msg record(time, {}, sinks.console->name(), ToSpdlog(level), line);
   for (const auto& sink : sinks.console->sinks()) {
     try {

@@ -10,21 +10,21 @@ namespace tendon {
 
 enum class LogLevel : std::int32_t { kDebug, kInfo, kWarning, kError };
 
-/// Logs one line for people, to stderr and to every sink. `source` is the name of a component or a
-/// part. Any thread. In a task's Run() it never waits, allocates or calls the operating system:
-/// another thread logs a copy about 20 ms later (LogDeferralScope). Elsewhere it locks and
-/// allocates.
+/// Logs one line for people, to stderr and to every sink. `source` is the name of a component, or
+/// of the part of the program that logs. Any thread. In a task's Run(), this function never waits,
+/// allocates or calls the operating system: another thread logs a copy about 20 ms later
+/// (LogDeferralScope). Elsewhere it locks and allocates.
 void Log(LogLevel level, std::string_view source, std::string_view message);
 
 /// Drops records below `level`; kInfo by default.
 void SetLogLevel(LogLevel level);
-/// True if such a record is not dropped. Any thread; one load.
+/// True if records of `level` are not dropped. Any thread; costs one load.
 [[nodiscard]] bool IsLogged(LogLevel level);
 
 using LogSink = std::function<void(LogLevel, std::string_view source, std::string_view message)>;
 
-/// Adds a sink for every record that is not dropped. It runs in the logging thread, or in the
-/// thread that logs deferred records. Kept for the life of the process.
+/// Adds a sink, which gets every record that is not dropped. The sink is called in the thread that
+/// logs, or in the thread that logs deferred records. It is kept for the life of the process.
 void AddLogSink(LogSink sink);
 
 using LogTime = std::chrono::system_clock::time_point;
@@ -32,7 +32,7 @@ using LogTime = std::chrono::system_clock::time_point;
 /// Stores log records for threads that must not wait.
 class LogDeferral {
  public:
-  /// Runs in the thread that logs; the texts are valid only during the call.
+  /// Stores one record. Called in the thread that logs; the texts are valid only during the call.
   virtual void Defer(LogTime time, LogLevel level, std::string_view source,
                      std::string_view message) noexcept = 0;
 
@@ -40,7 +40,7 @@ class LogDeferral {
   ~LogDeferral() = default;
 };
 
-/// While this object exists, the log records of its thread go to a deferral. May be nested.
+/// While this object exists, the log records of its thread go to a deferral. Scopes may be nested.
 class LogDeferralScope {
  public:
   explicit LogDeferralScope(LogDeferral& deferral) noexcept;
@@ -52,7 +52,8 @@ class LogDeferralScope {
   LogDeferral* before_;
 };
 
-/// Logs a deferred record, or one that must appear at every log level: it is never dropped.
+/// Logs a record without checking its level. For deferred records, whose level was checked before,
+/// and for records that must appear at every log level.
 void LogDeferred(LogTime time, LogLevel level, std::string_view source, std::string_view message);
 
 }  // namespace tendon

@@ -31,8 +31,8 @@ std::string ToAscii(std::string_view text) {
   return out;
 }
 
-/// Number of letters to insert, delete, replace or swap with a neighbour (optimal string
-/// alignment).
+/// Returns how many letters must be inserted, deleted, replaced or swapped with a neighbour to turn
+/// `a` into `b` (optimal string alignment).
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before_last(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -52,7 +52,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// The only candidate that begins with `beginning`; empty if there are none or several.
+/// Returns the only candidate that begins with `beginning`; empty if no candidate or several do.
 std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::string> candidates) {
   constexpr std::size_t kShortest = 2;
   std::string found;

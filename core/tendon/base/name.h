@@ -15,10 +15,11 @@ namespace tendon {
 /// `what` is the word before "name".
 Result<void> CheckName(std::string_view what, std::string_view name);
 
-/// The same for the author of a component; throws ConfigurationError.
+/// Like CheckName(), but throws ConfigurationError. For names that the author of a component has
+/// given.
 void RequireName(std::string_view what, std::string_view name);
 
-/// A name that may be given only once, with the source line that gave it: the implicit conversion
+/// A name that may be given only once, with the source line that gave it. The implicit conversion
 /// from text records the caller's line.
 struct LocatedName {
   LocatedName(const char* name, SourceLocation given_at = SourceLocation::current())
@@ -32,12 +33,12 @@ struct LocatedName {
 
 /// Returns the candidate that is most similar to `name`; empty if no candidate is similar. Ignores
 /// case. A candidate is similar if its edit distance from `name` is at most 3, at most a third of
-/// the length of `name` (but 1 is always allowed), and at most half of the length of each of the
-/// two. If none is similar, `name` has at least two letters, and exactly one candidate begins with
-/// `name`, returns that candidate.
+/// the length of `name` (but 1 is always allowed), and at most half of the length of the shorter of
+/// the two. If no candidate is similar, but exactly one begins with `name`, and `name` has at least
+/// two letters, returns this candidate.
 [[nodiscard]] std::string Nearest(std::string_view name, std::span<const std::string> candidates);
 
-/// "; did you mean 'arm'?", or empty if no candidate is near.
+/// Returns "; did you mean 'arm'?", or an empty text if no candidate is similar.
 [[nodiscard]] std::string DidYouMean(std::string_view name,
                                      std::span<const std::string> candidates);
 
@@ -58,7 +59,7 @@ struct InterfaceName {
   auto operator<=>(const InterfaceName&) const = default;
 };
 
-/// "robot/arm/Control", or "arm/Control" without a process.
+/// Returns "robot/arm/Control", or "arm/Control" if `process` is empty.
 [[nodiscard]] std::string ToString(const InterfaceName& name);
 
 /// Reads "process/component/interface".

@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// A warning that peers can cause any number of times. Counts all of them, and logs at most one in
-/// ten seconds, with the count. Thread-safe.
+/// A warning that peers can cause any number of times. Counts every occurrence, but logs at most
+/// one warning in ten seconds, with the count. Thread-safe.
 class RateLimitedWarning {
  public:
   explicit RateLimitedWarning(std::string source) : source_(std::move(source)) {}

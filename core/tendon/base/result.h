@@ -9,8 +9,8 @@
 
 namespace tendon {
 
-/// A value, or the Error that says why there is none. Accessing the missing one is a bug of the
-/// caller.
+/// Holds a value, or the Error that says why there is no value. If the caller reads the value of a
+/// failed result, or the error of a successful one, this is a bug of the caller.
 template <typename T>
 class [[nodiscard]] Result {
  public:

@@ -5,8 +5,8 @@
 
 namespace tendon {
 
-/// A line of source code. As a default argument, it is the caller's line. Replaces
-/// std::source_location, which clang has only since version 15.
+/// A line of source code. If current() is a default argument, it returns the caller's line.
+/// Replaces std::source_location, which clang has only since version 15.
 class SourceLocation {
  public:
   [[nodiscard]] static constexpr SourceLocation current(const char* file = __builtin_FILE(),
@@ -24,7 +24,7 @@ class SourceLocation {
   unsigned line_;
 };
 
-/// "arm.cpp:23"
+/// Returns the file name and the line: "arm.cpp:23".
 [[nodiscard]] inline std::string ToString(const SourceLocation& location) {
   const std::string_view path = location.file_name();
   return std::string(path.substr(path.rfind('/') + 1)) + ":" + std::to_string(location.line());

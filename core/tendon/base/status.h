@@ -14,16 +14,16 @@ class [[nodiscard]] Status {
     kQueued,          ///< accepted; runs in the server's thread
     kNotConnected,    ///< no peer, or the peer is gone
     kNotActive,       ///< the peer exists but is not running
-    kQueueFull,       ///< refused: the peer has not yet executed earlier calls
+    kQueueFull,       ///< refused, because the peer has not yet executed earlier calls
     kNoSample,        ///< nothing has been written yet
-    kTimeout,         ///< not executed in time, and will not be
+    kTimeout,         ///< not executed in time, and will not be executed later
     kOutcomeUnknown,  ///< started or sent, but the outcome is unknown
     kWouldDeadlock,   ///< the caller would wait for its own thread
     kDenied,          ///< the caller's role does not allow it
     kDisabled,        ///< the peer has switched this command off for now
-    kUnsupported,     ///< such a call is not possible, for example a result without waiting
-    kInvalid,         ///< the argument cannot be decoded
-    kFailed,          ///< the server's code, or the copy of a value, threw
+    kUnsupported,  ///< not possible for this call, for example a result if the call does not wait
+    kInvalid,      ///< the argument cannot be decoded
+    kFailed,       ///< the server's code or the copy of a value threw an exception
   };
 
   constexpr Status(Code code) noexcept : code_(code) {}  // NOLINT(google-explicit-constructor)
@@ -36,7 +36,7 @@ class [[nodiscard]] Status {
   Code code_;
 };
 
-/// The text for people: "queue full", "not connected", ...
+/// Returns the text for people: "queue full", "not connected", ...
 [[nodiscard]] std::string_view ToString(Status status) noexcept;
 
 }  // namespace tendon

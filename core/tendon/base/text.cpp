@@ -9,8 +9,8 @@ bool Continues(std::string_view text, std::size_t at) {
   return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80U;
 }
 
-/// The length of the UTF-8 character at the front of `text`; 0 if it is invalid, overlong or a
-/// control character.
+/// Returns the length of the UTF-8 character at the front of `text`; 0 if it is invalid, overlong
+/// or a control character.
 std::size_t CharacterLength(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;

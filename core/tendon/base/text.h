@@ -8,27 +8,27 @@
 
 namespace tendon {
 
-/// Makes untrusted text safe for a terminal and a log: at most `most` bytes of it, with "..." after
-/// a cut; control characters and invalid UTF-8 become `\xNN`.
+/// Makes untrusted text safe for a terminal and a log. Control characters and invalid UTF-8 become
+/// `\xNN`. Text longer than `most` bytes is cut, and "..." follows.
 [[nodiscard]] std::string Printable(std::string_view text, std::size_t most = 4096);
 
-/// The text in lower case. Converts only ASCII letters, whatever the locale.
+/// Returns the text in lower case. Converts only ASCII letters, whatever the locale is.
 [[nodiscard]] std::string InLowerCase(std::string_view text);
 
-/// "1 row", "0 rows", "12 rows".
+/// Returns "1 row", "0 rows", "12 rows".
 [[nodiscard]] inline std::string Counted(std::uint64_t count, const std::string& one,
                                          const std::string& several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
-/// "250 ms": whole milliseconds, rounded towards zero.
+/// Returns "250 ms": whole milliseconds, rounded towards zero.
 template <typename Rep, typename Period>
 [[nodiscard]] std::string Milliseconds(std::chrono::duration<Rep, Period> time) {
   using std::chrono::milliseconds;
   return std::to_string(std::chrono::duration_cast<milliseconds>(time).count()) + " ms";
 }
 
-/// The element of a list with this `name`, or null. A linear search.
+/// Returns the list element that has this `name`, or null. Searches linearly.
 template <typename List>
 [[nodiscard]] const typename List::value_type* FindNamed(const List& elements,
                                                          const std::string& name) {

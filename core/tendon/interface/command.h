@@ -14,8 +14,8 @@
 
 namespace tendon {
 
-/// The argument of one call before it is encoded. The command decides where it is encoded, so that
-/// it needs no copy. Used by one thread, during the call.
+/// The argument of one call, before it is encoded. The command chooses the memory into which the
+/// argument is encoded, so no copy is needed. One thread uses this object, during the call.
 class ArgumentWriter {
  public:
   ArgumentWriter() = default;
@@ -23,18 +23,20 @@ class ArgumentWriter {
   ArgumentWriter& operator=(const ArgumentWriter&) = delete;
   virtual ~ArgumentWriter() = default;
 
-  /// Bytes of the encoded argument.
+  /// Returns the size of the encoded argument, in bytes.
   [[nodiscard]] virtual std::size_t size() const = 0;
-  /// Encodes the argument into `place`, which has size() bytes. False if it has another size now.
-  /// May throw what the codec throws.
+  /// Encodes the argument into `place`, which has size() bytes. Returns false if the size of the
+  /// argument has changed meanwhile. May throw whatever the codec throws.
   [[nodiscard]] virtual bool WriteTo(std::span<std::byte> place) const = 0;
-  /// The encoded argument in memory of the caller, valid during the call. May throw likewise.
+  /// Returns the encoded argument. It is in memory of the caller and valid during the call. May
+  /// throw whatever the codec throws.
   [[nodiscard]] virtual std::span<const std::byte> Encoded() const = 0;
 };
 
-/// A command bound for one connection: created when two interfaces are connected, destroyed after
-/// the connection. It has two interfaces: a typed one for callers with the same types, and an
-/// encoded one (CDR bodies) for proxies, consoles and plug-ins that were built with other types.
+/// A command that is bound for one connection. It is created when two interfaces are connected, and
+/// destroyed after the connection. Callers with the same types call it with typed values. Proxies,
+/// consoles, and plug-ins that were built with other types call it with encoded values (CDR
+/// bodies).
 ///
 /// Thread safety: one thread at a time, or many threads if the connection was made for many.
 class CommandBase {
@@ -44,38 +46,42 @@ class CommandBase {
   CommandBase& operator=(const CommandBase&) = delete;
   virtual ~CommandBase() = default;
 
-  /// Returns kInvalid if `in` cannot be decoded. Writes the reply to `out` only on success.
+  /// Executes the command with an encoded argument. Returns kInvalid if `in` cannot be decoded.
+  /// Writes the reply to `out` only on success.
   virtual Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) = 0;
-  /// The same for an argument that is not encoded yet. A command that keeps the encoded argument
-  /// overrides it and encodes the argument where it is kept.
+  /// Like ExecuteEncoded(), for an argument that is not encoded yet. A command that stores the
+  /// encoded argument overrides this function and encodes the argument directly into its storage.
   virtual Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& out) {
     return ExecuteEncoded(in.Encoded(), out);
   }
-  /// ExecuteEncoded(), but waits for at most `timeout` until the call was executed. Replaces the
-  /// content of `out`, which keeps its capacity.
+  /// Like ExecuteEncoded(), but waits for at most `timeout` until the call was executed. Replaces
+  /// the content of `out`, which keeps its capacity.
   virtual Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                              std::chrono::nanoseconds /*timeout*/) {
     return Status::kUnsupported;
   }
 
-  /// WaitEncoded() in two steps, for callers that must not block. kQueued: `call` identifies the
-  /// call until EndEncoded(). `ended` is notified when the server has finished the call, or stops
-  /// before that; it must outlive the command. Any other status is final.
+  /// The first of two steps that replace WaitEncoded() for callers that must not block. If it
+  /// returns kQueued, `call` identifies the call until EndEncoded(), and `ended` is notified when
+  /// the server has finished the call or has stopped before. Any other status is final. `ended`
+  /// must outlive the command.
   virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                               Wakeup<>& /*ended*/, std::size_t& /*call*/) {
     return Status::kUnsupported;
   }
   [[nodiscard]] virtual bool HasEnded(std::size_t /*call*/) { return true; }
-  /// Returns the outcome of a begun call. A call that has not ended is abandoned, as at a deadline.
+  /// Returns the outcome of a call that BeginEncoded() has queued. A call that has not ended is
+  /// abandoned, as if its deadline had passed.
   virtual Status EndEncoded(std::size_t /*call*/, std::vector<std::byte>& /*out*/) {
     return Status::kUnsupported;
   }
 
-  /// Age of the value that the last read returned. 0 if every read goes to the server; the largest
-  /// value if no value was read.
+  /// Returns the age of the value that the last read returned. 0 if every read goes to the server;
+  /// the largest value if no value was read.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
 
-  /// For event handlers: the source of the event has faulted, or is about to restart.
+  /// For event handlers. Called with true when the component that raises the event has faulted, and
+  /// with false when it is about to restart.
   virtual void SetSourceFaulted(bool /*faulted*/) {}
 
   /// True if this command may be cast to Command<In, Out>. The fingerprints must already be equal.
@@ -89,16 +95,16 @@ class CommandBase {
   Layout out_layout_;
 };
 
-/// The typed interface: a call costs one virtual call.
+/// A command that is called with typed values. A call costs one virtual function call.
 template <Payload In, Payload Out>
 class Command : public CommandBase {
  public:
   Command() : CommandBase(LayoutOf<In>(), LayoutOf<Out>()) {}
 
   virtual Status Execute(const In& in, Out& out) = 0;
-  /// Waits until the call was executed. kTimeout: not executed, and it will not be;
-  /// kOutcomeUnknown: the execution was started. A command that runs in the caller's thread ignores
-  /// `timeout`.
+  /// Waits until the call was executed. Returns kTimeout if the call was not executed and will not
+  /// be executed, and kOutcomeUnknown if its execution was started. A command that runs in the
+  /// caller's thread ignores `timeout`.
   virtual Status Wait(const In& in, Out& out, std::chrono::nanoseconds /*timeout*/) {
     return Execute(in, out);
   }

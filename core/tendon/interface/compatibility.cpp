@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// "write command 'MoveTo' of arm.JointGoal"
+/// Returns for example "write command 'MoveTo' of arm.JointGoal".
 std::string Words(const MemberDescription& member, const std::string& noun) {
   std::string words =
       std::string(ToString(member.signature.kind)) + " " + noun + " '" + member.name + "'";

@@ -22,12 +22,12 @@ struct Mismatch {
 /// The result of a comparison of a required and a provided interface. LCM, `gcm` and `gcm-gui` all
 /// use this result.
 struct Compatibility {
-  int needed = 0;   ///< functions and handlers that are not optional
-  int matched = 0;  ///< how many changes the provided interface fills
+  int needed = 0;   ///< number of functions and handlers that are not optional
+  int matched = 0;  ///< how many of them the provided interface offers
   std::vector<Mismatch> mismatches;
 
   [[nodiscard]] bool fits() const { return mismatches.empty(); }
-  /// All mismatches in one line, "; " between them.
+  /// Returns all mismatches in one line, separated by "; ".
   [[nodiscard]] std::string Text() const;
 };
 
@@ -36,7 +36,7 @@ using SchemaLookup = std::function<std::optional<Schema>(Fingerprint)>;
 
 /// Compares descriptions only. Every function needs a command, and every handler an event, of the
 /// same name and signature. An optional member may be missing, but must not have a different
-/// signature. The text names the first difference of two types if `find` knows both.
+/// signature. The text names the first difference between two types if `find` knows both types.
 [[nodiscard]] Compatibility Compare(const RequiredDescription& required,
                                     const ProvidedDescription& provided,
                                     const SchemaLookup& find = FindSchema);

@@ -12,7 +12,8 @@ namespace {
 /// Time that a running handler gets to return.
 constexpr std::chrono::milliseconds kGrace(100);
 
-/// Waits until the mailbox is empty, its component has stopped executing, or time is up.
+/// Waits until the mailbox is empty, its component has stopped executing calls, or the deadline has
+/// passed.
 void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point deadline) {
   using namespace std::chrono_literals;
   while (mailbox != nullptr && mailbox->size() > 0 && mailbox->accepting() &&
@@ -21,7 +22,7 @@ void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point dead
   }
 }
 
-/// The function that would make its calling thread wait for itself; empty if there is none.
+/// Returns the function that would make the calling thread wait for itself; empty if there is none.
 std::optional<std::string> WaitForItself(const RequiredInterface& required,
                                          const ProvidedInterface& provided) {
   if (required.inbox() == nullptr || required.inbox() != provided.inbox()) return std::nullopt;
@@ -155,7 +156,8 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (is_notified_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
-    // Waiting callers use the binding: serve or cancel them before it is destroyed.
+    // Callers that wait use the binding. Therefore their calls are executed or cancelled before the
+    // binding is destroyed.
     commands_->Close();
     LetDrain(commands_, deadline);
     commands_->completions().Cancel();

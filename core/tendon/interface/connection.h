@@ -12,18 +12,18 @@
 
 namespace tendon {
 
-/// Connects a required interface to a provided one in the same process: a mailbox for commands, a
-/// mailbox for events, and the commands in between. The connection lasts from Make() to the
+/// Connects a required interface to a provided one in the same process. It consists of a mailbox
+/// for calls, a mailbox for events, and the bound commands. The connection lasts from Make() to the
 /// destruction of this object.
 ///
 /// Used by managers only, one at a time; both components may run meanwhile.
 class Connection {
  public:
   /// Binds all functions and handlers, or none. Fails with kIncompatible if the interfaces do not
-  /// fit (the message names both ends) or a task would wait for itself, with kExists if `required`
-  /// is already connected. Both interfaces must outlive the connection. Component::OnConnected()
-  /// runs before the functions reach the peer: in the thread of the component of `required`, or in
-  /// this one if that component has no thread.
+  /// fit (the message names both ends), or if a task would wait for itself. Fails with kExists if
+  /// `required` is already connected. Both interfaces must outlive the connection.
+  /// Component::OnConnected() runs before the functions reach the peer. It runs in the thread of
+  /// the component of `required`, or in the calling thread if that component has no thread.
   static Result<std::unique_ptr<Connection>> Make(RequiredInterface& required,
                                                   ProvidedInterface& provided,
                                                   const std::string& required_name,
@@ -39,27 +39,29 @@ class Connection {
   ~Connection();
 
   /// Refuses new calls and events, and gives both ends at most `patience` to execute the accepted
-  /// ones. Then callers that still wait get kNotConnected, and everything is freed; data of a
-  /// handler that has not returned is freed when it returns. Component::OnDisconnected() and
+  /// ones. Then callers that still wait get kNotConnected, and all data is freed. If a handler has
+  /// not returned, its data is freed when it returns. Component::OnDisconnected() and
   /// OnClientGone() run in the components' own threads. If the component of `required` has no
-  /// thread, OnDisconnected() runs here, before all else. Returns the number of accepted calls and
-  /// events that were dropped. Never call it from a thread that executes a mailbox of either end.
+  /// thread, OnDisconnected() runs in the calling thread, before everything else. Returns the
+  /// number of accepted calls and events that were dropped. Never call it from a thread that
+  /// executes a mailbox of either end.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// The time when the connection was made.
   [[nodiscard]] SteadyTime made() const { return made_; }
-  /// Calls taken from the server's mailbox plus events taken from the client's. Reads use no
-  /// mailbox and are not counted.
+  /// Number of calls taken from the server's mailbox, plus events taken from the client's mailbox.
+  /// Reads use no mailbox and are not counted.
   [[nodiscard]] std::uint64_t taken() const;
-  /// Largest number of calls in the server's mailbox; 0 if calls are not queued.
+  /// Capacity of the server's mailbox, in calls; 0 if calls are not queued.
   [[nodiscard]] std::size_t capacity() const;
-  /// Calls waiting at the server now.
+  /// Number of calls in the server's mailbox now.
   [[nodiscard]] std::size_t waiting() const;
-  /// Calls refused because the server's mailbox was full.
+  /// Number of calls that were refused because the server's mailbox was full.
   [[nodiscard]] std::uint64_t refused() const;
-  /// Calls replaced by newer ones, of commands that keep only the latest.
+  /// Number of calls that were replaced by newer ones, because the command keeps only the latest
+  /// call.
   [[nodiscard]] std::uint64_t replaced() const;
-  /// Events that did not reach the client: RequiredInterface::lost_events().
+  /// Number of events that did not reach the client; see RequiredInterface::lost_events().
   [[nodiscard]] std::uint64_t lost_events() const;
   /// The functions whose values pass through the codec, because the two ends have different layouts
   /// of one type, or one end has only bytes. Such calls are slower and may allocate.

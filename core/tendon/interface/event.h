@@ -9,25 +9,27 @@
 
 namespace tendon {
 
-/// The base of Event (below, for authors), whatever the type of the event: holds its handlers. One
+/// The base class of Event, which authors use. It holds the handlers of an event of any type. One
 /// thread raises the event, or many if the component has no thread of its own. Managers subscribe
 /// handlers at any time.
 class EventBase : public MemberCaller {
  public:
   ~EventBase() override;
 
-  /// Calls `handler` from now on, through a converting command if needed. Events that do not reach
-  /// `handler` are also counted in `lost`. Both must live until Unsubscribe() returns.
+  /// Adds a handler, which is called from now on, through a converting command if needed. Events
+  /// that do not reach `handler` are also counted in `lost`. `handler` and `lost` must live until
+  /// Unsubscribe() returns.
   void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
-  /// After the return, the handler does not run and is not called again.
+  /// Removes a handler. When this function returns, the handler does not run and is not called
+  /// again.
   void Unsubscribe(CommandBase& handler);
 
   /// Notifies the handlers that the source of the event has faulted, or works again. Called by a
   /// thread that may raise the event.
   void SetSourceFaulted(bool faulted);
 
-  /// Number of times that the event did not reach a handler, summed over all handlers: the mailbox
-  /// was full, the component was not active, or the handler threw.
+  /// Number of times that the event did not reach a handler, summed over all handlers. The reason
+  /// is a full mailbox, a component that was not active, or a handler that threw.
   [[nodiscard]] std::uint64_t lost() const noexcept { return lost_.value(); }
 
   /// Raising a disabled event does nothing. Any thread.
@@ -35,15 +37,15 @@ class EventBase : public MemberCaller {
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] bool is_enabled() const noexcept { return enabled_.Get(); }
 
-  /// Called before the first event is raised; see Gate.
+  /// Sets the threads that raise the event; see Gate. Called before the first event is raised.
   void SetRaisers(CallerThreads raisers, const Inbox* home) { current_.SetCallers(raisers, home); }
 
  protected:
-  /// A connected handler. `adapter` converts if its type has a different layout.
+  /// A connected handler. If its type has a different layout, `adapter` converts the value.
   struct Subscriber {
     CommandBase* handler = nullptr;
     std::shared_ptr<CommandBase> adapter;
-    SharedCounter<>* lost = nullptr;  // counter of the handling component
+    SharedCounter<>* lost = nullptr;  // counter of the component that handles the event
     [[nodiscard]] CommandBase& target() const { return adapter ? *adapter : *handler; }
   };
   using List = std::vector<Subscriber>;
@@ -74,7 +76,8 @@ class EventBase : public MemberCaller {
 
 /// An event that a component raises by calling this object in its own thread. All connected
 /// handlers are notified. Raising never waits, locks or allocates. A handler whose mailbox is full
-/// misses the event, and both ends count it. Direct handlers run in the thread that raises.
+/// misses the event, and both components count the lost event. Direct handlers run in the thread
+/// that raises.
 template <typename T>
 class Event final : public EventBase {
   static_assert(RequirePayload<T>());

@@ -36,9 +36,9 @@ class EventWaiter {
   EventWaiter(const EventWaiter&) = delete;
   EventWaiter& operator=(const EventWaiter&) = delete;
 
-  /// Returns kDone and the newest value, at once if an event was raised since the last wait.
-  /// Otherwise kTimeout, kNotConnected if there is no source (any more), or kNotActive while the
-  /// source is faulted.
+  /// Waits for an event. Returns kDone and the newest value; returns at once if an event was raised
+  /// since the last wait. Returns kTimeout if no event is raised in time, kNotConnected if there is
+  /// no source (any more), and kNotActive while the source is faulted.
   Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
     return Await(value, timeout);
   }
@@ -55,7 +55,7 @@ class EventWaiter {
  private:
   friend class RequiredInterface;
 
-  /// Represents one connection, and lives as long as it.
+  /// Represents one connection, and lives as long as the connection.
   class Handler final : public Command<T, None> {
    public:
     explicit Handler(EventWaiter& waiter) : waiter_(waiter) { Report(Status::kTimeout); }
@@ -95,7 +95,8 @@ class EventWaiter {
     EventWaiter& waiter_;
   };
 
-  /// Runs in the raising thread. If several threads raise the event at once, one value is kept.
+  /// Stores a value. Runs in the thread that raises the event. If several threads raise the event
+  /// at once, one value is kept.
   void Raised(const T& value) {
     {
       const TryLock<>::Hold raising(raising_);

@@ -7,11 +7,11 @@
 
 namespace tendon {
 
-/// The caller's end of a command, as a member of the calling component. Its six kinds have names of
-/// their own, from VoidFunction to WriteReturnFunction, at the end of this file. A function is
-/// bound when its required interface is connected. A call returns kNotConnected before that,
-/// kDisabled while the server has disabled the command, and kNotActive while the server does not
-/// run. Reads also work while the server is stopped, but not while it is faulted.
+/// The caller's end of a command, as a member of the calling component. The six kinds of functions
+/// have their own names, from VoidFunction to WriteReturnFunction, at the end of this file. A
+/// function is bound when its required interface is connected. A call returns kNotConnected before
+/// that, kDisabled while the server has disabled the command, and kNotActive while the server does
+/// not run. Reads also work while the server is stopped, but not while it is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates. A read runs the server's
 /// code in the calling thread. If the server is in another process and the function is not
@@ -20,13 +20,14 @@ namespace tendon {
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
-/// kTimeout: the call was not executed and will not be; kOutcomeUnknown: its execution was started,
-/// and the result is unknown; kNotConnected: the connection ended; kWouldDeadlock: the server runs
-/// in the calling thread. Functions that return a value can only be called with Wait().
+/// It returns kTimeout if the call was not executed and will not be executed, kOutcomeUnknown if
+/// its execution was started and the result is unknown, kNotConnected if the connection ended, and
+/// kWouldDeadlock if the server runs in the calling thread. Functions that return a value can only
+/// be called with Wait().
 ///
-/// Thread safety: one thread at a time calls the functions of a required interface; for a task, the
-/// task's own thread. Any thread may call them if the component has none, or if SetCallers() allows
-/// it.
+/// Thread safety: one thread at a time calls the functions of a required interface; in a task, it
+/// is the task's own thread. Any thread may call them if the component has no thread, or if
+/// SetCallers() allows it.
 template <CommandKind kKind, typename In, typename Out>
 class Function final : public MemberCaller {
   static_assert(RequirePayload<In>() && RequirePayload<Out>());
@@ -58,8 +59,9 @@ class Function final : public MemberCaller {
     return CallAndWait(in, out, timeout);
   }
 
-  /// Age of the last read value of a mirrored function: see RequiredInterface::Mirror(). 0 if each
-  /// read goes to the server; the largest value if nothing was read yet or there is no server.
+  /// Returns the age of the value that a mirrored function read last; see
+  /// RequiredInterface::Mirror(). 0 if each read goes to the server; the largest value if nothing
+  /// was read yet or there is no server.
   [[nodiscard]] std::chrono::nanoseconds age() requires kIsRead {
     std::chrono::nanoseconds age = std::chrono::nanoseconds::max();
     if (binding_ == nullptr) return age;

@@ -93,7 +93,9 @@ std::size_t Inbox::ExecuteQueued(std::size_t limit) {
   const GuardedPointer<List>::Call call(current_);
   const List* const list = call.get();
   if (list == nullptr) return 0;
-  constexpr unsigned kPasses = 64;  // then an idle mailbox costs one byte load
+  // One pass in `kPasses` lowers the flags of empty mailboxes. After that, an idle mailbox costs
+  // one byte load.
+  constexpr unsigned kPasses = 64;
   const bool lowers = ++passes_ % kPasses == 0;
   const auto if_empty = lowers ? ReadyFlag<>::IfEmpty::kLower : ReadyFlag<>::IfEmpty::kLeaveUp;
   list->ForEachReady(if_empty, [&](Mailbox& mailbox, std::size_t waiting) {

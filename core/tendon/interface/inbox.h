@@ -16,49 +16,53 @@
 
 namespace tendon {
 
-/// All mailboxes of one component, of commands and of events, and the thread that empties them.
+/// Holds all mailboxes of one component, for commands and for events, and the identity of the
+/// thread that empties them.
 ///
-/// Thread safety: ExecuteQueued() belongs to the component's thread; Open() and Remove() to
-/// managers, at any time.
+/// Thread safety: the component's thread calls ExecuteQueued(). Managers call Open() and Remove()
+/// at any time.
 class Inbox {
  public:
-  /// `wakeup`, if any, is notified of every post: for a thread that sleeps until a call arrives.
+  /// `wakeup`, if given, is notified when a call is posted. It is for a thread that sleeps until a
+  /// call arrives.
   explicit Inbox(Wakeup<>* wakeup = nullptr);
   Inbox(const Inbox&) = delete;
   Inbox& operator=(const Inbox&) = delete;
   ~Inbox();
 
-  /// Adds a mailbox, which the inbox owns until Remove(). If `event_time` is given, it holds the
-  /// time of the post while a call is executed. Locks and allocates.
+  /// Adds a mailbox, which the inbox owns until Remove(). If `event_time` is given, it holds, while
+  /// a call is executed, the time at which the call was posted. Locks and allocates.
   Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument,
                 CallerThreads callers = CallerThreads::kOneThread,
                 SteadyTime* event_time = nullptr);
 
-  /// Closes and removes `mailbox`, and frees it with the commands that its slots refer to, when no
-  /// thread executes its calls. If a handler has not returned by `deadline`, both are freed later.
-  /// Returns the number of calls that were never executed.
+  /// Closes and removes `mailbox`. Waits until no thread executes its calls, and then frees the
+  /// mailbox and `commands`, to which its slots refer. If a handler has not returned by `deadline`,
+  /// the mailbox and the commands are freed later. Returns the number of calls that were never
+  /// executed.
   std::size_t Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands = {},
                      SteadyTime deadline = SteadyTime::max());
 
-  /// Executes the calls that wait now, at most `limit`, and returns their number. Serves the
+  /// Executes the calls that are queued now, at most `limit`, and returns their number. Serves the
   /// mailboxes in turn, so that a fast client cannot starve the others. A nested call does nothing.
   /// Takes no lock and allocates nothing itself. An empty mailbox costs one load of a byte; the
   /// bytes of all mailboxes are adjacent.
   std::size_t ExecuteQueued(std::size_t limit = std::numeric_limits<std::size_t>::max());
 
-  /// True if a call waits. Called in the executing thread; takes no lock.
+  /// True if a call is queued. Called in the executing thread; takes no lock.
   [[nodiscard]] bool has_queued() noexcept;
 
-  /// Frees all waiting calls without executing them and returns their number. Only while no thread
-  /// executes calls.
+  /// Frees all queued calls without executing them, and returns their number. Call it only while no
+  /// thread executes calls.
   std::size_t DiscardQueued();
 
-  /// While false, posts are refused with kNotActive, and waiting callers get the same.
+  /// Sets whether calls are accepted. If they are not, new calls are refused with kNotActive, and
+  /// callers that already wait get kNotActive.
   void SetAccepting(bool accepting);
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
 
-  /// Binds the calling thread, until Unbind(): it executes all calls, and only this thread calls
-  /// the functions and raises the events of the component. For tasks.
+  /// Binds the calling thread until Unbind(). A bound thread executes all calls, and only this
+  /// thread calls the functions and raises the events of the component. For tasks.
   void BindToThisThread() noexcept {
     const std::thread::id here = std::this_thread::get_id();
     if (server_.thread.Get() != here) server_.thread.Set(here);
@@ -70,10 +74,11 @@ class Inbox {
     return bound != std::thread::id() && bound != std::this_thread::get_id();
   }
 
-  /// Calls waiting now, over all mailboxes.
+  /// Number of queued calls in all mailboxes.
   [[nodiscard]] std::size_t size() const;
 
-  /// The mailbox that is fullest relative to its capacity; zeros if there is none. Locks.
+  /// The fill level of a mailbox. fill() returns the fill level of the mailbox that is fullest
+  /// relative to its capacity; zeros if there is no mailbox. fill() locks.
   struct Fill {
     std::size_t waiting = 0;
     std::size_t capacity = 0;
@@ -85,7 +90,7 @@ class Inbox {
   struct alignas(kCacheLine) FlagRow {
     std::array<ReadyFlag<>, kRow> flags;
   };
-  /// Null at a free place.
+  /// An element is null if its place is free.
   using Mailboxes = std::vector<Mailbox*>;
   struct List {
     std::vector<FlagRow*> rows;

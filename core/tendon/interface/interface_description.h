@@ -7,17 +7,18 @@
 
 namespace tendon {
 
-/// One member of an interface: a command, an event, or a function or handler that needs one. The
-/// names of the payload types are for people; only the signature decides what fits.
+/// One member of an interface: a command, an event, a function (which needs a command) or a handler
+/// (which needs an event). The names of the payload types are for people; only the signature
+/// decides whether two members fit.
 struct MemberDescription {
   std::string name;
   Signature signature;
   std::string in_type;
   std::string out_type;
-  bool optional = false;  ///< functions and handlers only: the interface also connects without it
-  std::string hazard;     ///< commands only: "motion" if a call can move something
-  /// Seconds, commands only: the effect of a call ends if it is not renewed within this time; 0: it
-  /// does not end.
+  bool optional = false;  ///< for functions and handlers: the interface also connects without it
+  std::string hazard;     ///< for commands: "motion" if a call can move something
+  /// For commands, in seconds: the effect of a call ends if no other call renews it within this
+  /// time. If 0, the effect does not end.
   double expires_after = 0.0;
 
   bool operator==(const MemberDescription&) const = default;
@@ -32,7 +33,7 @@ struct ProvidedDescription {
   bool operator==(const ProvidedDescription&) const = default;
 };
 
-/// The members that a component needs filled under one name.
+/// The functions and handlers for which a component needs a peer, under one name.
 struct RequiredDescription {
   std::string name;
   std::vector<MemberDescription> functions;

@@ -59,8 +59,8 @@ void Mailbox::GiveUp(std::byte* argument) noexcept {
   Publish(argument, nothing);
 }
 
-/// Returns null at once in a thread without BlockWhenFull, and in the thread that executes this
-/// mailbox.
+/// Waits until a slot is free and claims it. Returns null at the deadline of BlockWhenFull. Returns
+/// null at once in a thread without BlockWhenFull, and in the thread that executes this mailbox.
 std::byte* Mailbox::AwaitRoom() noexcept {
   constexpr std::chrono::microseconds kBetweenLooks(200);
   const SteadyTime deadline = BlockWhenFull::deadline();

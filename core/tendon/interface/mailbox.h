@@ -20,7 +20,7 @@ namespace tendon {
 /// The threads that call through an interface or raise its events.
 enum class CallerThreads {
   kOneThread,    ///< one at a time: the task's own thread
-  kManyThreads,  ///< concurrently: of components without a thread, or of driver callbacks
+  kManyThreads,  ///< several at once: the component has no thread, or drivers call back
 };
 
 /// Holds the calls of one connection until the thread of the called component executes them. It is
@@ -35,15 +35,15 @@ class Mailbox {
   class Entry {
    public:
     virtual ~Entry() = default;
-    /// In the executing thread. May throw whatever the author's code throws; the slot is freed
-    /// anyway.
+    /// Executes the call. Runs in the executing thread. May throw whatever the author's code
+    /// throws; the slot is freed anyway.
     virtual void ExecuteSlot(std::byte* argument, std::size_t slot) = 0;
     /// Called instead of ExecuteSlot() if the call will not be executed.
     virtual void DropSlot(std::size_t /*slot*/) noexcept {}
   };
 
-  /// The needs of a connection's arguments: size and alignment are the maximum over its commands,
-  /// `reserve` is the sum of their reserved slots.
+  /// The memory that the arguments of a connection need in a slot: `size` and `alignment` are the
+  /// maximum over all commands. `reserve` is the sum of the slots that the commands reserve.
   struct SlotShape {
     std::size_t size = 0;
     std::size_t alignment = 1;
@@ -56,53 +56,56 @@ class Mailbox {
   /// time.
   static constexpr std::size_t kEntryBytes = sizeof(Entry*);
   static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
-  /// Bytes of a slot whose argument has `before` bytes in front of it.
+  /// Returns the size of a slot in bytes, if its argument has `before` bytes in front of it.
   [[nodiscard]] static std::size_t SlotBytes(const SlotShape& argument, std::size_t before);
 
-  /// The called component; all its mailboxes share this data.
+  /// Data about the called component, which all its mailboxes share.
   struct Server {
-    Flag accepting;                     ///< whether it executes calls
-    Published<std::thread::id> thread;  ///< the thread that executes them; none until one is bound
-    Wakeup<>* wakeup = nullptr;         ///< notified of every post
+    Flag accepting;  ///< true if the component executes calls
+    /// The thread that executes calls; none until a thread is bound.
+    Published<std::thread::id> thread;
+    Wakeup<>* wakeup = nullptr;  ///< notified when a call is posted
   };
 
-  /// `server` and `ready` must outlive it; `ready` is raised after every post. If `event_time` is
-  /// given, each slot holds the time of its post; executing the slot copies it to `event_time`.
+  /// `server` and `ready` must outlive the mailbox. `ready` is raised after a call is posted. If
+  /// `event_time` is given, each slot holds the time at which its call was posted, and executing
+  /// the slot copies this time to `event_time`.
   Mailbox(std::size_t capacity, SlotShape argument, CallerThreads callers, const Server& server,
           ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
 
-  /// Unique among all mailboxes that its inbox has ever had.
+  /// The number of this mailbox, unique among all mailboxes that its inbox has ever had.
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
-  /// Memory for the argument of the next call. With many callers, each claimed slot must be
-  /// published. Null if the mailbox is closed, or full, which is counted. In a thread with
-  /// BlockWhenFull, waits for room first.
+  /// Claims a slot, and returns the memory for the argument of the next call. With many callers,
+  /// each claimed slot must be published. Returns null if the mailbox is closed or full; a call
+  /// that finds it full is counted in refused(). In a thread with BlockWhenFull, waits for room
+  /// first.
   std::byte* Claim() noexcept;
-  /// Memory in the reserve; null if all reserved slots are in use.
+  /// Like Claim(), but claims a reserved slot. Null if all reserved slots are in use.
   std::byte* ClaimReserved() noexcept;
   /// The reason why Claim() returned null.
   [[nodiscard]] Status refusal() const noexcept;
-  /// The stable number of the slot of a claimed argument, below storage().
+  /// Returns the number of the slot that has this argument. The number is below storage() and never
+  /// changes.
   [[nodiscard]] std::size_t SlotOf(const std::byte* argument) const noexcept;
   /// Hands the claimed slot to the server, which will execute `entry`.
   void Publish(std::byte* argument, Entry& entry) noexcept;
-  /// Called instead of Publish() if creating the argument failed: the slot is skipped without a
-  /// call.
+  /// Called instead of Publish() if the argument could not be created. The server skips the slot.
   void GiveUp(std::byte* argument) noexcept;
 
-  /// Executes the oldest call; false when there is none.
+  /// Executes the oldest call. Returns false if there is none.
   bool ExecuteOne();
-  /// Frees the oldest call without executing it; false when there is none.
+  /// Frees the oldest call without executing it. Returns false if there is none.
   bool DropOne() noexcept;
 
-  /// Claim() refuses from now on.
+  /// From now on, Claim() returns null.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
-  /// Keeps calls waiting: they are accepted, but not executed.
+  /// Until Release(), calls are accepted, but not executed.
   void Hold() noexcept { held_.Set(true); }
   void Release() noexcept { held_.Set(false); }
   [[nodiscard]] bool is_held() const noexcept { return held_.Get(); }
-  /// From now on, waiting calls are not executed.
+  /// From now on, queued calls are not executed any more.
   void Abandon() noexcept { abandoned_.Set(true); }
   [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
   /// True if the called component executes calls.
@@ -112,21 +115,21 @@ class Mailbox {
     return server_.thread.Get() == std::this_thread::get_id();
   }
 
-  /// For calls whose callers wait.
+  /// The completion records of calls whose callers wait.
   [[nodiscard]] CompletionPool& completions() noexcept { return completions_; }
 
   [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
-  /// Calls that have left the mailbox, nearly all of them executed.
+  /// Number of calls that have left the mailbox. Nearly all of them were executed.
   [[nodiscard]] std::uint64_t taken() const noexcept {
     return many_ ? many_->released() : one_->released();
   }
-  /// Number of slots in memory; a pool of arguments has one for each.
+  /// Number of slots in memory. A pool of arguments has one argument for each slot.
   [[nodiscard]] std::size_t storage() const noexcept { return completions_.size(); }
-  /// Calls refused because the mailbox was full.
+  /// Number of calls that were refused because the mailbox was full.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
   void CountRefused() noexcept { refused_.Add(); }
-  /// Calls replaced by newer ones of the same command.
+  /// Number of calls that were replaced by newer calls of the same command.
   [[nodiscard]] std::uint64_t replaced() const noexcept { return replaced_.value(); }
   void CountReplaced() noexcept { replaced_.Add(); }
 
@@ -156,7 +159,8 @@ class Mailbox {
   Flag abandoned_;
   Flag held_;
   CompletionPool completions_;
-  // Written by callers, which may retry all the time: kept apart from data that the server reads.
+  // These counters are kept apart from data that the server reads, because callers write them and
+  // may retry all the time.
   alignas(kSeparation) SharedCounter<> refused_;
   SharedCounter<> replaced_;
 };

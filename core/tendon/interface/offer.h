@@ -30,8 +30,8 @@ MemberDescription DescribeMember(std::string name, CommandKind kind) {
 
 /// The effect of a full mailbox on a call.
 enum class Overflow {
-  kRefuse,      ///< it is refused with kQueueFull
-  kLatestOnly,  ///< never refused: it replaces an older call of the command that still waits
+  kRefuse,      ///< the call is refused with kQueueFull
+  kLatestOnly,  ///< never refused: the call replaces an older queued call of the command
 };
 
 class ColumnBase;
@@ -53,7 +53,8 @@ class Offer {
   virtual ~Offer() = default;
 
   [[nodiscard]] const MemberDescription& description() const { return description_; }
-  /// States a danger of the call: "motion". Viewers then ask before they call.
+  /// Declares that a call is dangerous, for example "motion". Viewers then ask the user before they
+  /// call.
   Offer& SetHazard(std::string hazard) {
     description_.hazard = std::move(hazard);
     return *this;
@@ -71,13 +72,14 @@ class Offer {
            !WaitsForServer(description_.signature.kind);
   }
 
-  /// Limits how long the effect of a call lasts: each call renews it, even one that the command
-  /// refuses. If no call was executed for `after`, or the client of the last call is gone, `method`
-  /// runs in the component's thread: in ProcessQueuedCommands(), or at the latest at the end of the
-  /// next cycle. So a robot stops when the connection to its operator breaks. `method` also runs if
-  /// another command has ended or replaced the effect meanwhile, so it must check whether the
-  /// effect still lasts. `after` is 1 ms to 3600 s. For queued commands of a task, in the
-  /// constructor; throws ConfigurationError for commands that are not queued.
+  /// Limits how long the effect of a call lasts. Each call renews the effect, even a call that the
+  /// command refuses. If no call was executed for `after`, or the client of the last call is gone,
+  /// `method` runs in the component's thread: in ProcessQueuedCommands(), or at the latest at the
+  /// end of the next cycle. In this way, a robot stops when the connection to its operator breaks.
+  /// `method` also runs if another command has ended or replaced the effect meanwhile, so it must
+  /// check whether the effect still lasts. `after` is 1 ms to 3600 s. Call this function in the
+  /// constructor, for queued commands of a task. Throws ConfigurationError for commands that are
+  /// not queued.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });
@@ -92,8 +94,8 @@ class Offer {
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// Callers of a disabled command get kDisabled; calls that already wait are still executed. Any
-  /// thread.
+  /// Callers of a disabled command get kDisabled; calls that are already queued are still executed.
+  /// Any thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
@@ -115,7 +117,7 @@ class Offer {
   /// True if slots of the mailbox refer to the result of Bind(), so that both must be freed
   /// together.
   [[nodiscard]] virtual bool uses_mailbox() const { return true; }
-  /// The room that its argument needs in a mailbox slot.
+  /// The memory that the argument needs in a mailbox slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
   /// Makes a command for one connection. `mailbox` is null if calls run in the caller's thread; it
   /// must outlive the command.

@@ -26,8 +26,8 @@ namespace tendon {
 /// outlive the interface; use members of the component.
 class ProvidedInterface {
  public:
-  /// Calls wait in `inbox` for the component's thread. If `inbox` is null, they run in the caller's
-  /// thread. If `component` is null, calls are always accepted.
+  /// Calls are queued in `inbox` for the component's thread. If `inbox` is null, calls run in the
+  /// caller's thread. If `component` is null, calls are always accepted.
   ProvidedInterface(std::string name, Inbox* inbox, const ComponentAccess* component = nullptr)
       : name_(std::move(name)), inbox_(inbox), component_(component) {}
   ProvidedInterface(const ProvidedInterface&) = delete;
@@ -35,7 +35,7 @@ class ProvidedInterface {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  // Commands that wait in a queue until the component's thread executes them, in its
+  // Commands whose calls are queued until the component's thread executes them in
   // ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
@@ -49,8 +49,8 @@ class ProvidedInterface {
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
   }
-  /// The caller waits for the reply, with a deadline. Use it only for quick methods: a reply after
-  /// the deadline is lost.
+  /// Adds a command whose caller waits for the reply, until a deadline. Use it only for quick
+  /// methods: a reply after the deadline is lost.
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, LocatedName name) {
     return AddQueued<None, Out>(
@@ -65,8 +65,8 @@ class ProvidedInterface {
         CommandKind::kWriteReturn, std::move(name),
         [method, object](const In& in, Out& out) { (object->*method)(in, out); });
   }
-  /// A write command of `In`: `filter(in, filtered)` runs in the caller's thread, where it may
-  /// throw (kFailed); `filtered` is queued.
+  /// Adds a write command with the argument type `In`. `filter(in, filtered)` runs in the caller's
+  /// thread; if it throws, the caller gets kFailed. `filtered` is queued.
   template <typename In, typename Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
@@ -82,8 +82,8 @@ class ProvidedInterface {
 
   // Commands that run in the caller's thread and read only rows of a state table.
 
-  /// Newest value of a column of `table`; kNoSample before the first row. Allocates nothing for
-  /// payloads of fixed size.
+  /// Adds a read of the newest value in a column of `table`. It returns kNoSample before the first
+  /// row. Allocates nothing for payloads of fixed size.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name) {
     const Column<T>& column = table.Find(variable);
@@ -92,8 +92,8 @@ class ProvidedInterface {
         .SetSource({&table, &column})
         .SetReadsTableOnly();
   }
-  /// The value `delay` rows before the newest; kNoSample until it exists, or if the table is too
-  /// short to keep it.
+  /// Adds a read of the value that is `delay` rows older than the newest. It returns kNoSample
+  /// until this value exists, or if the table is too short to keep it.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name,
                              std::size_t delay) {
@@ -104,7 +104,7 @@ class ProvidedInterface {
                               })
         .SetReadsTableOnly();
   }
-  /// Runs `function(row, question, answer)` on the newest value of a column.
+  /// Adds a read that runs `function(row, question, answer)` with the newest value of a column.
   template <Payload T, typename In, typename Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
                                  void (*function)(const T&, const In&, Out&), LocatedName name) {
@@ -143,10 +143,10 @@ class ProvidedInterface {
                                   return Status::kDone;
                                 });
   }
-  /// For a value that never changes after the method has returned it: an image, a map. It is
-  /// encoded in place for another process; callers in this process get a copy. If the method
-  /// returns null, the caller gets kNoSample. The method runs in the caller's thread, which frees
-  /// the value if it is the last holder.
+  /// Adds a read of a value that never changes after the method has returned it, such as an image
+  /// or a map. For another process, the value is encoded without copying it first; callers in this
+  /// process get a copy. If the method returns null, the caller gets kNoSample. The method runs in
+  /// the caller's thread, which frees the value if it is the last holder.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         LocatedName name, ThreadSafe) {
@@ -167,7 +167,7 @@ class ProvidedInterface {
                               });
   }
 
-  /// Lets clients handle `event`, which the component raises by calling it.
+  /// Lets clients handle `event`, which the component raises by calling `event`.
   template <Payload T>
   void AddEvent(Event<T>& event, LocatedName name) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
@@ -176,7 +176,8 @@ class ProvidedInterface {
 
   // For managers, connections and proxies.
 
-  /// For members that are created at run time, such as those of proxies and the columns of a table.
+  /// Adds a command that is created at run time, such as a command of a proxy or a column of a
+  /// table.
   Offer& AddOffer(std::unique_ptr<Offer> offer,
                   SourceLocation location = SourceLocation::current());
   void AddEvent(EventBase& event, MemberDescription description,
@@ -184,26 +185,27 @@ class ProvidedInterface {
 
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
   [[nodiscard]] const ComponentAccess* component() const { return component_; }
-  /// The threads that raise its events: any thread if the component has no thread of its own.
+  /// The threads that raise the events of this interface. If the component has no thread of its
+  /// own, any thread may raise them.
   [[nodiscard]] CallerThreads raisers() const {
     return inbox_ == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread;
   }
 
-  /// Null if there is none.
+  /// Null if there is no member with this name.
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
 
-  /// One for each command whose effect must be renewed.
+  /// Returns one Expiry for each command whose effect must be renewed.
   [[nodiscard]] std::vector<Expiry*> expiries() const;
 
-  /// Calls EventBase::SetSourceFaulted() of all its events.
+  /// Calls EventBase::SetSourceFaulted() of all events of this interface.
   void SetSourceFaulted(bool faulted);
 
   [[nodiscard]] ProvidedDescription description() const;
   /// Names of the commands that keep only the latest call.
   [[nodiscard]] std::vector<std::string> latest_only() const;
 
-  /// No member can be added from now on.
+  /// From now on, no member can be added.
   void Seal() { names_.Seal(); }
 
  private:

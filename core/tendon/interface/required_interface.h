@@ -25,9 +25,9 @@ enum class Need { kRequired, kOptional };
 /// provided interface. Members are added in the component's constructor, as in ProvidedInterface.
 class RequiredInterface {
  public:
-  /// Events wait in `inbox`. It is null if the component has no thread: handlers then run in the
-  /// thread that raises the event, and any thread may call the functions. If `component` is null,
-  /// handlers always run.
+  /// Events are queued in `inbox`. If the component has no thread, `inbox` is null. Then handlers
+  /// run in the thread that raises the event, and any thread may call the functions. If `component`
+  /// is null, handlers always run.
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
                     const ComponentAccess* component = nullptr)
       : name_(std::move(name)), inbox_(inbox), component_(component), need_(need) {
@@ -48,7 +48,7 @@ class RequiredInterface {
     function.binding_ = &binding_;
   }
 
-  // Handlers of events that wait in a queue until the component's thread executes them, in its
+  // Handlers whose events are queued until the component's thread handles them in
   // ProcessQueuedCommands().
 
   template <typename Owner, std::derived_from<Owner> Object>
@@ -80,7 +80,8 @@ class RequiredInterface {
     AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
   }
 
-  /// `waiter` is a member of the component; one of its threads waits for the event of this name.
+  /// Passes the events of this name to `waiter`, a member of the component. One thread of the
+  /// component waits for the events.
   template <Payload T>
   void AddEventWaiter(EventWaiter<T>& waiter, LocatedName name, Need need = Need::kRequired) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
@@ -89,34 +90,36 @@ class RequiredInterface {
              name.location);
   }
 
-  /// The threads that call its functions. For a task, this is its own thread, unless its
-  /// constructor allows others here, such as callbacks of a driver.
+  /// Sets the threads that call the functions of this interface. For a task, this is the task's own
+  /// thread, unless its constructor allows other threads, such as callbacks of a driver.
   void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
 
-  /// Capacity of the mailboxes, both for calls at the server and for events here: 1 to 2^24,
-  /// default 64. Set it before the connection is made.
+  /// Sets the capacity of the mailbox for calls at the server, and of the mailbox for events here:
+  /// 1 to 2^24, default 64. Set it before the connection is made.
   void SetMailboxCapacity(std::size_t capacity);
 
-  /// How long a read waits for the reply of another process: at least 1 ms, default 100 ms. Set it
-  /// before the connection is made.
+  /// Sets how long a read waits for the reply of another process: at least 1 ms, default 100 ms.
+  /// Set it before the connection is made.
   void SetReadDeadline(std::chrono::milliseconds deadline);
 
   /// Makes reads of `function` (already added) return a local copy, updated about 50 times a
   /// second, if the server is in another process. A read does not wait or lock and, after the first
-  /// one, does not allocate; it returns kNoSample before the first copy arrives. Function::age() is
-  /// the age of the value. Works only with AddCommandReadState() without a delay: connecting to any
-  /// other command of another process is refused. Within one process, Mirror() has no effect.
+  /// one, does not allocate; it returns kNoSample before the first copy arrives. Function::age()
+  /// returns the age of the copy. Works only with AddCommandReadState() without a delay: connecting
+  /// to any other command of another process is refused. Within one process, Mirror() has no
+  /// effect.
   template <Payload T>
   void Mirror(const Function<CommandKind::kRead, None, T>& function) {
     MarkMirrored(function);
   }
 
-  /// Steady-clock time at which the current or last event handled by the component's thread was
-  /// raised; for an event of another process, the time of its arrival. Not for direct handlers,
-  /// which run when the event is raised.
+  /// Returns the steady-clock time at which the current or last event handled by the component's
+  /// thread was raised; for an event of another process, the time of its arrival. Not for direct
+  /// handlers, which run when the event is raised.
   [[nodiscard]] SteadyTime event_time() const { return event_time_; }
-  /// Events that did not reach their handlers here: the mailbox was full, the component not active,
-  /// or a handler threw. If a handler keeps only the latest event, replaced ones are not lost.
+  /// Number of events that did not reach their handlers, because the mailbox was full, the
+  /// component was not active, or a handler threw. If a handler keeps only the latest event, a
+  /// replaced event does not count as lost.
   [[nodiscard]] std::uint64_t lost_events() const noexcept { return lost_events_.value(); }
 
   /// True if there is a connection. Functions reach the peer only after Component::OnConnected().
@@ -127,7 +130,7 @@ class RequiredInterface {
 
   // For managers, connections and proxies.
 
-  /// For members that are made at run time. Returns the index of `caller` in the binding.
+  /// Adds a function that is created at run time. Returns the index of `caller` in the binding.
   std::size_t AddCaller(MemberCaller& caller, MemberDescription description,
                         SourceLocation location = SourceLocation::current());
   Offer& AddOffer(std::unique_ptr<Offer> handler,
@@ -145,10 +148,10 @@ class RequiredInterface {
   [[nodiscard]] bool handles_in_raiser() const;
   /// Names of the event handlers that keep only the latest event.
   [[nodiscard]] std::vector<std::string> latest_only() const;
-  /// No member can be added from now on.
+  /// From now on, no member can be added.
   void Seal();
 
-  // For the component, in its own thread, which handles each change before it continues.
+  // For the component's own thread, which handles each change of the peer before it continues.
 
   enum class PeerChange { kNone, kGone, kNew };
   [[nodiscard]] PeerChange peer_change() const noexcept {
@@ -156,22 +159,23 @@ class RequiredInterface {
     if (peer == reported_peer_) return PeerChange::kNone;
     return reported_peer_ != kNoPeer ? PeerChange::kGone : PeerChange::kNew;
   }
-  /// Called after kGone.
+  /// Called when the component has handled kGone.
   void ForgetPeer() noexcept { reported_peer_ = kNoPeer; }
-  /// Called after kNew: the next generation begins. False if the peer is disconnected meanwhile.
+  /// Called after kNew. Starts the next generation. Returns false if the peer was disconnected
+  /// meanwhile.
   bool TakePeer() noexcept;
-  /// From now on calls reach the peer and its events are handled, unless it is disconnected
+  /// From now on, calls reach the peer and its events are handled, unless the peer was disconnected
   /// meanwhile.
   void AdmitPeer() noexcept;
 
-  /// For managers. Call it while the component does not run; OnConnected() is called when it
-  /// starts. Admits calls at once, unless many threads may call.
+  /// Like AdmitPeer(), but for managers, while the component does not run. OnConnected() is called
+  /// when the component starts. Does nothing if many threads may call.
   void AdmitPeerAtRest() noexcept;
 
  private:
   friend class Connection;
 
-  /// The data that a connection makes for the component.
+  /// The data of a connection that the component uses.
   struct Peer {
     const BoundMember* members = nullptr;
     Mailbox* events = nullptr;
@@ -187,7 +191,7 @@ class RequiredInterface {
   }
   /// Sets the peer and gives it a number. `peer` must stay valid until Withdraw().
   void Announce(Peer& peer);
-  /// After the return, no call reaches the peer.
+  /// Removes the peer. When this function returns, no call reaches the peer.
   void Withdraw() noexcept;
   /// Notifies the component that it has no peer any more.
   void AnnounceNone();

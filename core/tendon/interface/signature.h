@@ -14,9 +14,9 @@ enum class CommandKind : std::int32_t {
   kVoid,           ///< no argument; queued to the server's thread
   kWrite,          ///< one argument in; queued to the server's thread
   kRead,           ///< one argument out; runs in the caller's thread
-  kQualifiedRead,  ///< one in, one out; runs in the caller's thread
-  kVoidReturn,     ///< one out; runs in the server's thread, the caller waits
-  kWriteReturn,    ///< one in, one out; runs in the server's thread, the caller waits
+  kQualifiedRead,  ///< one argument in, one out; runs in the caller's thread
+  kVoidReturn,     ///< one argument out; runs in the server's thread, the caller waits
+  kWriteReturn,    ///< one argument in, one out; runs in the server's thread, the caller waits
 };
 
 template <>
@@ -27,7 +27,7 @@ inline constexpr auto kPayload<CommandKind> =
                  Enumerator{"void_return", CommandKind::kVoidReturn},
                  Enumerator{"write_return", CommandKind::kWriteReturn});
 
-/// "void", "write", "read", "qualified read", ...
+/// Returns "void", "write", "read", "qualified read", ...
 [[nodiscard]] constexpr std::string_view ToString(CommandKind kind) noexcept {
   switch (kind) {
     case CommandKind::kVoid:

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Messages of a component for people: the events `Status`, `Warning` and `Error` of one of its
-/// provided interfaces, each with a text. Every message is also logged. Make it a member of the
-/// component.
+/// Sends messages of a component to people, as the events `Status`, `Warning` and `Error` of one of
+/// its provided interfaces. Each event has a text. Every message is also logged. Make it a member
+/// of the component.
 ///
-/// Thread safety: that of the component's events. Sending costs as much as Log(). In a cycle it
-/// allocates nothing once each mailbox slot has held the longest text.
+/// Thread safety: the same as for the component's events. Sending costs as much as Log(). In a
+/// cycle, sending allocates nothing after each mailbox slot has held the longest text once.
 class StatusMessages {
  public:
   /// Adds the events to `interface`; `source` is the name under which they are logged.

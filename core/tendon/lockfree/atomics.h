@@ -16,16 +16,17 @@ namespace tendon {
 inline constexpr std::size_t kSeparation = 128;
 inline constexpr std::size_t kCacheLine = 64;
 
-/// How lock-free classes access the machine. Each class is a template over such a policy, so that
-/// the same source also runs under the interleaving simulator of tests/support.
+/// The operations of the machine that lock-free classes use. Each class is a template over such a
+/// policy, so that the same source also runs under the interleaving simulator of tests/support.
 struct StdAtomics {
   template <typename T>
   using Atomic = std::atomic<T>;
 
   static void Fence(std::memory_order order) noexcept { std::atomic_thread_fence(order); }
-  /// Orders only the compiler; the other thread compensates with ProcessBarrier().
+  /// A fence for the compiler only. The other thread must call ProcessBarrier(), which is a fence
+  /// for the processors as well.
   static void CompilerFence() noexcept { std::atomic_signal_fence(std::memory_order_seq_cst); }
-  /// A full fence in every thread of the process. Takes microseconds.
+  /// Executes a full fence in every thread of the process. Takes microseconds.
   static void ProcessBarrier() noexcept { os::ProcessBarrier(); }
 
   static void Sleep(const std::atomic<std::uint32_t>& word, std::uint32_t expected,

@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// The record that a waiting caller shares with the server of its call. It belongs to a pool. Its
-/// states: free, pending (not executed yet), started, done, abandoned by its caller.
+/// states are: free, pending (not executed yet), started, done, abandoned by its caller.
 ///
 /// Thread safety: any thread may try to take a free record; then one caller and one server use it.
 /// The side that finishes last frees it: the caller frees a done record, the server an abandoned
@@ -19,13 +19,13 @@ class Completion {
  public:
   enum class Ending {
     kDone,        ///< status() is valid; call Free()
-    kNotStarted,  ///< will never be executed
-    kStarted,     ///< being executed; the outcome stays unknown
+    kNotStarted,  ///< the call will never be executed
+    kStarted,     ///< the call is being executed; the outcome stays unknown
   };
 
   // For the caller.
 
-  /// Changes the state from free to pending; false if it is not free.
+  /// Changes the state from free to pending. Returns false if the state is not free.
   bool TryTake() noexcept {
     State expected = kFree;
     if (!state_.compare_exchange_strong(expected, kPending,
@@ -43,7 +43,8 @@ class Completion {
   [[nodiscard]] bool is_done() const noexcept {
     return state_.load(std::memory_order_acquire) == kDone;  // pairs with (B)
   }
-  /// The caller has finished: it has read the server's results, or has never posted the call.
+  /// Frees the record. Called when the caller has read the server's results, or if it has not
+  /// posted the call.
   void Free() noexcept { state_.store(kFree, std::memory_order_release); }  // (A)
 
   /// Waits until the call was executed, until `deadline`, or until `interrupted()` returns true,
@@ -62,17 +63,18 @@ class Completion {
 
   // For the server.
 
-  /// Called before the execution. False if the caller has gone: then the call must not be executed.
+  /// Called before the execution. Returns false if the caller has gone; then the call must not be
+  /// executed.
   bool Start() noexcept {
     if (state_.exchange(kStarted, std::memory_order_acq_rel) != kAbandoned) return true;  // (C)
     Free();
     return false;
   }
-  /// Called after the execution. A caller that sees the state "done" also sees everything written
-  /// before it.
+  /// Called after the execution. A caller that sees the state "done" also sees everything that was
+  /// written before.
   void Finish(Status status) noexcept {
-    // Read before the exchange: once the state is done, the next caller may already have set its
-    // listener.
+    // The listener is read before the exchange, because after the state has become done, the next
+    // caller may already have set its own listener.
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
     status_ = status;
     if (state_.exchange(kDone, std::memory_order_acq_rel) == kAbandoned) return Free();  // (B), (C)

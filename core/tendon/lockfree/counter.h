@@ -23,7 +23,7 @@ class Counter {
   typename Atomics::template Atomic<std::uint64_t> value_{0};
 };
 
-/// The same for several incrementing threads. Costs one locked instruction.
+/// Like Counter, but several threads may increment it. An increment costs one locked instruction.
 template <typename Atomics = StdAtomics>
 class SharedCounter {
  public:

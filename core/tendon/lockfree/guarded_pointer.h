@@ -11,8 +11,8 @@ namespace tendon {
 /// old object is no longer in use. A call costs three plain stores; a replacement costs a memory
 /// barrier in the whole process.
 ///
-/// Thread safety: Calls by one thread (also nested); Exchange() and Get() by other threads, one at
-/// a time, never from inside a call, where they would wait forever.
+/// Thread safety: one thread makes Calls, which may be nested. Other threads use Exchange() and
+/// Get(), one thread at a time. They must not do so inside a Call, because they would wait forever.
 ///
 /// The in-call word tells which object the thread uses:
 /// - A call stores that it uses some object, then loads the pointer, then stores which object. If
@@ -33,9 +33,10 @@ class GuardedPointer {
   class [[nodiscard]] Call {
    public:
     explicit Call(GuardedPointer& guarded) noexcept
-        : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {  // its own
+        // Only this thread writes in_call_.
+        : guarded_(guarded), before_(guarded.in_call_.load(std::memory_order_relaxed)) {
       guarded_.in_call_.store(kSomeObject, std::memory_order_release);
-      Atomics::CompilerFence();  // with (C) a full fence: store, then load
+      Atomics::CompilerFence();  // with (C) a full fence between store and load
       object_ = guarded_.pointer_.load(std::memory_order_acquire);  // pairs with (A)
       const std::uintptr_t word = WordOf(object_);
       const bool is_only_one = before_ == kNoObject || before_ == word;
@@ -63,8 +64,9 @@ class GuardedPointer {
     return old;
   }
 
-  /// The same, but waits at most until `deadline`. False if a call still uses the old object; then
-  /// that object and all earlier ones may be in use until an exchange succeeds.
+  /// Like Exchange(), but waits at most until `deadline`. Returns false if a call still uses the
+  /// old object. Then the old object and all earlier objects may be in use until an exchange
+  /// succeeds.
   bool TryExchange(T* next, SteadyTime deadline) noexcept {
     pointer_.store(next, std::memory_order_release);  // (A) publishes the object
     Atomics::ProcessBarrier();                        // (C)
@@ -88,7 +90,7 @@ class GuardedPointer {
  private:
   // Objects are aligned, so the word of an object never equals these.
   static constexpr std::uintptr_t kNoObject = 0;
-  static constexpr std::uintptr_t kSomeObject = 1;  // one that is not known yet, or several
+  static constexpr std::uintptr_t kSomeObject = 1;  // an object that is not known yet, or several
 
   static std::uintptr_t WordOf(T* object) noexcept {
     static_assert(alignof(T) >= 4);

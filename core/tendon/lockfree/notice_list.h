@@ -22,7 +22,7 @@ class NoticeList {
   NoticeList(const NoticeList&) = delete;
   NoticeList& operator=(const NoticeList&) = delete;
 
-  /// Also frees the notices that the receiver has taken.
+  /// Adds a notice. Also frees the notices that the receiver has taken.
   void Send(T notice) {
     notices_.remove_if([](const Node& node) {
       return node.is_taken.load(std::memory_order_acquire);  // pairs with (B)
@@ -56,7 +56,7 @@ class NoticeList {
     while (oldest != nullptr) {
       Node* const next = oldest->next;
       action(std::as_const(oldest->value));
-      oldest->is_taken.store(true, std::memory_order_release);  // (B) may be freed
+      oldest->is_taken.store(true, std::memory_order_release);  // (B) the node may be freed
       oldest = next;
     }
   }
@@ -70,7 +70,7 @@ class NoticeList {
     typename Atomics::template Atomic<bool> is_taken{false};
   };
 
-  std::list<Node> notices_;  // of the sender
+  std::list<Node> notices_;  // used only by the sender
   typename Atomics::template Atomic<Node*> newest_{nullptr};
 };
 

@@ -9,23 +9,24 @@ namespace tendon {
 /// Shows that a queue may have items, so that the consumer need not check empty queues: the flags
 /// of many queues are adjacent in memory, one byte each.
 ///
-/// Thread safety: any thread raises it after it has published an item; one thread consumes.
+/// Thread safety: any thread may raise the flag after it has published an item; one thread consumes
+/// the items.
 ///
 /// As in Wakeup, no item is missed: the producer publishes, then reads the flag; the consumer
 /// lowers the flag, then looks for items. With a full fence between the two steps on both sides, at
-/// least one of them sees the other. A producer usually finds the flag already raised; then it
-/// writes nothing that the consumer reads, except the queue. If another producer has just raised
-/// the flag, (B) makes this one read the sleeper's flag afterwards; the wake-up then need not wait
-/// for the other producer. (Not in the simulator's model.)
+/// least one side sees what the other side has stored. A producer usually finds the flag already
+/// raised; then it writes nothing that the consumer reads, except the queue. If another producer
+/// has just raised the flag, (B) makes this producer read the sleeper's flag afterwards, so the
+/// wake-up need not wait for the other producer. (The simulator does not model this.)
 template <typename Atomics = StdAtomics>
 class ReadyFlag {
  public:
-  /// Also wakes the consumer if it sleeps on `wakeup`, which may be null.
+  /// Raises the flag. Also wakes the consumer if it sleeps on `wakeup`, which may be null.
   void Raise(Wakeup<Atomics>* wakeup) noexcept {
     Atomics::Fence(std::memory_order_seq_cst);     // (A) published before the flags are read
     if (!up_.load(std::memory_order_acquire)) {    // pairs with (B)
       up_.store(true, std::memory_order_release);  // (B) raised, also for other producers
-      Atomics::Fence(std::memory_order_seq_cst);   // raised before the sleeper's is read
+      Atomics::Fence(std::memory_order_seq_cst);   // raised before the sleeper's flag is read
     }
     if (wakeup != nullptr) wakeup->NotifyAfterFence();
   }
@@ -33,14 +34,15 @@ class ReadyFlag {
   enum class IfEmpty { kLeaveUp, kLower };
 
   /// Consumer: calls `has_items()` only if the flag is raised. kLower lowers the flag if there are
-  /// no items; if a consumer does that at each check, fast producers must raise it again and again.
+  /// no items; if a consumer lowers the flag at each check, fast producers must raise it again and
+  /// again.
   template <typename Predicate>
   bool IsReady(Predicate has_items, IfEmpty if_empty) noexcept {
     if (!up_.load(std::memory_order_relaxed)) return false;  // orders nothing
     if (has_items()) return true;
     if (if_empty == IfEmpty::kLeaveUp) return false;
     up_.store(false, std::memory_order_relaxed);
-    Atomics::Fence(std::memory_order_seq_cst);  // pairs with (A): lowered, then checked
+    Atomics::Fence(std::memory_order_seq_cst);  // pairs with (A): lowered before the check
     if (!has_items()) return false;
     up_.store(true, std::memory_order_release);  // (B)
     return true;

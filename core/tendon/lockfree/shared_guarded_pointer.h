@@ -11,13 +11,13 @@ namespace tendon {
 
 /// A GuardedPointer for several calling threads. Each call costs two locked instructions.
 ///
-/// Thread safety: Calls by any threads (also nested); Exchange() and Get() by one thread at a time,
-/// never from inside a call.
+/// Thread safety: any thread makes Calls, which may be nested. One thread at a time uses Exchange()
+/// and Get(), never inside a Call.
 ///
 /// There are two counters of running calls. The lowest bit of the pointer says which counter
 /// belongs to the object, and changes with each exchange. A call increments the counter, then reads
-/// the pointer again; if the pointer has changed, the call starts over. So all calls in the old
-/// counter use the old object, and the exchange waits only for them.
+/// the pointer again; if the pointer has changed, the call starts over. Therefore, all calls in the
+/// old counter use the old object, and the exchange waits only for these calls.
 template <typename T, typename Atomics = StdAtomics>
 class SharedGuardedPointer {
  public:
@@ -32,7 +32,7 @@ class SharedGuardedPointer {
         : guarded_(guarded), word_(guarded.pointer_.load(std::memory_order_relaxed)) {
       while (true) {
         running().fetch_add(1, std::memory_order_relaxed);
-        Atomics::Fence(std::memory_order_seq_cst);  // pairs with (C): counted, then loaded
+        Atomics::Fence(std::memory_order_seq_cst);  // pairs with (C): counted before the load
         const std::uintptr_t word = guarded_.pointer_.load(std::memory_order_acquire);  // (A)
         if (word == word_) return;
         running().fetch_sub(1, std::memory_order_release);
@@ -62,7 +62,7 @@ class SharedGuardedPointer {
     const std::uintptr_t old = pointer_.load(std::memory_order_relaxed);
     const std::size_t place = PlaceOf(old);
     pointer_.store(WordOf(next, 1 - place), std::memory_order_release);  // (A) publishes the object
-    Atomics::Fence(std::memory_order_seq_cst);  // (C) published, then counters are read
+    Atomics::Fence(std::memory_order_seq_cst);  // (C) published before counters are read
     for (unsigned looks = 0; running_[place].load(std::memory_order_acquire) != 0; ++looks) {
       Atomics::Pause(looks);  // the load above pairs with (B)
     }
@@ -84,7 +84,7 @@ class SharedGuardedPointer {
     return reinterpret_cast<T*>(word & ~std::uintptr_t{1});
   }
 
-  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // its lowest bit is the counter
+  typename Atomics::template Atomic<std::uintptr_t> pointer_;  // its lowest bit selects the counter
   std::array<typename Atomics::template Atomic<std::uint32_t>, 2> running_{};
 };
 

@@ -10,19 +10,19 @@
 
 namespace tendon {
 
-/// A SlotRing for several producer threads: the same slots, in the order of their claims; one
-/// locked instruction per claim without contention.
+/// A SlotRing for several producer threads. The consumer gets the slots in the order in which they
+/// were claimed. Without contention, a claim costs one locked instruction.
 ///
 /// Thread safety: any threads call Claim() and Publish(), one thread Front() and Release(). Claim()
 /// is lock-free, the others wait-free. A producer that is delayed between Claim() and Publish()
-/// delays the slots claimed after its own, but not the other producers.
+/// delays the consumption of slots that were claimed later, but not the other producers.
 ///
 /// A claim increments the write index. Each slot in memory counts how often it was published. The
 /// slot of an index is published when this count equals the number of turns through the ring.
 template <typename Atomics = StdAtomics>
 class SharedSlotRing {
  public:
-  /// As for SlotRing.
+  /// The parameters are the same as for SlotRing.
   SharedSlotRing(std::size_t capacity, std::size_t slot_size, std::size_t alignment,
                  std::size_t reserve = 0)
       : capacity_(capacity),
@@ -31,9 +31,9 @@ class SharedSlotRing {
         turn_shift_(static_cast<unsigned>(std::countr_zero(storage()))),
         published_(std::make_unique<Index[]>(storage())) {}
 
-  /// A free slot, which must be published; null if the ring is full.
+  /// Claims and returns a free slot, which must be published. Returns null if the ring is full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
-  /// The same, but full only when the reserve is used up as well.
+  /// Like Claim(), but may use the reserve. Returns null if the reserve is used up as well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
 
   /// Hands a claimed slot to the consumer.
@@ -43,7 +43,8 @@ class SharedSlotRing {
     turns.store(turns.load(std::memory_order_relaxed) + 1, std::memory_order_release);  // (A)
   }
 
-  /// Consumer: the oldest slot, the same until Release(); null if it is not published yet.
+  /// Consumer: returns the oldest slot, and the same slot again until Release(). Returns null if it
+  /// is not published yet.
   std::byte* Front() noexcept {
     const std::uint64_t read = read_.load(std::memory_order_relaxed);
     std::byte* const slot = slots_.At(read);

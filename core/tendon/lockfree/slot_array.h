@@ -11,7 +11,8 @@
 
 namespace tendon {
 
-/// Bytes from one slot of a ring to the next: at least a cache line, and aligned.
+/// Returns the number of bytes from one slot of a ring to the next. It is at least a cache line,
+/// and a multiple of the alignment.
 constexpr std::size_t StrideOf(std::size_t slot_size, std::size_t alignment) {
   alignment = std::max(alignment, kCacheLine);
   return std::max((slot_size + alignment - 1) & ~(alignment - 1), alignment);
@@ -39,13 +40,14 @@ class SlotArray {
         static_cast<std::byte*>(std::align(alignment, count_in_memory() * stride_, first, size));
   }
 
-  /// The slot of a free-running index.
+  /// Returns the slot of an index that is never reset.
   [[nodiscard]] std::byte* At(std::uint64_t index) const noexcept {
     return slots_ + (index & mask_) * stride();
   }
-  /// The number of a slot in memory, below count_in_memory().
+  /// Returns the number of a slot in memory, which is below count_in_memory().
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
-    // Exact division by the stride: a shift and the inverse of its odd part, modulo 2^64.
+    // Divides exactly by the stride: by a shift and a multiplication with the inverse of its odd
+    // part, modulo 2^64.
     return (static_cast<std::size_t>(slot - slots_) >> shift_) * inverse_;
   }
   [[nodiscard]] std::size_t count_in_memory() const noexcept { return mask_ + 1; }
@@ -56,7 +58,7 @@ class SlotArray {
 
  private:
   static constexpr std::size_t InverseOfOdd(std::size_t odd) {
-    std::size_t inverse = odd;  // correct in three bits; each Newton step doubles them
+    std::size_t inverse = odd;  // three correct bits; each Newton step doubles their number
     for (int step = 0; step < 5; ++step) inverse *= 2 - odd * inverse;
     return inverse;
   }

@@ -11,12 +11,13 @@ namespace tendon {
 /// A bounded queue of raw slots between one producer thread and one consumer thread. The producer
 /// constructs the content of a slot in place; the consumer uses and destroys it there.
 ///
-/// All memory is allocated by the constructor. A capacity of 64 holds 64.
+/// All memory is allocated by the constructor. A ring with the capacity 64 can hold 64 full slots.
 ///
-/// Thread safety: one thread calls Claim() and Publish(), one other Front() and Release(); all are
-/// wait-free. The indices are never reset: slots [read, write) belong to the consumer, the others
-/// to the producer. Each side remembers the other's index and reads it again only when the ring
-/// seems full or empty, which avoids most of the traffic between the two cores.
+/// Thread safety: one thread calls Claim() and Publish(), one other thread calls Front() and
+/// Release(). All four are wait-free. The indices are never reset: slots [read, write) belong to
+/// the consumer, the others to the producer. Each side remembers the other's index and reads it
+/// again only when the ring seems full or empty, which avoids most of the traffic between the two
+/// cores.
 template <typename Atomics = StdAtomics, std::size_t kStride = kAnyStride>
 class SlotRing {
  public:
@@ -26,9 +27,11 @@ class SlotRing {
            std::size_t reserve = 0)
       : capacity_(capacity), reserve_(reserve), slots_(capacity + reserve, slot_size, alignment) {}
 
-  /// Producer: the next free slot, always the same one until Publish(); null if the ring is full.
+  /// Producer: returns the next free slot, and the same slot again until Publish(). Returns null if
+  /// the ring is full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
-  /// Producer: the same, but full only when the reserve is used up as well.
+  /// Producer: like Claim(), but may use the reserve. Returns null if the reserve is used up as
+  /// well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
 
   /// Producer: hands the claimed slot to the consumer.
@@ -37,7 +40,8 @@ class SlotRing {
     producer_.write.store(write + 1, std::memory_order_release);  // (A) publishes the slot
   }
 
-  /// Consumer: the oldest published slot, the same until Release(); null if the ring is empty.
+  /// Consumer: returns the oldest published slot, and the same slot again until Release(). Returns
+  /// null if the ring is empty.
   std::byte* Front() noexcept {
     const std::uint64_t read = consumer_.read.load(std::memory_order_relaxed);
     if (read == consumer_.write_seen) {
@@ -53,7 +57,8 @@ class SlotRing {
     consumer_.read.store(read + 1, std::memory_order_release);  // (B) returns the slot
   }
 
-  /// The number of a slot in memory, below storage(); it can index a pool beside the ring.
+  /// Returns the number of a slot in memory, which is below storage(). It can be used as an index
+  /// into a pool that has one element per slot.
   [[nodiscard]] std::size_t IndexOf(const std::byte* slot) const noexcept {
     return slots_.IndexOf(slot);
   }

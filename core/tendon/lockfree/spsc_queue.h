@@ -10,8 +10,8 @@
 namespace tendon {
 
 /// A bounded queue of values between one producer thread and one consumer thread: a SlotRing whose
-/// slots hold a T each. Values are moved in and out, so a T that allocates when moved does not
-/// belong in a cycle.
+/// slots hold a T each. Values are moved in and out, so do not use a T that allocates when it is
+/// moved in a cycle.
 ///
 /// Thread safety: one thread may call Push(), one other thread may call Pop(). Both are wait-free.
 template <typename T, typename Atomics = StdAtomics>

@@ -8,17 +8,18 @@
 
 namespace tendon {
 
-/// Passes the newest value from one thread to another one, never a partial value; a newer value
-/// replaces an older one. Values are assigned, so that dynamic types keep their memory.
+/// Passes the newest value from one thread to another. The reader never gets a partial value, and a
+/// newer value replaces an older one. Values are assigned, so that dynamic types keep their memory.
 ///
-/// Thread safety: one thread calls Write(), one other Take(), any is_fresh(). Wait-free.
+/// Thread safety: one thread calls Write(), one other thread calls Take(), and any thread calls
+/// is_fresh(). Wait-free.
 ///
 /// A triple buffer: one of three values belongs to the writer and one to the reader. Each side
 /// exchanges its own value with the third, the middle one.
 template <typename T, typename Atomics = StdAtomics>
 class TripleBuffer {
  public:
-  /// Returns true if this replaces a value that the reader never took.
+  /// Stores a value. Returns true if it replaces a value that the reader has not taken.
   bool Write(const T& value) {
     values_[mine_] = value;
     // (A) publishes the value; (B) gives the writer a value that the reader no longer uses.
@@ -27,7 +28,8 @@ class TripleBuffer {
     return (old & kFresh) != 0;
   }
 
-  /// The newest value, valid until the reader's next Take(); null if it was already taken.
+  /// Returns the newest value, which is valid until the reader's next Take(). Returns null if it
+  /// was already taken.
   T* Take() noexcept {
     if (!is_fresh()) return nullptr;
     // (B) hands the reader's value back; pairs with (A).

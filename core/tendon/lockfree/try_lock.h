@@ -11,11 +11,11 @@ namespace tendon {
 template <typename Atomics = StdAtomics>
 class TryLock {
  public:
-  /// False if another thread holds it.
+  /// Takes the lock. Returns false if another thread holds it.
   [[nodiscard]] bool TryTake() noexcept {
     return !taken_.exchange(true, std::memory_order_acquire);  // pairs with (A)
   }
-  /// Called by the thread whose TryTake() succeeded.
+  /// Releases the lock. Called by the thread whose TryTake() succeeded.
   void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
 
   /// Takes the lock if it is free; the destructor returns it.

@@ -7,29 +7,31 @@
 
 namespace tendon {
 
-/// Lets one thread sleep until others have work for it. A poster pays a fence and a load of a flag
-/// (about 5 ns) while that thread is awake, and a system call while it sleeps.
+/// Lets one thread sleep until others have work for it. A thread that posts work pays a fence and a
+/// load of a flag (about 5 ns) while the sleeper is awake, and a system call while the sleeper
+/// sleeps.
 ///
 /// No wake-up is lost: the poster publishes, then reads the flag; the sleeper raises the flag, then
-/// checks for work. With a full fence between the two steps on both sides, at least one of them
-/// sees the other.
+/// checks for work. With a full fence between the two steps on both sides, at least one side sees
+/// what the other side has stored.
 ///
 /// Thread safety: any thread may Notify(); one thread may WaitUntil().
 template <typename Atomics = StdAtomics>
 class Wakeup {
  public:
-  /// Called after the work was published. Wait-free except for the system call.
+  /// Wakes the sleeper. Called after the work was published. Wait-free except for the system call.
   void Notify() noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A) the work is visible before the flag is read
     NotifyAfterFence();
   }
-  /// The same for a poster that has already executed a full fence after it published the work.
+  /// Like Notify(), for a poster that has already executed a full fence after it published the
+  /// work.
   void NotifyAfterFence() noexcept {
     if (asleep_.load(std::memory_order_relaxed) == kAwake) return;
     if (asleep_.exchange(kAwake, std::memory_order_relaxed) == kAsleep) Atomics::Wake(asleep_);
   }
-  /// Notify() for work that may wait until `when`: does nothing if the sleeper wakes by itself
-  /// before then.
+  /// Like Notify(), for work that may wait until `when`. Does nothing if the sleeper wakes by
+  /// itself before `when`.
   void NotifyBy(SteadyTime when) noexcept {
     Atomics::Fence(std::memory_order_seq_cst);  // (A)
     if (asleep_.load(std::memory_order_acquire) == kAwake) return;

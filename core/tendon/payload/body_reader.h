@@ -6,11 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Reads a body by its schema. Bounded like Decode(): recursion by the depth of the schema, loops
-/// by the number of bytes.
+/// Reads an encoded body with the help of its schema. As in Decode(), the depth of the schema
+/// limits the recursion, and the number of bytes limits the loops.
 namespace tendon::payload {
 
-/// Calls `visit(zero)` with a zero of the C++ type of a number, and returns what it returns.
+/// Calls `visit(zero)`, where `zero` has the C++ type of a number of this kind. Returns the result
+/// of `visit`.
 template <typename Visitor>
 auto WithNumber(Schema::Kind kind, Visitor&& visit) {
   switch (kind) {
@@ -44,10 +45,11 @@ auto WithNumber(Schema::Kind kind, Visitor&& visit) {
          duration.nanosec < 1'000'000'000;
 }
 
-/// Skips `count` values in a row.
+/// Skips `count` consecutive values.
 [[nodiscard]] bool SkipValues(const Schema& schema, std::size_t count, CdrReader& reader);
 
-/// Reads the number of elements of an array or a sequence. For an array it is not in the body.
+/// Finds the number of elements of a list. For a sequence, reads it from the body. For an array,
+/// the body does not have it, so it is taken from the schema.
 [[nodiscard]] inline bool ReadElementCount(const Schema& list, CdrReader& reader,
                                            std::uint32_t& count) {
   if (list.kind() == Schema::Kind::kSequence) {

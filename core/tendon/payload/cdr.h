@@ -14,15 +14,15 @@
 #include <type_traits>
 #include <utility>
 
-/// The primitives of CDR (XCDR1, little-endian): a number is aligned to its size, counted from the
-/// start of the body; padding is zero.
+/// Writes and reads the primitives of CDR (XCDR1, little-endian). A number is aligned to its size,
+/// relative to the start of the body. Padding is zero.
 namespace tendon::payload {
 
 static_assert(std::endian::native == std::endian::little, "the codec copies numbers as they are");
 
 constexpr std::size_t kMaxAlignment = 8;
 
-/// `alignment` is a power of two.
+/// Rounds `position` up to a multiple of `alignment`, which is a power of two.
 constexpr std::size_t AlignUp(std::size_t position, std::size_t alignment) {
   return (position + alignment - 1) & ~(alignment - 1);
 }
@@ -37,11 +37,12 @@ class CdrWriter {
     WritePlain(&value, sizeof(T), sizeof(T));
   }
 
-  /// Copies `size` bytes, at least one, of numbers of `alignment` bytes each.
+  /// Copies numbers of `alignment` bytes each. All numbers together have `size` bytes, at least
+  /// one.
   void WritePlain(const void* numbers, std::size_t size, std::size_t alignment) {
     const std::size_t start = AlignUp(position_, alignment);
-    // One store of a constant size; it also clears bytes beyond the padding, which are overwritten
-    // below.
+    // Clears the padding with one store of a constant size. The store may also clear bytes beyond
+    // the padding, but these are overwritten below.
     if (start != position_) std::memset(body_ + position_, 0, alignment);
     std::memcpy(body_ + start, numbers, size);
     position_ = start + size;
@@ -52,8 +53,8 @@ class CdrWriter {
     WritePlain(text.c_str(), text.size() + 1, 1);
   }
 
-  /// A separate writer for the next `size` bytes, which treats this position as the start of the
-  /// body. Requires is_aligned().
+  /// Skips `size` bytes and returns a separate writer for them. The new writer treats this position
+  /// as the start of the body. Requires is_aligned().
   CdrWriter Fork(std::size_t size) {
     position_ += size;
     return CdrWriter(body_ + position_ - size);
@@ -85,7 +86,7 @@ class CdrReader {
     }
   }
 
-  /// The counterpart of WritePlain().
+  /// Reads numbers that WritePlain() has written.
   [[nodiscard]] bool ReadPlain(void* numbers, std::size_t size, std::size_t alignment) {
     if (!Skip(size, alignment)) return false;
     if (size > 0) std::memcpy(numbers, body_ + position_ - size, size);
@@ -100,7 +101,7 @@ class CdrReader {
     return true;
   }
 
-  /// Reads the characters of a string in place; they live as long as the body.
+  /// Reads a string without copying it: `text` refers to the bytes of the body.
   [[nodiscard]] bool ReadString(std::string_view& text) {
     std::uint32_t size = 0;
     if (!Read(size) || size == 0 || !Skip(size, 1)) return false;
@@ -109,8 +110,8 @@ class CdrReader {
     return true;
   }
 
-  /// Reads the length of a sequence. Refuses it if the remaining bytes cannot hold so many elements
-  /// of at least `minimum_size` bytes each.
+  /// Reads the length of a sequence. Returns false if the remaining bytes cannot hold so many
+  /// elements of at least `minimum_size` bytes each.
   [[nodiscard]] bool ReadLength(std::uint32_t& length, std::size_t minimum_size) {
     return Read(length) && length <= remaining() / minimum_size;
   }
@@ -132,7 +133,8 @@ struct CdrDuration {
   std::uint32_t nanosec = 0;  // below one billion
 };
 
-/// Rounded to nanoseconds. More than 68 years become 68 years; not-a-number becomes zero.
+/// Converts a duration, rounded to nanoseconds. More than 68 years become 68 years; not-a-number
+/// becomes zero.
 template <TimeSpan T>
 CdrDuration ToCdr(T value) {
   using std::chrono::nanoseconds;
@@ -153,8 +155,8 @@ CdrDuration ToCdr(T value) {
           static_cast<std::uint32_t>((exact - whole).count())};
 }
 
-/// Rounded towards zero to the resolution of T. Refuses a billion nanoseconds and more, and values
-/// that T cannot hold.
+/// Converts a duration, rounded towards zero to the resolution of T. Returns false if `wire` has a
+/// billion nanoseconds or more, or if T cannot hold the duration.
 template <TimeSpan T>
 bool FromCdr(CdrDuration wire, T& value) {
   if (wire.nanosec >= 1'000'000'000) return false;

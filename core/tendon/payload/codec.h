@@ -11,14 +11,15 @@
 #include <string_view>
 #include <vector>
 
-/// Values as bytes and back: CDR (XCDR1, little-endian) without an encapsulation header, the format
-/// of DDS and ROS 2. All functions are thread-safe; they throw only std::bad_alloc.
+/// Converts values to bytes and back. The format is that of DDS and ROS 2: CDR (XCDR1,
+/// little-endian), but without an encapsulation header. All functions are thread-safe; they throw
+/// only std::bad_alloc.
 namespace tendon {
 
 namespace payload {
 
-/// Writes one of many values. If the value begins aligned, the offsets of all its numbers are
-/// constants.
+/// Writes one element of a list. If the element begins at an aligned position, the offsets of all
+/// numbers in it are constants for the compiler.
 template <typename T>
 void WriteItem(CdrWriter& writer, const T& item);
 
@@ -76,7 +77,7 @@ void WriteSequence(CdrWriter& writer, const T& value) {
   }
 }
 
-/// Reads an int32; false if the enum has no such value.
+/// Reads an enum, which is an int32. Returns false if the enum has no such value.
 template <Enum T>
 bool ReadEnum(CdrReader& reader, T& value) {
   std::int32_t number = 0;
@@ -171,18 +172,19 @@ std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   return size;
 }
 
-/// The same, but replaces the content of `out`. Allocates only if its capacity is too small.
+/// Like EncodeTo(), but replaces the content of `out`. Allocates only if the capacity of `out` is
+/// too small.
 template <Payload T>
 void Encode(const T& value, std::vector<std::byte>& out) {
   out.resize(EncodedSize(value));
   EncodeTo(value, std::span<std::byte>(out));
 }
 
-/// Reads an untrusted body. False if it is too short, continues after the value (apart from padding
-/// to a multiple of eight), or contains a bool other than 0 and 1, an enum value without a name, an
-/// unterminated string, or a billion nanoseconds in a duration; `value` is then valid but
-/// unspecified. Never allocates more than a body of this size can fill, and nothing if the capacity
-/// of the strings and vectors in `value` suffices.
+/// Reads an untrusted body. Returns false if the body is too short, continues after the value
+/// (apart from padding to a multiple of eight), or contains a bool other than 0 and 1, an enum
+/// value without a name, an unterminated string, or a billion nanoseconds in a duration; `value` is
+/// then valid but unspecified. Never allocates more than a body of this size can fill, and nothing
+/// if the capacity of the strings and vectors in `value` suffices.
 template <Payload T>
 [[nodiscard]] bool Decode(std::span<const std::byte> body, T& value) {
   payload::CdrReader reader(body);

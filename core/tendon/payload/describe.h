@@ -12,11 +12,12 @@
 
 namespace tendon {
 
-/// The primary template of kPayload: the type is not described.
+/// The value of kPayload for a type without a description.
 struct NotDescribed {};
 
-/// Describes a user's type once, beside the type; codec, fingerprint, schema, numeric fields and
-/// JSON follow from it. Specialise it with Describe(...) or DescribeEnum(...).
+/// Describes a user's type. The description is written once, beside the type; codec, fingerprint,
+/// schema, numeric fields and JSON are derived from it. Specialise kPayload with Describe(...) or
+/// DescribeEnum(...).
 template <typename T>
 inline constexpr auto kPayload = NotDescribed{};
 
@@ -28,9 +29,9 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// One named member of a structure. `unit` is part of the type: rad does not connect to deg. Help
-/// and range are not part of the type; they are for people, forms and JSON, and are sent with the
-/// schema:
+/// One named member of a structure. `unit` is part of the type: a field in rad does not connect to
+/// a field in deg. Help and range are not part of the type; they are for people, forms and JSON,
+/// and are sent with the schema:
 ///
 ///     Field{"speed", &Goal::speed, "rad/s"}.Within(0, 2.5).Help("Of the fastest joint.")
 template <typename Owner, typename Member>
@@ -43,11 +44,11 @@ struct Field {
   std::string_view help = {};
   std::optional<Range> range = {};
 
-  /// For a number, a duration, or a list of these.
+  /// Sets the range. Allowed for a number, a duration, or a list of these.
   [[nodiscard]] constexpr Field Within(double lowest, double highest) const {
     return {name, member, unit, help, Range{lowest, highest}};
   }
-  /// One line.
+  /// Sets the help text, which is one line.
   [[nodiscard]] constexpr Field Help(std::string_view line) const {
     return {name, member, unit, line, range};
   }
@@ -56,18 +57,18 @@ template <typename Owner, typename Member>
 Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
 
 namespace payload {
-/// A field of a FieldList, and its place.
+/// One field of a FieldList. The index makes the base classes of FieldList different types.
 template <std::size_t kIndex, typename AField>
 struct FieldAt {
   AField field;
 };
-/// A std::tuple would do, but takes ten times as long to compile, in each source that describes a
-/// payload.
+/// The fields of a structure. A std::tuple would also work, but would take ten times as long to
+/// compile, in each source file that describes a payload.
 template <typename Indices, typename... Fields>
 struct FieldList;
 template <std::size_t... kIndices, typename... Fields>
 struct FieldList<std::index_sequence<kIndices...>, Fields...> : FieldAt<kIndices, Fields>... {
-  /// Calls `visit(field...)` with all of them.
+  /// Calls `visit(field...)` with all fields.
   template <typename Visitor>
   constexpr decltype(auto) Visit(Visitor&& visit) const {
     return std::forward<Visitor>(visit)(FieldAt<kIndices, Fields>::field...);
@@ -109,13 +110,14 @@ constexpr std::size_t kMaxHelp = 200;
 constexpr bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 constexpr bool IsDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Letters, digits and '_', not beginning with a digit: for fields and enumerators.
+/// True if a field or an enumerator may have this name: letters, digits and '_', not beginning with
+/// a digit.
 constexpr bool IsIdentifier(std::string_view name) {
   if (name.empty() || name.size() > kMaxFieldName || IsDigit(name.front())) return false;
   return std::ranges::all_of(name, [](char c) { return IsLetter(c) || IsDigit(c) || c == '_'; });
 }
 
-/// Identifiers joined by dots, as in "arm.JointState".
+/// True if `name` consists of identifiers joined by dots, as in "arm.JointState".
 constexpr bool IsTypeName(std::string_view name) {
   if (name.size() > kMaxTypeName) return false;
   for (auto dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {
@@ -125,7 +127,7 @@ constexpr bool IsTypeName(std::string_view name) {
   return IsIdentifier(name);
 }
 
-/// One printable line without spaces at its ends; it may be empty.
+/// True if `text` is empty, or one printable line without spaces at its ends.
 constexpr bool IsLine(std::string_view text, std::size_t most) {
   if (text.size() > most) return false;
   const auto printable = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != '\x7f'; };
@@ -134,7 +136,7 @@ constexpr bool IsLine(std::string_view text, std::size_t most) {
 }
 constexpr bool IsUnit(std::string_view unit) { return IsLine(unit, kMaxUnit); }
 constexpr bool IsHelp(std::string_view help) { return IsLine(help, kMaxHelp); }
-/// Also false for not-a-number.
+/// True if the limits are in order. False if a limit is not-a-number.
 constexpr bool IsRange(const Range& range) { return range.lowest <= range.highest; }
 
 template <std::size_t kCount>

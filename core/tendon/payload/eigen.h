@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <vector>
 
-/// Eigen types as payloads; link tendon::eigen. Decoding allocates only if a dynamic size changes.
-/// A default-constructed Eigen object is uninitialised.
+/// Allows the use of Eigen types as payloads. The program must link tendon::eigen. Decoding
+/// allocates only if a dynamic size changes. A default-constructed Eigen object is uninitialised.
 ///
 ///     Vector of fixed size     float64[6]
 ///     Matrix of fixed size     float64[cols][rows]: row after row, as on paper

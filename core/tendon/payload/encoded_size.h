@@ -10,7 +10,8 @@ namespace tendon {
 
 namespace payload {
 
-/// The end of a value of a fixed type that begins (before alignment) at `start`.
+/// Returns the offset after a value of a fixed type. `start` is the offset before the value and its
+/// alignment.
 template <typename T>
 constexpr std::size_t EndOf(std::size_t start) {
   if constexpr (IsPlain<T>()) {
@@ -35,7 +36,7 @@ constexpr std::size_t EndOf(std::size_t start) {
   }
 }
 
-/// The same for a value of any type.
+/// Returns the offset after `value`, which may have any payload type.
 template <typename T>
 std::size_t EndOf(const T& value, std::size_t start) {
   if constexpr (IsFixed<T>()) {
@@ -54,7 +55,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
       return AlignUp(start, PlainAlignment<Item>()) + length * sizeof(Item);
     } else {
       if constexpr (IsFixed<Item>()) {
-        // From the second item on, each is aligned as at the start of a body.
+        // From the second item on, each item is aligned as at the start of a body.
         if (EndOf<Item>(0) % kMaxAlignment == 0) {
           return EndOf<Item>(start) + (length - 1) * EndOf<Item>(0);
         }
@@ -74,7 +75,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
   }
 }
 
-/// The fewest bytes that a value can take; at least 1.
+/// Returns the smallest number of bytes that a value can have; at least 1.
 template <typename T>
 consteval std::size_t MinimumSize() {
   if constexpr (Number<T>) {
@@ -95,11 +96,12 @@ consteval std::size_t MinimumSize() {
 
 }  // namespace payload
 
-/// Size in bytes of any value of a fixed type on the wire; not rounded up to a multiple.
+/// Size in bytes of any value of a fixed type on the wire, without padding at the end.
 template <FixedPayload T>
 inline constexpr std::size_t kEncodedSize = payload::EndOf<T>(0);
 
-/// Size of `value` in bytes on the wire. Walks strings and sequences; constant for a fixed type.
+/// Size of `value` in bytes on the wire. Visits all strings and sequences in `value`; for a fixed
+/// type, the size is a constant.
 template <Payload T>
 [[nodiscard]] std::size_t EncodedSize(const T& value) {
   if constexpr (FixedPayload<T>) {

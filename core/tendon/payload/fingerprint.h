@@ -23,7 +23,7 @@ inline constexpr auto kPayload<Fingerprint> = Describe("tendon.Fingerprint",
                                                        Field{"high", &Fingerprint::high},
                                                        Field{"low", &Fingerprint::low});
 
-/// 32 hexadecimal digits.
+/// Returns 32 hexadecimal digits.
 [[nodiscard]] std::string ToString(Fingerprint fingerprint);
 
 [[nodiscard]] Fingerprint FingerprintOf(std::string_view canonical_schema_text);
@@ -33,15 +33,15 @@ namespace payload {
 Fingerprint Remember(const Schema& schema);
 }  // namespace payload
 
-/// Computed at the first call. Thread-safe.
+/// Returns the fingerprint of a type, which is computed at the first call. Thread-safe.
 template <Payload T>
 [[nodiscard]] const Fingerprint& FingerprintOf() {
   static const Fingerprint fingerprint = payload::Remember(SchemaOf<T>());
   return fingerprint;
 }
 
-/// The schema of a type, if this process has computed its FingerprintOf() or another process has
-/// sent it. Thread-safe.
+/// Returns the schema with this fingerprint, if this process has computed FingerprintOf() for its
+/// type or has received the schema from another process. Thread-safe.
 [[nodiscard]] std::optional<Schema> FindSchema(Fingerprint fingerprint);
 
 }  // namespace tendon

@@ -12,22 +12,24 @@
 #include <string_view>
 #include <vector>
 
-/// JSON for people and scripts, made from a schema alone. A structure is an object with its fields
-/// in order, an enum the name of its value, a duration a number of seconds, None is null. Numbers
-/// have the shortest form that reads back the same, integers all their digits; negative zero is
-/// -0.0. The numbers that JSON lacks are "nan", "inf" and "-inf".
+/// Converts payloads to JSON for people and scripts, and back; needs only a schema. A structure
+/// becomes an object with its fields in order, an enum becomes the name of its value, a duration
+/// becomes a number of seconds, and None becomes null. A float has the shortest form that is read
+/// back as the same float, an integer has all its digits, and negative zero is -0.0. Numbers that
+/// JSON does not have become "nan", "inf" and "-inf".
 namespace tendon {
 
-/// The error says what is wrong with the body. An enum value without a name becomes a number, so
-/// that a viewer can show it.
+/// Converts a body to JSON. The error says what is wrong with the body. An enum value without a
+/// name becomes a number, so that a viewer can show it.
 [[nodiscard]] Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body);
 
-/// The same for one number: a bool, an integer, a float, an enum or a duration.
+/// Converts one number to JSON: a bool, an integer, a float, an enum or a duration.
 [[nodiscard]] std::string ToJson(const Schema& number, const NumericValue& value);
 
-/// Converts JSON to a body. The value must have each field exactly once and in its range, at most
-/// 16 MiB and 64 levels. The error says where the mistake is, what was expected and what was found:
-/// "goal.position[3]: expected a number (rad), got string 'x'".
+/// Converts JSON to a body. The value must have each field exactly once, with a value in the
+/// field's range. The text may have at most 16 MiB and 64 levels. The error says where the mistake
+/// is, what was expected and what was found: "goal.position[3]: expected a number (rad), got string
+/// 'x'".
 [[nodiscard]] Result<std::vector<std::byte>> FromJson(const Schema& schema,
                                                       std::string_view json_text);
 

@@ -11,10 +11,10 @@
 
 namespace tendon {
 
-/// The memory layout of a payload, as one number: size, alignment, the offset of every field, the
-/// C++ types in it, and the library's binary interface. Two plug-ins may pass values by pointer if
-/// both fingerprint and layout of the type are equal. 0 means that the code has only encoded bytes,
-/// as a proxy does.
+/// A hash of the memory layout of a payload: its size, its alignment, the offset of every field,
+/// the C++ types in it, and the ABI of C++ and its library. Two plug-ins may pass values by pointer
+/// if the type has the same fingerprint and the same layout in both. 0 means that the code has only
+/// encoded bytes, as a proxy does.
 using Layout = std::uint64_t;
 
 namespace layout {
@@ -35,7 +35,7 @@ template <Payload T>
 Layout Of(Layout hash) {
   hash = Mix(Mix(hash, sizeof(T)), alignof(T));
   // Without the C++ type, seconds and milliseconds, or row-major and column-major matrices, would
-  // look the same.
+  // have the same hash.
   if constexpr (!payload::Structure<T>) hash = Mix(hash, std::string_view(typeid(T).name()));
   if constexpr (payload::Structure<T>) {
     const auto probe = std::make_unique<T>();
@@ -56,7 +56,7 @@ Layout Of(Layout hash) {
 
 }  // namespace layout
 
-/// Computed once per type; allocates one T.
+/// Returns the layout of a type. It is computed once per type, which allocates one T.
 template <Payload T>
 Layout LayoutOf() {
   static const Layout value = [] {

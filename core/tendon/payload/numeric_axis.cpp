@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Empty if the value has no position on an axis.
+/// Converts a value to the number type of an axis. Empty if the value has no position on an axis.
 template <AxisNumber Number>
 std::optional<Number> NumberOf(const NumericValue& value) {
   if constexpr (std::is_integral_v<Number>) {

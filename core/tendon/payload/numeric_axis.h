@@ -14,20 +14,22 @@
 
 namespace tendon {
 
-/// An axis for values of one field, of any payload type: it positions the values and their
-/// labels. Bools and enums have one position for each value, labelled with its name. Integers are
-/// exact and have whole steps. Floats that are not finite are ignored.
+/// An axis for the values of one field, which may have any type. The axis computes the positions of
+/// the values and of the labels. Bools and enums have one position for each value, labelled with
+/// the name of the value. Integers are exact, and labels have integer steps. Floats that are not
+/// finite are ignored.
 class NumericAxis {
  public:
-  /// A position on the axis: 0 is its low end, 1 its high end.
+  /// A label. `part` is its position on the axis: 0 is the low end, 1 the high end.
   struct Label {
     double part = 0.0;
     std::string text;
   };
 
-  /// Just long enough for the values. Has no labels.
+  /// Makes an axis that is just long enough for the values and has no labels.
   static NumericAxis Tight(const Schema& schema, std::span<const NumericValue> values);
-  /// With round ends and about `most` labels, all of them different.
+  /// Makes an axis that begins and ends with round numbers. It has about `most` labels, all of them
+  /// different.
   static NumericAxis Fitted(const Schema& schema, std::span<const NumericValue> values, int most);
 
   /// Sorted from the low end to the high end; empty if no value has a position.

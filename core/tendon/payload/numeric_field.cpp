@@ -40,7 +40,7 @@ class Lister {
  public:
   Lister(const Schema& root, CdrReader* reader) : root_(root), reader_(reader) {}
 
-  /// False if the body cannot be decoded.
+  /// Adds all numbers in a value of this schema. Returns false if the body cannot be decoded.
   bool Visit(const Schema& schema, const std::string& unit) {
     if (is_full()) return true;
     if (IsNumeric(schema)) return VisitNumber(schema, unit);
@@ -93,8 +93,8 @@ class Lister {
           Inside("[" + std::to_string(i) + "]", i, [&] { return Visit(list.element(), unit); });
       if (!good) return false;
       if (reader_ == nullptr && fields_.size() == fields_before) {
-        // The elements have no numbers. The position stays known only if all elements are None, of
-        // one byte each.
+        // The elements have no numbers. The position of the next value stays known only if all
+        // elements are None, because each None has one byte.
         if (position_) *position_ += (count - 1) * list.element().minimum_size();
         break;
       }

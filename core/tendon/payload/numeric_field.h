@@ -16,36 +16,40 @@ namespace tendon {
 /// One number inside a payload, which a plot can show as one curve.
 struct NumericField {
   std::string path;  ///< ".position[0]", or empty if the payload itself is the number
-  std::string unit;  ///< of the innermost field that has one; "s" for a duration without
-  Schema schema;     ///< of the number: bool, integer, float, enum or duration
-  /// Its offset in every body, in bytes; empty if a string or sequence comes before it.
+  std::string unit;  ///< unit of the innermost field that has one; "s" for a duration without unit
+  Schema schema;     ///< type of the number: bool, integer, float, enum or duration
+  /// Offset of the number in every body, in bytes; empty if a string or sequence comes before it.
   std::optional<std::size_t> offset;
 
-  Schema root;                       ///< of the whole payload
-  std::vector<std::uint32_t> route;  ///< from `root` on: indices of fields and elements
+  Schema root;                       ///< type of the whole payload
+  std::vector<std::uint32_t> route;  ///< indices of fields and elements, from `root` to the number
 };
 
-/// The largest number of listed fields.
+/// The maximum number of fields that NumericFields() lists.
 constexpr std::size_t kMaxNumericFields = 16384;
 
-/// All numbers of a schema, in wire order, without the elements of sequences, whose number varies.
+/// Lists all numeric fields of a schema, in wire order. Leaves out the elements of sequences,
+/// because the length of a sequence varies.
 [[nodiscard]] std::vector<NumericField> NumericFields(const Schema& schema);
 
-/// All numbers of one value, including sequence elements. Empty if it cannot be decoded.
+/// Lists all numeric fields of one value, including sequence elements. Empty if the value cannot be
+/// decoded.
 [[nodiscard]] std::vector<NumericField> NumericFields(const Schema& schema,
                                                       std::span<const std::byte> body);
 
-/// The field of a path that a person types: ".cores[3].load". The path may name a sequence
-/// element that does not exist now. The error says which part of the path the schema does not have.
+/// Returns the numeric field at a path that a person types: ".cores[3].load". The path may name a
+/// sequence element that does not exist now. The error says which part of the path the schema does
+/// not have.
 [[nodiscard]] Result<NumericField> FindNumericField(const Schema& schema, std::string_view path);
 
-/// The number in one body; empty if the body is too short or has no such element. Costs a load if
-/// the field has an offset, otherwise a walk over all values before it; allocates nothing.
+/// Reads the number from one body; empty if the body is too short or has no such element. If the
+/// field has an offset, this costs one load; otherwise it skips all values before the number.
+/// Allocates nothing.
 [[nodiscard]] std::optional<NumericValue> ReadExactly(const NumericField& field,
                                                       std::span<const std::byte> body);
 
-/// The same as a double: rounds integers beyond 2^53; a bool is 0 or 1, an enum its value, a
-/// duration in seconds.
+/// Like ReadExactly(), but returns a double. Integers beyond 2^53 are rounded. A bool becomes 0 or
+/// 1, an enum becomes its value, and a duration becomes its seconds.
 [[nodiscard]] std::optional<double> ReadAsDouble(const NumericField& field,
                                                  std::span<const std::byte> body);
 

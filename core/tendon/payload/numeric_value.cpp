@@ -16,7 +16,7 @@ std::string Digits(T value) {
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
 }
 
-/// The sign of not-a-number has no meaning.
+/// Converts a float to text. Not-a-number gets no sign, because its sign has no meaning.
 template <std::floating_point T>
 std::string RealText(T value) {
   return std::isnan(value) ? "nan" : Digits(value);

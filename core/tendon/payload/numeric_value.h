@@ -10,8 +10,9 @@
 
 namespace tendon {
 
-/// One number of a payload, exactly as it came. Integers and durations are not stored as doubles,
-/// which cannot hold all integers beyond 2^53 and not the nanoseconds of durations beyond 104 days.
+/// One number of a payload, with its exact value. Integers and durations are not stored as doubles,
+/// because a double cannot hold all integers beyond 2^53, or the nanoseconds of durations beyond
+/// 104 days.
 class NumericValue {
  public:
   enum class Kind : std::uint8_t { kFloat32, kFloat64, kSigned, kUnsigned, kDuration };
@@ -21,7 +22,7 @@ class NumericValue {
       : kind_(Kind::kFloat32), bits_(std::bit_cast<std::uint32_t>(value)) {}
   explicit NumericValue(double value)
       : kind_(Kind::kFloat64), bits_(std::bit_cast<std::uint64_t>(value)) {}
-  /// Also for the value of an enum; a bool is 0 or 1.
+  /// For an integer, the value of an enum, or a bool, which becomes 0 or 1.
   template <std::integral Integer>
   explicit NumericValue(Integer value)
       : kind_(std::signed_integral<Integer> ? Kind::kSigned : Kind::kUnsigned),
@@ -31,9 +32,10 @@ class NumericValue {
   [[nodiscard]] Kind kind() const { return kind_; }
   /// True for a float, which may be infinite or not-a-number.
   [[nodiscard]] bool is_real() const { return kind_ == Kind::kFloat32 || kind_ == Kind::kFloat64; }
-  /// The nearest double; for a duration, in seconds.
+  /// Returns the nearest double; for a duration, its seconds.
   [[nodiscard]] double real() const;
-  /// The integer, or the duration in nanoseconds. A kUnsigned beyond its range wraps around.
+  /// Returns the integer, or the nanoseconds of a duration. A kUnsigned that an int64 cannot hold
+  /// wraps around.
   [[nodiscard]] std::int64_t integer() const { return static_cast<std::int64_t>(bits_); }
 
   /// True if the bits are equal: not-a-number equals itself, and -0 differs from 0.
@@ -44,11 +46,13 @@ class NumericValue {
   std::uint64_t bits_ = 0;
 };
 
-/// All digits, in the shortest form that reads back as the same: "18446744073709551615", "0.1",
-/// "1e-300", "-0", "nan", "inf", "-inf", "-1.000000001" for a duration in seconds.
+/// Converts a number to its shortest text that is read back as the same number:
+/// "18446744073709551615", "0.1", "1e-300", "-0", "nan", "inf", "-inf", "-1.000000001" for a
+/// duration in seconds.
 [[nodiscard]] std::string ToString(const NumericValue& value);
 
-/// By the type of its field: "true", "false", the name of an enumerator; otherwise ToString().
+/// Converts a value of this type to text. A bool becomes "true" or "false", and an enum value
+/// becomes the name of its enumerator. All other values are converted by ToString(value).
 [[nodiscard]] std::string ToString(const Schema& schema, const NumericValue& value);
 
 /// True if values of this type are states or counts: bools, enums and integers. A plot must draw

@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// Any type that can travel through a command, an event or a state table: bool, integers, float,
+/// Any type that can be sent through a command, an event or a state table: bool, integers, float,
 /// double, enums, std::string, std::array, std::vector, std::chrono::duration and structures with a
 /// description, in any nesting. It has a default value and can be copied.
 template <typename T>
@@ -38,7 +38,7 @@ struct None {
 template <>
 inline constexpr auto kPayload<None> = Describe("tendon.None");
 
-/// The name of a described enum's value; "?" if it has none.
+/// Returns the name of a value of a described enum; "?" if the value has no name.
 template <payload::NamedEnum T>
 [[nodiscard]] constexpr std::string_view NameOf(T value) {
   for (const auto& enumerator : kPayload<T>.enumerators) {

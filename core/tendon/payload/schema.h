@@ -17,8 +17,8 @@ namespace tendon {
 
 struct Fingerprint;
 
-/// A payload's type at run time, for programs that were built without it. Immutable; a copy costs
-/// one reference count, and threads may share it.
+/// Describes the type of a payload at run time, for programs that were built without this type.
+/// Immutable; threads may share it, and a copy only increments a reference count.
 class Schema {
  public:
   enum class Kind : std::int32_t {
@@ -62,17 +62,17 @@ class Schema {
   [[nodiscard]] Kind kind() const;
   /// The name of a structure or an enum, else empty.
   [[nodiscard]] const std::string& name() const;
-  /// In wire order; empty unless a structure.
+  /// The fields of a structure, in wire order; empty for all other kinds.
   [[nodiscard]] const std::vector<Field>& fields() const;
   [[nodiscard]] const std::vector<Enumerator>& enumerators() const;
-  /// Of an array or a sequence.
+  /// The type of the elements of an array or a sequence.
   [[nodiscard]] const Schema& element() const;
-  /// Of an array.
+  /// The number of elements of an array.
   [[nodiscard]] std::uint32_t length() const;
 
-  /// bool, an integer, a float or a double.
+  /// True for bool, an integer, a float or a double.
   [[nodiscard]] bool is_number() const { return kind() <= Kind::kFloat64; }
-  /// A structure without fields: no content, one byte on the wire.
+  /// True for a structure without fields. It has no content, but takes one byte on the wire.
   [[nodiscard]] bool is_none() const { return kind() == Kind::kStructure && fields().empty(); }
   /// The fewest bytes that a value takes on the wire; at least 1.
   [[nodiscard]] std::size_t minimum_size() const;
@@ -81,7 +81,8 @@ class Schema {
   /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]". See TypeNameOf().
   [[nodiscard]] std::string TypeName() const;
 
-  /// The canonical text: exactly the properties that must be equal at both ends.
+  /// Returns the canonical text. It has exactly the properties that must be equal at both ends of a
+  /// connection.
   ///
   ///     struct arm.JointState {
   ///       position: float64[7] in rad
@@ -90,8 +91,8 @@ class Schema {
   ///       }
   ///     }
   [[nodiscard]] std::string Text() const;
-  /// The same, plus help and range in lines before a field, for people and forms. Parse() ignores
-  /// them for the fingerprint.
+  /// Like Text(), but adds the help and the range of each field in lines before the field, for
+  /// people and forms. These lines do not change the fingerprint of the parsed schema.
   ///
   ///       # Of the fastest joint.
   ///       @ 0 to 2.5
@@ -100,7 +101,7 @@ class Schema {
   /// Reads the result of Text() or TextWithHelp(), also from untrusted sources. Limits: 1 MiB of
   /// text, 64 levels, a minimum_size() of 2 GiB. The error names line and column.
   static Result<Schema> Parse(std::string_view text);
-  /// Computed from the text each time; needs fingerprint.h.
+  /// Computes the fingerprint from the text at each call. Needs fingerprint.h.
   [[nodiscard]] Fingerprint fingerprint() const;
 
   /// True if the canonical texts are equal.
@@ -122,17 +123,19 @@ struct Schema::Field {
   std::optional<Range> range = {};
 };
 
-/// "bool", "int8" ... "float64", "string", "duration", "enum", "array", "sequence", "struct".
+/// Returns "bool", "int8" ... "float64", "string", "duration", "enum", "array", "sequence",
+/// "struct".
 [[nodiscard]] std::string_view ToString(Schema::Kind kind);
 
-/// The definition as a ROS 2 message, with nested ones appended as in MCAP; enums are int32 with
-/// constants. A schema that is not a structure becomes a message with the single field `data`.
+/// Returns the definition of a ROS 2 message for this schema. Definitions of nested messages are
+/// appended as in MCAP. An enum becomes an int32 with constants. A schema that is not a structure
+/// becomes a message with the single field `data`.
 [[nodiscard]] std::string RosMessage(const Schema& schema);
-/// "arm/msg/JointState" for a structure, as RosMessage() calls it.
+/// Returns the name of the message that RosMessage() defines: "arm/msg/JointState" for a structure.
 [[nodiscard]] std::string RosTypeName(const Schema& schema);
 
-/// The first difference of two types, or nothing: "position of arm.JointState: float64[7] in rad
-/// needed, float64[7] in deg offered".
+/// Returns the first difference between two types, or nothing if they are equal: "position of
+/// arm.JointState: float64[7] in rad needed, float64[7] in deg offered".
 [[nodiscard]] std::optional<std::string> FirstDifference(const Schema& needed,
                                                          const Schema& offered);
 
@@ -167,7 +170,7 @@ Schema BuildSchema();
 
 }  // namespace payload
 
-/// Built at the first call. Thread-safe.
+/// Returns the schema of a type, which is built at the first call. Thread-safe.
 template <Payload T>
 [[nodiscard]] const Schema& SchemaOf() {
   static const Schema schema = payload::BuildSchema<T>();

@@ -10,11 +10,11 @@
 
 namespace tendon {
 
-/// A list whose copies can share its memory: a std::vector until Share() is called. From then on a
-/// copy costs one reference count, and a copy becomes separate when it is changed. As a payload it
-/// is a vector.
+/// A list whose copies can share its memory. Until Share() is called, it works like a std::vector.
+/// From then on, a copy only increments a reference count, and a list gets its own memory when it
+/// is changed. As a payload, it is a vector.
 ///
-/// Thread safety: that of a std::vector; shared content is never modified.
+/// Thread safety: the same as for a std::vector; shared content is never modified.
 template <typename T>
 class SharedList {
  public:
@@ -37,7 +37,7 @@ class SharedList {
   [[nodiscard]] const T& front() const { return items().front(); }
   [[nodiscard]] const T& back() const { return items().back(); }
 
-  // For changes.
+  // Functions to change the list.
   [[nodiscard]] T* data() { return Own().data(); }
   [[nodiscard]] iterator begin() { return Own().begin(); }
   [[nodiscard]] iterator end() { return Own().end(); }
@@ -48,11 +48,11 @@ class SharedList {
   void resize(std::size_t size) { Own().resize(size); }
   void clear() { *this = {}; }
 
-  /// Copies from now on share this list.
+  /// Makes all copies from now on share the memory of this list.
   void Share() {
     if (!shared_) shared_ = std::make_shared<const std::vector<T>>(std::exchange(own_, {}));
   }
-  /// Number of copies that hold this list, approximately; 1 before Share().
+  /// Returns approximately how many copies share this list; 1 before Share().
   [[nodiscard]] long holders() const { return shared_ ? shared_.use_count() : 1; }
 
   friend bool operator==(const SharedList& a, const SharedList& b) {

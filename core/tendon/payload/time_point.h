@@ -6,14 +6,15 @@
 #include <chrono>
 #include <cstdint>
 
-/// Makes time points of the system clock payloads; include it if a payload has such a member. On
-/// the wire it is builtin_interfaces/Time of ROS 2. Time points of the steady clock are not
-/// payloads, because they mean nothing on another machine.
+/// Allows the use of std::chrono::sys_time, a time point of the system clock, as a payload. Include
+/// this header if a payload has such a member. On the wire, a time point is builtin_interfaces/Time
+/// of ROS 2. Time points of the steady clock are not payloads, because they mean nothing on another
+/// machine.
 namespace tendon {
 
 namespace payload {
 
-/// Since 1970-01-01 00:00 UTC.
+/// The time since 1970-01-01 00:00 UTC.
 struct TimeOnWire {
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;

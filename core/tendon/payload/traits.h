@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-/// Classifies the types that can travel. Every type is at most one of: Number, Enum, Text,
+/// Classifies the types that can be payloads. Every type is at most one of: Number, Enum, Text,
 /// TimeSpan, Array, Sequence, Structure, Substituted.
 namespace tendon::payload {
 
@@ -21,13 +21,13 @@ template <typename T>
 concept Character = std::same_as<T, char> || std::same_as<T, wchar_t> || std::same_as<T, char8_t> ||
     std::same_as<T, char16_t> || std::same_as<T, char32_t>;
 
-/// bool, std::byte, integers of 8 to 64 bits, float and double. Not `char`, whose sign depends on
-/// the machine.
+/// bool, std::byte, integers of 8 to 64 bits, float and double. Not `char`, because its sign
+/// depends on the machine.
 template <typename T>
 concept Number = (std::integral<T> && !Character<T> && sizeof(T) <= sizeof(std::uint64_t)) ||
                  std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::byte>;
 
-/// An int32 on the wire, whatever it is in memory.
+/// An enum of at most the size of an int. On the wire it is always an int32.
 template <typename T>
 concept Enum = std::is_enum_v<T> && !std::same_as<T, std::byte> && sizeof(T) <= sizeof(int);
 
@@ -41,12 +41,12 @@ struct IsTimeSpan<std::chrono::duration<Count, Period>>
     : std::bool_constant<std::is_floating_point_v<Count> ||
                          std::ratio_greater_equal_v<Period, std::nano>> {};
 
-/// A std::chrono::duration, with a resolution of nanoseconds or coarser if it counts in integers.
+/// A std::chrono::duration. If it counts in integers, its resolution is nanoseconds or coarser.
 template <typename T>
 concept TimeSpan = IsTimeSpan<T>::value;
 
-/// A type that is a fixed number of equal elements in a row. Specialise for a container with
-/// data().
+/// Describes a type that stores a fixed number of elements of one type contiguously. Specialise it
+/// for a container with data().
 template <typename T>
 struct ArrayTraits {
   static constexpr std::size_t kLength = 0;
@@ -59,8 +59,8 @@ struct ArrayTraits<std::array<T, kCount>> {
 template <typename T>
 concept Array = (ArrayTraits<T>::kLength > 0);
 
-/// A type that is a varying number of equal elements in a row. Specialise for a container with
-/// data(), size() and resize().
+/// Describes a type that stores a varying number of elements of one type contiguously. Specialise
+/// it for a container with data(), size() and resize().
 template <typename T>
 struct SequenceTraits {};
 template <typename T, typename Allocator>
@@ -72,9 +72,9 @@ concept Sequence = requires {
   typename SequenceTraits<T>::Element;
 };
 
-/// A type that travels as another payload, `Type`. Specialise with `static Type From(const T&)` and
-/// `static bool Into(const Type&, T&)`, which returns false for an invalid value; or, if `Type`
-/// would have to allocate, with Write, Read and EndOf as in codec.h.
+/// Describes a type that is sent as another payload, `Type`. Specialise it with `static Type
+/// From(const T&)` and `static bool Into(const Type&, T&)`, which returns false for an invalid
+/// value; or, if `Type` would have to allocate, with Write, Read and EndOf as in codec.h.
 template <typename T>
 struct SubstituteFor {};
 template <typename T>
@@ -115,7 +115,8 @@ constexpr decltype(auto) WithFields(Visitor&& visit) {
   return kPayload<T>.fields.Visit(std::forward<Visitor>(visit));
 }
 
-/// True if T is a number (not bool), a time span, or a list of these: it can have a range.
+/// True if a field of type T can have a range: a number (not bool), a time span, or a list of
+/// these.
 template <typename T>
 consteval bool HoldsNumbers() {
   if constexpr (Array<T>) {
@@ -139,7 +140,7 @@ constexpr bool FieldIsPayload(bool has_range) {
   return true;
 }
 
-/// A structure with a field that is not a payload does not compile.
+/// True if T is a payload. Does not compile for a structure with a field that is not a payload.
 template <typename T>
 consteval bool IsPayload() {
   if constexpr (Array<T>) {
@@ -173,7 +174,7 @@ consteval bool IsFixed() {
 }
 
 /// True if T has the same bytes in memory as on the wire, so that many values are copied by one
-/// memcpy. Not bool, whose value is checked when read.
+/// memcpy. False for bool, because the value of a bool is checked when it is read.
 template <typename T>
 consteval bool IsPlain() {
   if constexpr (Array<T>) {

@@ -19,13 +19,13 @@ inline constexpr auto kGetBroker =
 
 /// The answer to kJoinTopic.
 struct JoinTopicReply {
-  SubscribeReply subscribed;  ///< `first_tick` has no meaning: the first arriving row sets it
+  SubscribeReply subscribed;  ///< `first_tick` is not used: the first row that arrives sets it
   std::string topic;
 };
 
 /// The address of the broker.
 struct BrokerAddress {
-  std::string address;  ///< empty if there is none
+  std::string address;  ///< empty if there is no broker
 };
 
 }  // namespace tendon::message

@@ -7,8 +7,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds::rep kDrift = 10'000;  // drift: at most one in this many
-constexpr nanoseconds::rep kSlew = 2'000;    // correction: changes by one in this many
+constexpr nanoseconds::rep kDrift = 10'000;  // clocks drift by at most 1 ns in so many ns
+constexpr nanoseconds::rep kSlew = 2'000;    // the correction changes by at most 1 ns in so many ns
 constexpr std::chrono::milliseconds kStep(128);
 
 }  // namespace

@@ -12,14 +12,15 @@ namespace tendon {
 /// answers requests with its time; the clock filter of NTP (RFC 5905, section 10) evaluates the
 /// answers:
 ///
-///  - The answer was given between request and arrival. So the error is at most half the round
-///    trip, even if the two ways differ. Of the last eight answers, the one with the smallest error
-///    bound is used. The bound grows with age, because two clocks may drift apart by 100 ppm.
+///  - The other process read its clock after the request was sent and before the answer arrived.
+///    Therefore, the error is at most half of the round trip, even if the two directions take
+///    different times. Of the last eight answers, the one with the smallest error bound is used.
+///    The bound grows with age, because two clocks may drift apart by 100 ppm.
 ///  - If zero is within the bound, the offset is zero: processes of one host share one clock.
 ///  - If two answers contradict each other, a clock has jumped. The older answers are discarded.
 ///
-/// The correction of rows follows the estimate smoothly, by at most 500 ppm, but jumps if it is
-/// more than 128 ms away, because a smooth correction would take minutes.
+/// The correction of rows follows the estimate smoothly, by at most 500 ppm. If the two differ by
+/// more than 128 ms, the correction jumps, because a smooth correction would take minutes.
 ///
 /// Not thread-safe; a copy is cheap.
 class ClockOffset {
@@ -40,10 +41,10 @@ class ClockOffset {
   /// `there` is the other clock's time in between. Ignores impossible answers.
   void Add(SteadyTime sent, SteadyTime there, SteadyTime arrived);
 
-  /// `now` is on our clock.
+  /// Returns the estimate at the time `now` of our clock.
   [[nodiscard]] Estimate At(SteadyTime now) const;
-  /// The correction for a row: subtract it from the row's time `there`, which is on the other
-  /// clock. Continuous, except for the jumps described above.
+  /// Returns the correction for a row. Subtract it from `there`, which is the row's time on the
+  /// other clock. Continuous, except for the jumps described above.
   [[nodiscard]] std::chrono::nanoseconds SlewedAt(SteadyTime there) const;
 
  private:
@@ -56,8 +57,9 @@ class ClockOffset {
   [[nodiscard]] Estimate Best(SteadyTime now) const;
 
   std::array<Answer, 8> answers_;
-  std::size_t count_ = 0;  // answers since the start or a jump
-  // The correction moves from `offset_` at `since_`, on the other clock, towards target_.
+  std::size_t count_ = 0;  // answers since the start or the last jump
+  // The correction was `offset_` at the time `since_` of the other clock, and moves towards
+  // target_.
   SteadyTime since_;
   std::chrono::nanoseconds offset_{0};
   std::chrono::nanoseconds target_{0};

@@ -14,11 +14,11 @@
 
 namespace tendon {
 
-/// The access of the network parts to their process.
+/// Gives the network parts access to their process.
 class ProcessAccess {
  public:
   virtual ~ProcessAccess() = default;
-  /// The manager's lock. Hold it to look up components and to make or end connections.
+  /// Takes the manager's lock. Hold it to look up components and to make or end connections.
   [[nodiscard]] virtual std::unique_lock<std::recursive_mutex> LockStructure() const = 0;
   // Call these with the lock held; the results are valid as long as the lock is held.
   [[nodiscard]] virtual Result<RequiredInterface*> LookUpRequired(const InterfaceName&) const = 0;
@@ -26,7 +26,8 @@ class ProcessAccess {
   [[nodiscard]] virtual Component* LookUpComponent(const std::string& name) const = 0;
   virtual ConnectionId NewConnectionId() = 0;
   // Any thread.
-  /// For a connection of this process, or of another process that is served here.
+  /// Returns the counts of a connection of this process, or of a connection of another process that
+  /// is served here.
   [[nodiscard]] virtual Result<ConnectionCounts> LookUpCounts(const InterfaceName&) const = 0;
   [[nodiscard]] virtual Result<MailboxFill> LookUpFill(const std::string& component) const = 0;
   /// Call it when a connection has changed.

@@ -8,7 +8,7 @@
 namespace tendon {
 
 /// Shares equal interfaces and tables between components, so that a thousand components of one
-/// class cost little more than one. Not thread-safe.
+/// class need little more memory than one component. Not thread-safe.
 class DescriptionPool {
  public:
   /// Replaces the lists of `component` by shared ones. The cost is proportional to the number of
@@ -19,7 +19,8 @@ class DescriptionPool {
   [[nodiscard]] std::size_t size() const;
 
  private:
-  /// By a hash of the content. If several lists have the same hash, only one is kept.
+  /// The shared lists, by a hash of their content. If several lists have the same hash, only one is
+  /// kept.
   template <typename T>
   struct Lists {
     std::unordered_map<std::size_t, SharedList<T>> by_hash;

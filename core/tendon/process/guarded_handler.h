@@ -12,21 +12,21 @@
 namespace tendon {
 namespace message {
 
-/// Notice from the opener of a channel: a Role, as std::uint8_t. Limits the opener to that role
-/// from now on; the role cannot be raised.
+/// A notice from the opener of a channel. Its body is a Role, as std::uint8_t. From now on, the
+/// opener is limited to this role; the role cannot be raised.
 inline constexpr auto kLowerRole = static_cast<MessageType>(0x210);
 
 }  // namespace message
 
-/// Decides what the program at the other end of a channel may do. Every process that serves others,
-/// LCM or GCM, checks every message with it. Messages that kRights does not allow for the peer's
-/// role never reach the functions below.
+/// Decides what the program at the other end of a channel may do. Every LCM and every GCM checks
+/// every message with it. Messages that kRights does not allow for the peer's role never reach the
+/// functions below.
 ///
 /// Messages from viewers are small, so a message above 1 MiB is refused, whatever the role.
 ///
-/// Under TLS a program has the role of its certificate. A peer on this machine without TLS knows
-/// the user's cookie, and is an operator. A peer may lower its role. The audit log has a line for
-/// each refusal and for each request that changes something.
+/// With TLS, a program has the role that its certificate names. Without TLS, a peer on this machine
+/// is an operator, because it knows the user's cookie. A peer may lower its role. The audit log has
+/// a line for each refusal and for each request that changes something.
 class GuardedHandler : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -40,8 +40,8 @@ class GuardedHandler : public ChannelHandler {
                                 std::span<const std::byte> body, Responder responder) = 0;
   virtual void OnAllowedNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                                std::span<const std::byte> body) = 0;
-  /// The object of a request, for the audit log: "arm/Control.Stop". The body is untrusted and may
-  /// be malformed.
+  /// Returns the object of a request, for the audit log: "arm/Control.Stop". The body is untrusted
+  /// and may be malformed.
   [[nodiscard]] virtual std::string ObjectOf(const FrameHeader& header,
                                              std::span<const std::byte> body) const = 0;
 

@@ -12,10 +12,11 @@
 
 namespace tendon {
 
-/// A peer with a longer silence counts as hanging.
+/// A peer that sends nothing for a longer time counts as hanging.
 inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
 
-/// True if a large message, at either end, may delay the peer's next message.
+/// True if a large message that either end is sending or handling may delay the peer's next
+/// message.
 [[nodiscard]] bool MayBeHeldUp(const Channel& channel, SteadyTime now,
                                std::chrono::milliseconds silence);
 
@@ -24,14 +25,14 @@ inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
 using OnPeerTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
 
 /// Pings the process at the other end twice a second while the channel is open. Closes the channel
-/// after 1.5 s without an answer, because a process that hangs or is cut off does not close it.
-/// Waits longer while large messages are being sent or handled, because they may delay the answer.
-/// `worker` provides the timer.
+/// after 1.5 s without an answer, because a process that hangs or is cut off does not close the
+/// channel itself. Waits longer while large messages are being sent or handled, because they may
+/// delay the answer. `worker` provides the timer.
 void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                  const OnPeerTime& on_peer_time = nullptr);
 
-/// Calls Channel::Expire() every second on `worker` while the channel is open. For the acceptor of
-/// a channel, which sends no requests itself.
+/// Calls Channel::Expire() every second on `worker` while the channel is open. For the side that
+/// has accepted a channel, because it sends no requests that would check timeouts.
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
 
 /// Closes the channel of a viewer that hangs. A viewer pings twice a second; after its first ping,
@@ -42,7 +43,7 @@ class ViewerMonitor final : public std::enable_shared_from_this<ViewerMonitor> {
  public:
   explicit ViewerMonitor(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}
 
-  /// Notes a ping. Any thread; wait-free.
+  /// Records a ping. Any thread; wait-free.
   void OnPing() noexcept { last_ping_.Set(SteadyClock().Now()); }
   /// Starts checking on the worker while the channel is open. Further calls do nothing. Called by
   /// one thread.

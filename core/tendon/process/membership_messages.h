@@ -19,10 +19,10 @@ inline constexpr auto kRenew = static_cast<MessageType>(0x302);   // request: No
 inline constexpr auto kLeave = static_cast<MessageType>(0x303);   // request: None -> None
 inline constexpr auto kReportHealth =
     static_cast<MessageType>(0x304);  // request: Health -> GcmClock
-// From the GCM, on the channel on which the process joined. request: ConnectionPlan ->
-// ConnectionDescription; the LCM reports the connection before it answers
+// From the GCM, on the channel on which the process joined. Request: ConnectionPlan ->
+// ConnectionDescription. The LCM reports the connection before it answers.
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
-// request: Wire -> None; the LCM reports the end of the connection before it replies
+// Request: Wire -> None. The LCM reports the end of the connection before it answers.
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
 inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
 
@@ -35,8 +35,8 @@ struct Join {
   std::vector<ConnectionDescription> connections;
 };
 
-/// The GCM's answer. A membership lasts while its channel is open and kRenew comes every 250 ms. It
-/// has ended when a renewal is refused with kDenied; join again then.
+/// The GCM's answer. A membership lasts while its channel is open and kRenew arrives every 250 ms.
+/// If a renewal is refused with kDenied, the membership has ended, and the process must join again.
 struct JoinReply {
   std::uint64_t gcm_instance = 0;
   std::uint64_t session = 0;                  ///< token of this membership
@@ -44,8 +44,8 @@ struct JoinReply {
 };
 
 /// The changes in a process since it joined or sent its last report. Each change is a
-/// CatalogueChange with revision 0. Of the process itself, only address, host, pid and plug-ins can
-/// change.
+/// CatalogueChange with revision 0. In the description of the process itself, only address, host,
+/// pid and plug-ins can change.
 struct Report {
   std::vector<CatalogueChange> changes;
 };
@@ -74,9 +74,9 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
-/// The order to the LCM of the required side to make a connection: the two ends, and the address of
-/// the provider's process. If that process does not exist yet, the address is empty, and the
-/// connection is pending.
+/// The order to the LCM of the required side to make a connection. It holds the two ends, and the
+/// address of the provider's process. If this process does not exist yet, the address is empty, and
+/// the connection is pending.
 struct ConnectionPlan {
   Wire wire;
   std::string address;

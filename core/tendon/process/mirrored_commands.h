@@ -10,9 +10,9 @@
 
 namespace tendon {
 
-/// The read commands of this process that other processes mirror: they keep a copy of the newest
-/// answer. Reports to these processes which commands are disabled, because a copy must not answer
-/// for a disabled command. Not thread-safe.
+/// The read commands of this process that other processes mirror, which means that they keep a copy
+/// of the newest answer. Reports to these processes which commands are disabled, because the copy
+/// of a disabled command must not be read. Not thread-safe.
 class MirroredCommands {
  public:
   /// A mirrored command and its channel.
@@ -27,7 +27,7 @@ class MirroredCommands {
   void Add(MirroredCommand command) { known_.push_back({.command = std::move(command)}); }
   void Remove(const Channel& channel, std::uint32_t handle);
   void Remove(const std::string& component);
-  /// Reports changes; call it regularly.
+  /// Reports the commands that were enabled or disabled since the last call. Call it regularly.
   void Report();
 
  private:

@@ -20,7 +20,7 @@ namespace {
 
 InterfaceName WithoutProcess(const InterfaceName& name) { return {name.component, name.interface}; }
 
-/// A host alone gets the GCM's default port.
+/// Returns the address of the GCM. If `address` is only a host, adds the GCM's default port.
 std::string GcmAddress(const std::string& address) {
   const bool is_host = address.find(':') == std::string::npos || address.ends_with(']');
   return is_host ? address + ":" + std::to_string(kDefaultGcmPort) : address;
@@ -60,7 +60,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Call it when the process has its parts.
+  /// Starts to listen and to join the GCM. Call it when the process has its parts.
   void Open(const ProcessOptions& options) {
     Listen(options);
     if (options.gcm.empty()) return;
@@ -84,7 +84,8 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     return connections_.HasCallsUnderWay(client.name());
   }
 
-  /// Call it while the process still has its parts. Drops unfinished calls at `deadline`.
+  /// Leaves the GCM and closes all connections. Drops unfinished calls at `deadline`. Call it while
+  /// the process still has its parts.
   void Close(SteadyTime deadline) {
     lifecycle_.Stop();  // before the worker stops, because Stop() may wait for tasks of the worker
     context_.opener->Stop();
@@ -258,7 +259,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     lifecycle_.ListClasses(OnWorker(std::move(done)));
   }
 
-  /// A function that calls `done` on the worker.
+  /// Returns a function that calls `done` on the worker.
   template <typename T>
   LifecycleExecutor::Done<T> OnWorker(std::function<void(const Result<T>&)> done) {
     return [&worker = *context_.worker, done = std::move(done)](const Result<T>& result) {

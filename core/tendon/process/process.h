@@ -19,23 +19,25 @@ inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 struct ProcessOptions {
   std::shared_ptr<Middleware> middleware;
   std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: joins no GCM
-  std::string listen = "127.0.0.1:0";  ///< where peers and viewers connect; port 0 takes a free one
-  /// The address to announce, if it is not `listen`: "host:port", or only a host to keep the port.
-  /// By default, a process that listens at every address announces the address from which it
-  /// reaches the GCM.
+  std::string listen = "127.0.0.1:0";  ///< peers and viewers connect here; 0 takes a free port
+  /// The address to announce, if it differs from `listen`: "host:port", or only a host, to keep the
+  /// port of `listen`. By default, a process that listens at every address announces the address
+  /// from which it reaches the GCM.
   std::string advertise;
   bool retry = true;  ///< keeps trying until it finds the GCM
-  /// Loads plug-ins for orders from the GCM. Must not be used elsewhere while the process lives. If
-  /// null, such orders are refused.
+  /// Loads plug-ins for orders from the GCM. Must not be used elsewhere while the Process object
+  /// exists. If null, such orders are refused.
   std::shared_ptr<ComponentLoader> loader{};
 };
 
-/// A local component manager with a network. It joins a GCM under its name. Its components can be
-/// connected to components of any other process, in the same way as to local ones.
+/// A component manager that is connected to other processes. It joins a GCM under its name. Its
+/// components can be connected to components of any other process, in the same way as to local
+/// ones.
 ///
-/// Connections within the process are those of LocalManager. Other connections belong to the
-/// process of the required interface. Such a connection is pending while the other process is
-/// absent, and is made again when that process returns. A crash of the GCM affects no connection.
+/// Connections within the process are those of LocalManager. Connections to other processes belong
+/// to the process of the required interface. Such a connection is pending while the other process
+/// is absent, and is made again when the other process returns. A crash of the GCM affects no
+/// connection.
 ///
 /// Log records are also sent to the GCM, within the limits of LogLimiter for each source. The GCM
 /// can set the log level.
@@ -43,13 +45,13 @@ struct ProcessOptions {
 /// Through the GCM, its components can be started, suspended and stopped. With a loader in the
 /// options, components of plug-ins can also be created and removed.
 ///
-/// Thread safety: like LocalManager. Threads: five of its own, one for each running order, and
-/// those of the middleware.
+/// Thread safety: like LocalManager. A process has five threads of its own, one more for each
+/// running order, and the threads of the middleware.
 class Process final : public LocalManager {
  public:
-  /// Listens, and starts to join the GCM. Throws ConfigurationError for an invalid name or address,
-  /// if the port is in use (kExists), if an address of another machine is not allowed, or if the
-  /// user's cookie cannot be read (kDenied).
+  /// Listens, and starts to join the GCM. Throws ConfigurationError if the name or an address is
+  /// invalid, if the port is in use (kExists), if an address of another machine is not allowed, or
+  /// if the user's cookie cannot be read (kDenied).
   Process(std::string name, ProcessOptions options);
   /// Stops all components in order, as LocalManager does, while their connections are open and
   /// servers in other processes execute the last calls. Then leaves the GCM and closes all
@@ -57,13 +59,14 @@ class Process final : public LocalManager {
   ~Process() override;
 
   [[nodiscard]] const std::string& name() const;
-  /// The announced address. If the process listens at every address, it is known only after
-  /// joining.
+  /// The announced address. If the process listens at every address, the announced address is known
+  /// only after joining.
   [[nodiscard]] std::string address() const;
   [[nodiscard]] std::uint64_t instance() const;
 
-  /// Errors: kUnreachable "no GCM at ...", kExists with the holder of the name, kTimeout. The
-  /// process works without a GCM, and keeps trying if ProcessOptions::retry is set.
+  /// Waits until the process has joined the GCM. Errors: kUnreachable ("no GCM at ..."), kExists if
+  /// another process has the name (the text says which), kTimeout. The process works without a GCM,
+  /// and keeps trying if ProcessOptions::retry is set.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
@@ -82,7 +85,7 @@ class Process final : public LocalManager {
   /// names.
   [[nodiscard]] std::vector<ConnectionDescription> connections() const override;
 
-  /// The proxies here for components of other processes.
+  /// The proxies in this process for components of other processes.
   [[nodiscard]] std::vector<ComponentProxy> proxies() const;
 
  private:
@@ -97,7 +100,7 @@ class Process final : public LocalManager {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Options for a process that uses plain sockets: Process process("ui", Tcp({.gcm =
+/// Returns options for a process that uses plain sockets: Process process("ui", Tcp({.gcm =
 /// "192.168.0.101"})). Addresses of other machines need Exposure::kInsecure, because nothing is
 /// encrypted.
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure = Exposure::kLoopbackOnly);

@@ -14,7 +14,7 @@ enum class ProcessState : std::int32_t {
   kAlive,
   kSuspect,   ///< has missed lease renewals
   kLost,      ///< connection broken or lease expired; the description is kept
-  kLeft,      ///< left in order; the description is kept
+  kLeft,      ///< has left the GCM itself; the description is kept
   kStarting,  ///< the GCM has started its program, which has not joined yet
 };
 
@@ -36,7 +36,7 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers connect
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost; if it is alive, the hosts that cannot reach it
+  std::string reason;      ///< why it is lost; or if it is alive, which hosts cannot reach it
   std::int64_t since = 0;  ///< time of entering `state`, ns since 1970; only for display
   std::vector<PluginDescription> plugins{};  ///< in the order of loading
 

@@ -60,9 +60,9 @@ bool SchemaCache::Learn(const Schema& schema) {
   }
   if (!std::exchange(has_warned_, true)) {
     Log(LogLevel::kWarning, "types",
-        "other processes have more types than this process can store: " + std::to_string(types_) +
-            ", of " + std::to_string(text_) +
-            " bytes; only the fingerprints of further types are known here");
+        "other processes have more types than this process can store (" + std::to_string(types_) +
+            " types with " + std::to_string(text_) +
+            " bytes of text); only the fingerprints of further types are known here");
   }
   return false;
 }

@@ -18,13 +18,13 @@ namespace tendon {
 /// Answers kGetSchemas with the schemas that this process knows. Refuses more than 1024.
 void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
 
-/// The schemas in an untrusted answer, by fingerprint. Returns only those that were requested and
-/// whose text matches the fingerprint.
+/// Reads the schemas in an untrusted answer. Returns, by fingerprint, only the schemas that were
+/// requested and whose text matches the fingerprint.
 [[nodiscard]] std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
                                                         const message::Schemas& answer);
 
-/// Stores the types that peers describe for FindSchema(), until the process ends. Its size is
-/// limited, whatever peers send. Thread-safe.
+/// Stores the types that peers describe, so that FindSchema() finds them until the process ends.
+/// Its size is limited, whatever peers send. Thread-safe.
 class SchemaCache {
  public:
   /// The limits of a SchemaCache.
@@ -35,8 +35,8 @@ class SchemaCache {
 
   explicit SchemaCache(Limits limits) : limits_(limits) {}
 
-  /// Adds a type for FindSchema(). Returns false, and logs this once, if the type would exceed the
-  /// limits.
+  /// Adds a type, so that FindSchema() finds it. Returns false, and logs this once, if the type
+  /// would exceed the limits.
   bool Learn(const Schema& schema);
 
  private:
@@ -47,9 +47,9 @@ class SchemaCache {
   bool has_warned_ = false;
 };
 
-/// Asks the peer for schemas and adds them for FindSchema(), within the default limits of
-/// SchemaCache for all peers together. Calls `done` once, whatever the outcome; `timer` provides
-/// the timeout.
+/// Asks the peer for schemas and adds them, so that FindSchema() finds them. The default limits of
+/// SchemaCache apply to all peers together. Calls `done` once, whatever the outcome; `timer`
+/// provides the timeout.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,
                   std::function<void()> done);

@@ -15,15 +15,17 @@
 
 namespace tendon {
 
-/// The numbers of lost rows, by the place where they were lost. Each loss is counted once: `table`
-/// and `network` by the subscription (process/telemetry/row_subscription.h), from the numbers that
-/// the table's process sends with its batches; `viewer` by the sink that drops the rows.
+/// The numbers of lost rows, by the place where they were lost. Each lost row is counted once. The
+/// subscription (process/telemetry/row_subscription.h) counts `table` and `network` from the
+/// numbers that the table's process sends with its batches. The sink counts the rows that it drops
+/// in `viewer`.
 ///
-/// For a subscription to every row, the rows that the sink has received plus `table` plus `network`
-/// are the rows written since the first announced one, also across a broken link. Rows that a
-/// source wrote after a restart and before the subscription was active again are not counted. With
-/// a period, rows that were not chosen and rows written while the link was down are not counted;
-/// `table` counts all rows, chosen or not. With only the newest row, `table` stays 0.
+/// In a subscription to every row, the number of rows that the sink has received, plus `table`,
+/// plus `network`, is the number of rows written since the first announced row, even if the link
+/// was broken in between. Rows that a source wrote after a restart and before the subscription was
+/// active again are not counted. In a subscription with a period, rows that were not chosen and
+/// rows written while the link was down are not counted; `table` counts all rows, chosen or not. In
+/// a subscription to only the newest row, `table` stays 0.
 struct LostRows {
   std::uint64_t table = 0;    ///< overwritten before the table's process could read them
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
@@ -42,9 +44,9 @@ struct LostRows {
 /// Rows of one state table, in order, that arrived in one batch. Valid only during the call.
 struct RowBatch {
   std::uint64_t epoch = 0;  ///< changes when the source restarts; ticks then start at 0
-  LostRows lost;            ///< since the last batch; `viewer` is 0, because the sink counts those
-  std::size_t count = 0;    ///< 0 if there is only a loss to report
-  std::span<const std::uint64_t> ticks;  ///< of each row; consecutive without a period
+  LostRows lost;          ///< lost since the last batch; `viewer` is 0, because the sink counts it
+  std::size_t count = 0;  ///< 0 if there is only a loss to report
+  std::span<const std::uint64_t> ticks;  ///< of each row; without a period, they are consecutive
   std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
   /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
   /// several hosts can share one time axis. Constant within a batch. Between batches it follows the
@@ -53,7 +55,7 @@ struct RowBatch {
   /// The largest possible error of clock_offset; the largest value of the type before the first
   /// estimate.
   std::chrono::nanoseconds clock_uncertainty = std::chrono::nanoseconds::max();
-  /// Column c of row r: its CDR body, in the format of the column's schema.
+  /// Returns the CDR body of a column in a row, in the format of the column's schema.
   std::function<std::span<const std::byte>(std::size_t row, std::size_t column)> cell;
 };
 
@@ -61,12 +63,12 @@ struct RowBatch {
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// The subscription is active; `columns` are in the order of the request. Called again after each
-  /// recovery.
+  /// Called when the subscription has become active, also after each recovery. `columns` are in the
+  /// order of the request.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
   virtual void OnRows(const RowBatch& batch) = 0;
-  /// There are no rows for now, because the process is absent or has refused; the client keeps
-  /// trying.
+  /// Called when there are no rows for now, because the process is absent or has refused the
+  /// subscription. The client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 
@@ -74,13 +76,13 @@ class RowSink {
 struct TableSubscription {
   std::string process;
   std::string component;
-  std::string table;  ///< the name of its interface: "state" or "state-NAME"
+  std::string table;  ///< the name of the table's interface: "state" or "state-NAME"
   std::vector<std::string> columns;
   RowChoice rows = {};  ///< every row by default
 };
 
-/// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. Recovers by
-/// itself when a process comes back. Thread-safe.
+/// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. A subscription
+/// recovers by itself when its process comes back. Thread-safe.
 class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
@@ -90,10 +92,11 @@ class TelemetryClient {
   /// rows are read once. Subscriptions beyond these limits, or with a column named twice, are
   /// refused; the sink gets OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
-  /// After the return, the sink is not called any more. Must not be called from a sink.
+  /// Ends a subscription. When this function returns, the sink is not called any more. Must not be
+  /// called from a sink.
   virtual void Unsubscribe(Id id) = 0;
   /// Tries the subscriptions of a process again at once. Call it when the process has come back or
-  /// moved.
+  /// has another address.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
 };
 

@@ -15,8 +15,8 @@ inline constexpr auto kGetProgram =
 
 /// The answer to kGetProgram.
 struct ProgramVersion {
-  std::string release;         ///< of Tendon: "0.4.0"
-  std::uint16_t protocol = 0;  ///< the version that it speaks
+  std::string release;         ///< the release of Tendon: "0.4.0"
+  std::uint16_t protocol = 0;  ///< the version of the protocol that the program uses
 };
 
 }  // namespace tendon::message

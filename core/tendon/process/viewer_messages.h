@@ -22,36 +22,35 @@ inline constexpr auto kCallMember =
     static_cast<MessageType>(0x201);  // request: CallMember -> CallMemberReply
 inline constexpr auto kSubscribe =
     static_cast<MessageType>(0x202);  // request: Subscribe -> SubscribeReply
-inline constexpr auto kUnsubscribe =
-    static_cast<MessageType>(0x203);  // notice: empty; frame's handle
+inline constexpr auto kUnsubscribe = static_cast<MessageType>(0x203);  // notice: a handle, no body
 // From the process.
 inline constexpr auto kRows =
-    static_cast<MessageType>(0x204);  // notice: frame's handle, see RowsHeader
-inline constexpr auto kRowsEnded =
-    static_cast<MessageType>(0x205);  // notice: frame's handle; Error: why there are no more rows
+    static_cast<MessageType>(0x204);  // notice: a handle, then RowsHeader and the rows
+// Its error says why there are no more rows.
+inline constexpr auto kRowsEnded = static_cast<MessageType>(0x205);  // notice: a handle, then Error
 // From a viewer that chose only the newest row: it has received the last row, so the next may be
 // sent.
-inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: empty; frame's handle
-// From a viewer: like kOpenInterface, but without functions. Afterwards as in
-// proxy/connection_messages.h: the process sends kTimedEvents, kEventsLost and kInterfaceClosed,
-// the viewer kCloseInterface.
+inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: a handle, no body
+// From a viewer: like kOpenInterface, but without functions. Afterwards, the process sends
+// kTimedEvents, kEventsLost and kInterfaceClosed, and the viewer sends kCloseInterface, as in
+// proxy/connection_messages.h.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
 
-/// kGetCounts: the counts of a connection whose required side is in the process. kGetFill: the
-/// mailboxes of a component.
+/// kGetCounts asks for the counts of a connection whose required side is in the process. kGetFill
+/// asks how full the mailboxes of a component are.
 inline constexpr auto kGetCounts =
     static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// Names the required side. The process of the provided side also answers, but only with the
-/// capacity and the lost events of its end.
+/// Names the required side of a connection. The process of the provided side also answers, but only
+/// with the capacity and the lost events of the provided side.
 struct GetCounts {
   InterfaceName required;
 };
 
-/// Names the component.
+/// Names the component whose mailboxes are meant.
 struct GetFill {
   std::string component;
 };
@@ -94,9 +93,9 @@ struct Subscribe {
 /// The answer to Subscribe.
 struct SubscribeReply {
   std::uint32_t handle = 0;  ///< of the frames of this subscription
-  std::uint64_t epoch = 0;   ///< StateTable::epoch(): in another epoch ticks count anew
-  /// The first row that will come or be reported as lost. With the newest row only, the first row
-  /// may be older.
+  std::uint64_t epoch = 0;   ///< StateTable::epoch(); in another epoch, ticks start again at 0
+  /// The tick of the first row that will be sent or reported as lost. In a subscription to only the
+  /// newest row, the first row may be older.
   std::uint64_t first_tick = 0;
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order of the request
 };
@@ -118,7 +117,7 @@ struct RowsHeader {
   std::uint64_t rows_before = 0;  ///< rows sent earlier in this subscription; a gap means lost rows
   /// Rows since the last batch that were overwritten before the source could read them.
   std::uint64_t lost_table = 0;
-  std::uint64_t next_tick = 0;  ///< all rows below it are in this and earlier batches
+  std::uint64_t next_tick = 0;  ///< all rows with smaller ticks are in this and earlier batches
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
 };

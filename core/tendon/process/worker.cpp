@@ -30,12 +30,12 @@ class Worker::Queue {
   }
 
   void Clear() {
-    std::multimap<SteadyTime, Task> dropped;  // destroyed without the lock
+    std::multimap<SteadyTime, Task> dropped;  // destroyed after the lock is released
     const std::scoped_lock lock(mutex_);
     dropped.swap(tasks_);
   }
 
-  /// The loop; returns after Stop().
+  /// Executes tasks until Stop() is called.
   void Run() {
     os::NameThisThread(name_);
     std::unique_lock lock(mutex_);

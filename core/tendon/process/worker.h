@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// The time until `deadline`; not below zero.
+/// Returns the time until `deadline`, but not less than zero.
 [[nodiscard]] inline std::chrono::milliseconds TimeUntil(SteadyTime deadline) {
   using std::chrono::milliseconds;
   const auto left = std::chrono::ceil<milliseconds>(deadline - SteadyClock().Now());
@@ -20,25 +20,27 @@ namespace tendon {
 
 /// A thread with a queue of tasks, for work that must not be done in a thread of the middleware:
 /// opening channels, writing files, retrying later. Executes one task at a time, in the order of
-/// due time, then of posting. Logs exceptions of tasks. Sleeps when idle. Thread-safe.
+/// their due times. Tasks with the same due time are executed in the order in which they were
+/// posted. Logs exceptions of tasks. Sleeps when idle. Thread-safe.
 class Worker {
  public:
   using Task = std::function<void()>;
 
   /// `name` is the name of the thread.
   explicit Worker(const std::string& name) : Worker(name, name) {}
-  /// `owner` is the source of its log records.
+  /// `owner` is the source of the worker's log records.
   Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Calls Stop(). A task with the last reference may destroy the worker; then no task follows.
+  /// Calls Stop(). If a task holds the last reference, it may destroy the worker; then no further
+  /// task is executed.
   ~Worker();
 
   void Post(Task task);
   void PostAfter(std::chrono::milliseconds delay, Task task);
 
-  /// Waits for the running task, whose attempt to open a link is cancelled. Drops all other tasks,
-  /// including those posted later. Must not be called from a task.
+  /// Waits for the running task; if the task is opening a link, this attempt is cancelled. Drops
+  /// all other tasks, including those posted later. Must not be called from a task.
   void Stop();
 
  private:

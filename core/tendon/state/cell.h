@@ -16,14 +16,14 @@
 
 namespace tendon {
 
-/// The position of a column's cell in a row. A cell is the CDR body of a value. In a dynamic type,
-/// a word comes first: the body's length, or kAbsent.
+/// The position of a column's cell in a row. A cell is the CDR body of a value. In a column of a
+/// dynamic type, one word comes before the body: the length of the body, or kAbsent.
 struct CellLayout {
   static constexpr std::uint64_t kAbsent = ~std::uint64_t{0};
 
-  std::size_t offset = 0;  ///< in words
-  std::size_t words = 0;   ///< including the length word
-  std::size_t bytes = 0;   ///< of the body; the maximum if the type is dynamic
+  std::size_t offset = 0;  ///< offset in the row, in words
+  std::size_t words = 0;   ///< number of words, including the length word
+  std::size_t bytes = 0;   ///< size of the body; the maximum size if the type is dynamic
   bool is_dynamic = false;
 
   bool operator==(const CellLayout&) const = default;
@@ -65,7 +65,7 @@ template <>
 inline void LoadWords(const RowRing<>::Word* /*words*/, std::byte* /*bytes*/,
                       std::index_sequence<> /*indices*/) noexcept {}
 
-/// Loads a cell word by word into memory that holds `kBytes`.
+/// Loads a cell word by word into memory for `kBytes` bytes.
 template <std::size_t kBytes>
 void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
   constexpr std::size_t kWord = sizeof(std::uint64_t);
@@ -83,8 +83,8 @@ void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
   }
 }
 
-/// A buffer of `words` words into which this thread reads rows. Reuses its memory, so that no call
-/// allocates once the buffer has been large enough.
+/// Returns a buffer of `words` words, into which the calling thread reads rows. The memory is
+/// reused, so a call allocates only if the buffer has never been large enough.
 std::span<std::uint64_t> RowBuffer(std::size_t words);
 
 /// A reader's copy of one cell. Its content is valid only if the check of the row succeeds

@@ -28,13 +28,13 @@ struct RowStamp {
   bool operator==(const RowStamp&) const = default;
 };
 
-/// Converts the outcome for a real-time call.
+/// Converts the result of a read to the status of a real-time call.
 constexpr Status ToStatus(RowResult result) noexcept {
   if (result == RowResult::kDone) return Status::kDone;
   return result == RowResult::kInvalid ? Status::kInvalid : Status::kNoSample;
 }
 
-/// A column of a table, whatever its type. Immutable except for the count.
+/// The base class of all columns of a table. Immutable, except for the count of absent values.
 class ColumnBase {
  public:
   ColumnBase(std::string name, const CellLayout& layout, const Schema& schema,
@@ -49,7 +49,8 @@ class ColumnBase {
   [[nodiscard]] const Fingerprint& fingerprint() const noexcept { return fingerprint_; }
   /// Number of values that did not fit into the column's capacity; their cells are absent.
   [[nodiscard]] std::uint64_t absent() const noexcept { return absent_.value(); }
-  /// The column's part of a row copied with StateTable::CopyRow(): a CDR body, empty if absent.
+  /// Returns the cell of this column in a row that StateTable::CopyRow() has copied. It is a CDR
+  /// body, which is empty if the value is absent.
   [[nodiscard]] std::span<const std::byte> Cell(std::span<const std::uint64_t> row) const noexcept;
 
  private:
@@ -59,7 +60,8 @@ class ColumnBase {
   virtual std::size_t EncodeVariable(std::span<std::byte> body) const noexcept = 0;
   [[nodiscard]] virtual const void* variable() const noexcept = 0;
   [[nodiscard]] virtual const std::type_info& type() const noexcept = 0;
-  /// In the writer's thread: encodes the variable into `cell` and returns the words that changed.
+  /// Encodes the variable into `cell` and returns the words that changed. Called in the writer's
+  /// thread.
   std::span<const std::uint64_t> Encode(std::span<std::uint64_t> cell) noexcept;
 
   std::string name_;
@@ -72,10 +74,10 @@ class ColumnBase {
 /// The history of one variable.
 ///
 /// Thread safety: any thread may read at any time. A read never returns a mixture of two rows. If
-/// the result is not kDone, `value` is unchanged; only kInvalid leaves it unspecified: the writer's
-/// variable held an invalid value, such as an enum value without a name. Reads of a fixed type
-/// allocate nothing; reads of a dynamic type allocate only when `value`, or the thread's buffer for
-/// cells, grows.
+/// the result is not kDone, `value` is unchanged, except after kInvalid, which leaves it
+/// unspecified. kInvalid means that the writer's variable held an invalid value, such as an enum
+/// value without a name. Reads of a fixed type allocate nothing; reads of a dynamic type allocate
+/// only when `value`, or the thread's buffer for cells, grows.
 template <Payload T>
 class Column final : public ColumnBase {
  public:
@@ -84,31 +86,32 @@ class Column final : public ColumnBase {
         rows_(rows),
         variable_(variable) {}
 
-  /// The newest value. kNoSample before the first row, and if the newest value did not fit into the
-  /// column. About 4 ns for 64 bytes; wait-free unless the writer overwrites the whole ring
-  /// meanwhile.
+  /// Reads the newest value. Returns kNoSample before the first row, and if the newest value did
+  /// not fit into the column. Takes about 4 ns for 64 bytes; wait-free unless the writer overwrites
+  /// the whole ring meanwhile.
   Status ReadNewest(T& value) const noexcept {
     std::uint64_t tick = 0;
     return ReadNewestCell(value, tick, [](const Word* /*row*/) {});
   }
-  /// The same, and sets the stamp of the row.
+  /// Reads the newest value, and also the stamp of its row.
   Status ReadNewest(T& value, RowStamp& stamp) const noexcept {
     return ReadNewestCell(value, stamp.tick, [&](const Word* row) { stamp.time = TimeOf(row); });
   }
 
-  /// The value of one row.
+  /// Reads the value of one row.
   RowResult ReadAt(std::uint64_t tick, T& value) const noexcept {
     return ReadCellAt(tick, value, [](const Word* /*row*/) {});
   }
 
-  /// The value `rows` rows before the newest; 0 is the newest row.
+  /// Reads the value that is `rows` rows older than the newest; 0 is the newest row.
   RowResult ReadDelayed(std::size_t rows, T& value) const noexcept {
     const std::uint64_t next = rows_.next_tick();
     return rows < next ? ReadAt(next - 1 - rows, value) : RowResult::kNotYet;
   }
 
-  /// The value that was valid at `time`: that of the newest row whose time is not after it. kNotYet
-  /// if all rows are later, kOvertaken if that row is lost. A binary search.
+  /// Reads the value that was valid at `time`: the value of the newest row that is not later than
+  /// `time`. Returns kNotYet if all rows are later, and kOvertaken if this row is lost. Uses a
+  /// binary search.
   RowResult ReadAtTime(SteadyTime time, T& value) const noexcept {
     std::uint64_t tick = 0;
     const RowResult found = rows_.Find(time.time_since_epoch().count(), tick);
@@ -122,8 +125,8 @@ class Column final : public ColumnBase {
     return ReadRange(tick, rows_.next_tick(), value, lost, visit);
   }
 
-  /// The same for the rows before `end`; rows not written yet are left for the next call.
-  /// StateTable::FindRow() finds the ticks of a span of time.
+  /// Like ReadSince(), but only for the rows before `end`. Rows that are not written yet are left
+  /// for the next call. StateTable::FindRow() finds the ticks of a time span.
   template <typename Visitor>
   std::uint64_t ReadRange(std::uint64_t tick, std::uint64_t end, T& value, std::uint64_t& lost,
                           Visitor visit) const {
@@ -155,8 +158,8 @@ class Column final : public ColumnBase {
     return SteadyTime(std::chrono::nanoseconds(RowRing<>::TimeOf(row)));
   }
 
-  /// `read` copies the cell of one row; the cell is decoded only if the row is complete. `note`
-  /// sees the row as well.
+  /// Reads one cell. `read` copies the cell from a row, and also calls `note` with the row. The
+  /// copy is decoded only if it is complete.
   template <typename Read, typename Note>
   RowResult ReadCell(T& value, Read read, Note note) const {
     CellCopy<T> copy(layout());
@@ -179,7 +182,7 @@ class Column final : public ColumnBase {
   Status ReadNewestCell(T& value, std::uint64_t& tick, Note note) const {
     const auto newest = [&](auto copy) { return rows_.ReadNewest(tick, copy); };
     if constexpr (FixedPayload<T>) {
-      if (LiesAsOnWire(value)) {  // a complete row never fails to decode
+      if (LiesAsOnWire(value)) {  // a complete row can always be decoded
         return ToStatus(newest([&](const Word* row) {
           LoadCell<kEncodedSize<T>>(row + layout().offset, reinterpret_cast<std::byte*>(&value));
           note(row);

@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// Computes one variable from another, once a row.
+/// Computes one variable from another, once per row.
 class RowFilter {
  public:
   RowFilter() = default;
@@ -15,11 +15,11 @@ class RowFilter {
   RowFilter& operator=(const RowFilter&) = delete;
   virtual ~RowFilter() = default;
 
-  /// In the writer's thread, before each row.
+  /// Called in the writer's thread before each row.
   virtual void Apply() noexcept = 0;
 };
 
-/// Calls `function(input, output)`, which may keep a state of its own.
+/// Calls `function(input, output)`, which may have its own state.
 template <Payload In, Payload Out, typename Function>
 class FunctionFilter final : public RowFilter {
  public:

@@ -17,18 +17,18 @@ class RowCopy {
  public:
   explicit RowCopy(const StateTable& table) : table_(table), words_(table.row_words()) {}
 
-  /// kNoSample before the first row. Wait-free unless the writer overwrites the whole ring
-  /// meanwhile.
+  /// Copies the newest row. Returns kNoSample before the first row. Wait-free unless the writer
+  /// overwrites the whole ring meanwhile.
   Status ReadNewest();
-  /// If the result is not kDone, the object holds no row afterwards.
+  /// Copies the row with this tick. If the result is not kDone, the object holds no row afterwards.
   RowResult ReadAt(std::uint64_t tick);
-  /// The newest row not later than `time`.
+  /// Copies the newest row that is not later than `time`.
   RowResult ReadAtTime(SteadyTime time);
 
   /// Identifies the copied row.
   [[nodiscard]] const RowStamp& stamp() const noexcept { return stamp_; }
-  /// The value of a column of the table. kNotYet if no row was copied, kAbsent if the value did not
-  /// fit into the column. Allocates only if a dynamic `value` grows.
+  /// Reads the value of a column from the copied row. Returns kNotYet if no row was copied, and
+  /// kAbsent if the value did not fit into the column. Allocates only if a dynamic `value` grows.
   template <Payload T>
   RowResult Get(const Column<T>& column, T& value) const {
     if (!has_row_) return RowResult::kNotYet;
@@ -36,7 +36,7 @@ class RowCopy {
     if (body.empty()) return RowResult::kAbsent;
     return Decode(body, value) ? RowResult::kDone : RowResult::kInvalid;
   }
-  /// The CDR body of a column; empty if its value is absent.
+  /// Returns the CDR body of a column in the copied row; empty if its value is absent.
   [[nodiscard]] std::span<const std::byte> Cell(const ColumnBase& column) const noexcept;
 
  private:

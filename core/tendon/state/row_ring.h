@@ -35,10 +35,10 @@ class RowRing {
  public:
   using Word = typename Atomics::template Atomic<std::uint64_t>;
 
-  /// Keeps at least `rows` rows of `row_words` words. Their count is rounded up to a power of two
-  /// above `rows`, because one row is always being replaced. Only before the first row; allocates
-  /// and touches all memory. Throws std::bad_alloc if there is not enough, and then leaves the ring
-  /// as it was.
+  /// Allocates memory for at least `rows` rows of `row_words` words, and touches all of it. The
+  /// number of rows is rounded up to a power of two above `rows`, because one row is always being
+  /// replaced. Call it only before the first row. If there is not enough memory, throws
+  /// std::bad_alloc and leaves the ring unchanged.
   void Allocate(std::size_t rows, std::size_t row_words) {
     assert(next_tick() == 0);
     const std::size_t count = std::bit_ceil(rows + 1);
@@ -52,7 +52,7 @@ class RowRing {
     void* first = memory_.get();
     rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));
   }
-  /// The largest number of rows, at least one, that takes no more than `words` words.
+  /// Returns the largest number of rows that fit into `words` words, but at least one.
   [[nodiscard]] static std::size_t RowsWithin(std::size_t words, std::size_t row_words) noexcept {
     const std::size_t fit = words / StrideFor(row_words);
     return fit < 2 ? 1 : std::bit_floor(fit) - 1;
@@ -63,7 +63,7 @@ class RowRing {
     const std::uint64_t tick = next_.load(std::memory_order_relaxed);
     row_ = Row(tick);
     row_[kTick].store(tick, std::memory_order_relaxed);
-    Atomics::Fence(std::memory_order_release);  // (A) the tick before any word of the row
+    Atomics::Fence(std::memory_order_release);  // (A) the tick is stored before other words
     row_[kTime].store(static_cast<std::uint64_t>(time), std::memory_order_relaxed);
   }
 
@@ -86,21 +86,22 @@ class RowRing {
   [[nodiscard]] std::uint64_t next_tick() const noexcept {
     return next_.load(std::memory_order_acquire);  // pairs with (B)
   }
-  /// The oldest row that can still be read, provided that the writer does not write another one.
+  /// The tick of the oldest row that can still be read, as long as the writer does not write
+  /// another row.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
     const std::uint64_t next = next_tick();
     return next > mask_ ? next - mask_ : 0;
   }
 
-  /// Reader: calls `copy(words)`, which copies words of a row by relaxed loads alone. Returns kDone
-  /// if the copy is a complete copy of that row.
+  /// Reader: calls `copy(words)`, which must copy words of a row with relaxed loads only. Returns
+  /// kDone if all copied words belong to that row.
   template <typename Copy>
   RowResult Read(std::uint64_t tick, Copy copy) const {
     return tick < next_tick() ? ReadWritten(tick, copy) : RowResult::kNotYet;
   }
 
-  /// Reader: the same for the newest row, whose tick it sets; kNotYet before the first. Retries
-  /// only if the writer overwrites the whole ring meanwhile.
+  /// Reader: like Read(), but for the newest row, whose tick it stores in `tick`. Returns kNotYet
+  /// before the first row. Retries only if the writer overwrites the whole ring meanwhile.
   template <typename Copy>
   RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
     while (true) {
@@ -111,13 +112,13 @@ class RowRing {
     }
   }
 
-  /// Reader: the time of a row.
+  /// Reader: reads the time of a row.
   RowResult ReadTime(std::uint64_t tick, std::int64_t& time) const noexcept {
     return Read(tick, [&](const Word* words) { time = TimeOf(words); });
   }
 
-  /// Reader: the newest row that is not later than `time`. kNotYet if all rows are later,
-  /// kOvertaken if that row may have existed but is overwritten.
+  /// Reader: finds the newest row that is not later than `time`. Returns kNotYet if all rows are
+  /// later, and kOvertaken if such a row may have existed but is overwritten.
   RowResult Find(std::int64_t time, std::uint64_t& tick) const noexcept {
     std::uint64_t low = oldest_tick();
     std::uint64_t high = next_tick();
@@ -135,7 +136,7 @@ class RowRing {
     return is_found ? RowResult::kDone : low == 0 ? RowResult::kNotYet : RowResult::kOvertaken;
   }
 
-  /// For use in `copy`: the time of the row whose words are given.
+  /// For use in `copy`: returns the time of the row whose words are given.
   static std::int64_t TimeOf(const Word* words) noexcept {
     return static_cast<std::int64_t>((words - kHeaderWords)[kTime].load(std::memory_order_relaxed));
   }
@@ -158,7 +159,8 @@ class RowRing {
   RowResult ReadWritten(std::uint64_t tick, Copy& copy) const {
     const Word* const row = Row(tick);
     copy(row + kHeaderWords);
-    Atomics::Fence(std::memory_order_acquire);  // pairs with (A): the tick after the words
+    // Pairs with (A): the tick is loaded after the words.
+    Atomics::Fence(std::memory_order_acquire);
     return row[kTick].load(std::memory_order_relaxed) == tick ? RowResult::kDone
                                                               : RowResult::kOvertaken;
   }
@@ -168,7 +170,7 @@ class RowRing {
   std::size_t mask_ = 0;
   std::size_t stride_ = 0;
   std::size_t row_words_ = 0;
-  Word* row_ = nullptr;  // the writer's: the row it has begun
+  Word* row_ = nullptr;  // the row that the writer has begun
   alignas(kSeparation) Word next_{0};
 };
 

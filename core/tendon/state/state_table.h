@@ -19,20 +19,20 @@
 
 namespace tendon {
 
-/// Publishes chosen variables of a task to other threads and keeps their history: each cycle
-/// encodes all of them into one row of a ring.
+/// Publishes chosen variables of a task to other threads and keeps their history. Each cycle
+/// encodes all of these variables into one row of a ring.
 ///
-/// Thread safety: functions that add or set, and Prepare(), are called before the first row. One
-/// thread writes rows, and it alone changes the variables. Any thread may call all other functions
-/// at any time. Writing is wait-free. If the writer overwrites the row that a reader copies, the
-/// read returns kOvertaken.
+/// Thread safety: functions that add or set something, and Prepare(), are called before the first
+/// row. One thread writes rows, and only this thread changes the variables. Any thread may call all
+/// other functions at any time. Writing is wait-free. If the writer overwrites the row that a
+/// reader copies, the read returns kOvertaken.
 class StateTable {
  public:
   /// The default number of rows is at least this, if kDefaultBytes suffice.
   static constexpr std::size_t kMinimumLength = 256;
   static constexpr std::size_t kMaximumLength = std::size_t{1} << 24;
   static constexpr std::size_t kDefaultBytes = std::size_t{16} << 20;
-  /// The largest row: a table holds at least two of them.
+  /// The maximum size of a row. It ensures that a table can hold at least two rows.
   static constexpr std::size_t kMaximumRowBytes = kDefaultBytes / 2;
 
   explicit StateTable(std::string name = "state");
@@ -47,17 +47,18 @@ class StateTable {
     static_assert(RequirePayload<T>());
     AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
   }
-  /// The same for a dynamic type. A value of more than `capacity` bytes on the wire is left out of
-  /// its row: reads return kAbsent, and the column counts it.
+  /// Makes a variable of a dynamic type a column. A value of more than `capacity` bytes on the wire
+  /// is left out of its row. Then reads return kAbsent, and the column counts the value as absent.
   template <typename T>
   requires(!FixedPayload<T>) void Add(const T& variable, std::string name, std::size_t capacity) {
     static_assert(RequirePayload<T>());
     AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
   }
 
-  /// Makes `output` a column that `filter(input, output)`, noexcept, computes from `input` just
-  /// before each row, in the writer's thread. Filters run in the order in which they were added, so
-  /// one may use the result of another. Arguments from `name` on are those of Add().
+  /// Makes `output` a column. `filter(input, output)`, which must be noexcept, computes `output`
+  /// from `input` just before each row, in the writer's thread. Filters run in the order in which
+  /// they were added, so a filter may use the result of an earlier one. `name` and `capacity` have
+  /// the same meaning as in Add().
   template <typename In, typename Out, typename Filter, std::integral... Capacity>
   void AddFiltered(const In& input, Out& output, Filter filter, std::string name,
                    Capacity... capacity) {
@@ -67,67 +68,71 @@ class StateTable {
         std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
   }
 
-  /// Sets how many rows can be read back at least, whatever memory this needs. Throws
-  /// ConfigurationError if it is not 1 to kMaximumLength, or if rows have been written. Reallocates
-  /// the rows if they exist.
+  /// Sets how many of the newest rows can be read at least, whatever memory this needs. Throws
+  /// ConfigurationError if `rows` is not 1 to kMaximumLength, or if rows have been written.
+  /// Reallocates the rows if they exist.
   void SetLength(std::size_t rows);
-  /// The rows of one second: at least kMinimumLength, at most as many as kDefaultBytes hold.
+  /// Returns the number of rows in one second, but at least kMinimumLength, and at most as many
+  /// rows as kDefaultBytes can hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
   /// From now on, cycles write no rows; the author's code calls Advance().
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
   /// Sets the shortest time between two rows written by cycles. With 0, the default, each cycle
   /// writes a row.
   void SetShortestInterval(std::chrono::nanoseconds interval) noexcept { interval_ = interval; }
-  /// Ends the adding of columns. Allocates the rows and touches their memory, so that the first
-  /// cycle has no page faults.
+  /// From now on, no column can be added. Allocates the rows and touches their memory, so that the
+  /// first cycle has no page faults.
   void Prepare();
   /// Encodes every variable into a new row, which becomes the newest. Allocates nothing after
   /// Prepare(), which it calls itself if needed.
   void Advance(SteadyTime now) noexcept;
-  /// Called by a task after its cycle: Advance(), unless AdvanceOnlyByHand() was called or the
-  /// shortest interval has not passed.
+  /// Called by a task after its cycle. Calls Advance(), unless AdvanceOnlyByHand() was called or
+  /// the shortest interval has not passed.
   void AdvanceAfterCycle(SteadyTime now) noexcept {
     if (is_by_hand_ || (interval_.count() > 0 && IsTooEarly(now))) return;
     Advance(now);
   }
 
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
-  /// As set; 0 if not set yet.
+  /// The length that SetLength() has set; 0 if it is not set yet.
   [[nodiscard]] std::size_t length() const noexcept { return length_; }
-  /// Random; distinguishes this table's ticks from those of an earlier one of the same name.
+  /// A random number that distinguishes the ticks of this table from the ticks of an earlier table
+  /// with the same name.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
   /// Number of rows written; the newest row has this number minus 1 as its tick.
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
-  /// The oldest row that can still be read.
+  /// The tick of the oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }
-  /// The newest row not later than `time`. kNotYet if all rows are later, kOvertaken if that row is
-  /// lost. A binary search.
+  /// Finds the newest row that is not later than `time`. Returns kNotYet if all rows are later, and
+  /// kOvertaken if this row is lost. Uses a binary search.
   RowResult FindRow(SteadyTime time, std::uint64_t& tick) const noexcept {
     return rows_.Find(time.time_since_epoch().count(), tick);
   }
 
-  /// In the order in which they were added.
+  /// All columns, in the order in which they were added.
   [[nodiscard]] std::span<const std::unique_ptr<ColumnBase>> columns() const noexcept {
     return columns_;
   }
-  /// The column of this name; null if there is none.
+  /// Returns the column with this name; null if there is none.
   [[nodiscard]] const ColumnBase* Find(std::string_view name) const noexcept;
-  /// The column of `variable`. Throws ConfigurationError if there is none.
+  /// Returns the column of `variable`. Throws ConfigurationError if there is none.
   template <Payload T>
   [[nodiscard]] const Column<T>& Find(const T& variable) const {
     return static_cast<const Column<T>&>(Find(&variable, typeid(T)));
   }
 
-  /// Copies all cells of a row, as ColumnBase::Cell() reads them; `words` has room for row_words().
-  /// Never returns kAbsent or kInvalid. RowCopy is more convenient.
+  /// Copies all cells of a row into `words`, which must have room for row_words().
+  /// ColumnBase::Cell() then reads single cells. Never returns kAbsent or kInvalid. RowCopy is more
+  /// convenient.
   RowResult CopyRow(std::uint64_t tick, std::span<std::uint64_t> words,
                     std::int64_t& time_ns) const noexcept;
-  /// The same for the newest row: kDone, or kNotYet before the first.
+  /// Like CopyRow(), but for the newest row. Returns kDone, or kNotYet before the first row.
   RowResult CopyNewestRow(std::uint64_t& tick, std::span<std::uint64_t> words,
                           std::int64_t& time_ns) const noexcept;
   /// Size of all cells of a row, in 64-bit words.
   [[nodiscard]] std::size_t row_words() const noexcept { return row_words_; }
-  /// A column's CDR body in a row copied by CopyRow(); empty if its value was absent.
+  /// Returns the CDR body of a column in a row that CopyRow() has copied; empty if its value was
+  /// absent.
   [[nodiscard]] std::span<const std::byte> cell(std::span<const std::uint64_t> words,
                                                 std::size_t column) const noexcept {
     return columns_[column]->Cell(words);

@@ -195,7 +195,7 @@ TEST_F(UsageTest, ABrokerOnATakenPortNamesItsHolder) {
 TEST_F(UsageTest, RejectsOnePortForGcmAndFanOut) {
   ExpectOneSentence(Typed({"serve", "--broker", "localhost:" + port}), program::kUsage,
                     "--broker and --gcm are both " + address +
-                        ", but two programs cannot share a port; give --broker another one");
+                        ", but two programs cannot share a port; give --broker another port");
 }
 
 TEST_F(UsageTest, ServeWarnsIfItCannotKeepAHistory) {

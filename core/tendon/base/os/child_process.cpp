@@ -20,7 +20,8 @@ using WaitClock = std::chrono::steady_clock;
 
 constexpr std::size_t kMostOutput = 65536;
 
-/// The child receives every signal, even those that its parent blocks or ignores.
+/// The attributes of a new child process. The child receives every signal, even those that its
+/// parent blocks or ignores.
 class Attributes {
  public:
   explicit Attributes(int further_flags = 0) {
@@ -44,7 +45,8 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// The command line in the system's form; valid as long as both arguments.
+/// Returns the command line in the form of posix_spawn(). It points into the two arguments, so it
+/// is valid as long as they are.
 std::vector<char*> CommandLine(const std::string& program,
                                const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(program.c_str())};
@@ -53,7 +55,7 @@ std::vector<char*> CommandLine(const std::string& program,
   return words;
 }
 
-/// Converts the status of waitpid(), without output.
+/// Converts the status from waitpid() to an outcome without output.
 ProgramOutcome OutcomeOf(int status) {
   ProgramOutcome outcome;
   if (WIFEXITED(status)) {
@@ -66,7 +68,7 @@ ProgramOutcome OutcomeOf(int status) {
   return outcome;
 }
 
-/// Returns 0 or the error number.
+/// Starts a child process whose output goes to `out`. Returns 0 or the error number.
 int Spawn(const std::string& program, const std::vector<std::string>& arguments, int out,
           pid_t& child) {
   const std::vector<char*> words = CommandLine(program, arguments);
@@ -82,7 +84,8 @@ int Spawn(const std::string& program, const std::vector<std::string>& arguments,
   return reason;
 }
 
-/// Reads until the other end is closed; false if the deadline passes first.
+/// Reads until the child has closed its end of the pipe. Returns false if the deadline passes
+/// first.
 bool ReadAll(int descriptor, WaitClock::time_point deadline, std::string& out) {
   std::array<char, 4096> part{};
   while (true) {
@@ -114,7 +117,7 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
   const auto deadline = WaitClock::now() + patience;
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return Error{ErrorCode::kFailed, std::string("no pipe: ") + std::strerror(errno)};
+    return Error{ErrorCode::kFailed, std::string("cannot create a pipe: ") + std::strerror(errno)};
   }
   const Descriptor ours(ends[0]);
   Descriptor its(ends[1]);
@@ -166,7 +169,7 @@ std::optional<ProgramOutcome> BackgroundProgram::Ended() {
   int status = 0;
   const pid_t ended = waitpid(static_cast<pid_t>(pid_), &status, WNOHANG);
   if (ended == pid_) end_ = OutcomeOf(status);
-  if (ended < 0 && errno == ECHILD) end_ = ProgramOutcome{{}, {}, "somebody unknown"};
+  if (ended < 0 && errno == ECHILD) end_ = ProgramOutcome{{}, {}, "an unknown cause"};
   return end_;
 }
 
@@ -174,8 +177,8 @@ void BackgroundProgram::Terminate() { Signal(SIGTERM); }
 
 void BackgroundProgram::Kill() { Signal(SIGKILL); }
 
-/// Cannot hit another process: the kernel reuses the child's number only after waitpid() has
-/// reported its end.
+/// Sends a signal to the child. The signal cannot reach another process, because the kernel reuses
+/// the child's process number only after waitpid() has reported the child's end.
 void BackgroundProgram::Signal(int signal) {
   if (!end_) kill(static_cast<pid_t>(pid_), signal);
 }

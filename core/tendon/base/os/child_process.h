@@ -16,11 +16,12 @@ namespace tendon::os {
 struct ProgramOutcome {
   std::string out;               ///< its standard output, at most 64 KiB
   std::optional<int> exit_code;  ///< empty if a signal ended it
-  std::string signal;            ///< "SIGSEGV"; "" if it ended by itself
+  std::string signal;            ///< for example "SIGSEGV"; empty if no signal ended it
 };
 
-/// Runs a program as a separate process and waits for its end. It has no input, and its error
-/// output is discarded. Errors: kFailed if it cannot be run, kTimeout if it had to be killed.
+/// Runs a program as a separate process and waits until it ends. The program has no input, and its
+/// error output is discarded. Errors: kFailed if the program cannot be run, kTimeout if it was
+/// killed because it did not end within `patience`.
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
                                   std::chrono::milliseconds patience);
@@ -30,7 +31,8 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
 /// none of our open files. Not thread-safe.
 class BackgroundProgram {
  public:
-  /// Its output goes to `log`, a new file for this user alone. kFailed if it cannot be run.
+  /// Starts the program. Its output goes to `log`, a new file that only this user can access.
+  /// Returns kFailed if the program cannot be run.
   static Result<std::unique_ptr<BackgroundProgram>> Start(const std::filesystem::path& program,
                                                           const std::vector<std::string>& arguments,
                                                           const std::filesystem::path& log);
@@ -38,11 +40,11 @@ class BackgroundProgram {
   BackgroundProgram& operator=(const BackgroundProgram&) = delete;
 
   [[nodiscard]] std::int64_t pid() const noexcept { return pid_; }
-  /// Its outcome, without output; empty while it runs.
+  /// Returns the outcome, without output; empty while the program runs.
   std::optional<ProgramOutcome> Ended();
-  /// Sends SIGTERM, which asks it to end.
+  /// Sends SIGTERM, which asks the program to end.
   void Terminate();
-  /// Sends SIGKILL, which ends it.
+  /// Sends SIGKILL, which ends the program.
   void Kill();
 
  private:

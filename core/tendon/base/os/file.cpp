@@ -34,7 +34,7 @@ bool WriteAll(int descriptor, std::string_view text) {
   return fsync(descriptor) == 0;
 }
 
-/// The target of symbolic links, whether it exists or not.
+/// Follows symbolic links and returns their target, which may be missing.
 Result<fs::path> TargetOf(const fs::path& file) {
   constexpr int kMostLinks = 40;
   fs::path target = file;
@@ -49,11 +49,12 @@ Result<fs::path> TargetOf(const fs::path& file) {
   return Failure(file);
 }
 
-/// A file with an unused name, in the folder of another file. The destructor removes it unless it
-/// has replaced that file.
+/// A new file with an unused name, in the folder of the target file. The destructor removes the new
+/// file, unless it has replaced the target.
 class NextFile {
  public:
-  /// Its mode is `mode`, minus the umask. If descriptor() is below 0, errno has the reason.
+  /// Creates the file with `mode`, minus the umask. On failure descriptor() is below 0, and errno
+  /// has the reason.
   NextFile(const fs::path& target, mode_t mode) : descriptor_(Make(target, mode)) {}
   NextFile(const NextFile&) = delete;
   NextFile& operator=(const NextFile&) = delete;
@@ -72,7 +73,7 @@ class NextFile {
 
  private:
   int Make(const fs::path& target, mode_t mode) {
-    constexpr int kMostTries = 100;  // killed processes may have left some
+    constexpr int kMostTries = 100;  // killed processes may have left such files
     const std::string begin = ".saving-" + std::to_string(getpid()) + "-";
     int made = -1;
     for (int i = 0; i < kMostTries && made < 0; ++i) {
@@ -87,7 +88,7 @@ class NextFile {
   const Descriptor descriptor_;
 };
 
-/// Copies mode and owner of the replaced file; the owner only if the system allows it.
+/// Gives the new file the mode and, if the system allows it, the owner of the replaced file.
 bool TakeOver(int descriptor, const struct stat& before) {
   const bool keeps_group = fchown(descriptor, static_cast<uid_t>(-1), before.st_gid) == 0;
   const bool keeps_owner = fchown(descriptor, before.st_uid, static_cast<gid_t>(-1)) == 0;
@@ -97,14 +98,15 @@ bool TakeOver(int descriptor, const struct stat& before) {
   return fchmod(descriptor, before.st_mode & kept) == 0;
 }
 
-/// Writes the directory entry of a file to the disk; some file systems cannot do it.
+/// Writes the directory entry of a file to the disk. Ignores errors, because some file systems
+/// cannot do it.
 void Settle(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
 }
 
-/// Distinguishes a file from an earlier version of it.
+/// The size and the time of the last write, to detect that a file has changed.
 struct Stamp {
   std::uintmax_t size = 0;
   fs::file_time_type written;
@@ -113,7 +115,7 @@ struct Stamp {
 };
 
 Stamp StampOf(const fs::path& file) {
-  std::error_code ignored;  // a missing file counts as changed
+  std::error_code ignored;  // the stamp of a missing file differs from that of an existing one
   return {fs::file_size(file, ignored), fs::last_write_time(file, ignored)};
 }
 
@@ -122,7 +124,7 @@ Error Denied(const std::filesystem::path& file, int reason) {
           file.string() + ": " + std::error_code(reason, std::generic_category()).message()};
 }
 
-/// Empty if there is no such file.
+/// Reads a private file. Returns nothing if there is no such file.
 std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
   const Descriptor descriptor(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (descriptor.get() < 0) {
@@ -203,7 +205,8 @@ Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,
                                           const std::string& content) {
   if (auto found = Read(file)) return *std::move(found);
 
-  // Write under another name, then link: no reader ever sees a partial file.
+  // Writes the content under another name and then links it, so that no reader ever sees a partial
+  // file.
   const std::filesystem::path draft = file.string() + "." + std::to_string(RandomNumber());
   {
     const Descriptor descriptor(open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));

@@ -25,7 +25,7 @@ class Descriptor {
   int value_;
 };
 
-/// Appends `text` to a file, which is created if missing, and waits until it is on the disk.
+/// Appends `text` to a file, which is created if missing, and waits until the text is on the disk.
 Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text);
 
 /// Replaces the content of a file atomically: even after a crash, the file has either all of the
@@ -36,19 +36,20 @@ Result<void> AppendDurably(const std::filesystem::path& file, std::string_view t
 /// created in its folder.
 Result<void> ReplaceDurably(const std::filesystem::path& file, std::string_view text);
 
-/// Checks that both functions above can be expected to succeed: creates and removes a small file in
-/// the folder, and checks that an existing file may be written. Waits for the disk; kFailed as
-/// above.
+/// Checks that AppendDurably() and ReplaceDurably() can be expected to succeed: creates and removes
+/// a small file in the folder, and checks that an existing file may be written. Waits for the disk.
+/// Returns kFailed for the same reasons as ReplaceDurably().
 Result<void> CheckWritable(const std::filesystem::path& file);
 
-/// Calls `read` and returns its result. Calls it again if the file was written meanwhile, so that
-/// the result is never half old and half new; kFailed if the file keeps changing.
+/// Calls `read` and returns its result. If the file was written meanwhile, calls `read` again, so
+/// that the result is never half old and half new. Returns kFailed if the file keeps changing.
 Result<std::string> ReadUnchanged(const std::filesystem::path& file,
                                   const std::function<Result<std::string>()>& read);
 
-/// Returns the content of a small file of this user, mode 0600, that holds a secret. If it is
-/// missing, creates it with `content`; if several processes create it at once, one wins and all
-/// return its content. kDenied if it belongs to another user or others may read it.
+/// Returns the content of a small file that holds a secret; the file belongs to this user and has
+/// mode 0600. If the file is missing, creates it with `content`. If several processes create it at
+/// once, one succeeds, and all return the content of that process. Returns kDenied if the file
+/// belongs to another user or if others may read it.
 Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,
                                           const std::string& content);
 

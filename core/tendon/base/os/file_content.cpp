@@ -45,23 +45,23 @@ std::optional<FileStamp> FileStampOf(int descriptor) {
   return FileStampOf(status);
 }
 
-/// Empty if there is no such file.
+/// Returns the stamp of a file; empty if there is no such file.
 std::optional<FileStamp> FileStampOf(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return std::nullopt;
   return FileStampOf(status);
 }
 
-/// True if the file was changed so long ago that the next change has a different time: the kernel's
-/// file times advance in steps of a few milliseconds.
+/// True if the file was changed so long ago that the next change will have a different time. The
+/// kernel's file times advance only in steps of a few milliseconds.
 bool IsSettled(const FileStamp& stamp) {
   constexpr std::chrono::milliseconds kLongestStep(100);
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return std::chrono::abs(now - std::chrono::nanoseconds(stamp.changed)) > kLongestStep;
 }
 
-/// The hash of the first `size` bytes, or of all if there are fewer. The limit ends the loop for a
-/// file that grows as fast as it is read.
+/// Returns the hash of the first `size` bytes, or of all bytes if there are fewer. Without this
+/// limit, the loop would not end for a file that grows as fast as it is read.
 Result<std::array<std::uint64_t, 2>> ReadBytes(
     int descriptor, std::uint64_t size,
     const std::function<Result<void>(std::span<const std::byte>)>& take) {

@@ -21,7 +21,8 @@ const std::uint32_t* Address(const std::atomic<std::uint32_t>& word) {
   return reinterpret_cast<const std::uint32_t*>(&word);
 }
 
-/// Registered when the library is loaded: with several threads running, it would take 10 ms.
+/// Registers for membarrier when the library is loaded. Later, when several threads are running, it
+/// would take 10 ms.
 const bool kBarrierRegistered =
     syscall(SYS_membarrier, MEMBARRIER_CMD_REGISTER_PRIVATE_EXPEDITED, 0, 0) == 0;
 

@@ -14,9 +14,9 @@ void FutexWait(const std::atomic<std::uint32_t>& word, std::uint32_t expected,
 /// Wakes every thread that sleeps on `word`. One system call.
 void FutexWake(const std::atomic<std::uint32_t>& word) noexcept;
 
-/// A full memory barrier in every running thread of this process; the other threads pay nothing for
-/// it. Falls back to a fence if the kernel refuses, which is logged once. Takes microseconds; not
-/// for a cycle.
+/// Executes a full memory barrier in every running thread of this process, so that the other
+/// threads need no barrier in their code. If the kernel refuses, executes only a fence in the
+/// calling thread and logs this once. Takes microseconds; not for a cycle.
 void ProcessBarrier() noexcept;
 
 }  // namespace tendon::os

@@ -12,8 +12,8 @@
 namespace tendon::os {
 namespace {
 
-/// The pipe through which a handler reports the signals of a terminal: their numbers, as bytes. The
-/// first Keyboard creates it. It is never closed, because a handler may run at any time.
+/// The pipe to which the signal handler writes the number of each terminal signal, as one byte. The
+/// first Keyboard creates the pipe. It is never closed, because the handler may run at any time.
 std::array<int, 2> signal_pipe = {-1, -1};
 
 constexpr std::array<int, 3> kSignals = {SIGTSTP, SIGCONT, SIGWINCH};
@@ -21,7 +21,8 @@ constexpr std::array<int, 3> kSignals = {SIGTSTP, SIGCONT, SIGWINCH};
 void OnSignal(int signal) {
   const int error = errno;
   const char number = static_cast<char>(signal);
-  const auto written = write(signal_pipe[1], &number, 1);  // a full pipe wakes the reader, too
+  // If the pipe is full, the write fails, but a full pipe wakes the reader as well.
+  const auto written = write(signal_pipe[1], &number, 1);
   static_cast<void>(written);
   errno = error;
 }

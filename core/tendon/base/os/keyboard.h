@@ -7,8 +7,8 @@
 namespace tendon::os {
 
 /// Reads single keys of the terminal at the standard input, without echo, while this object exists.
-/// Ctrl-C asks the process to end, as usual; Ctrl-Z asks for a Pause(). Used by one thread; only
-/// one object may exist at a time.
+/// Ctrl-C asks the process to end, as usual. Ctrl-Z only requests a pause, which TakePause()
+/// reports. One thread uses the object; only one object may exist at a time.
 class Keyboard {
  public:
   Keyboard();
@@ -16,11 +16,12 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
   ~Keyboard();
 
-  /// The next letter; empty if no key is pressed in time or there is no terminal. A change of the
-  /// terminal's size, a request to pause and the end of a pause end the wait early.
+  /// Waits for the next key and returns its letter. Returns nothing if no key is pressed within
+  /// `patience` or there is no terminal. A change of the terminal's size, a request to pause and
+  /// the end of a pause end the wait early.
   std::optional<char> NextKey(std::chrono::milliseconds patience) noexcept;
 
-  /// True, once, if Ctrl-Z was pressed or a pause was requested in another way.
+  /// Returns true, once, after Ctrl-Z was pressed or a pause was requested in another way.
   [[nodiscard]] bool TakePause() noexcept;
   /// Restores the terminal and stops the process until it is continued.
   void Pause() noexcept;

@@ -45,15 +45,15 @@ bool IsMade(const fs::path& folder) {
   return mkdir(folder.c_str(), kOurs) == 0 || errno == EEXIST;
 }
 
-/// "4711-52": 4711 is the process number. A random number follows, because processes in different
-/// containers may have the same one.
+/// Returns a name such as "4711-52". 4711 is the process number, and 52 is a random number, because
+/// processes in different containers may have the same process number.
 std::string NameOfFolder() {
   constexpr std::uint64_t kFew = 1000;
   return std::to_string(ProcessId()) + "-" + std::to_string(RandomNumber() % kFew);
 }
 
-/// Locks a folder for the life of this process; the lock also works between containers. Null if
-/// another process holds the lock, or the folder is gone.
+/// Locks a folder for the life of this process; the lock also works between containers. Returns
+/// null if another process holds the lock, or if the folder is gone.
 std::unique_ptr<Descriptor> Lock(const fs::path& folder) {
   auto lock = std::make_unique<Descriptor>(
       open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
@@ -65,7 +65,7 @@ std::unique_ptr<Descriptor> Lock(const fs::path& folder) {
   return is_there ? std::move(lock) : nullptr;
 }
 
-/// The folder of this process; it is locked, and removed at the end of the process.
+/// The folder of this process. It is locked, and it is removed at the end of the process.
 class ProcessFolder {
  public:
   ProcessFolder() {
@@ -87,7 +87,7 @@ class ProcessFolder {
     if (!path_.empty() && process_ == ProcessId()) fs::remove_all(path_, ignored);
   }
 
-  /// Creates a folder in it; returns an empty path on failure.
+  /// Creates a subfolder. Returns an empty path on failure.
   fs::path MakeFolder() {
     const std::scoped_lock lock(mutex_);
     const fs::path made = path_ / std::to_string(++made_);
@@ -95,8 +95,8 @@ class ProcessFolder {
   }
 
  private:
-  /// Does nothing if another process has removed the folder as abandoned before this one could lock
-  /// it.
+  /// Creates and locks the folder. Leaves path_ empty if another process has removed the folder as
+  /// abandoned before this process could lock it.
   void TakeFolder(const fs::path& folder) {
     if (mkdir(folder.c_str(), S_IRWXU) != 0) return;
     lock_ = Lock(folder);
@@ -159,7 +159,7 @@ void LibraryCopy::Keep(std::unique_ptr<LibraryCopy> copy) {
   kept.push_back(std::move(copy));
 }
 
-/// Null if there is no usable folder.
+/// Creates the copy in the folder of this process. Returns null if there is no usable folder.
 std::unique_ptr<LibraryCopy> LibraryCopy::InFolder(const fs::path& original) {
   constexpr mode_t kOurs = S_IRUSR | S_IXUSR;
   const fs::path folder = OwnFolder().MakeFolder();

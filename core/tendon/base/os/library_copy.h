@@ -9,9 +9,10 @@
 
 namespace tendon::os {
 
-/// A private copy of a shared library, which this process loads instead of the original. So a
-/// linker, `cp` or an installation can overwrite the original without an effect on running
-/// programs; overwriting a mapped file would change or crash them.
+/// A private copy of a shared library, which this process loads instead of the original. Therefore
+/// a linker, `cp` or an installation can overwrite the original without an effect on running
+/// programs. Without the copy, the programs would change or crash, because they would have mapped
+/// the overwritten file.
 ///
 /// The copy has the name of its original, so that backtraces, debuggers and profilers show a useful
 /// name. It is the file NAME.so in a folder that belongs to this process, below RuntimeFolder().
@@ -20,11 +21,12 @@ namespace tendon::os {
 /// write to the folder, the copy exists only in memory, as /proc/PID/fd/NUMBER.
 class LibraryCopy {
  public:
-  /// The error text continues after "PATH: ".
+  /// Copies `original`. The error text has no path: the caller puts "PATH: " before it.
   static Result<std::unique_ptr<LibraryCopy>> Make(const std::filesystem::path& original);
   LibraryCopy(const LibraryCopy&) = delete;
   LibraryCopy& operator=(const LibraryCopy&) = delete;
-  /// Removes the file unless it is kept. A library loaded from it stays.
+  /// Removes the file, unless Keep() was called. A library that was loaded from the file stays
+  /// loaded.
   ~LibraryCopy();
 
   /// The file to load; other processes of this user can read it as well.

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kEnough = std::size_t{1} << 16U;  // bytes to write at a time
 
-/// The size of one write. A pipe counts as writable only if it has room for this many bytes. A file
-/// always has room.
+/// Returns the number of bytes for one write. A pipe counts as writable only if it has room for
+/// this many bytes. A file always has room.
 std::size_t PieceFor(int descriptor) {
   struct stat status {};
   const bool is_file = fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -46,7 +46,7 @@ int OutputBuffer::sync() {
   return WriteAll() ? 0 : -1;
 }
 
-/// It ends when the program goes on.
+/// Clears an EINTR failure if the program has continued since the termination request.
 void OutputBuffer::ForgetInterruption() {
   if (failure_ == EINTR && !WasTerminationRequested()) failure_ = 0;
 }
@@ -82,7 +82,7 @@ bool OutputBuffer::WaitForRoom() const {
   while (true) {
     pollfd wait{descriptor_, POLLOUT, 0};
     const int ready = poll(&wait, 1, 0);
-    if (ready > 0) return true;  // also if the pipe is broken; the write reports it
+    if (ready > 0) return true;  // also true if the pipe is broken; then the write reports it
     if (WasTerminationRequested()) return false;
     (void)poll(&wait, 1, kLook);
   }

@@ -14,29 +14,29 @@ namespace tendon::os {
 /// continues, it calls HoldTerminationSignals() and clear() of the stream; after that the stream
 /// works again. After any other failure the stream fails permanently.
 ///
-/// Writes to a terminal at once. Writes to other descriptors when the stream is flushed, or when 64
-/// KiB are buffered. Thread safety: one thread at a time.
+/// Writes to a terminal after each line. Writes to other descriptors when the stream is flushed, or
+/// when 64 KiB are buffered. Thread safety: one thread at a time.
 class OutputBuffer final : public std::streambuf {
  public:
   /// Does not own the descriptor.
   explicit OutputBuffer(int descriptor);
   OutputBuffer(const OutputBuffer&) = delete;
   OutputBuffer& operator=(const OutputBuffer&) = delete;
-  /// Writes the buffered rest.
+  /// Writes the text that is still buffered.
   ~OutputBuffer() override;
 
  protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// If a write has failed, fails with the errno of the first failed write. This is EINTR if the
-  /// process was asked to end.
+  /// Writes the buffered text. If a write has failed, this function also fails, with the errno of
+  /// the first failed write. The errno is EINTR if the process was asked to end.
   int sync() override;
 
  private:
   [[nodiscard]] bool Add(std::string_view text);
   void ForgetInterruption();
   [[nodiscard]] bool WriteAll();
-  /// False if the process is asked to terminate.
+  /// Waits until a write does not block. Returns false if the process is asked to terminate.
   [[nodiscard]] bool WaitForRoom() const;
 
   const int descriptor_;

@@ -9,10 +9,10 @@
 
 namespace tendon::os {
 
-/// Waits for any of many sockets. Any thread may call all functions except Wait().
+/// Waits until any of many sockets is ready. All functions except Wait() are thread-safe.
 class Poller {
  public:
-  /// A socket that is ready, by the key with which it was added.
+  /// Reports a socket that is ready. `key` is the key with which the socket was added.
   struct Event {
     std::uint64_t key = 0;
     /// Data has arrived, or the peer has closed the connection; a read shows which.
@@ -30,14 +30,14 @@ class Poller {
   void Change(const Socket& socket, std::uint64_t key, Watch watch);
   void Remove(const Socket& socket);
 
-  /// Returns the sockets that are ready; none if woken or if `timeout` has passed. Valid until the
-  /// next call.
+  /// Waits until a socket is ready, Wake() is called or `timeout` has passed. Returns the sockets
+  /// that are ready, which may be none. The result is valid until the next Wait().
   std::span<const Event> Wait(std::chrono::milliseconds timeout);
   void Wake();
 
  private:
-  Socket poll_;  // epoll and event descriptors; Socket closes them
-  Socket wake_;
+  Socket poll_;  // holds an epoll descriptor, which Socket closes
+  Socket wake_;  // holds an event descriptor, which Socket closes
   std::vector<Event> events_;
 };
 

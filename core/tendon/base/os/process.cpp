@@ -23,7 +23,7 @@ fs::path MadeFolder(const fs::path& folder) {
   return folder;
 }
 
-/// $NAME/tendon, or the fallback.
+/// Returns $NAME/tendon, or `fallback` if the variable is not set.
 fs::path FolderFromEnvironment(const char* name, const fs::path& fallback) {
   const char* base = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): read only
   return base != nullptr && *base != '\0' ? fs::path(base) / "tendon" : fallback;
@@ -99,7 +99,7 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   std::vector<char*> arguments;
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  setenv("MALLOC_ARENA_MAX", "4", 0);  // each arena reserves addresses that it may never use
+  setenv("MALLOC_ARENA_MAX", "4", 0);  // each arena reserves address space that it may never use
   rlimit before{};
   const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;

@@ -15,7 +15,7 @@ struct Usage {
   std::chrono::nanoseconds cpu_time{0};  ///< of all its threads, since it was started
   std::uint64_t memory = 0;              ///< resident bytes; 0 if unknown
 };
-/// Takes some microseconds.
+/// Returns the usage of this process. Takes some microseconds.
 [[nodiscard]] Usage OwnUsage();
 
 /// True if the effective user is root.
@@ -23,8 +23,8 @@ struct Usage {
 
 [[nodiscard]] std::string HostName();
 
-/// User and machine of this process: "anna@desk". Taken from the kernel, not from the environment;
-/// the user's number if the user has no name.
+/// Returns the user and the machine of this process: "anna@desk". Asks the kernel, not the
+/// environment. If the user has no name, returns the user's number instead.
 [[nodiscard]] std::string UserAtHost();
 
 /// 64 unpredictable random bits from the kernel.
@@ -39,8 +39,8 @@ struct Usage {
 /// The folder of this program.
 [[nodiscard]] std::filesystem::path ProgramFolder();
 
-/// Replaces this process by another program, found in $PATH and limited to `most_memory` bytes of
-/// address space. Returns only if the program cannot be run.
+/// Replaces this process by another program, which is searched in $PATH. Its address space is
+/// limited to `most_memory` bytes. Returns only if the program cannot be run.
 void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memory);
 
 }  // namespace tendon::os

@@ -17,7 +17,7 @@ constexpr std::string_view kNoRoute = " has no route to ";
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&freeaddrinfo)>;
 
-/// Null if the host name cannot be resolved.
+/// Resolves a host name. Returns null if it cannot be resolved.
 Addresses AddressesOf(const std::string& host, std::uint16_t port) {
   addrinfo hints{};
   hints.ai_family = AF_UNSPEC;

@@ -50,7 +50,7 @@ FileHead ReadHead(std::ifstream& file) {
   return head;
 }
 
-/// The header of this program, which a library must fit.
+/// The header of this program. The header of a library must fit it.
 const Header& OwnHeader() {
   static const Header header = [] {
     std::ifstream file("/proc/self/exe", std::ios::binary);
@@ -64,7 +64,7 @@ Error Expected(const std::string& found) {
                                   MachineName(OwnHeader().e_machine) + ", found " + found};
 }
 
-/// The file size that the header implies: the end of the last part that it lists.
+/// Returns the file size that the header implies: the end of the last part that the header lists.
 std::uint64_t ClaimedSize(const Header& header, std::ifstream& file) {
   std::uint64_t end = header.e_shoff + std::uint64_t{header.e_shnum} * header.e_shentsize;
   file.seekg(static_cast<std::streamoff>(header.e_phoff));
@@ -143,7 +143,8 @@ class LibraryReader {
   std::vector<Segment> segments_;
 };
 
-/// The folders of a run path that are relative to the folder of its own file.
+/// Returns the folders of a run path that contain $ORIGIN. In each, $ORIGIN is replaced by the
+/// folder of `file`.
 std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& file,
                                                  const std::string& run_path) {
   std::vector<std::filesystem::path> folders;
@@ -158,8 +159,8 @@ std::vector<std::filesystem::path> FoldersBeside(const std::filesystem::path& fi
   return folders;
 }
 
-/// Loads the libraries beside `original` that its copy could not find; afterwards the loader knows
-/// them by name. Ignores failures: loading the copy reports them with a reason.
+/// Loads the libraries beside `original` that its copy could not find, so that the loader knows
+/// them by name afterwards. Ignores failures, because loading the copy reports them with a reason.
 void LoadNeedsBeside(const std::filesystem::path& original, const std::filesystem::path& copy) {
   const Needs needs = LibraryReader(copy).needs();
   const auto folders = FoldersBeside(original, needs.run_path);
@@ -174,7 +175,7 @@ void LoadNeedsBeside(const std::filesystem::path& original, const std::filesyste
   }
 }
 
-/// "tendon::Task::Run()" for "_ZN6tendon4Task3RunEv".
+/// Demangles a symbol: returns "tendon::Task::Run()" for "_ZN6tendon4Task3RunEv".
 std::string Readable(const std::string& symbol) {
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> name(

@@ -60,7 +60,7 @@ void Set(const Socket& socket, int level, int option, int value = 1) {
   setsockopt(socket.descriptor(), level, option, &value, sizeof(value));
 }
 
-/// Returns 0, or the error number of the failed connection.
+/// Waits until the connection is established. Returns 0, or the error number if it has failed.
 int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
                        const std::function<bool()>& is_over) {
   using std::chrono::milliseconds;
@@ -81,7 +81,8 @@ int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_poi
   }
 }
 
-/// Returns 0 if the kernel knows no address.
+/// Returns the port of one end of a connection, or 0 if the kernel knows no address. `query` is
+/// getsockname or getpeername.
 template <typename Query>
 std::uint16_t PortOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -94,13 +95,14 @@ std::uint16_t PortOf(int descriptor, Query query) {
   return is_ipv6 ? ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port) : 0;
 }
 
-/// One end of a connection, as numbers.
+/// One end of a connection, as a numeric address and port.
 struct End {
   std::array<char, NI_MAXHOST> host{};
   std::array<char, NI_MAXSERV> port{};
 };
 
-/// Empty if the kernel no longer knows it.
+/// Returns one end of a connection; empty if the kernel no longer knows it. `query` is getsockname
+/// or getpeername.
 template <typename Query>
 std::optional<End> EndOf(int descriptor, Query query) {
   sockaddr_storage address{};
@@ -119,16 +121,17 @@ template <typename Query>
 std::string AddressOf(int descriptor, Query query) {
   const auto end = EndOf(descriptor, query);
   if (!end) return "unknown";
-  constexpr std::string_view kMapped = "::ffff:";  // IPv4 on a socket of IPv6
+  constexpr std::string_view kMapped = "::ffff:";  // prefix of an IPv4 address on an IPv6 socket
   const std::string_view number = end->host.data();
   const bool is_mapped = number.starts_with(kMapped) && number.find('.') != number.npos;
   const std::string text(is_mapped ? number.substr(kMapped.size()) : number);
   return (text.find(':') != text.npos ? "[" + text + "]:" : text + ":") + end->port.data();
 }
 
-/// Connections within one machine share no network link. A congestion control that models the link,
-/// such as BBR, only delays large messages by a timer. Reno has no such model: its pacing, if any,
-/// is far faster than the traffic, and every kernel has it.
+/// Selects the congestion control Reno for a connection within one machine. Such a connection has
+/// no network link, so a congestion control that models the link, such as BBR, only delays large
+/// messages by a timer. Reno has no such model: its pacing, if any, is far faster than the traffic.
+/// Every kernel has Reno.
 void DoNotPaceOnOneMachine(int descriptor) {
   constexpr std::string_view kWithoutPace = "reno";
   const auto local = EndOf(descriptor, getsockname);
@@ -148,13 +151,13 @@ void SetUp(const Socket& connection) {
   DoNotPaceOnOneMachine(connection.descriptor());
 }
 
-/// A listening socket as listed in a kernel table: the fields that we need, as text.
+/// The fields that we need of a listening socket in a kernel table, as text.
 struct ListeningSocket {
   std::string user;
   std::string inode;
 };
 
-/// The sockets that listen at `port`, from one table of the kernel.
+/// Returns the sockets that listen at `port` according to one kernel table.
 std::vector<ListeningSocket> ListenersIn(const char* table, std::uint16_t port) {
   constexpr int kHex = 16;
   std::vector<ListeningSocket> found;
@@ -193,7 +196,7 @@ bool HoldsSocket(const fs::path& process, const std::string& inode) {
   return false;
 }
 
-/// "pid 812 (gcm)"
+/// Returns the program that listens at `port`, for example "pid 812 (gcm)".
 std::string ListenerAt(std::uint16_t port) {
   const auto sockets = ListenersAt(port);
   std::error_code ignored;
@@ -337,9 +340,9 @@ bool ResetIfUnacknowledged(std::uint16_t local_port, std::uint16_t peer_port) {
 }
 
 bool IsPeerUnreachable(const Socket& socket) {
-  // Not TCP_USER_TIMEOUT: it also disconnects a peer that acknowledges but has stopped reading. The
-  // kernel retransmits after about 0.2 s and doubles the wait each time: the third retransmission
-  // is sent after 1.6 s.
+  // TCP_USER_TIMEOUT is not used, because it also disconnects a peer that acknowledges but has
+  // stopped reading. The kernel retransmits after about 0.2 s and doubles the wait each time: the
+  // third retransmission is sent after 1.6 s.
   constexpr unsigned kRepetitions = 3;
   tcp_info info{};
   socklen_t size = sizeof(info);

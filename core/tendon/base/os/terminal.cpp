@@ -27,8 +27,8 @@ int TerminalRows() noexcept {
 void GuardStreams() noexcept {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // open() returns the lowest free number, which is that of this stream. The opposite mode makes
-    // each use of the stream fail.
+    // open() returns the lowest free number, which is the number of this stream. With the opposite
+    // mode (write for input, read for output), each use of the stream fails.
     static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }

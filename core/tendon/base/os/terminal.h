@@ -10,8 +10,8 @@ int TerminalColumns(Stream stream) noexcept;
 /// Lines of the terminal at the standard output, 24 if unknown.
 [[nodiscard]] int TerminalRows() noexcept;
 
-/// Opens those of the three standard streams that are closed, so that no socket gets their numbers;
-/// writing to such a stream fails. Call it first in main().
+/// Opens each of the three standard streams that is closed, so that no socket gets its descriptor
+/// number. Reads and writes of such a stream fail. Call it first in main().
 void GuardStreams() noexcept;
 
 /// Makes a write to a pipe without a reader fail, instead of killing the process.

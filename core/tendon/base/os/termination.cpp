@@ -10,7 +10,7 @@
 namespace tendon::os {
 namespace {
 
-thread_local Interruption* interruption = nullptr;  // of this thread, if it has one
+thread_local Interruption* interruption = nullptr;  // the Interruption of this thread, or null
 
 std::atomic<bool> was_termination_requested{false};  // a signal has asked the process to terminate
 
@@ -22,7 +22,7 @@ sigset_t TerminationSignals() {
   return signals;
 }
 
-/// Returns true if they were held.
+/// Unblocks the termination signals in this thread. Returns true if they were blocked.
 bool LetThrough() noexcept {
   const sigset_t signals = TerminationSignals();
   sigset_t before;

@@ -39,9 +39,10 @@ class TerminationUnblockScope {
   const bool was_held_;
 };
 
-/// Replaces the termination signals in one thread of a program with a window, where the user stops
+/// Replaces the termination signals for one thread of a GUI program, because there the user stops
 /// the work of that thread, not the program. While this object exists, WaitForTermination() and
-/// TerminationRequested() in its thread check this object, and signals stay held.
+/// TerminationRequested() in its thread check this object instead of the signals, and the signals
+/// stay blocked.
 class Interruption {
  public:
   Interruption() noexcept;
@@ -49,7 +50,7 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  /// Requests the end of the work, once. Any thread.
+  /// Requests the end of the work. Take() reports the request once. Any thread.
   void Request() noexcept;
   /// True if Request() was called since the last call; waits for at most `patience`.
   bool Take(std::chrono::milliseconds patience) noexcept;

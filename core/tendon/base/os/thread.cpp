@@ -62,7 +62,8 @@ void TouchStack(std::size_t bytes) noexcept {
   std::array<volatile char, kPage> page;
   page[0] = 0;
   if (bytes > kPage) TouchStack(bytes - kPage);
-  page[kPage - 1] = 0;  // after the call, so that this frame is not released before it
+  page[kPage - 1] = 0;  // written after the call, so that the compiler does not release this frame
+                        // before the call
 }
 
 std::chrono::nanoseconds ThreadCpuTime() noexcept {

@@ -16,7 +16,8 @@ void NameThisThread(const std::string& name) noexcept;
 /// Sleeps until an absolute time of the steady clock; returns at once if it has passed.
 void SleepUntil(SteadyTime time) noexcept;
 
-/// Sets how late the kernel may end a sleep of this thread, in nanoseconds (50 µs by default).
+/// Sets how late the kernel may end a sleep of the calling thread, in nanoseconds (50 µs by
+/// default).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
 /// The kernel's answer to a request: granted, or the reason why it is not granted.
@@ -25,7 +26,8 @@ struct Permission {
   std::string reason;
 };
 
-/// SCHED_FIFO, or SCHED_RR, at `priority` (1 to 99) for the calling thread.
+/// Schedules the calling thread with SCHED_FIFO, or SCHED_RR if not `is_fifo`, at `priority` (1 to
+/// 99).
 Permission SetRealTimePriority(int priority, bool is_fifo);
 
 /// Binds the calling thread to these processors, numbered from 0.
@@ -44,9 +46,9 @@ void TouchStack(std::size_t bytes) noexcept;
 /// Processor time of the calling thread; does not advance while it waits.
 [[nodiscard]] std::chrono::nanoseconds ThreadCpuTime() noexcept;
 
-/// How often the calling thread has given up its processor to wait: for a lock, a file or a reply.
-/// Preemption by another thread and page faults from the disk do not count. The difference of two
-/// calls is the number of waits in between.
+/// Returns how often the calling thread has given up its processor to wait for a lock, a file or a
+/// reply. Preemption by another thread and page faults from the disk do not count. The difference
+/// of two calls is the number of waits in between.
 [[nodiscard]] std::int64_t ThreadWaits() noexcept;
 
 }  // namespace tendon::os

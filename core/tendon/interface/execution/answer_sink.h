@@ -16,18 +16,19 @@ class AnswerSink {
   AnswerSink& operator=(const AnswerSink&) = delete;
   virtual ~AnswerSink() = default;
 
-  /// Memory for a reply of `size` bytes, all of which the caller must write; empty if there is not
-  /// enough. May throw std::bad_alloc.
+  /// Returns memory for a reply of `size` bytes; the caller must write all of them. Returns an
+  /// empty span if there is not enough memory. May throw std::bad_alloc.
   virtual std::span<std::byte> Room(std::size_t size) = 0;
   /// An alternative to Room(): takes a reply that is already encoded and stays valid during the
-  /// call. The default copies it.
+  /// call. The default implementation copies the reply.
   virtual void Take(std::span<const std::byte> answer) {
     const std::span<std::byte> room = Room(answer.size());
     if (!room.empty()) std::ranges::copy(answer, room.begin());
   }
 };
 
-/// Replaces the content of `bytes`, which keeps its capacity and must outlive the sink.
+/// Stores the reply in `bytes` and replaces the former content. `bytes` keeps its capacity and must
+/// outlive the sink.
 class BytesSink final : public AnswerSink {
  public:
   explicit BytesSink(std::vector<std::byte>& bytes) : bytes_(bytes) {}

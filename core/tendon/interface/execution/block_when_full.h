@@ -7,8 +7,9 @@
 namespace tendon {
 
 /// While this object exists, calls and events of its thread wait for room in a full mailbox instead
-/// of being refused, at most kPatience in total. Used during Cleanup(), which is not part of a
-/// cycle, and whose last command, such as a stop, must not be refused.
+/// of being refused, at most kPatience in total. Used during Cleanup(), because the last command of
+/// Cleanup(), such as a stop, must not be refused. Waiting is allowed there, because Cleanup() is
+/// not part of a cycle.
 class BlockWhenFull {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};

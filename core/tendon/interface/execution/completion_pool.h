@@ -11,7 +11,8 @@
 namespace tendon {
 
 /// The completion records of one mailbox, one per slot. A call with a waiting caller takes a record
-/// and keeps it until the caller has read the reply, which may be after its slot is reused.
+/// and keeps it until the caller has read the reply. By then, another call may already use the
+/// slot.
 class CompletionPool {
  public:
   explicit CompletionPool(std::size_t slots)
@@ -33,7 +34,7 @@ class CompletionPool {
   void Assign(std::size_t slot, std::size_t record) noexcept {
     of_slot_[slot] = static_cast<std::uint32_t>(record);
   }
-  /// Consumer: the record of a published slot.
+  /// Consumer: returns the record of a published slot.
   [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept { return of_slot_[slot]; }
 
   /// Any thread: ends all waits, present and future.

@@ -22,19 +22,19 @@ struct DisconnectedClient {
   std::uint64_t connection = 0;  ///< Mailbox::number() of its calls
 };
 
-/// Connects interfaces and commands with their component. Tells whether the component accepts calls
-/// and whether it is faulted; reports exceptions and changes of peers to the component.
+/// Connects interfaces and commands with their component. It stores whether the component accepts
+/// calls and whether it is faulted, and reports exceptions and changes of peers to the component.
 ///
-/// Thread safety: the component sets the flags; any thread may do the rest.
+/// Thread safety: the component sets the flags; any thread may call the other functions.
 class ComponentAccess {
  public:
   /// Callbacks of the component; all but the first are optional.
   struct Listeners {
     /// Called with the reason, in the thread in which the component's code threw.
     std::function<void(const std::string& reason)> on_exception;
-    /// Called in a manager's thread: the interface has another peer, or none.
+    /// Called in a manager's thread when the interface has got another peer, or has none any more.
     std::function<void(RequiredInterface&)> on_peer_changed{};
-    /// Called in a manager's thread: no further call of the client will be executed.
+    /// Called in a manager's thread when no further call of the client will be executed.
     std::function<void(DisconnectedClient)> on_client_gone{};
   };
 
@@ -53,12 +53,12 @@ class ComponentAccess {
     listeners_.on_client_gone(std::move(client));
   }
 
-  /// While the component is faulted, its peers get kNotActive, even for reads: nobody updates its
-  /// values.
+  /// While the component is faulted, its peers get kNotActive, even for reads, because its values
+  /// are not updated.
   void SetFaulted(bool faulted) noexcept { faulted_.Set(faulted); }
   [[nodiscard]] bool is_faulted() const noexcept { return faulted_.Get(); }
 
-  /// Whether calls that do not wait for a thread of the component are executed.
+  /// Sets whether calls that are not queued for a thread of the component are executed.
   void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
   [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
 

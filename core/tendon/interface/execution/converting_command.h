@@ -11,7 +11,7 @@
 
 namespace tendon {
 
-/// Calls an encoded command with typed values, through the codec.
+/// Calls a command with encoded values: encodes the typed argument, and decodes the reply.
 template <Payload In, Payload Out>
 class ConvertingCommand final : public Command<In, Out> {
  public:
@@ -39,10 +39,10 @@ class ConvertingCommand final : public Command<In, Out> {
     std::vector<std::byte> out;
   };
 
-  /// Encodes the argument where the target wants it.
+  /// Encodes the argument into the memory that the target chooses.
   class Encoder final : public ArgumentWriter {
    public:
-    /// A target that wants encoded bytes gets them in `room`.
+    /// `room` is the buffer for a target that calls Encoded().
     Encoder(const In& in, std::vector<std::byte>& room) : in_(in), room_(room) {}
 
     [[nodiscard]] std::size_t size() const override { return EncodedSize(in_); }
@@ -62,7 +62,7 @@ class ConvertingCommand final : public Command<In, Out> {
   /// Decodes a reply in place.
   class Decoder final : public AnswerSink {
    public:
-    /// `room` is the buffer for a reply that has no storage.
+    /// `room` is the buffer for a target that calls Room().
     Decoder(std::vector<std::byte>& room, Out& out) : room_(room), out_(out) {}
 
     std::span<std::byte> Room(std::size_t size) override {
@@ -76,7 +76,7 @@ class ConvertingCommand final : public Command<In, Out> {
       if constexpr (std::is_same_v<Out, None>) return true;
       return tendon::Decode(answer, out_);
     }
-    /// Called after the call; false if its reply cannot be decoded.
+    /// Called after the target was called. Returns false if the reply cannot be decoded.
     [[nodiscard]] bool Finish() {
       if constexpr (std::is_same_v<Out, None>) return true;
       return is_in_room_ ? Decode(room_) : has_decoded_;

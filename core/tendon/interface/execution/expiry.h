@@ -30,20 +30,21 @@ class Expiry {
   /// The text for the log.
   [[nodiscard]] const std::string& message() const { return message_; }
 
-  /// Restarts the limit: the command is executed now, for the connection with this number.
+  /// Restarts the time limit. Called when the command is executed for the connection with this
+  /// number.
   void Renew(std::uint64_t connection) noexcept {
     due_ = SteadyClock().Now() + after_;
     connection_ = connection;
   }
-  /// Stops the limit: no effect has to end.
+  /// Stops the time limit, because there is no effect that must end.
   void Disarm() noexcept { due_ = SteadyTime::max(); }
-  /// When `end` is due; the largest time if there is nothing to end.
+  /// Returns the time when `end` is due; the largest time if there is no effect to end.
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }
   /// True if the present effect was last requested through this connection.
   [[nodiscard]] bool IsOf(std::uint64_t connection) const noexcept {
     return due_ != SteadyTime::max() && connection_ == connection;
   }
-  /// May throw whatever the author's code throws.
+  /// Stops the time limit and runs `end`. May throw whatever the author's code throws.
   void End() {
     Disarm();
     end_();

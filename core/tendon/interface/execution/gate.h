@@ -11,13 +11,14 @@ namespace tendon {
 /// A pointer that callers use while a manager replaces it. The manager can wait until no caller
 /// uses the old object. For one calling thread or for many.
 ///
-/// Thread safety: Enter(), also nested, by the threads that SetCallers() allows; Exchange() and
-/// Get() by managers, one at a time, never from inside a call.
+/// Thread safety: the threads that SetCallers() allows call Enter(), also nested. Managers call
+/// Exchange() and Get(), one manager at a time, never inside Enter().
 template <typename T>
 class Gate {
  public:
-  /// Call it before the first Enter(). `home` is the inbox of the calling component, or null. If a
-  /// thread is bound to `home`, a single caller must be that thread; debug builds check it.
+  /// Sets the threads that may call Enter(). Call it before the first Enter(). `home` is the inbox
+  /// of the calling component, or null. If a thread is bound to `home`, a single caller must be
+  /// that thread; debug builds check it.
   void SetCallers(CallerThreads callers, const Inbox* home) {
     callers_ = callers;
     home_ = callers == CallerThreads::kOneThread ? home : nullptr;
@@ -37,7 +38,8 @@ class Gate {
     return body(call.get());
   }
 
-  /// Waits until no call uses the old object; then the caller may free it.
+  /// Replaces the object and waits until no call uses the old object. Then the old object may be
+  /// freed.
   void Exchange(T* next) noexcept {
     if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(next);
@@ -45,8 +47,8 @@ class Gate {
       one_.Exchange(next);
     }
   }
-  /// Sets the first object, for all further calls. Called in the calling thread, between two of its
-  /// calls, while no manager replaces the object.
+  /// Sets the first object, for all further calls. Called by the thread that calls Enter(), between
+  /// two of its calls, while no manager replaces the object.
   void SetByCaller(T* object) noexcept {
     if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(object);

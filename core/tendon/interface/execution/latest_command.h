@@ -8,10 +8,10 @@
 
 namespace tendon {
 
-/// A queued command that keeps only the latest call: a new call replaces an older one that still
-/// waits, and is never refused because of a full mailbox. At most one token is in the mailbox while
-/// another one is executed; two slots are reserved for them. A call with a waiting caller uses a
-/// slot of its own.
+/// A queued command that keeps only the latest call. A new call replaces an older call that is
+/// still queued, and is never refused because of a full mailbox. A token in the mailbox stands for
+/// the queued call. At most one token is in the mailbox while another one is executed, so two slots
+/// are reserved. A call with a waiting caller uses a separate slot.
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:

@@ -10,16 +10,17 @@
 
 namespace tendon {
 
-/// The argument of a command that keeps only its latest call: a newer one replaces an older one
-/// that still waits. One token in the mailbox stands for the waiting argument. With a token that is
-/// being executed, this takes two slots, which the mailbox reserves.
+/// The argument of a command that keeps only its latest call. A newer argument replaces an older
+/// one that is still queued. One token in the mailbox stands for the queued argument. Another token
+/// may be executed at the same time, so the mailbox reserves two slots.
 template <typename T>
 class LatestValue {
  public:
   explicit LatestValue(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// Any thread; never waits. `make` returns the value and is called by one thread at a time; if it
-  /// throws, nothing has changed. The server later executes `token`, which calls Take().
+  /// Stores the value that `make` returns. Any thread; never waits. One thread at a time calls
+  /// `make`; if `make` throws, nothing changes. The server later executes `token`, which calls
+  /// Take().
   template <typename Make>
   Status Post(Mailbox::Entry& token, Make&& make) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
@@ -40,7 +41,7 @@ class LatestValue {
     });
   }
 
-  /// In the server's thread; null if the value was already taken.
+  /// Returns the newest value, or null if it was already taken. Called in the server's thread.
   T* Take() noexcept { return newest_.Take(); }
 
  private:

@@ -26,8 +26,8 @@ struct BoundMember {
 };
 
 /// Points to the first member of a connected interface; the members are in the order of the
-/// functions. A pointer to the first one saves an indirection per call. All members change at once;
-/// null if not connected.
+/// functions. A pointer to the first member saves an indirection per call. All members change at
+/// once. Null if the interface is not connected.
 using BindingGate = Gate<const BoundMember>;
 
 /// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, otherwise returns the
@@ -53,12 +53,13 @@ class MemberCaller {
   MemberCaller& operator=(const MemberCaller&) = delete;
   virtual ~MemberCaller() = default;
 
-  /// Null if `command` can be called directly, else a converting command to call instead. `command`
-  /// has the caller's signature and must outlive the result.
+  /// Returns null if `command` can be called directly, otherwise a converting command to call
+  /// instead. `command` has the caller's signature and must outlive the result.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Adapt(CommandBase& command) const = 0;
 };
 
-/// Calls directly if the layouts are equal, otherwise through the codec.
+/// Returns null if the layouts are equal, so that the command can be called directly. Otherwise
+/// returns a command that uses the codec.
 template <Payload In, Payload Out>
 std::unique_ptr<CommandBase> AdaptByLayout(CommandBase& command) {
   if (command.Is<In, Out>()) return nullptr;

@@ -10,11 +10,11 @@ namespace tendon {
 /// The names of one interface's members. Each is added once, in the component's constructor.
 class MemberNames {
  public:
-  /// Throws ConfigurationError if the name is invalid, already in use (the message says where it
-  /// was added) or added after Seal(). `what` is "command", "event", ...
+  /// Adds a name. Throws ConfigurationError if the name is invalid, if it is already in use (the
+  /// message says where it was added), or after Seal(). `what` is "command", "event", ...
   void Add(const std::string& what, const std::string& name, const std::string& interface,
            SourceLocation location);
-  /// No name can be added from now on.
+  /// From now on, no name can be added.
   void Seal() { sealed_ = true; }
 
  private:

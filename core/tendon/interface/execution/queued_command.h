@@ -16,15 +16,15 @@
 
 namespace tendon {
 
-/// Types that are stored directly in a mailbox slot. Values of other types are assigned to pooled
-/// objects, which keep their memory.
+/// True for types that are stored directly in a mailbox slot. Values of other types are assigned to
+/// pooled objects, which keep their memory.
 template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
-/// Passes the call to the thread that empties the mailbox, which runs `handler(in, out)`. Without a
-/// mailbox (a component without a thread) it runs in the caller's thread, while `component` accepts
-/// calls. To get the reply, the caller must wait. Replies are stored in a pool, because the caller
-/// may stop waiting before its call ends.
+/// Queues each call in the mailbox; the thread that empties the mailbox runs `handler(in, out)`. If
+/// there is no mailbox, because the component has no thread, the caller's thread runs `handler`,
+/// while `component` accepts calls. To get the reply, the caller must wait. Replies are stored in a
+/// pool, because the caller may stop waiting before its call ends.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
@@ -52,9 +52,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     return claimed;
   }
 
-  /// Decodes the argument directly into its slot, without a copy. So a malformed argument occupies
-  /// a slot until the server skips it. If the mailbox refuses the call, the caller gets the status
-  /// of the mailbox, not kInvalid.
+  /// Decodes the argument directly into its slot, without a copy. For this reason, a malformed
+  /// argument occupies a slot until the server skips it. If the mailbox refuses the call, the
+  /// caller gets the status of the mailbox, not kInvalid.
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
     std::byte* argument = nullptr;
@@ -120,8 +120,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     });
   }
 
-  /// kQueued: the argument is in a claimed slot, which must be published. Otherwise nothing has
-  /// changed: the mailbox refused the call, or the copy threw (kFailed).
+  /// Claims a slot and copies the argument. If it returns kQueued, the argument is in the claimed
+  /// slot, which must be published. Otherwise nothing has changed: the mailbox has refused the
+  /// call, or the copy threw (kFailed).
   Status Claim(const In& in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();
@@ -134,7 +135,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       return copied;
     }
   }
-  /// Claim() for an encoded argument. Also kInvalid; kFailed if the codec threw.
+  /// Like Claim(), but for an encoded argument. Returns kInvalid if it cannot be decoded, and
+  /// kFailed if the codec threw.
   Status ClaimDecoded(std::span<const std::byte> in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();

@@ -6,8 +6,9 @@
 
 namespace tendon {
 
-/// A buffer that the calls of one command reuse one after another, so that it keeps its memory. A
-/// call that finds it in use gets a temporary object. A copied Scratch starts with a new object.
+/// A buffer for successive calls of one command. It keeps its memory between the calls. If the
+/// buffer is in use, a call gets a temporary object instead. A copied Scratch starts with a new
+/// object.
 template <typename T>
 class Scratch {
  public:
@@ -15,7 +16,7 @@ class Scratch {
   Scratch(const Scratch& /*other*/) {}
   Scratch& operator=(const Scratch&) = delete;
 
-  /// Borrows the object for one call, or has its own if another call has borrowed it.
+  /// Borrows the object for one call, or creates its own object if another call has borrowed it.
   class Use {
    public:
     explicit Use(Scratch& scratch) : hold_(scratch.lease_), kept_(scratch.kept_) {

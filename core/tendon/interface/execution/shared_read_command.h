@@ -47,7 +47,7 @@ class SharedReadCommand final : public Command<None, Out> {
   Body body_;
 };
 
-/// Every connection gets a copy of `body`.
+/// Makes a SharedReadCommand for each connection, with a copy of `body`.
 template <Payload Out, typename Body>
 class SharedReadOffer final : public Offer {
  public:

@@ -12,7 +12,7 @@ namespace tendon {
 struct ThreadSafe {};
 inline constexpr ThreadSafe kThreadSafe;
 
-/// The body of a direct void or write command, or of a direct event handler.
+/// Returns the body of a direct void or write command, or of a direct event handler.
 template <typename In, typename Method, typename Object>
 auto CallMethod(Method method, Object* object) {
   return [method, object](const In& in, None&) -> Status {

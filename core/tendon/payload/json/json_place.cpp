@@ -8,7 +8,8 @@
 namespace tendon {
 namespace {
 
-/// Takes the first part off a path: "processes", "[0]", "name". An index keeps its brackets.
+/// Removes the first part from a path and returns it: "processes", "[0]", "name". An index keeps
+/// its brackets.
 std::string_view TakePart(std::string_view& path) {
   if (path.starts_with('.')) path.remove_prefix(1);
   const std::size_t end =
@@ -18,8 +19,8 @@ std::string_view TakePart(std::string_view& path) {
   return part;
 }
 
-/// Enters the `nth` member of that name in an object, and sets `place` to its key; false if there
-/// is none.
+/// Enters the `nth` member with this name in an object, and sets `place` to the offset of its key.
+/// Returns false if there is no such member.
 bool EnterMember(JsonScanner& walk, std::string_view name, int nth, std::size_t& place) {
   if (!walk.IsAt('{')) return false;
   for (bool is_there = walk.Enter(); is_there && walk.IsAt('"'); is_there = walk.Next()) {

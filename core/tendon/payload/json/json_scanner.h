@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// Walks over JSON text from value to value, and keeps the text of values as it is written. Never
-/// reads beyond the text, even if it is not JSON.
+/// Walks over JSON text from value to value, and returns the text of each value exactly as it is
+/// written. Never reads beyond the text, even if it is not JSON.
 class JsonScanner {
  public:
   explicit JsonScanner(std::string_view text) : text_(text) { SkipBlanks(); }
@@ -23,7 +23,8 @@ class JsonScanner {
   /// Moves from a key to its value; returns false if there is no colon.
   bool ToValue() { return IsAt(':') && StepOver(); }
 
-  /// Takes a key or a value: its text, a string with its quotes.
+  /// Returns the text of a key or a value and moves past it. The text of a string includes the
+  /// quotes.
   std::string_view Take() {
     const std::size_t begin = at_;
     SkipValue();

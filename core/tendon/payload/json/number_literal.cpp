@@ -20,7 +20,7 @@ constexpr std::string_view kDigits = "0123456789";
 
 bool IsDigit(char letter) { return letter >= '0' && letter <= '9'; }
 
-/// A number as it is spelled: sign, digits, point, exponent. Digits may be missing on one side.
+/// The parts of a number as it is written. The digits on one side of the point may be missing.
 struct Spelling {
   bool is_negative = false;
   std::string whole;
@@ -66,7 +66,8 @@ std::optional<Spelling> WholeNumber(std::string_view text) {
   return text.empty() ? number : std::nullopt;
 }
 
-/// In JSON form: without leading zeros, and with digits on both sides of a point.
+/// Returns the number in JSON form: without leading zeros, and with digits on both sides of a
+/// point.
 std::string JsonOf(const Spelling& number) {
   std::string whole =
       number.whole.substr(std::min(number.whole.find_first_not_of('0'), number.whole.size()));
@@ -80,7 +81,8 @@ bool HasZerosInFront(const Spelling& number) {
   return number.whole.size() > 1 && number.whole.front() == '0';
 }
 
-/// The next letter of UTF-8 text and its size in bytes; 0xfffd for an invalid one.
+/// Returns the letter at an offset of UTF-8 text, and its size in bytes. An invalid letter becomes
+/// 0xfffd.
 std::pair<char32_t, std::size_t> LetterAt(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
   const std::size_t size = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
@@ -91,7 +93,7 @@ std::pair<char32_t, std::size_t> LetterAt(std::string_view text, std::size_t at)
   return {letter, size};
 }
 
-/// The ASCII letter with the same meaning in a number; 0 if there is none.
+/// Returns the ASCII letter that has the same meaning in a number; 0 if there is none.
 char InAscii(char32_t letter) {
   constexpr auto kZeros = std::to_array<char32_t>({0x660, 0x6f0, 0x966, 0x9e6, 0xff10});
   for (const char32_t zero : kZeros) {
@@ -120,7 +122,7 @@ char InAscii(char32_t letter) {
   }
 }
 
-/// The word with all letters replaced that have an ASCII equivalent.
+/// Returns the text, with every letter that has an ASCII equivalent replaced by it.
 std::string AsciiOf(std::string_view text) {
   std::string ascii;
   for (std::size_t at = 0; at < text.size();) {
@@ -139,7 +141,8 @@ std::string Trimmed(std::string_view text) {
   return std::string(end == text.npos ? "" : text.substr(begin, end + 1 - begin));
 }
 
-/// The JSON word for infinity or not-a-number: "inf" for "+Infinity"; empty for any other text.
+/// Returns the JSON word for infinity or not-a-number: "inf" for "+Infinity"; empty for any other
+/// text.
 std::string NotFinite(const std::string& text) {
   const std::string lower = InLowerCase(text);
   const bool is_signed = lower.starts_with('+') || lower.starts_with('-');
@@ -172,8 +175,8 @@ std::string Without(std::string text, char sign) {
   return text;
 }
 
-/// The number as JSON, without the `group` signs and with a point at `decimal`, which may be npos.
-/// Empty if the groups are malformed.
+/// Returns the number as JSON, without the `group` signs and with a point at the offset `decimal`,
+/// which may be npos. Empty if the groups are malformed.
 std::optional<std::string> Ungrouped(std::string text, std::size_t decimal, char group) {
   std::string front = text.substr(0, decimal);
   const std::string behind = decimal == text.npos ? "" : text.substr(decimal + 1);
@@ -186,7 +189,7 @@ std::optional<std::string> Ungrouped(std::string text, std::size_t decimal, char
   return JsonOf(*number);
 }
 
-/// The possible meanings of a word with commas, points, blanks or marks between its digits.
+/// Returns the possible meanings of a word with commas, points, blanks or marks between its digits.
 NumberLiteral ReadSeparated(const std::string& text) {
   NumberLiteral word{.json = {}, .flaw = NumberFlaw::kNoNumber, .meant = {}, .rest = {}};
   const auto add = [&word](NumberFlaw flaw, const std::optional<std::string>& meant) {
@@ -221,7 +224,7 @@ NumberLiteral ReadSeparated(const std::string& text) {
   return word;
 }
 
-/// The decimal form of "0x1f"; nothing if it is not hexadecimal.
+/// Returns the decimal form of a hexadecimal number such as "0x1f"; nothing for other text.
 std::optional<std::string> DecimalOfHex(std::string_view text) {
   const bool is_negative = text.starts_with('-');
   TakeLetter(text, "+-");
@@ -233,15 +236,16 @@ std::optional<std::string> DecimalOfHex(std::string_view text) {
   return (is_negative ? "-" : "") + std::to_string(number);
 }
 
-/// The text after a number, as "deg" in "5 deg"; empty if there is no such text, or no number.
+/// Returns the text after a number, such as "deg" in "5 deg". Empty if there is no such text, or no
+/// number.
 std::string RestBehindNumber(std::string_view text) {
   const std::size_t end = text.find_first_not_of("+-0123456789.,_' ");
   if (end == text.npos || text.substr(0, end).find_first_of(kDigits) == text.npos) return "";
   return std::string(text.substr(end));
 }
 
-/// The digits of an integer with a point or an exponent ("1.50e2"); nothing if it is no integer. No
-/// type has more than `kMost` digits.
+/// Returns the digits of an integer that may have a point or an exponent ("1.50e2"); nothing if the
+/// number is not an integer. No type has more than `kMost` digits.
 std::optional<std::string> IntegerDigits(const Spelling& number, bool& is_too_long) {
   constexpr int kMost = 40;
   std::string digits = number.whole + number.fraction;
@@ -277,7 +281,7 @@ NumberLiteral IntegerOf(const Spelling& number) {
   return {.json = json, .flaw = NumberFlaw::kNone, .meant = {}, .rest = {}};
 }
 
-/// Refuses a number that would become infinite, or would become 0 although it is not.
+/// Refuses a number that would become infinite, and a number other than 0 that would become 0.
 template <typename Real>
 NumberLiteral RealOf(const Spelling& number) {
   std::string json = JsonOf(number);
@@ -289,7 +293,7 @@ NumberLiteral RealOf(const Spelling& number) {
     return FlawOf(NumberFlaw::kLimits);
   }
   if (is_zero && number.is_negative && number.fraction.empty() && number.exponent.empty()) {
-    json += ".0";  // the integer -0 is 0
+    json += ".0";  // because JSON readers take -0 for the integer 0
   }
   return {.json = json, .flaw = NumberFlaw::kNone, .meant = {}, .rest = {}};
 }
@@ -321,7 +325,8 @@ NumberLiteral OfKind(Kind kind, const Spelling& number) {
 
 bool HasInfinity(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kFloat64; }
 
-/// Rounded; empty if `limit` or more.
+/// Converts seconds, without their sign, to nanoseconds, rounded. Empty if the result is `limit` or
+/// more.
 std::optional<std::int64_t> Nanoseconds(const Spelling& seconds, std::int64_t limit) {
   constexpr int kPlaces = 9;
   const std::string digits = seconds.whole + seconds.fraction;

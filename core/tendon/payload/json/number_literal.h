@@ -23,34 +23,35 @@ enum class NumberFlaw {
   kNoNumber,
 };
 
-/// The number that a person wrote, or the reason why there is none.
+/// The number that a person wrote, or the reason why the text is not a number.
 struct NumberLiteral {
   std::string json;  ///< the number in JSON; empty if there is a flaw
   NumberFlaw flaw = NumberFlaw::kNone;
   /// Possible meanings, in JSON: several if the word is ambiguous, none if any meaning would be a
   /// guess.
   std::vector<std::string> meant;
-  std::string rest;  ///< of kRest: the text after the number
+  std::string rest;  ///< for kRest: the text after the number
 };
 
 /// True if a value of this kind is written as one number: integers, floats and durations.
 [[nodiscard]] bool IsWrittenAsNumber(Schema::Kind kind);
 
-/// Reads a number of a kind that IsWrittenAsNumber(), in the same way in every locale: the decimal
-/// sign is a point, and nothing separates thousands. In addition to JSON, accepts words that can
-/// mean only one number: "+1", ".5", "5.", a number with blanks around it, and, if the type has
-/// them, inf, -inf and nan. The value changes only by rounding to the type.
+/// Reads a number that a person typed; IsWrittenAsNumber(kind) must be true. In every locale, the
+/// decimal sign is a point, and nothing separates thousands. In addition to JSON, accepts words
+/// that can mean only one number: "+1", ".5", "5.", a number with blanks around it, and, if the
+/// type has them, inf, -inf and nan. The value changes only by rounding to the type.
 [[nodiscard]] NumberLiteral ReadNumberLiteral(Schema::Kind kind, std::string_view typed);
 
-/// The nanoseconds of a JSON number of seconds, rounded, from its digits: a double is too coarse
-/// for the seconds since 1970. Empty if it is not a number, or is 68 years or more.
+/// Converts a JSON number of seconds to nanoseconds, rounded. It reads the digits, because a double
+/// is too coarse for the seconds since 1970. Empty if the text is not a number, or if the number is
+/// 68 years or more.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> NanosecondsIn(std::string_view seconds);
 
 /// True if a double cannot hold this number of seconds to the nanosecond.
 [[nodiscard]] bool IsFinerThanDouble(std::string_view seconds);
 
 /// Says what the flaw is and what to write instead: "write 0.5: use a point as the decimal sign".
-/// Empty without a flaw.
+/// Empty if there is no flaw.
 [[nodiscard]] std::string FlawText(const NumberLiteral& word);
 
 }  // namespace tendon

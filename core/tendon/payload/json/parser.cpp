@@ -42,7 +42,7 @@ class BodyBuilder {
   std::vector<std::byte> body_;
 };
 
-/// A short text for a value that a person typed: "string 'x'", "number 3", "an array of 2".
+/// Describes a value that a person typed: "string 'x'", "number 3", "an array of 2".
 std::string Found(const Json& value) {
   constexpr std::size_t kShown = 40;  // bytes
   switch (value.type()) {
@@ -199,8 +199,9 @@ class Builder {
             static_cast<std::uint32_t>((time - whole).count())};
   }
 
-  /// For a duration whose nanoseconds a double cannot hold: accepts a number, or its digits as a
-  /// string, as programs that store numbers as doubles send it.
+  /// Reads a duration whose nanoseconds a double cannot hold. It may be a number, or a string of
+  /// the digits, which programs send if they store numbers as doubles. Returns nothing for all
+  /// other values.
   std::optional<std::chrono::nanoseconds> FineDuration(const Json& value) {
     if (const auto fine = fine_.find(path_); value.is_number_float() && fine != fine_.end()) {
       return NanosecondsIn(fine->second);

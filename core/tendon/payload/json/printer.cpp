@@ -108,8 +108,8 @@ class Printer {
     return true;
   }
 
-  /// A list may be an image with millions of numbers: the type is looked up once, and memory is
-  /// reserved for many numbers at a time.
+  /// Prints a list of numbers. The list may be an image with millions of numbers, so the type is
+  /// looked up only once, and memory is reserved for many numbers at a time.
   bool PrintNumbers(const Schema& element, std::uint32_t count) {
     return payload::WithNumber(element.kind(), [&](auto number) {
       constexpr std::size_t kAtOneGo = 4096;

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxDepth = 64;
 
 std::string TooDeep() { return "nesting deeper than " + std::to_string(kMaxDepth); }
 
-/// Called before the text is parsed.
+/// True if the text has more than kMaxDepth levels. Called before the text is parsed.
 bool IsTooDeep(std::string_view text) {
   std::size_t depth = 0;
   bool is_in_string = false;
@@ -37,7 +37,8 @@ bool IsTooDeep(std::string_view text) {
   return false;
 }
 
-/// The parser's message without its codes and positions: "unexpected ','; expected string literal".
+/// Returns the parser's message without its codes and positions: "unexpected ','; expected string
+/// literal".
 std::string Words(const std::string& what) {
   std::string words = what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2);
   if (words.starts_with("parse error at ")) words = words.substr(words.find(": ") + 2);
@@ -46,8 +47,9 @@ std::string Words(const std::string& what) {
   return Printable(words, 200);
 }
 
-/// Bytes from the start of the mistake to the parser's position. `last_token` ends at that
-/// position, but starts too early unless it is a string.
+/// Returns the number of bytes from the start of the mistake to the parser's position. `last_token`
+/// ends at this position. Only if it is a string, it starts where the mistake starts; otherwise it
+/// starts too early.
 std::size_t OffendingLength(const std::string& words, const std::string& last_token) {
   if (words.starts_with("unexpected end")) return 0;
   if (words.starts_with("unexpected string")) return last_token.size();
@@ -60,7 +62,8 @@ std::size_t OffendingLength(const std::string& words, const std::string& last_to
   return static_cast<std::size_t>(begin - last_token.rbegin());
 }
 
-/// Replaces the locale's decimal sign, with which the library passes numbers, by a point.
+/// Replaces the locale's decimal sign by a point. The JSON library passes numbers with the locale's
+/// sign.
 std::string WithPoint(std::string number) {
   const std::size_t sign = number.find_first_not_of("+-0123456789eE.");
   if (sign == number.npos) return number;
@@ -68,7 +71,8 @@ std::string WithPoint(std::string number) {
   return number.replace(sign, end - sign, ".");
 }
 
-/// Which numbers become integers: those written as integers, or all with an integer value.
+/// Says which numbers become integers: only numbers written as integers, or all numbers with an
+/// integer value.
 enum class Integers { kAsWritten, kAreExact };
 
 /// Builds the value and refuses mistakes that the grammar allows.

@@ -11,7 +11,7 @@ namespace tendon {
 
 using Json = nlohmann::json;
 
-/// The digits of numbers by their places, such as "path.times[0]".
+/// Maps the places of numbers, such as "path.times[0]", to the digits of the numbers.
 using FineNumbers = std::map<std::string, std::string>;
 
 /// Reads JSON that a person wrote. Fails with kInvalid for a grammar mistake ("line 12, column 5:
@@ -20,9 +20,10 @@ using FineNumbers = std::map<std::string, std::string>;
 /// and empty text. The program's locale has no influence.
 Result<Json> ParseStrictJson(std::string_view text);
 
-/// The same for values of a known type. A number with an integer value becomes an integer, however
-/// it is written (2.0, 1e3); any other number does not, not even 1.00000000000000000001. If `fine`
-/// is not null, it receives the digits of the numbers that are IsFinerThanDouble() as seconds.
+/// Like ParseStrictJson(), but for values of a known type. A number with an integer value becomes
+/// an integer, however it is written (2.0, 1e3). Any other number does not become an integer, not
+/// even 1.00000000000000000001. If `fine` is not null, it receives the digits of each number for
+/// which IsFinerThanDouble() is true.
 Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine);
 
 /// Reads JSON that a program wrote, perhaps another process; members keep their order. Errors are
@@ -30,10 +31,10 @@ Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine);
 /// the value needs stack for each level.
 Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text);
 
-/// The same, but text that is not JSON, or is nested deeper, becomes a string.
+/// Like ParseOrderedJson(), but text that is not JSON, or is nested too deeply, becomes a string.
 [[nodiscard]] nlohmann::ordered_json JsonOrText(std::string_view text);
 
-/// The kind of value, as people call it: "text", "number", "list", ...
+/// Returns the kind of a value in words for people: "text", "number", "a list", ...
 [[nodiscard]] std::string KindOf(const Json& value);
 
 }  // namespace tendon

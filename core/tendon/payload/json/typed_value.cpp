@@ -25,8 +25,9 @@ Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::stri
   return Error{ErrorCode::kInvalid, ExpectedOf(schema, name, "", typed) + "; " + FlawText(word)};
 }
 
-/// Checks the typed text, not the parser's result, which loses two mistakes: of a duplicate key it
-/// has only the second value, and 1.00000000000000000001 becomes the integer 1.
+/// Checks the typed text instead of the parser's result, because two mistakes are lost in the
+/// result: it has only the second value of a duplicate key, and 1.00000000000000000001 becomes the
+/// integer 1.
 Result<void> CheckTyped(const Schema& schema, const std::string& name, const std::string& typed,
                         const nlohmann::ordered_json& value) {
   if (!FromJson(schema, value.dump())) return {};  // reported later, with its unit

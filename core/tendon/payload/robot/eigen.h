@@ -5,15 +5,16 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-/// Converts the types of geometry.h to Eigen's and back, for computing; link tendon::eigen.
-/// Allocates nothing. A Vector6 is linear, then angular; or force, then torque.
+/// Converts the types of geometry.h to Eigen types and back. The program must link tendon::eigen.
+/// Allocates nothing. A Vector6 holds the linear and then the angular part of a twist, or the force
+/// and then the torque of a wrench.
 namespace tendon::robot {
 
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 inline Eigen::Vector3d ToEigen(const Point& point) { return {point.x, point.y, point.z}; }
 inline Eigen::Vector3d ToEigen(const Vector3& vector) { return {vector.x, vector.y, vector.z}; }
-/// Not normalised.
+/// The result is not normalised.
 inline Eigen::Quaterniond ToEigen(const Quaternion& q) { return {q.w, q.x, q.y, q.z}; }
 
 /// The rotation is normalised; a quaternion of zeros gives not-a-number.

@@ -2,11 +2,11 @@
 
 #include <tendon/payload/payload.h>
 
-/// Types that travel between the parts of a robot, under their usual names. README.md in this
+/// Types that the parts of a robot send to each other, under their usual names. README.md in this
 /// folder lists the types of CRTK commands and the equivalent ROS 2 messages.
 ///
 /// Lengths are in metres, angles in radians, forces in newtons; axes are right-handed. All types of
-/// this header have a fixed size and need no allocation. eigen.h converts them to Eigen's types.
+/// this header have a fixed size and need no allocation. eigen.h converts them to Eigen types.
 namespace tendon::robot {
 
 /// A position.
@@ -27,7 +27,7 @@ struct Vector3 {
   bool operator==(const Vector3&) const = default;
 };
 
-/// A rotation, as a unit quaternion; by default none.
+/// A rotation, as a unit quaternion. The default value is no rotation.
 struct Quaternion {
   double x = 0;
   double y = 0;
@@ -37,7 +37,7 @@ struct Quaternion {
   bool operator==(const Quaternion&) const = default;
 };
 
-/// Position and orientation of a frame, seen from another one.
+/// Position and orientation of a frame in the coordinates of another frame.
 struct Pose {
   Point position;
   Quaternion orientation;

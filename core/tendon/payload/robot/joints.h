@@ -10,8 +10,8 @@
 
 namespace tendon::robot {
 
-/// The revolute joints of an arm: measured (measured_js) or wanted (setpoint_js). For control
-/// loops: fixed size, no allocation.
+/// The state of an arm's revolute joints, either measured (measured_js) or desired (setpoint_js).
+/// It suits control loops, because it has a fixed size and needs no allocation.
 template <std::size_t kJoints>
 struct JointState {
   std::array<double, kJoints> position{};  ///< rad
@@ -24,9 +24,9 @@ struct JointState {
 /// The quantity that the joint drives regulate: servo_jp, servo_jv and servo_jf.
 enum class JointControl : std::int32_t { kPosition, kVelocity, kEffort };
 
-/// Moves revolute joints, once a cycle. The members below the controlled one are feed-forward:
-/// velocity and effort in position control, effort in velocity control. The members above it are
-/// ignored.
+/// Moves revolute joints; sent once per cycle. The members after the controlled one are
+/// feed-forward values: velocity and effort in position control, effort in velocity control. The
+/// members before the controlled one are ignored.
 template <std::size_t kJoints>
 struct JointCommand {
   JointControl control = JointControl::kPosition;
@@ -37,8 +37,9 @@ struct JointCommand {
   bool operator==(const JointCommand&) const = default;
 };
 
-/// Joints of any kind and number, by name. Each list has as many items as `name`, or none if the
-/// values are unknown. A revolute joint has rad, rad/s and N m; a prismatic one has m, m/s and N.
+/// The state of joints of any kind and number, by name. Each list has as many items as `name`, or
+/// none if the values are unknown. A revolute joint has rad, rad/s and N m; a prismatic one has m,
+/// m/s and N.
 struct NamedJointState {
   Header header;
   std::vector<std::string> name;
@@ -77,7 +78,7 @@ inline constexpr auto kPayload<robot::JointCommand<kJoints>> = Describe(
 template <>
 inline constexpr auto kPayload<robot::NamedJointState> =
     Describe("sensor_msgs.JointState", Field{"header", &robot::NamedJointState::header},
-             Field{"name", &robot::NamedJointState::name}.Help("Of each joint."),
+             Field{"name", &robot::NamedJointState::name}.Help("The name of each joint."),
              Field{"position", &robot::NamedJointState::position, "rad or m"},
              Field{"velocity", &robot::NamedJointState::velocity, "rad/s or m/s"},
              Field{"effort", &robot::NamedJointState::effort, "N m or N"});

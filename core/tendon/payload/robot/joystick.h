@@ -21,9 +21,10 @@ struct Joystick {
 namespace tendon {
 
 template <>
-inline constexpr auto kPayload<robot::Joystick> = Describe(
-    "sensor_msgs.Joy", Field{"header", &robot::Joystick::header},
-    Field{"axes", &robot::Joystick::axes}.Within(-1, 1).Help("0 if it is released."),
-    Field{"buttons", &robot::Joystick::buttons}.Within(0, 1).Help("1 while it is pressed."));
+inline constexpr auto kPayload<robot::Joystick> =
+    Describe("sensor_msgs.Joy", Field{"header", &robot::Joystick::header},
+             Field{"axes", &robot::Joystick::axes}.Within(-1, 1).Help("0 if the axis is released."),
+             Field{"buttons", &robot::Joystick::buttons}.Within(0, 1).Help(
+                 "1 while the button is pressed."));
 
 }  // namespace tendon

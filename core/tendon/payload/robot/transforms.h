@@ -8,8 +8,9 @@
 
 namespace tendon::robot {
 
-/// The frame `child_frame_id`, seen from `header.frame_id`: maps coordinates in the child to
-/// coordinates in its parent.
+/// The position and orientation of the frame `child_frame_id` in its parent frame,
+/// `header.frame_id`. `transform` maps coordinates in the child frame to coordinates in the parent
+/// frame.
 struct TransformStamped {
   Header header;
   std::string child_frame_id;
@@ -18,7 +19,8 @@ struct TransformStamped {
   bool operator==(const TransformStamped&) const = default;
 };
 
-/// Some frames of a robot, in any order; with those sent before, they form a tree.
+/// Some frames of a robot, in any order. Together with the frames that were sent before, they form
+/// a tree.
 struct Transforms {
   std::vector<TransformStamped> transforms;
 
@@ -34,7 +36,7 @@ inline constexpr auto kPayload<robot::TransformStamped> =
     Describe("geometry_msgs.TransformStamped", Field{"header", &robot::TransformStamped::header},
              Field{"child_frame_id", &robot::TransformStamped::child_frame_id},
              Field{"transform", &robot::TransformStamped::transform}.Help(
-                 "From the child to header.frame_id."));
+                 "Maps coordinates in the child frame to header.frame_id."));
 
 template <>
 inline constexpr auto kPayload<robot::Transforms> =

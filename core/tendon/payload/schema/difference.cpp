@@ -35,7 +35,8 @@ std::string WithUnit(const Schema::Field& field) {
   return field.schema.TypeName() + (field.unit.empty() ? " without unit" : " in " + field.unit);
 }
 
-/// `where` names both values as the innermost structure does.
+/// Returns the first difference. `where` names the compared values as in the innermost structure:
+/// "position of arm.JointState".
 std::optional<std::string> Difference(const Schema& needed, const Schema& offered,
                                       const std::string& where);
 
@@ -71,8 +72,8 @@ std::optional<std::string> Difference(const Schema& needed, const Schema& offere
       return StructureDifference(needed, offered);
     case Schema::Kind::kArray:
     case Schema::Kind::kSequence:
-      // Names whole types, which is easier to read than the innermost difference: float64[3][4],
-      // float64[3][5].
+      // Names the whole types, for example float64[3][4] and float64[3][5], because this is easier
+      // to read than the innermost difference.
       if (needed.TypeName() != offered.TypeName()) {
         return Differ(where, needed.TypeName(), offered.TypeName());
       }

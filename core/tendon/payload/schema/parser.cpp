@@ -50,7 +50,7 @@ class Parser {
     return parsed;
   }
 
-  /// The text after '[': a length for an array, nothing for a sequence.
+  /// Reads the text after '[': the length of an array, or no length for a sequence.
   Parsed ParseSuffix(Parsed element, int depth) {
     const int height = element.height + 1;
     if (depth + height > kMaxLevels + 1) return Fail("more than 64 levels");
@@ -138,7 +138,8 @@ class Parser {
     return range;
   }
 
-  /// The text on this line after `start`; empty if `start` does not come next.
+  /// Returns the text on this line after `start`; empty if the text at this position is not
+  /// `start`.
   [[nodiscard]] std::optional<std::string_view> LineAfter(std::string_view start) const {
     const std::string_view rest = text_.substr(position_);
     const std::string_view line = rest.substr(0, rest.find('\n'));
@@ -166,7 +167,7 @@ class Parser {
     return name;
   }
 
-  /// The next letters, digits, dots and '_'.
+  /// Reads the next word: letters, digits, dots and '_'.
   std::string_view Word() {
     SkipSpace();
     const std::size_t start = position_;

@@ -10,8 +10,8 @@ namespace tendon::payload {
 
 [[nodiscard]] std::string ToString(const Range& range);
 
-/// Removes a range, as ToString() prints it, from the front of `text`. False if there is no range;
-/// then a part of `text` may be removed.
+/// Reads a range, as ToString() prints it, from the front of `text` and removes it there. Returns
+/// false if there is no range; even then, a part of `text` may have been removed.
 [[nodiscard]] bool ReadRange(std::string_view& text, Range& range);
 
 }  // namespace tendon::payload

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kDuration = "builtin_interfaces/Duration";
 
-/// "arm/JointState", as in a message text, for "arm.JointState".
+/// Returns the name that a message text has for a structure: "arm/JointState" for "arm.JointState".
 std::string MessageName(const Schema& structure) {
   std::string name = structure.name();
   const std::size_t dot = name.rfind('.');
@@ -37,7 +37,7 @@ std::string CamelCase(const std::string& name) {
   return out;
 }
 
-/// Prints a definition and, once each, the definitions that it needs.
+/// Prints a message definition, and then each definition that it needs, once.
 class MessagePrinter {
  public:
   std::string Print(const Schema& root) {
@@ -65,7 +65,7 @@ class MessagePrinter {
     return out + (comment.empty() ? "" : "  # " + comment) + "\n";
   }
 
-  /// "int32 MODE_OFF=0" for each value of an enum.
+  /// Returns a line such as "int32 MODE_OFF=0" for each value of an enum.
   static std::string Constants(const Schema::Field& field) {
     const Schema* innermost = &field.schema;
     while (innermost->kind() == Schema::Kind::kArray ||
@@ -79,8 +79,9 @@ class MessagePrinter {
     return out;
   }
 
-  /// The type of a field. ROS has no lists of lists: nested arrays become one longer array; any
-  /// other inner list becomes a separate message `wrapper`, with the same bytes on the wire.
+  /// Returns the ROS type of a field. ROS has no lists of lists, so nested arrays become one longer
+  /// array. Any other inner list becomes a separate message `wrapper`, which has the same bytes on
+  /// the wire.
   std::string Type(const Schema& schema, const std::string& wrapper) {
     switch (schema.kind()) {
       case Schema::Kind::kArray: {

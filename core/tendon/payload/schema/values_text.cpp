@@ -4,7 +4,7 @@
 namespace tendon {
 namespace {
 
-/// The possible values of an enum, or of a list of enums.
+/// Returns the possible values of an enum, or of a list of enums.
 std::string NamesIn(const Schema& schema) {
   if (schema.kind() == Schema::Kind::kArray || schema.kind() == Schema::Kind::kSequence) {
     return NamesIn(schema.element());

@@ -6,7 +6,8 @@
 
 namespace tendon {
 
-/// Values of the field, for people: "0 to 2.5", "off, on"; empty if the type says enough.
+/// Returns the possible values of a field, for people: "0 to 2.5" for a range, "off, on" for an
+/// enum. Empty for any other field.
 [[nodiscard]] std::string ValuesText(const Schema::Field& field);
 
 }  // namespace tendon

@@ -10,7 +10,8 @@ namespace tendon {
 class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                             private ExecutingCalls::Owner {
  public:
-  /// `line` executes its calls; null if no call runs component code in the caller's thread.
+  /// `line` executes the calls of this command. It is null if no call runs component code in the
+  /// caller's thread.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
          std::shared_ptr<SerialExecutor> line)
       : description_(offer.description()),
@@ -30,7 +31,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   Target& operator=(const Target&) = delete;
   ~Target() override { Close(); }
 
-  /// Any thread. Answers at once, or after the call was executed if that may take long.
+  /// Executes the call and replies. If this may take long, another thread does it. Any thread.
   void Call(const std::shared_ptr<message::CallMember>& call, NetworkThread& network,
             const std::shared_ptr<Responder>& responder) {
     const auto execute = [self = shared_from_this(), call, &network, responder,
@@ -49,9 +50,9 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     begun_.Answer(now, next);
   }
 
-  /// After the return, the component is not used any more.
+  /// Disconnects the command. When this function returns, the component is not used any more.
   void Close() {
-    is_closed_.Set(true);  // also stops threads that wait for mutex_
+    is_closed_.Set(true);  // threads that wait for mutex_ check it and stop
     const std::scoped_lock lock(mutex_);
     {
       const std::scoped_lock begun_lock(begun_mutex_);
@@ -166,7 +167,7 @@ std::shared_ptr<MemberCalls::Target> MemberCalls::Find(const Key& key) {
   return found == targets_.end() ? nullptr : found->second;
 }
 
-/// On the worker.
+/// Finds or makes the target of a call. Called on the worker.
 Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::CallMember& call) {
   const auto structure = context_.process.LockStructure();
   if (auto target = Find(KeyOf(call))) return target;
@@ -187,7 +188,8 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
   return target;
 }
 
-/// The line for the commands of one interface, which keeps their order; null if none is needed.
+/// Returns the executor for the commands of one interface, which keeps their order. Returns null if
+/// no executor is needed.
 std::shared_ptr<SerialExecutor> MemberCalls::LineFor(const Offer& offer,
                                                      const ProvidedInterface& provided,
                                                      const message::CallMember& call) {

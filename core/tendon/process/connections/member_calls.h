@@ -16,20 +16,20 @@
 
 namespace tendon {
 
-/// Executes any command of this process by its name, for consoles and windows. After its first call
-/// a member stays connected, with a mailbox of its own, until its component is removed.
+/// Executes any command of this process by its name, for consoles and windows. After the first call
+/// of a member, the member stays connected, with its own mailbox, until its component is removed.
 class MemberCalls final : private NetworkJob {
  public:
   explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
   ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// Call it in a thread of the middleware. Answers at once, except for the first call of a member,
-  /// for a call that waits for the component, and for a call that runs component code. Refusals:
-  /// kNotFound with a suggestion, kFailed if too many calls wait.
+  /// Executes a call and replies. Call it in a thread of the middleware. Replies at once, except
+  /// for the first call of a member, for a call that waits for the component, and for a call that
+  /// runs component code. Refusals: kNotFound with a suggestion, kFailed if too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 
-  /// Call it before the component is removed. Any thread.
+  /// Disconnects all members of a component. Call it before the component is removed. Any thread.
   void RemoveComponent(const std::string& component);
 
  private:

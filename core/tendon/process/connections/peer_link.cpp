@@ -133,8 +133,9 @@ Result<PeerLink::MirroredValues> PeerLink::MakeCopies(const message::MirrorReply
   EndUnread();
   for (const message::MirroredColumn& column : mirrored.columns) {
     if (column.capacity > StateTable::kMaximumRowBytes) {
-      return Error{ErrorCode::kInvalid, channel_->peer().name + " offers copies of " +
-                                            std::to_string(column.capacity) + " bytes"};
+      return Error{ErrorCode::kInvalid, channel_->peer().name + " offers a mirrored value of " +
+                                            std::to_string(column.capacity) +
+                                            " bytes, which is too large"};
     }
     values.push_back(std::make_shared<MirroredValue>(column.capacity));
     if (!column.value.empty()) Put(*values.back(), column.time, column.value);
@@ -143,7 +144,8 @@ Result<PeerLink::MirroredValues> PeerLink::MakeCopies(const message::MirrorReply
   return values;
 }
 
-/// Unsubscribes from copies that nobody reads; OnRows() would not notice it without new rows.
+/// Unsubscribes from copies that nobody reads any more. OnRows() does the same, but only when new
+/// rows arrive.
 void PeerLink::EndUnread() {
   std::erase_if(mirrored_, [this](const auto& one) {
     if (!one.second.expired()) return false;

@@ -27,10 +27,11 @@ class PeerListener {
  public:
   virtual ~PeerListener() = default;
   virtual void OnLinkClosed(const PeerLink& link, const Error& reason) = 0;
-  /// The provided interface of one connection is gone; `handle` is our number for it.
+  /// Called when the provided interface of one connection is gone. `handle` is our number for this
+  /// connection.
   virtual void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                  const Error& reason) = 0;
-  /// A remote component has faulted, or was restarted.
+  /// Called when a remote component has faulted or was restarted.
   virtual void OnServerChanged() = 0;
 };
 
@@ -40,8 +41,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
  public:
   using Opened = std::function<void(const Result<std::shared_ptr<PeerLink>>&)>;
 
-  /// Like OpenChannel(), within a second. kUnreachable if a different process answers at the
-  /// address.
+  /// Opens a link, like OpenChannel(), within a second. The error is kUnreachable if a different
+  /// process answers at the address.
   static void Open(const ProcessContext& context, PeerListener& listener,
                    const std::string& process, const std::string& address, Opened opened);
 
@@ -56,7 +57,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] std::chrono::nanoseconds silence() const {
     return SteadyClock().Now() - last_heard_.Get();
   }
-  /// Makes copies of remote values, in the order of `mirrored`, and updates each one as long as
+  /// Makes copies of remote values, in the order of `mirrored`, and updates each copy as long as
   /// another object holds it. Call it in a thread of the middleware, before the first value
   /// arrives.
   using MirroredValues = std::vector<std::shared_ptr<MirroredValue>>;
@@ -65,7 +66,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
  private:
-  /// On the worker.
+  /// Starts to use an opened channel. Called on the worker.
   void Begin(const std::shared_ptr<Channel>& channel);
   void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                  std::span<const std::byte> body, Responder responder) override;
@@ -96,14 +97,14 @@ struct InterfaceRequest {
   message::OpenInterface open;
   std::chrono::milliseconds read_deadline{0};
   std::vector<std::string> mirrored{};     ///< functions that read local copies
-  std::shared_ptr<SerialExecutor> line{};  ///< line for its events, if needed
+  std::shared_ptr<SerialExecutor> line{};  ///< executor for the events, if needed
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 
 /// Asks the peer for the interface and makes its proxy, which is registered at the link under
-/// `wanted.open.handle`. Calls `done` in a thread of the middleware, before anything that the peer
-/// sends to the proxy.
+/// `wanted.open.handle`. Calls `done` in a thread of the middleware, before the proxy receives
+/// anything from the peer.
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,
                   const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
                   const std::function<void(const OpenedInterface&)>& done);

@@ -15,7 +15,8 @@
 
 namespace tendon {
 
-/// The other processes, and links to the processes that are needed. Used only on the worker.
+/// Knows the other processes, and holds the links to the processes that are needed. Used only on
+/// the worker.
 class PeerLinks {
  public:
   PeerLinks(ProcessContext& context, PeerListener& listener)
@@ -49,12 +50,12 @@ class PeerLinks {
     bool operator==(const Endpoint&) const = default;
   };
 
-  /// A process that accepts connections but does not answer. Not tried again for a while, because
-  /// an attempt delays others.
+  /// A process that accepts connections but does not answer. It is not tried again for a while,
+  /// because an attempt delays other attempts.
   struct UnresponsivePeer {
     Endpoint endpoint;
     Error error;
-    // At most the pause of connections.
+    // Its pauses are not longer than those of RemoteConnections.
     Backoff backoff{std::chrono::milliseconds(500), std::chrono::milliseconds(1500)};
     SteadyTime until{};
   };
@@ -69,7 +70,7 @@ class PeerLinks {
   PeerListener& listener_;
   std::map<std::string, Endpoint> endpoints_;
   std::map<std::string, std::shared_ptr<PeerLink>> links_;
-  std::map<std::string, std::vector<Done>> openings_;  // the functions that wait for each
+  std::map<std::string, std::vector<Done>> openings_;  // the callbacks that wait for each process
   std::map<std::string, UnresponsivePeer> unresponsive_;
   std::deque<std::string>
       unresponsive_queue_;  // to be opened one at a time; the first one is being opened

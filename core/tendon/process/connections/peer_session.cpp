@@ -106,7 +106,8 @@ void PeerSession::OpenInterface(Body body, Responder responder) {
       });
 }
 
-/// A listener may be a viewer, which must not call functions. It gets all events, with their times.
+/// Serves a client that only listens to events. The client may be a viewer, which must not call
+/// functions. It gets all events, with their times.
 void PeerSession::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
@@ -122,8 +123,8 @@ void PeerSession::Listen(Body body, Responder responder) {
       });
 }
 
-/// Serves requests that may wait for the manager's lock on the worker. Reserves room in the quota
-/// before it decodes, because decoding takes more memory.
+/// Serves a request on the worker, because it may have to wait for the manager's lock. Reserves
+/// room in the quota before it decodes the request, because decoding takes more memory.
 template <typename Wanted>
 void PeerSession::Post(
     Body body, Responder responder,
@@ -145,7 +146,8 @@ void PeerSession::Post(
        answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
 }
 
-/// A notice cannot be refused, so the channel is closed if the quota is used up.
+/// Serves a notice on the worker. A notice cannot be refused, so the channel is closed if the quota
+/// is used up.
 void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()> serve) {
   const auto reservation = quota_->Reserve(0);
   if (!reservation) return channel->CutOff("sends more than this process can handle");

@@ -17,7 +17,7 @@
 
 namespace tendon {
 
-/// The services of a process for others.
+/// The services that a process offers to other processes.
 struct Services {
   ProcessContext& context;
   ServedConnections connections;
@@ -29,9 +29,9 @@ struct Services {
 /// a peer may send faster than it is served. Thread-safe.
 class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
  public:
-  /// Four times the subscriptions that a viewer may have.
+  /// Maximum number of waiting requests: four times the subscriptions that a viewer may have.
   static constexpr std::size_t kMostTasks = 8192;
-  /// Bytes of messages; also the limit of a single one.
+  /// Maximum size of all waiting messages together, in bytes. It also limits a single message.
   static constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
 
   /// Counts one waiting request while it exists.
@@ -48,7 +48,7 @@ class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
     const std::size_t bytes_;
   };
 
-  /// Null if the request would exceed the limits.
+  /// Reserves room for one request. Returns null if the request would exceed the limits.
   [[nodiscard]] std::shared_ptr<Reservation> Reserve(std::size_t bytes);
 
  private:

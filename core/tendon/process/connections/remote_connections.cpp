@@ -110,7 +110,8 @@ void RemoteConnections::Try(ConnectionId id) {
   context_.worker->PostAfter(kOpenTimeout, [this, id, attempt] { ReportPending(id, attempt); });
 }
 
-/// Reports "pending" now, because the attempt may have to wait for other links that hang.
+/// Reports that the connection is pending, because the attempt may have to wait for other links
+/// that hang.
 void RemoteConnections::ReportPending(ConnectionId id, std::uint64_t attempt) {
   Done done;
   ConnectionDescription description;
@@ -125,7 +126,8 @@ void RemoteConnections::ReportPending(ConnectionId id, std::uint64_t attempt) {
 }
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
-  constexpr std::size_t kMostEvents = 4096;  // in a line: the events of a few messages
+  // The limits of the executor's queue: the events of a few messages.
+  constexpr std::size_t kMostEvents = 4096;
   constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
   InterfaceRequest wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
@@ -153,7 +155,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;
   }
-  // The answer is also needed after GiveUp(): it says what the peer must close.
+  // The answer is needed even after GiveUp(), because it says which interface the peer must close.
   OpenProvided(context_.network, link, wanted,
                [this, worker = context_.worker, attempt](const OpenedInterface& opened) {
                  worker->Post([this, attempt, opened] { Finish(attempt, opened); });
@@ -207,7 +209,8 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                      const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
   ConnectionDescription& description = entry.description;
   const auto required = context_.process.LookUpRequired(description.required);
-  // Before Make(): a component may call at once, and Make() waits until the call is served.
+  // The proxy is added before Make(), because a component may call at once, and Make() waits until
+  // this call is executed.
   context_.proxies.Add(description.provided, proxy);
   auto connection =
       required ? Connection::Make(**required, proxy->interface(), ToString(description.required),
@@ -223,7 +226,7 @@ Result<void> RemoteConnections::Bind(Entry& entry,
   description.state = ConnectionState::kActive;
   description.reason.clear();
   entry.backoff.Reset();
-  LogConnection(LogLevel::kInfo, description, "stands");
+  LogConnection(LogLevel::kInfo, description, "is active");
   return {};
 }
 
@@ -289,7 +292,7 @@ void RemoteConnections::OnInterfaceClosed(const PeerLink& link, std::uint32_t ha
   context_.process.StructureChanged();
 }
 
-/// Makes the connection pending; it is tried again later.
+/// Makes the connection pending. Another attempt follows later.
 void RemoteConnections::Suspend(Entry& entry, const std::string& reason) {
   if (entry.connection) {
     LogConnection(LogLevel::kWarning, entry.description,
@@ -328,8 +331,8 @@ void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   entry.link.reset();
 }
 
-/// Sent on the lane of the calls, so that it arrives after them. The peer keeps the connection
-/// until this notice arrives.
+/// Asks the peer to close its end of the connection. The notice is sent on the lane of the calls,
+/// so that it arrives after them. The peer keeps the connection until the notice arrives.
 void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle,
                                    Lane lane) {
   NotifyUntilSent(context_.worker, channel, message::kCloseInterface, handle, lane);
@@ -354,7 +357,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.process.StructureChanged();
-  if (done) {  // on the worker, like every outcome: this thread may be any, and holds the lock
+  if (done) {  // on the worker, because this thread may be any, and holds the lock
     context_.worker->Post([done, required] {
       done(Error{ErrorCode::kFailed, ToString(required) + " was disconnected meanwhile"});
     });

@@ -14,9 +14,9 @@
 
 namespace tendon {
 
-/// The connections from required interfaces of this process to provided interfaces of others:
-/// active, pending and refused ones. A lost connection is made again when its peer returns;
-/// interrupted calls are not repeated.
+/// The connections from required interfaces of this process to provided interfaces of other
+/// processes. A connection is active, pending or refused. A lost connection is made again when its
+/// peer returns; interrupted calls are not repeated.
 ///
 /// Functions are called on the worker unless noted.
 class RemoteConnections final : private PeerListener {
@@ -25,9 +25,9 @@ class RemoteConnections final : private PeerListener {
 
   explicit RemoteConnections(ProcessContext& context) : context_(context), peers_(context, *this) {}
 
-  /// Adds the connection, and calls `done` when it is active or pending. It is not added on an
-  /// error: kNotFound for the end in this process, kExists, kIncompatible. All names include the
-  /// process.
+  /// Adds the connection, and calls `done` when it is active or pending. On an error, the
+  /// connection is not added: kNotFound if the required interface does not exist here, kExists, or
+  /// kIncompatible. All names include the process.
   void Connect(const message::Wire& wire, Done done);
 
   /// Sets the present processes, and opens the connections that are now possible.
@@ -39,23 +39,24 @@ class RemoteConnections final : private PeerListener {
   [[nodiscard]] bool Has(const InterfaceName& required) const;
   /// Removes the connection, after sending accepted calls.
   Result<void> Disconnect(const InterfaceName& required);
-  /// Call it before the component is removed.
+  /// Removes all connections of a component. Call it before the component is removed.
   void RemoveComponent(const std::string& component);
   [[nodiscard]] std::vector<ConnectionDescription> descriptions() const;
-  /// kFailed, with the reason and the time, if the connection is not active.
+  /// Returns the counts of a connection. If the connection is not active, returns kFailed with the
+  /// reason and the time.
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const;
 
   /// True if servers may still execute accepted calls of the component.
   [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
 
-  /// Call it after the worker has stopped. Ends all connections; until `deadline`, sends the
-  /// accepted calls first.
+  /// Ends all connections, but first sends the accepted calls, until `deadline`. Call it after the
+  /// worker has stopped.
   void Close(SteadyTime deadline);
 
  private:
   struct Entry {
     ConnectionDescription description;
-    SteadyTime since{};            // the time since when it is not active
+    SteadyTime since{};            // the time since which it is not active
     Done done;                     // callback of Connect(); empty after the first outcome
     std::uint64_t attempt = 0;     // the newest attempt; outcomes of earlier ones are ignored
     bool is_opening = false;       // an attempt has no outcome yet

@@ -43,8 +43,8 @@ Error Misfit(const message::OpenInterface& open, const ProvidedDescription& prov
 }
 
 /// Refuses a connection to the incompatible interface `provided`, and names the first difference.
-/// Asks the opener for types that only the opener knows. If there is no answer in time, for which
-/// `timer` is needed, refuses with `why`.
+/// Asks the opener for types that only the opener knows. If the opener does not answer in time,
+/// refuses with `why`; `timer` checks the time.
 void RefuseMisfit(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::OpenInterface& open, const ProvidedDescription& provided,
                   const Error& why, const std::shared_ptr<Responder>& responder) {
@@ -95,8 +95,8 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   entry.handle = opened.handle;
   client->handles.Put(entry.handle, entry.proxy);
   LogChange(entry, "opened");
-  responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not overtake it
-  context_.proxies.Add(entry.required, entry.proxy);          // starts to send
+  responder->Reply(EncodeBody(opened), entry.proxy->lane());  // events must not overtake the reply
+  context_.proxies.Add(entry.required, entry.proxy);          // the proxy starts to send
 }
 
 Result<void> ServedConnections::CheckListeners(const Client& client, Use use) const {
@@ -156,7 +156,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   }
 }
 
-/// Bounds the memory that another process can request here.
+/// Limits the memory that another process can request here.
 Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, std::size_t bytes) {
   constexpr std::size_t kMostCalls = 65536;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
@@ -187,7 +187,8 @@ void ServedConnections::RemoveComponent(const std::string& component) {
     Channel& channel = *entry.client->channel;
     const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
                                        entry.proxy->lane());
-    // The client must learn of this, so the channel is closed; the client opens it again.
+    // The client must be notified. Because the link is full, the channel is closed instead, and the
+    // client opens it again.
     if (told == Status(Status::kQueueFull)) channel.Close();
   }
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
@@ -212,7 +213,7 @@ void ServedConnections::CloseWhere(Predicate predicate) {
     if (predicate(*entry)) {
       Detach(*entry);
       if (!entry->proxy->Drain(deadline)) {
-        entry->proxy->DropCommands();  // too late when its next connection sends commands
+        entry->proxy->DropCommands();  // before the client's next connection sends commands
         hanging_.splice(hanging_.end(), entries_, entry);
       }
     }
@@ -222,7 +223,8 @@ void ServedConnections::CloseWhere(Predicate predicate) {
   if (none_hung && !hanging_.empty()) CheckHanging();
 }
 
-/// On the worker; repeats until there are none.
+/// Closes hanging connections whose calls have returned. Runs on the worker, and repeats until no
+/// connection hangs.
 void ServedConnections::CheckHanging() {
   constexpr std::chrono::milliseconds kUntilNextLook(50);
   context_.worker->PostAfter(kUntilNextLook, [this] {
@@ -237,7 +239,7 @@ void ServedConnections::CheckHanging() {
 template <typename Predicate>
 void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
                                       SteadyTime deadline) {
-  for (Entry& entry : entries) {  // all first, so that none waits for the reads of others
+  for (Entry& entry : entries) {  // all entries first, so that none waits for the reads of others
     if (predicate(entry)) Detach(entry);
   }
   for (auto entry = entries.begin(); entry != entries.end();) {

@@ -23,12 +23,12 @@ struct Client {
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
-/// "robot/arm/Control for desk/operator/Robot", for the audit log.
+/// Returns "robot/arm/Control for desk/operator/Robot", for the audit log.
 [[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
 
-/// The connections from required interfaces of other processes to provided interfaces here. The
-/// audit log records opening and closing of each connection that may bring commands, and the number
-/// of commands.
+/// The connections from required interfaces of other processes to provided interfaces here. When a
+/// connection that may transmit commands is opened or closed, the audit log gets a line, with the
+/// number of commands.
 ///
 /// Functions are called on the worker unless noted.
 class ServedConnections {
@@ -36,13 +36,13 @@ class ServedConnections {
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
   /// kEventsOnly is for a client that only listens to events. Such a client may be a viewer. The
-  /// number of these connections is limited for each client and in total. Closing one does not wait
-  /// until the client has received all events.
+  /// number of these connections is limited for each client and in total. Closing such a connection
+  /// does not wait until the client has received all events.
   enum class Use { kAll, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
   static constexpr std::ptrdiff_t kMostListeners = 256;
 
-  /// Makes the connection, and answers before anything else about the connection is sent. Refusals:
+  /// Makes the connection, and replies before anything else about the connection is sent. Refusals:
   /// kNotFound with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox
   /// that is too large, kFailed for too many listeners.
   void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
@@ -54,11 +54,12 @@ class ServedConnections {
   /// Closes all connections of a client that is gone, in the same way.
   void CloseAll(const std::shared_ptr<Client>& client);
 
-  /// Any thread: call it before the component is removed. Notifies clients and waits for hanging
-  /// calls.
+  /// Closes all connections to a component. Notifies clients and waits for hanging calls. Call it
+  /// before the component is removed. Any thread.
   void RemoveComponent(const std::string& component);
-  /// Call it after the worker has stopped and all channels are closed. Waits for running calls
-  /// until `deadline`; waits longer only for calls that must not be abandoned.
+  /// Closes all connections. Call it after the worker has stopped and all channels are closed.
+  /// Waits for running calls until `deadline`; waits longer only for calls that must not be
+  /// abandoned.
   void Close(SteadyTime deadline);
 
  private:
@@ -80,7 +81,7 @@ class ServedConnections {
                      Use use, ProvidedInterface& provided);
   static void Detach(Entry& entry);
   void TakeDown(Entry& entry, SteadyTime deadline);
-  /// Takes down the entries for which `predicate` holds.
+  /// Closes and removes the entries for which `predicate` returns true.
   template <typename Predicate>
   void TakeDownWhere(std::list<Entry>& entries, Predicate predicate, SteadyTime deadline);
   void CheckHanging();
@@ -91,7 +92,7 @@ class ServedConnections {
 
   ProcessContext& context_;
   std::list<Entry> entries_;  // guarded by the manager's lock
-  std::list<Entry> hanging_;  // likewise; closed, but a call has not returned
+  std::list<Entry> hanging_;  // like entries_, but closed, and a call has not returned
 };
 
 }  // namespace tendon

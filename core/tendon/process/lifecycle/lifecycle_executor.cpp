@@ -16,7 +16,8 @@ using message::LifecycleOrder;
 
 constexpr Patience kLongestPatience = std::chrono::hours(1);
 
-/// At least 1 ms, because kNoWait would report success before the change has happened.
+/// Returns the time until the deadline, but at least 1 ms, because kNoWait would report success
+/// before the change has happened.
 Patience Left(SteadyTime deadline) {
   return std::max<Patience>(std::chrono::milliseconds(1), deadline - SteadyClock().Now());
 }
@@ -26,7 +27,7 @@ std::string WordsFor(const LifecycleOrder& order) {
   return std::string(ToString(order.verb)) + " '" + object + "'";
 }
 
-/// The outcome of an order for a component that existed before.
+/// Returns the outcome of an order for a component that existed before.
 message::LifecycleOutcome OutcomeAfter(const ComponentDescription& before) {
   return {.state = before.state, .class_name = before.class_name, .library = before.library};
 }
@@ -39,7 +40,7 @@ bool IsAmong(const std::vector<ConnectionDescription>& all, const ConnectionDesc
 
 }  // namespace
 
-/// Reserves a component for one order, and tells that order about a stop.
+/// Reserves a component for one order, and shows this order if a stop has arrived.
 class LifecycleExecutor::Claim {
  public:
   Claim(LifecycleExecutor& executor, std::string component)
@@ -123,7 +124,7 @@ void LifecycleExecutor::Stop() {
   for (ThreadPerTask* const threads : {&orders_, &stops_, &class_queries_}) threads->Stop();
 }
 
-/// Catches all exceptions, because a plug-in may throw anything.
+/// Executes an order. Catches all exceptions, because a plug-in may throw anything.
 LifecycleExecutor::Outcome LifecycleExecutor::ExecuteGuarded(const TimedOrder& given) {
   try {
     return Execute(given);
@@ -161,8 +162,8 @@ Result<void> LifecycleExecutor::MarkBegun(const TimedOrder& given) const {
   if (SteadyClock().Now() > given.deadline) {
     return Error{ErrorCode::kFailed,
                  "process '" + parts_.process +
-                     "' was busy with other orders until the time of this order "
-                     "was over: nothing was done; try again"};
+                     "' was busy with other orders until the time limit of this order "
+                     "had passed: nothing was done; try again"};
   }
   auto begun = given.begin();
   if (begun) return begun;
@@ -249,8 +250,9 @@ LifecycleExecutor::Outcome LifecycleExecutor::StartOrSuspend(const TimedOrder& g
   return OutcomeAfter(*before);
 }
 
-/// A stop does not wait for claims, nor for the GCM's confirmation if the GCM is slow or gone.
-/// First marks the claim of the order that it interrupts.
+/// Stops a component. A stop does not wait for claims. If the GCM is slow or gone, the stop does
+/// not wait for its confirmation, either. If the stop interrupts another order, first marks the
+/// claim of that order.
 LifecycleExecutor::Outcome LifecycleExecutor::StopComponent(const TimedOrder& given) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
@@ -282,7 +284,8 @@ LifecycleExecutor::Outcome LifecycleExecutor::Restart(const TimedOrder& given, c
   return OutcomeAfter(*before);
 }
 
-/// The claim shows an earlier stop; a later stop finds a starting component.
+/// Starts the component, unless a stop has arrived. An earlier stop is marked in the claim. A later
+/// stop finds a component that is starting, and stops it.
 Result<void> LifecycleExecutor::StartUnlessStopped(const TimedOrder& given, const Claim& claim) {
   return parts_.manager.Start(given.order.component, Left(given.deadline),
                               [&claim] { return !claim.is_to_stop(); });
@@ -303,7 +306,7 @@ LifecycleExecutor::Outcome LifecycleExecutor::Remove(const TimedOrder& given) {
   return outcome;
 }
 
-/// First checks that the component can be removed, then ends its connections.
+/// Stops and removes a component. If it cannot be removed, makes its connections again.
 Result<void> LifecycleExecutor::RemoveFromProcess(const std::string& component,
                                                   SteadyTime deadline) {
   const auto connections = ConnectionsOf(component);

@@ -90,8 +90,8 @@ class LifecycleExecutor {
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;
   Result<void> Reconnect(const std::vector<ConnectionDescription>& connections);
-  /// Finds a component that can be replaced or removed: created from a class, and no other
-  /// component runs after it. Otherwise the error says why not.
+  /// Finds a component that can be replaced or removed: it was created from a class, and no other
+  /// component runs after it. If there is no such component, the error says why.
   [[nodiscard]] Result<ComponentDescription> FindOfClass(const std::string& component,
                                                          const std::string& what) const;
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;
@@ -99,7 +99,7 @@ class LifecycleExecutor {
   const Parts parts_;
   ComponentFactory factory_{parts_.process, parts_.loader};
   std::mutex claims_mutex_;
-  std::map<std::string, bool> claims_;  // components with an order; true: a stop has come
+  std::map<std::string, bool> claims_;  // components with an order; true if a stop has arrived
   bool is_ending_ = false;
   ThreadPerTask orders_{parts_.process, 64};
   ThreadPerTask stops_{parts_.process, 64};

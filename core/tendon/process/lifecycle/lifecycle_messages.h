@@ -35,7 +35,7 @@ inline constexpr auto kPayload<LifecycleVerb> = DescribeEnum(
     Enumerator{"suspend", LifecycleVerb::kSuspend}, Enumerator{"stop", LifecycleVerb::kStop},
     Enumerator{"restart", LifecycleVerb::kRestart}, Enumerator{"remove", LifecycleVerb::kRemove});
 
-/// "load", "create", ...
+/// Returns "load", "create", ...
 [[nodiscard]] constexpr std::string_view ToString(LifecycleVerb verb) noexcept {
   return NameOf(verb);
 }
@@ -44,7 +44,7 @@ inline constexpr auto kPayload<LifecycleVerb> = DescribeEnum(
 struct ClassDescription {
   std::string name;
   std::string library;
-  std::string configuration;  ///< Schema::TextWithHelp(); that of None: no configuration
+  std::string configuration;  ///< Schema::TextWithHelp(); of None if there is no configuration
   std::string defaults;       ///< the default configuration, as JSON
 
   bool operator==(const ClassDescription&) const = default;
@@ -56,12 +56,12 @@ struct ClassDescription {
 /// Each struct is the body of a frame; all are requests.
 namespace tendon::message {
 
-// LifecycleOrder -> LifecycleOutcome; the LCM reports the changes before it replies
+// LifecycleOrder -> LifecycleOutcome. The LCM reports the changes before it answers.
 inline constexpr auto kLifecycleOrder = static_cast<MessageType>(0x317);
 inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
-// From an LCM to its GCM, BeginOrder -> None, before it executes an order. A refusal cancels the
-// order if nobody waits for it any more. So a process that was suspended or busy does not execute
-// an outdated order.
+// BeginOrder -> None. An LCM sends this request to its GCM before it executes an order. The GCM
+// refuses if nobody waits for the order any more, and the refusal cancels the order. In this way, a
+// process that was suspended or busy does not execute an outdated order.
 inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
 
 /// The longest configuration, in bytes.
@@ -86,8 +86,8 @@ struct LifecycleOrder {
   std::string leader;  ///< for create: the component after which it runs, or empty
   /// For start: the order is refused if an interface that the component needs is not connected.
   bool is_strict = false;
-  /// The time limit; 0: the program that forwards the order chooses it. An order that has not begun
-  /// when this time is over is not executed.
+  /// The time limit. If 0, the program that forwards the order chooses it. An order that has not
+  /// begun when this time is over is not executed.
   std::chrono::nanoseconds patience{0};
 };
 

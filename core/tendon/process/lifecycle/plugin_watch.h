@@ -11,14 +11,14 @@
 namespace tendon {
 
 /// Checks the files of the loaded plug-ins of a process once a second, in a thread of its own, so
-/// that a slow disk delays nothing except orders that load.
+/// that a slow disk delays nothing except orders that load plug-ins.
 class PluginWatch {
  public:
-  /// Calls `changed` in that thread after each change.
+  /// Starts the thread, which calls `changed` after each change.
   PluginWatch(std::shared_ptr<PluginFiles> files, std::function<void()> changed);
   PluginWatch(const PluginWatch&) = delete;
   PluginWatch& operator=(const PluginWatch&) = delete;
-  /// After it returns, `changed` is not called any more.
+  /// Stops the thread. Afterwards, `changed` is not called any more.
   ~PluginWatch();
 
  private:

@@ -14,21 +14,21 @@
 
 namespace tendon {
 
-/// Executes each task in a thread of its own, so that no task waits for another one: code of
-/// component authors may take long, or never return. Thread-safe.
+/// Executes each task in a thread of its own, so that no task waits for another one. This is needed
+/// because code of component authors may take long, or never return. Thread-safe.
 class ThreadPerTask {
  public:
   /// `most` tasks may run at a time. `owner` is the process named in errors and in the log.
   ThreadPerTask(std::string owner, std::size_t most) : owner_(std::move(owner)), most_(most) {}
   ThreadPerTask(const ThreadPerTask&) = delete;
   ThreadPerTask& operator=(const ThreadPerTask&) = delete;
-  /// Stop().
+  /// Calls Stop().
   ~ThreadPerTask() { Stop(); }
 
   /// Executes `task`. Fails, without executing it, if too many tasks run, no thread can be started,
   /// or Stop() was called.
   Result<void> Do(std::function<void()> task);
-  /// Starts no tasks from now on.
+  /// From now on, no task is started.
   void Close();
   /// Returns true if all tasks have ended within `patience`.
   [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds patience);

@@ -40,8 +40,9 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
   return false;
 }
 
-/// Called with the lock held, and a channel. Reports suppressed records only once per call;
-/// otherwise a source that logs without pause would keep this loop running.
+/// Sends the queued records. Called with the lock held, while there is a channel. Reports
+/// suppressed records only once per call, because otherwise a source that logs without pause would
+/// keep this loop running.
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {

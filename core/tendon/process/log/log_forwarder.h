@@ -23,9 +23,9 @@ class LogForwarder final : private NetworkJob {
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;
 
-  /// Any thread: the channel to the joined GCM; null while there is no GCM.
+  /// Sets the channel to the joined GCM; null while there is no GCM. Any thread.
   void SetChannel(std::shared_ptr<Channel> channel);
-  /// Any thread: sends the queued records that the link accepts; nothing is sent afterwards.
+  /// Sends the queued records that the link accepts; nothing is sent afterwards. Any thread.
   void Finish();
 
  private:

@@ -25,12 +25,13 @@ class LogLimiter {
     int burst = 200;
     std::chrono::nanoseconds interval = std::chrono::milliseconds(10);
   };
-  /// Further sources share the bucket kOthers, until a bucket becomes free by silence.
+  /// The maximum number of sources with their own bucket. Further sources share the bucket kOthers,
+  /// until the bucket of a silent source is freed.
   static constexpr std::size_t kMostSources = 256;
   static constexpr std::string_view kOthers = "others";
   /// Source names are compared up to this many bytes.
   static constexpr std::size_t kLongestSource = 64;
-  /// The count of suppressed records is reported this long after the first of them.
+  /// The count of suppressed records is reported this long after the first suppressed record.
   static constexpr std::chrono::seconds kUntilTold{1};
 
   LogLimiter() : LogLimiter(Rate{}) {}

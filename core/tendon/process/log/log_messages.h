@@ -27,9 +27,9 @@ inline constexpr auto kPayload<LogLevel> = DescribeEnum("tendon.LogLevel",
 /// struct is the body of a frame.
 namespace tendon::message {
 
-// notice, from an LCM to its GCM and from there to a viewer that watches the log: LogRecords
+// Notice from an LCM to its GCM, and from there to a viewer that watches the log: LogRecords.
 inline constexpr auto kLogRecords = static_cast<MessageType>(0x340);
-// request, from a viewer to its GCM and from there to the LCM: SetLogLevel -> None
+// Request from a viewer to its GCM, and from there to the LCM: SetLogLevel -> None.
 inline constexpr auto kSetLogLevel = static_cast<MessageType>(0x341);
 
 /// The largest kLogRecords that a GCM reads, in bytes.
@@ -39,7 +39,7 @@ inline constexpr std::size_t kLargestLogBatch = std::size_t{1} << 20U;
 struct LogRecord {
   std::int64_t time = 0;  ///< ns since 1970, on the clock of the process's host
   LogLevel level = LogLevel::kInfo;
-  std::string process;  ///< empty if an LCM sends it: the GCM knows the name
+  std::string process;  ///< empty if an LCM sends the record, because the GCM knows the name
   std::string source;   ///< the name of a component or a part of the program
   std::string text;
 
@@ -48,8 +48,8 @@ struct LogRecord {
 
 /// The next records, oldest first.
 struct LogRecords {
-  /// Number of records before these: sent by an LCM, or received by a GCM. A gap means lost
-  /// records.
+  /// Number of earlier records, which an LCM has sent or a GCM has received. A gap means that
+  /// records were lost.
   std::uint64_t before = 0;
   std::vector<LogRecord> records;
 };

@@ -17,10 +17,10 @@
 namespace tendon {
 
 /// Log records of this process that wait to be sent. LogLimiter limits the records of each source;
-/// if the queue is full, the newest are kept. Extra records report how many were suppressed or
-/// lost.
+/// if the queue is full, the newest records are kept. Extra records report how many records were
+/// suppressed or lost.
 ///
-/// Thread-safe. A thread waits for another one at most as long as it copies a record.
+/// Thread-safe. A thread waits for another thread at most as long as the other one copies a record.
 class LogQueue {
  public:
   static constexpr std::size_t kCapacity = 1024;
@@ -29,7 +29,7 @@ class LogQueue {
 
   explicit LogQueue(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Returns true if the queue had no news before. Allocates.
+  /// Adds a record. Returns true if has_news() was false before. Allocates.
   bool Add(LogLevel level, std::string_view source, std::string_view text);
 
   /// Removes and returns the oldest records, at most `most`, plus one about lost records. Reports

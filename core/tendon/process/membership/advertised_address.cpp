@@ -9,7 +9,8 @@
 namespace tendon {
 namespace {
 
-/// Empty if the address is not a host and a port, as with some middlewares.
+/// Splits an address into host and port. Empty if the address has another form, as with some
+/// middlewares.
 std::optional<HostPort> HostPortOf(const std::string& address) {
   auto place = ParseAddress(address, 0);
   return place ? std::optional(*std::move(place)) : std::nullopt;
@@ -25,7 +26,7 @@ bool IsHostAlone(const std::string& address) {
   return address.find(':') == std::string::npos || address.ends_with(']');
 }
 
-/// As typed after --listen.
+/// Returns the host with port 0, as the argument of --listen.
 std::string AnyPortOf(const std::string& host) { return ToString(HostPort{host, 0}); }
 
 std::string OutOfReach(const std::string& address, const std::string& host) {
@@ -35,7 +36,8 @@ std::string OutOfReach(const std::string& address, const std::string& host) {
          AnyPortOf(host);
 }
 
-/// The warning for a process that listens at every address and reaches its GCM by loopback.
+/// Returns the warning for a process that listens at every address and reaches its GCM through the
+/// loopback address.
 std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
   return "listens at " + listens +
          ", but uses the loopback address to reach its GCM, so it advertises " + told +
@@ -50,8 +52,8 @@ std::string OnAnotherNetwork(const std::string& listens, const std::string& from
          AnyPortOf(from) + ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
 }
 
-/// The text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705 (Connection
-/// refused)".
+/// Returns the text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705
+/// (Connection refused)".
 std::string Briefly(const std::string& reason) {
   const std::size_t open = reason.find(" (");
   if (!reason.starts_with("nobody ") || open == reason.npos || reason.back() != ')') return reason;
@@ -89,8 +91,8 @@ Result<void> CheckAdvertise(const std::string& advertise) {
   return Error{
       ErrorCode::kInvalid,
       "--advertise " + advertise +
-          " is not an address that others can reach: give an address of this host, or omit the "
-          "option to advertise the address from which this process reaches the GCM"};
+          " is not an address that others can reach: give an address of this host. Without "
+          "--advertise, this process advertises the address from which it reaches the GCM"};
 }
 
 bool IsOfOneHost(const std::string& address) {

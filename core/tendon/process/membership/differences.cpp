@@ -16,7 +16,8 @@ std::map<Key, const Description*> ByKey(const std::vector<Description>& descript
   return by_key;
 }
 
-/// Calls `removed(key)` and `changed(description)`.
+/// Calls `removed(key)` for each removed element, and `changed(description)` for each new or
+/// changed one.
 template <typename Key, typename Description, typename Removed, typename Changed>
 void CompareMaps(const std::map<Key, const Description*>& before,
                  const std::map<Key, const Description*>& after, Removed removed, Changed changed) {

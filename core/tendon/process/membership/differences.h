@@ -15,9 +15,9 @@ struct ProcessContent {
   bool operator==(const ProcessContent&) const = default;
 };
 
-/// The changes from `before` to `after`, without changes of the process itself, in a valid order.
-/// Revisions and process names are left empty. Components must have unique names, connections
-/// unique ids.
+/// Returns the changes from `before` to `after`, in a valid order. Changes of the process itself
+/// are not included. Revisions and process names are left empty. Components must have unique names,
+/// connections unique ids.
 [[nodiscard]] std::vector<CatalogueChange> Differences(const ProcessContent& before,
                                                        const ProcessContent& after);
 

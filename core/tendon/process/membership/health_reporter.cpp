@@ -44,7 +44,7 @@ void HealthReporter::Report(Channel& channel) {
   channel.Request<message::GcmClock>(
       message::kReportHealth, 0, health, kTimeout,
       [clock = clock_, sent](const Result<message::GcmClock>& answer) {
-        if (!answer) return;  // the next report replaces it
+        if (!answer) return;  // the next report replaces this one
         const std::scoped_lock lock(clock->mutex);
         const SteadyTime there{std::chrono::nanoseconds(answer->time)};
         clock->offset.Add(sent, there, SteadyClock().Now());

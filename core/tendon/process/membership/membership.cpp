@@ -26,7 +26,7 @@ constexpr std::chrono::milliseconds kSilence(1500);  // after this silence, the 
 
 }  // namespace
 
-/// The handler of the channel to the GCM; posts everything to the worker.
+/// The handler of the channel to the GCM. It posts all work that may block to the worker.
 class Membership::GcmHandler final : public ChannelHandler {
  public:
   GcmHandler(std::shared_ptr<Worker> worker, Membership& membership)
@@ -160,7 +160,8 @@ Error Membership::WhyNotThere(const Error& error) const {
   return is_away ? NoGcm(options_.gcm, error.message) : error;
 }
 
-/// Called before the GCM shows this process to viewers, which may ask for rows at once.
+/// Asks the GCM for the address of the broker. Called before the GCM shows this process to viewers,
+/// because they may ask for rows at once.
 void Membership::AskForBroker(const std::shared_ptr<Channel>& channel) {
   Ask<message::BrokerAddress>(
       *context_.worker, channel, message::kGetBroker, None{}, kJoinTimeout,
@@ -188,8 +189,9 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
       });
 }
 
-/// `gcm` is a numeric address, because resolving a name may take long. Called for each attempt,
-/// because the addresses of the GCM and of this host may change.
+/// Returns the description of this process for the GCM. `gcm` is a numeric address, because
+/// resolving a name may take long. Called for each attempt, because the addresses of the GCM and of
+/// this host may change.
 ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
   const auto place = ParseAddress(gcm, 1);
   const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();

@@ -21,39 +21,40 @@
 
 namespace tendon {
 
-/// The requests of a GCM to a process; called on the worker.
+/// Executes the requests of a GCM in a process. Called on the worker.
 class MembershipDelegate {
  public:
   virtual ~MembershipDelegate() = default;
   [[nodiscard]] virtual ProcessContent content() const = 0;
-  /// The address that this process announces.
+  /// Called with the address that this process announces.
   virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
-  /// The address of the multicast broker for rows; empty if there is none.
+  /// Called with the address of the multicast broker for rows. The address is empty if there is no
+  /// broker.
   virtual void OnBroker(const std::string& address) = 0;
-  /// `done` is called on the worker.
+  /// Makes a connection. `done` is called on the worker.
   virtual void MakeConnection(const message::ConnectionPlan& plan,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
-  /// `begin` is called in a thread that may block; an error cancels the order. `done` is called on
-  /// the worker.
+  /// Executes an order. `begin` is called in a thread that may block; an error cancels the order.
+  /// `done` is called on the worker.
   virtual void ExecuteOrder(const message::LifecycleOrder& order,
                             std::function<Result<void>()> begin,
                             std::function<void(const Result<message::LifecycleOutcome>&)> done) = 0;
   virtual void ListClasses(std::function<void(const Result<message::Classes>&)> done) = 0;
 };
 
-/// The membership of the process in a GCM: joins, reports changes, log and health, and renews the
-/// lease four times a second. Joins again if the GCM was lost, was restarted or has ended the
-/// membership. Without a GCM, or if the name is taken, the process continues, and joining is tried
-/// again.
+/// The membership of the process in a GCM. This class joins the GCM, reports changes, log and
+/// health, and renews the lease four times a second. It joins again if the GCM was lost, was
+/// restarted or has ended the membership. Without a GCM, or if the name is taken, the process
+/// continues, and joining is tried again.
 class Membership final : private NetworkJob {
  public:
   /// The GCM, and how to join it.
   struct Options {
     std::string gcm;  ///< the GCM's address
     bool retry = true;
-    ProcessDescription process;  ///< all but its address
+    ProcessDescription process;  ///< all data except its address
     std::string listens;         ///< see AdvertisedAddressOf()
     std::string advertise;
   };
@@ -64,11 +65,12 @@ class Membership final : private NetworkJob {
   /// Leaves the GCM. Call it after the worker has stopped.
   void Leave();
 
-  /// Waits for the membership. Returns a refusal at once, or the last error after `timeout`.
+  /// Waits until the process has joined. If the GCM refuses, returns the error at once. Returns the
+  /// last error after `timeout`.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
-  /// Any thread: call it after a change, which is reported soon.
+  /// Reports changes soon. Call it after a change. Any thread.
   void ReportSoon();
   /// On the worker: reports the changes since the last report.
   void Report();
@@ -115,8 +117,8 @@ class Membership final : private NetworkJob {
   const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
       std::make_shared<Published<SteadyTime>>();
 
-  /// Renews the lease while the network thread copies large messages. Last member, because it uses
-  /// the others.
+  /// This thread renews the lease even while the network thread copies large messages. It is the
+  /// last member, because it uses the others.
   NetworkThread lease_thread_{"lease"};
 };
 

@@ -47,7 +47,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   }
 
  private:
-  /// On the worker.
+  /// Returns the source for a subscription, and creates it if needed. Called on the worker.
   RowSource& SourceOf(const RowSubscription& subscription) {
     const std::string& process = subscription.wanted().process;
     auto& source = sources_[process];

@@ -19,7 +19,7 @@ static_assert(kEncodedSize<message::RowsHeader> == kHeaderSize);
 
 constexpr std::size_t Padded(std::size_t size) { return payload::AlignUp(size, 8); }
 
-/// Bytes that a cell occupies in its row.
+/// Returns the number of bytes that a cell occupies in its row.
 constexpr std::size_t PlaceSize(std::uint32_t size) {
   return size != 0 ? Padded(size) : kReferenceSize;
 }

@@ -21,11 +21,12 @@ class RowBatchWriter {
 
   void Clear();
   void BeginRow(std::uint64_t tick, std::int64_t time);
-  /// Adds the next cell of the row. It must have the column's size, or any size if that is 0.
+  /// Adds the next cell of the row. The cell must have the size of its column. If this size is 0,
+  /// the cell may have any size.
   void AddCell(std::span<const std::byte> cell);
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
-  /// Bytes of the finished body.
+  /// Returns the size of the finished body, in bytes.
   [[nodiscard]] std::size_t size() const {
     return frame_.size() - FrameHeader::kSize + loose_.size();
   }
@@ -34,18 +35,19 @@ class RowBatchWriter {
   std::span<const std::byte> Finish(const message::RowsHeader& header) {
     return FinishFrame(header).subspan(FrameHeader::kSize);
   }
-  /// The same, with room for the header of the frame before the body: for Channel::NotifyInPlace().
+  /// Like Finish(), but the result also has room for the frame's header before the body, for
+  /// Channel::NotifyInPlace().
   std::span<std::byte> FinishFrame(message::RowsHeader header);
 
  private:
   void JoinLooseCells();
 
   const std::vector<std::uint32_t> sizes_;
-  std::size_t first_row_ = 0;  // in the frame
+  std::size_t first_row_ = 0;  // offset in the frame
   std::size_t row_size_ = 0;
   std::size_t rows_ = 0;
   std::size_t column_ = 0;
-  std::size_t position_ = 0;  // of the next cell, in the frame
+  std::size_t position_ = 0;  // offset of the next cell in the frame
   bool is_joined_ = false;
   Bytes frame_;  // room for its header, and the body
   Bytes loose_;  // cells of variable size, until they are appended to the rows
@@ -60,7 +62,7 @@ class RowBatchReader {
   [[nodiscard]] const message::RowsHeader& header() const { return header_; }
   [[nodiscard]] std::uint64_t tick(std::size_t row) const;
   [[nodiscard]] std::int64_t time(std::size_t row) const;
-  /// Empty if there was no value.
+  /// Returns a cell; empty if there was no value.
   [[nodiscard]] std::span<const std::byte> cell(std::size_t row, std::size_t column) const;
 
  private:

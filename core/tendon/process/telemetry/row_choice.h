@@ -13,10 +13,10 @@ enum class RowDelivery : std::uint8_t {
   kNewest  ///< a newer row replaces an unsent one; no row waits or counts as lost
 };
 
-/// Which rows of a state table a viewer wants.
+/// The rows of a state table that a viewer wants.
 struct RowChoice {
-  /// 0: every row. Otherwise the first row in each period of the source's steady clock, the same
-  /// rows for all viewers with this period.
+  /// If 0, the viewer gets every row. Otherwise it gets the first row in each period of the
+  /// source's steady clock, so all viewers with the same period get the same rows.
   std::chrono::nanoseconds period{0};
   RowDelivery delivery = RowDelivery::kAll;
 

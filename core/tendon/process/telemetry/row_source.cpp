@@ -47,7 +47,7 @@ void RowSource::Close() {
   if (const auto channel = std::exchange(channel_, nullptr)) channel->Close();
 }
 
-/// Continues with all subscriptions that are not active.
+/// Requests all subscriptions that are not active.
 void RowSource::RestoreAll() {
   if (items_.empty()) return;
   if (const auto opened = Open(); !opened) {
@@ -72,7 +72,7 @@ Result<void> RowSource::Open() {
   {
     const std::scoped_lock lock(mutex_);
     active_.clear();  // subscriptions of the old channel are requested again
-    clock_ = {};      // a process that has moved may have another clock
+    clock_ = {};      // a process at another address may have another clock
   }
   for (Item& item : items_) {
     item.stage = Stage::kWanted;
@@ -82,7 +82,8 @@ Result<void> RowSource::Open() {
   return {};
 }
 
-/// Each ping measures the clock, the first one before any rows come.
+/// Starts to ping the process. Each ping measures the clock of the process; the first ping does so
+/// before any row arrives.
 void RowSource::MeasureClock() {
   MonitorPeer(pulse_, channel_,
               [weak = weak_from_this()](SteadyTime sent, SteadyTime there, SteadyTime arrived) {
@@ -108,7 +109,7 @@ void RowSource::RequestRows(Item& item) {
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::SubscribeReply>& answer) {
         auto outcome = answer;
-        if (answer) {  // before the first rows arrive
+        if (answer) {  // this must be done before the first rows arrive
           const auto begun = self->Begin(*channel, subscription, *answer);
           if (!begun) outcome = begun.error();
         }
@@ -279,7 +280,7 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   const auto found = active_.find({&channel, handle});
-  if (found == active_.end()) {  // it has ended, or the answer came too late
+  if (found == active_.end()) {  // the subscription has ended, or the answer came too late
     lock.unlock();
     (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
     return;
@@ -288,8 +289,8 @@ void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const s
   const ClockOffset clock = clock_;
   lock.unlock();
   standing.subscription->Deliver(standing.beginning, body, clock);
-  // The process sends no more rows until this acknowledgement arrives. A new channel subscribes
-  // again.
+  // The process sends no more rows until this acknowledgement arrives. If it cannot be sent, the
+  // channel is closed, and the next channel subscribes again.
   const bool must_tell = standing.subscription->wanted().rows.delivery == RowDelivery::kNewest;
   if (must_tell && !channel.Notify(message::kRowTaken, handle, Bytes())) channel.Close();
 }

@@ -21,7 +21,7 @@
 
 namespace tendon {
 
-/// The shared state of the thread that receives a topic and the subscription that uses it.
+/// The state of a topic that is being received. The receiving thread and the subscription share it.
 /// Thread-safe.
 class TopicState {
  public:
@@ -44,7 +44,7 @@ class TopicState {
    private:
     TopicState& line_;
   };
-  /// 0 if there is none.
+  /// The number of the present activation; 0 if there is none.
   [[nodiscard]] std::uint64_t beginning() const {
     const std::scoped_lock lock(mutex_);
     return beginning_;
@@ -94,11 +94,11 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
         process_(std::move(process)) {}
 
   void Add(const std::shared_ptr<RowSubscription>& subscription);
-  /// Ends the subscription at the process. It must already have ended at this end.
+  /// Unsubscribes at the process. RowSubscription::End() must have been called before.
   void Remove(const std::shared_ptr<RowSubscription>& subscription);
   /// Tries to restore lost subscriptions at once.
   void Retry();
-  /// Call it after the worker has stopped.
+  /// Closes the channel. Call it after the worker has stopped.
   void Close();
 
  private:
@@ -142,20 +142,20 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void MonitorTopic(const SharedSubscription& subscription,
                     const std::shared_ptr<TopicState>& line);
   void FallBack(Item& item, const Error& reason);
-  /// In the middleware's thread.
+  /// Activates a subscription. Called in the middleware's thread.
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
                      const message::SubscribeReply& subscribed);
   void OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body);
   void OnAnswer(const std::shared_ptr<Channel>& channel,
                 const std::shared_ptr<RowSubscription>& subscription,
                 const Result<message::SubscribeReply>& answer);
-  /// Any thread.
+  /// Ends a subscription at the process. Any thread.
   void Unsubscribe(Channel& channel, std::uint32_t handle);
   void RetryLater();
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
-  const Access& access_;  // only on the worker, because a channel may outlive it
+  const Access& access_;  // used only on the worker, because a channel may outlive this data
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;
@@ -167,7 +167,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
 
   std::mutex mutex_;  // guards the members that the middleware's thread uses
   // The key includes the channel, because the end of an old channel may be reported after the next
-  // one has opened.
+  // channel was opened.
   std::map<std::pair<const Channel*, std::uint32_t>, ActiveSubscription> active_;
   ClockOffset clock_;  // the peer's clock
 };

@@ -27,19 +27,19 @@ bool Includes(const RowAcknowledgements& acknowledgements, const std::shared_ptr
 void ReportEnd(const RowViewer& viewer, const Error& reason) {
   const Status sent =
       viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-  // Otherwise the viewer would wait for rows for ever. It opens the channel again, and gets the
-  // reason then.
+  // If the link is full, the channel is closed, because otherwise the viewer would wait for rows
+  // for ever. The viewer opens the channel again, and then gets the reason.
   if (sent == Status(Status::kQueueFull)) viewer.channel->Close();
 }
 
 void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
-  constexpr int kLongestQuiet = 25;  // in calls: half a second
+  constexpr int kLongestQuiet = 25;  // calls of Send(), which means half a second
   lost_table_ += lost;
   ++silence_;
   if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;
   const auto body = batch.Finish(
       {.rows_before = rows_before_, .lost_table = lost_table_, .next_tick = next_tick});
-  rows_before_ += batch.rows();  // even if refused: viewers see the gap
+  rows_before_ += batch.rows();  // counted even if refused, so that viewers see the gap
   if (!topic_->Publish(body)) return;
   lost_table_ = 0;
   silence_ = 0;
@@ -107,7 +107,8 @@ bool RowStream::Wants(std::int64_t time) {
 }
 
 bool RowStream::is_full() const {
-  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;  // plus one row fits into one piece
+  // With one more row, a batch still fits into one piece.
+  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;
   return rows_.delivery == RowDelivery::kAll && batch_.size() >= kMostBytes;
 }
 
@@ -126,7 +127,7 @@ void RowStream::SendAll(DirectViewer& viewer, std::uint64_t lost, std::uint64_t 
   if (batch_.rows() == 0 && viewer.lost_table == 0 && !viewer.is_owed) return;
   const auto frame = batch_.FinishFrame(
       {.rows_before = viewer.rows_before, .lost_table = viewer.lost_table, .next_tick = next_tick});
-  viewer.rows_before += batch_.rows();  // even if refused: the viewer sees the gap
+  viewer.rows_before += batch_.rows();  // counted even if refused, so that the viewer sees the gap
   viewer.is_owed =
       !viewer.channel->NotifyInPlace(message::kRows, viewer.handle, frame, viewer.lane);
   if (!viewer.is_owed) viewer.lost_table = 0;

@@ -33,13 +33,15 @@ using RowAcknowledgements = std::map<std::shared_ptr<Channel>, std::set<std::uin
 struct RowViewer {
   std::shared_ptr<Channel> channel;
   std::uint32_t handle = 0;
-  Lane lane = kCommonLane;  ///< for its rows
+  Lane lane = kCommonLane;  ///< lane for its rows
 };
 
-/// Tells the viewer that its rows have ended; closes its channel if that cannot be sent.
+/// Notifies the viewer that its rows have ended. Closes the viewer's channel if the notice cannot
+/// be sent.
 void ReportEnd(const RowViewer& viewer, const Error& reason);
 
-/// The viewers of one stream or topic, each with its own state: a RowViewer or derived from it.
+/// The viewers of one stream or topic. The type `Viewer`, which is RowViewer or derived from it,
+/// holds the state of one viewer.
 ///
 /// One thread at a time.
 template <std::derived_from<RowViewer> Viewer>
@@ -74,7 +76,7 @@ class ViewerList {
 };
 
 /// Publishes the rows of one stream once, for all viewers that use a broker. The process does not
-/// know which batches arrive; from the numbers in the batches, each viewer sees its losses.
+/// know which batches arrive; each viewer computes its losses from the numbers in the batches.
 ///
 /// One thread at a time.
 class RowTopic {
@@ -84,7 +86,7 @@ class RowTopic {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Their channels carry all messages except rows.
+  /// The viewers of this topic. Their channels carry all messages except rows.
   [[nodiscard]] ViewerList<RowViewer>& viewers() { return viewers_; }
   [[nodiscard]] const ViewerList<RowViewer>& viewers() const { return viewers_; }
 
@@ -96,15 +98,15 @@ class RowTopic {
   const std::unique_ptr<Broadcast::Topic> topic_;
   ViewerList<RowViewer> viewers_;
   std::uint64_t rows_before_ = 0;
-  std::uint64_t lost_table_ = 0;  // since the last sent batch
+  std::uint64_t lost_table_ = 0;  // rows lost since the last sent batch
   int silence_ = 0;               // calls of Send() since the last sent batch
 };
 
 using MakeRowTopic = std::function<std::unique_ptr<RowTopic>()>;
 
-/// Rows with chosen columns of a table, built once for all viewers with the same choice. A slow
-/// viewer loses rows, which it can count, or skips outdated rows, as it has chosen; other viewers
-/// are not affected.
+/// Sends rows with chosen columns of a table. The rows are built once for all viewers with the same
+/// choice. A slow viewer loses rows, which it can count, or skips outdated rows, as it has chosen;
+/// other viewers are not affected.
 ///
 /// One thread at a time. The table must outlive the stream.
 class RowStream {
@@ -119,13 +121,14 @@ class RowStream {
   [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
-  /// `lane` is used for these rows only, so that no other message waits for them.
+  /// Adds a viewer. `lane` is used only for its rows, so that no other message waits for them.
   void Add(std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
-  /// Calls `make` if there is no topic yet. Returns the topic's name.
+  /// Adds a viewer that gets its rows through the topic. Calls `make` if there is no topic yet.
+  /// Returns the topic's name.
   const std::string& AddToTopic(const MakeRowTopic& make, std::shared_ptr<Channel> channel,
                                 std::uint32_t handle);
   void Remove(const Channel& channel, std::uint32_t handle);
-  /// These viewers have received the newest row and may get the next.
+  /// Records that these viewers have received the newest row and may get the next row.
   void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
@@ -144,9 +147,9 @@ class RowStream {
  private:
   struct DirectViewer : RowViewer {
     std::uint64_t rows_before = 0;
-    std::uint64_t lost_table = 0;  // since the last sent batch
+    std::uint64_t lost_table = 0;  // rows lost since the last sent batch
     bool is_owed = false;          // a batch was refused: the viewer does not know of the loss yet
-    bool is_busy = false;          // has not acknowledged the newest row
+    bool is_busy = false;          // the viewer has not acknowledged the newest row
     std::uint64_t next_tick = 0;   // ticks below this were sent to the viewer
   };
 

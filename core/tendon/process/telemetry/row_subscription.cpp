@@ -36,7 +36,8 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
   if (goes_on_ && wanted_.rows == RowChoice{}) {
     lost_between_ += first_tick - std::min(next_tick_, first_tick);
   }
-  // With the newest row only, the first row may have been written before the subscription.
+  // In a subscription to only the newest row, the first row may have been written before the
+  // subscription.
   if (wanted_.rows.delivery != RowDelivery::kNewest) {
     next_tick_ = first_tick;
   } else if (!goes_on_) {
@@ -48,7 +49,7 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
 bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
   const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
-  // Ignores the loss that the batch reports, which may have happened before the subscription.
+  // Ignores the loss that the batch reports, because it may have happened before the subscription.
   GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
@@ -95,7 +96,8 @@ bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   return header.next_tick >= next;
 }
 
-/// For a topic, computes the loss from ticks, because the batch that reported it may be lost.
+/// Returns the number of rows that were lost in the table. For a topic, computes it from ticks,
+/// because the batch that reported the loss may itself be lost.
 std::uint64_t RowSubscription::LostInTable(const message::RowsHeader& header,
                                            std::uint64_t lost_here) const {
   if (!is_of_topic_) return header.lost_table;

@@ -15,8 +15,8 @@ namespace tendon {
 
 class RowBatchReader;
 
-/// One subscription of a viewer: passes arriving batches to its sink and counts losses. Called by
-/// any thread, one at a time. After End() the sink is not called any more.
+/// One subscription of a viewer. It passes arriving batches to its sink and counts lost rows. Any
+/// thread may call it, one thread at a time. After End() the sink is not called any more.
 class RowSubscription {
  public:
   RowSubscription(TableSubscription wanted, std::shared_ptr<RowSink> sink)
@@ -24,15 +24,16 @@ class RowSubscription {
 
   [[nodiscard]] const TableSubscription& wanted() const { return wanted_; }
 
-  /// The first row that counts: the announced one, or, for rows through a topic, the first that
-  /// arrives.
+  /// The row with which the subscription starts: the announced row or, if rows arrive through a
+  /// topic, the first row that arrives.
   enum class Start { kFirstTick, kFirstBatch };
-  /// The subscription is active. Returns an error if the answer is invalid; otherwise the number of
-  /// this activation, which its batches carry. Rows written while it was inactive count as lost.
+  /// Activates the subscription. Returns an error if the answer is invalid; otherwise the number of
+  /// this activation, which must be passed to Deliver(). Rows that were written while the
+  /// subscription was inactive count as lost.
   Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed,
                               Start start = Start::kFirstTick);
-  /// Delivers a batch that carries the number `beginning`, returned by Begin(). Ignores batches
-  /// that are malformed, out of order or of an earlier activation.
+  /// Delivers a batch that belongs to the activation `beginning`, a number that Begin() has
+  /// returned. Ignores batches that are malformed, out of order or of an earlier activation.
   void Deliver(std::uint64_t beginning, std::span<const std::byte> body, const ClockOffset& clock);
   /// Called when there are no rows for now. Notifies the sink once for each reason.
   void Interrupt(const Error& reason);
@@ -42,13 +43,14 @@ class RowSubscription {
   /// Counts the rows after the last one and before `first_tick` as lost, and continues at
   /// `first_tick`.
   void GoOn(std::uint64_t first_tick);
-  /// Returns false if the batch is older than the last row.
+  /// Continues with the first row of a batch. Returns false if the batch is older than the last
+  /// row.
   bool GoOnWith(const RowBatchReader& batch);
   [[nodiscard]] bool GoesForward(const RowBatchReader& batch) const;
   [[nodiscard]] std::uint64_t LostInTable(const message::RowsHeader& header,
                                           std::uint64_t lost_here) const;
   void ReadStamps(const RowBatchReader& reader);
-  /// The correction for the times of this batch.
+  /// Returns the correction for the times of this batch.
   [[nodiscard]] std::chrono::nanoseconds Correction(const ClockOffset& clock);
 
   const TableSubscription wanted_;

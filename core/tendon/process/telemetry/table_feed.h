@@ -14,7 +14,7 @@
 namespace tendon {
 
 /// Reads the rows of one state table once for all viewers of any of its columns. When the batch of
-/// one stream is full, the batches of all streams end.
+/// one stream is full, the batches of all streams are sent.
 ///
 /// One thread at a time. The table must outlive the feed.
 class TableFeed {
@@ -23,12 +23,12 @@ class TableFeed {
 
   [[nodiscard]] const std::string& component() const { return component_; }
   [[nodiscard]] bool IsOf(const StateTable& table) const { return &table_ == &table; }
-  /// The first row for a viewer that is added now.
+  /// The tick of the first row that a viewer gets if it is added now.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  /// `handle` is the number of the subscription issued here; `lane` is used for its rows only. A
-  /// viewer that chose only the newest row gets the present one at once, even if no more rows are
-  /// written.
+  /// Adds a viewer. `handle` is the number of the subscription, which this process has issued;
+  /// `lane` is used only for its rows. A viewer that chose only the newest row gets the present row
+  /// at once, even if no more rows are written.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
            std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
   /// Adds a viewer that gets every row through a topic; returns the name of the topic.
@@ -38,8 +38,8 @@ class TableFeed {
   void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
-  /// Number of cells read per row for a viewer if this subscription is added. Subscriptions to the
-  /// same columns and rows are read once.
+  /// Returns the number of cells that are read per row for a viewer if this subscription is added.
+  /// Subscriptions to the same columns and rows are read once.
   [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
                                      const RowChoice& rows) const;
 
@@ -62,7 +62,7 @@ class TableFeed {
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // how far behind the writer the last skip ended, in rows
+  std::uint64_t head_start_ = 0;  // how many rows after the oldest row the last skip ended
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

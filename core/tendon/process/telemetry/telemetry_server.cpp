@@ -19,7 +19,7 @@ std::vector<std::string> ListedNames(const List& list) {
   return names;
 }
 
-/// The newest value of one column, without a number.
+/// Returns the newest value of one column, without a handle.
 message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
   message::MirroredColumn newest;
   newest.capacity = static_cast<std::uint32_t>(table.columns()[column]->layout().bytes);
@@ -75,7 +75,8 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   subscribed.handle = ++last_handle_;
   subscribed.first_tick = feed.next_tick();
   const Lane lane = channel->NewLane();
-  if (!responder.TryReply(EncodeBody(subscribed), lane)) return;  // rows must not overtake it
+  // Rows must not overtake the reply.
+  if (!responder.TryReply(EncodeBody(subscribed), lane)) return;
   feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
 }
@@ -115,7 +116,7 @@ void TelemetryServer::JoinTopic(const std::shared_ptr<Channel>& channel,
   context_.network->Notify();
 }
 
-/// Called with the mutex held.
+/// Checks the limits of a viewer. Called with the mutex held.
 Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Subscribe& wanted,
                                          const Channel& viewer) const {
   std::size_t count = 0;
@@ -142,7 +143,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
                                        "same columns and the same period for several"};
 }
 
-/// Called with the mutex held.
+/// Checks that a topic can carry these rows. Called with the mutex held.
 Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
                                         const Source& source) const {
   if (context_.middleware->broadcast() == nullptr || broker_.empty()) {
@@ -150,7 +151,7 @@ Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
   }
   if (wanted.rows != RowChoice{}) {
     return Error{ErrorCode::kInvalid,
-                 "a broker carries all rows: a choice of rows is not possible"};
+                 "the broker delivers every row, so chosen rows cannot be subscribed through it"};
   }
   std::size_t row = 0;
   for (const std::size_t column : source.columns) {
@@ -158,9 +159,10 @@ Result<void> TelemetryServer::FitsTopic(const message::Subscribe& wanted,
   }
   constexpr std::size_t kLargestRow = Broadcast::kMaxMessage / 4;  // half a batch
   if (row <= kLargestRow) return {};
-  return Error{ErrorCode::kInvalid, "rows of " + std::to_string(row) +
-                                        " bytes are too large for a broker, which carries " +
-                                        std::to_string(kLargestRow)};
+  return Error{ErrorCode::kInvalid,
+               "rows of " + std::to_string(row) +
+                   " bytes are too large for the broker, which accepts at most " +
+                   std::to_string(kLargestRow) + " bytes per row"};
 }
 
 void TelemetryServer::SetBroker(const std::string& address) {
@@ -217,7 +219,8 @@ void TelemetryServer::Mirror(const std::shared_ptr<Channel>& channel, const mess
     column.handle = ++last_handle_;
   }
   const Lane lane = channel->NewLane();
-  if (!responder.TryReply(EncodeBody(mirrored), lane)) return;  // rows must not overtake it
+  // Rows must not overtake the reply.
+  if (!responder.TryReply(EncodeBody(mirrored), lane)) return;
   const RowChoice newest{.delivery = RowDelivery::kNewest};
   for (std::size_t i = 0; i < sources->size(); ++i) {
     const Source& source = (*sources)[i];
@@ -246,7 +249,7 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
                                             ToString(wanted.provided) + " twice: name it once"};
     }
     const Offer* command = (*provided)->FindCommand(name);
-    if (command == nullptr) {  // opening the interface checks this
+    if (command == nullptr) {  // reported when the interface is opened
       sources.emplace_back();
       continue;
     }

@@ -19,17 +19,17 @@
 
 namespace tendon {
 
-/// Collects acknowledgements until the network thread next sends rows, so that each one costs
-/// little. Thread-safe.
+/// Collects acknowledgements until the network thread sends rows the next time, so that each
+/// acknowledgement costs little. Thread-safe.
 class AcknowledgementQueue {
  public:
-  /// The largest number of waiting acknowledgements of one viewer: twice its subscriptions, some of
-  /// which may just have ended.
+  /// The maximum number of waiting acknowledgements of one viewer. It is twice the maximum number
+  /// of subscriptions, because some subscriptions may just have ended.
   static constexpr std::size_t kMostOfOneViewer = 4096;
 
-  /// Adds one. Closes the channel of a viewer that exceeds the limit.
+  /// Adds an acknowledgement. Closes the channel of a viewer that exceeds the limit.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
-  /// Wait-free if there are none.
+  /// Removes and returns all acknowledgements. Wait-free if there are none.
   [[nodiscard]] RowAcknowledgements TakeAll();
 
  private:
@@ -47,38 +47,41 @@ class TelemetryServer final : public NetworkJob {
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// The limits of one viewer, identified by its channel, so that it does not displace others: the
-  /// number of its subscriptions, and for each table the cells read per row, as a multiple of the
-  /// table's columns. Subscriptions to the same columns and rows are read once. The number of
-  /// mirrors, which need the role of an operator, is not limited.
+  /// The limits of one viewer, so that it does not displace other viewers. A viewer is identified
+  /// by its channel. kMostSubscriptions limits the number of its subscriptions. For each table,
+  /// kMostReadings limits the number of cells read per row, as a multiple of the number of columns.
+  /// Subscriptions to the same columns and rows are read once. The number of mirrors, which need
+  /// the role of an operator, is not limited.
   ///
-  /// There is no common limit for all viewers, because a few of them could exhaust it.
+  /// There is no common limit for all viewers, because a few viewers could exhaust it.
   static constexpr std::size_t kMostSubscriptions = 2048;
   static constexpr std::size_t kMostReadings = 32;
 
-  /// Replies before the first row is sent. If the reply cannot be sent, there is no subscription.
-  /// Refusals: kNotFound with a suggestion; kInvalid for a period below zero, or a column named
-  /// twice; kFailed above the limits of a viewer.
+  /// Adds a subscription. Replies before the first row is sent. If the reply cannot be sent, there
+  /// is no subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below zero,
+  /// or a column named twice; kFailed above the limits of a viewer.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// The same, but the rows are published in a topic of the broker. Further refusals: kNotFound if
-  /// there is no broker or the middleware does not support it; kInvalid for rows that a topic
-  /// cannot carry.
+  /// Like Subscribe(), but the rows are published in a topic of the broker. Further refusals:
+  /// kNotFound if there is no broker or the middleware does not support it; kInvalid for rows that
+  /// a topic cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// Sends copies of the answers of read commands. Refusals: kNotFound; kIncompatible for a command
-  /// that does not return the newest value of a column; kInvalid for a command named twice.
+  /// Starts to send copies of the values that read commands return. Refusals: kNotFound;
+  /// kIncompatible for a command that does not return the newest value of a column; kInvalid for a
+  /// command named twice.
   void Mirror(const std::shared_ptr<Channel>& channel, const message::Mirror& wanted,
               Responder& responder);
-  /// Sets the broker for topics that are created from now on; empty: no broker.
+  /// Sets the broker for topics that are created from now on. An empty address means no broker.
   void SetBroker(const std::string& address);
   void Unsubscribe(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
-  /// Any thread.
+  /// Records that a viewer has received a row. Any thread.
   void OnRowTaken(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
     acknowledgements_.Add(channel, handle);
   }
 
-  /// Any thread: call it before the component is removed. Notifies its viewers.
+  /// Ends the subscriptions to a component and notifies its viewers. Call it before the component
+  /// is removed. Any thread.
   void RemoveComponent(const std::string& component);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -87,7 +90,7 @@ class TelemetryServer final : public NetworkJob {
   struct Source {
     const StateTable* table = nullptr;
     std::vector<std::size_t> columns;
-    const Flag* enabled = nullptr;  // of the read command; null for a plain column
+    const Flag* enabled = nullptr;  // flag of the read command; null for a plain column
   };
 
   [[nodiscard]] Result<void> HasRoomFor(const Source& source, const message::Subscribe& wanted,

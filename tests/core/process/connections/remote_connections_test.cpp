@@ -321,9 +321,9 @@ TEST_P(RemoteConnection, IsRestoredWhenALostProcessReturns) {
   const std::string kEnds = "desk/operator/Robot to robot/plant/Control ";
   const auto lines = log.texts();
   ASSERT_GE(lines.size(), 3U);
-  EXPECT_EQ(lines.at(0), kEnds + "stands");
+  EXPECT_EQ(lines.at(0), kEnds + "is active");
   EXPECT_THAT(lines.at(1), StartsWith(kEnds + "is lost, and will be restored: process 'robot'"));
-  EXPECT_EQ(lines.at(2), kEnds + "stands");
+  EXPECT_EQ(lines.at(2), kEnds + "is active");
 }
 
 TEST_P(RemoteConnection, RestoredByTheGcmSatisfiesTheProgramsConnect) {
